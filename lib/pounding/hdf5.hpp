@@ -1,0 +1,67 @@
+#pragma once
+/// What results.cpp needs of HDF5's C interface: identifiers that close themselves, errors as exceptions with HDF5's
+/// own text, and datasets that say their units. Every function throws std::runtime_error when HDF5 fails.
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace pounding::hdf5 {
+
+/// The status as it is when it reports success; otherwise throws `HDF5 could not ACTION: ...`.
+hid_t checked(hid_t status, std::string_view action);
+
+/// Owns one identifier.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close, std::string_view action) : id_(checked(id, action)), close_(close) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle& operator=(Handle&&) = delete;
+  operator hid_t() const noexcept { return id_; }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+/// The bytes of a file that `write` fills. It is made in memory: HDF5 never touches the disk.
+std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write);
+
+/// A group whose members come back in the order in which they were made.
+Handle group(hid_t parent, const std::string& name);
+
+/// UTF-8 text of any length, or of `size` bytes where the rows of a table hold it.
+Handle text_type(std::size_t size = H5T_VARIABLE);
+
+void attribute(hid_t object, const char* name, const std::string& value);
+void attribute(hid_t object, const char* name, double value);
+void attribute(hid_t object, const char* name, int value);
+void attribute(hid_t object, const char* name, const std::vector<std::string>& values);
+
+/// What every dataset says about itself; a dimensionless number has the unit "1".
+struct Label {
+  const char* name;
+  const char* units;
+  const char* long_name;
+};
+
+/// A chunked array, time first, row-major; any extent may be 0. Large ones are compressed.
+Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape);
+/// One text, with the unit "text".
+void text(hid_t parent, const char* name, const char* long_name, const std::string& value);
+void scalar(hid_t parent, const Label& label, long value);
+void scalar(hid_t parent, const Label& label, double value);
+/// A chunked table of `rows` rows of a compound type. Units and meanings: one a field, in their order.
+void table(hid_t parent, const char* name, const char* long_name, hid_t row_type, std::size_t rows, const void* data,
+           const std::vector<std::string>& units, const std::vector<std::string>& field_long_names);
+
+}  // namespace pounding::hdf5

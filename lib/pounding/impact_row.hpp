@@ -1,0 +1,21 @@
+#pragma once
+
+namespace pounding {
+
+/// One impact of one link.
+struct ImpactRow {
+  int link = 0;                 ///< index into the links, in the order of the input
+  double t_start = 0;           ///< touch [s]
+  double t_end = 0;             ///< separation: the penetration is zero again, or the law ends the contact [s]
+  double t_release = 0;         ///< the force fell to zero for good [s]; equals t_end for laws without a slack phase
+  double v_approach = 0;        ///< closing speed at touch [m/s]
+  double v_separation = 0;      ///< opening speed at separation, positive when the bodies part [m/s]
+  double restitution = 0;       ///< v_separation / v_approach; NaN for a touch at rest
+  double peak_force = 0;        ///< [N]; NaN for a rigid impact
+  double t_peak = 0;            ///< time of the peak force [s]
+  double peak_penetration = 0;  ///< [m]
+  double impulse = 0;           ///< integral of the force [N s]
+  double energy_lost = 0;       ///< work that the link took and did not give back [J]
+};
+
+}  // namespace pounding

@@ -1,0 +1,213 @@
+#include "pounding/results.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+#include "pounding/error.hpp"
+#include "pounding/hdf5.hpp"
+#include "pounding/replace_file.hpp"
+
+namespace pounding {
+namespace {
+
+using hdf5::array;
+using hdf5::attribute;
+using hdf5::checked;
+using hdf5::group;
+using hdf5::Handle;
+using hdf5::Label;
+using hdf5::scalar;
+using hdf5::text;
+
+void check_length(std::size_t length, std::size_t expected, const std::string& what) {
+  if (length != expected)
+    throw std::invalid_argument(what + " holds " + std::to_string(length) + " values; " + std::to_string(expected) +
+                                " are expected");
+}
+
+template <class Histories>
+void check_names(const Histories& histories, const std::string& kind) {
+  std::set<std::string_view> seen;
+  for (const auto& history : histories) {
+    const std::string& name = history.name;
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
+      throw InputError(kind + " name \"" + name +
+                       "\" cannot name a group of the results file: write a name that is not empty, \".\" or \"..\" "
+                       "and has no '/' in it.");
+    if (!seen.insert(name).second)
+      throw InputError("two " + kind + "s are named \"" + name + "\": give each its own name.");
+  }
+}
+
+void write_structure(hid_t parent, const StructureHistory& history, std::size_t samples) {
+  const Handle place = group(parent, history.name);
+  const std::size_t floors = history.floors.size();
+  const std::vector<std::string> directions{"x"};
+  attribute(place, "floors", history.floors);
+  attribute(place, "directions", directions);
+
+  const auto motion = [&](const Label& label, const std::vector<double>& values) {
+    check_length(values.size(), samples * floors, history.name + ": " + label.name);
+    const Handle made = array(place, label, values, {samples, floors, directions.size()});
+    attribute(made, "floors", history.floors);
+    attribute(made, "directions", directions);
+  };
+  motion({"displacement", "m", "displacement relative to the ground"}, history.displacement);
+  motion({"velocity", "m/s", "velocity relative to the ground"}, history.velocity);
+  motion({"acceleration", "m/s^2", "absolute acceleration"}, history.acceleration);
+
+  const auto storey = [&](const Label& label, const std::vector<double>& values) {
+    const std::size_t storeys = values.empty() ? 0 : floors;
+    check_length(values.size(), samples * storeys, history.name + ": " + label.name);
+    const Handle made = array(place, label, values, {samples, storeys});
+    attribute(made, "floors", storeys == 0 ? std::vector<std::string>{} : history.floors);
+  };
+  storey({"drift", "m", "storey drift, floor minus the floor below"}, history.drift);
+  storey({"storey_shear", "N", "shear force of the storey below the floor"}, history.storey_shear);
+}
+
+void write_link(hid_t parent, const LinkHistory& history) {
+  const Handle place = group(parent, history.name);
+  attribute(place, "gap", history.gap);
+  attribute(place, "gap_units", std::string("m"));
+  attribute(place, "law", history.law);
+  attribute(place, "left", history.left.structure);
+  attribute(place, "left_floor", history.left.floor);
+  attribute(place, "right", history.right.structure);
+  attribute(place, "right_floor", history.right.floor);
+
+  const auto column = [&](const Label& label, const std::vector<double>& values) {
+    check_length(values.size(), history.time.size(), history.name + ": " + label.name);
+    array(place, label, values, {values.size()});
+  };
+  column({"time", "s", "time, dense inside contacts"}, history.time);
+  column({"penetration", "m", "penetration, positive when overlapping, negative when open"}, history.penetration);
+  column({"velocity", "m/s", "rate of the penetration, positive when closing"}, history.velocity);
+  column({"force", "N", "contact force, positive when it pushes apart"}, history.force);
+  column({"energy", "J", "work done on the link, stored and lost"}, history.energy);
+}
+
+struct ImpactField {
+  Label label;
+  double ImpactRow::*value;
+};
+
+constexpr ImpactField impact_fields[] = {
+    {{"t_start", "s", "touch"}, &ImpactRow::t_start},
+    {{"t_end", "s", "separation"}, &ImpactRow::t_end},
+    {{"t_release", "s", "the force fell to zero for good"}, &ImpactRow::t_release},
+    {{"v_approach", "m/s", "closing speed at touch"}, &ImpactRow::v_approach},
+    {{"v_separation", "m/s", "opening speed at separation"}, &ImpactRow::v_separation},
+    {{"restitution", "1", "v_separation / v_approach, NaN for a touch at rest"}, &ImpactRow::restitution},
+    {{"peak_force", "N", "largest contact force"}, &ImpactRow::peak_force},
+    {{"t_peak", "s", "time of the largest contact force"}, &ImpactRow::t_peak},
+    {{"peak_penetration", "m", "largest penetration"}, &ImpactRow::peak_penetration},
+    {{"impulse", "N s", "integral of the contact force"}, &ImpactRow::impulse},
+    {{"energy_lost", "J", "work that the link took and did not give back"}, &ImpactRow::energy_lost},
+};
+
+/// One table, one row an impact: the link's name as text of a fixed length, then the numbers.
+void write_impacts(hid_t file, const Results& results) {
+  std::size_t name_size = 1;
+  for (const LinkHistory& link : results.links) name_size = std::max(name_size, link.name.size());
+  const std::size_t fields = std::size(impact_fields);
+  const std::size_t row_size = name_size + fields * sizeof(double);
+
+  const Handle row(H5Tcreate(H5T_COMPOUND, row_size), H5Tclose, "make the type of an impact");
+  checked(H5Tinsert(row, "link", 0, hdf5::text_type(name_size)), "add link to the type of an impact");
+  std::vector<std::string> units{"text"}, long_names{"name of the link"};
+  for (std::size_t i = 0; i < fields; ++i) {
+    const Label& label = impact_fields[i].label;
+    checked(H5Tinsert(row, label.name, name_size + i * sizeof(double), H5T_NATIVE_DOUBLE),
+            std::string("add ") + label.name + " to the type of an impact");
+    units.emplace_back(label.units);
+    long_names.emplace_back(label.long_name);
+  }
+
+  std::vector<std::byte> table(results.impacts.size() * row_size);
+  std::byte* place = table.data();
+  for (const ImpactRow& impact : results.impacts) {
+    if (impact.link < 0 || static_cast<std::size_t>(impact.link) >= results.links.size())
+      throw std::invalid_argument("an impact names link " + std::to_string(impact.link) + "; there are " +
+                                  std::to_string(results.links.size()) + " links, counted from 0");
+    const std::string& name = results.links[static_cast<std::size_t>(impact.link)].name;
+    std::memcpy(place, name.data(), name.size());
+    for (std::size_t i = 0; i < fields; ++i)
+      std::memcpy(place + name_size + i * sizeof(double), &(impact.*impact_fields[i].value), sizeof(double));
+    place += row_size;
+  }
+
+  hdf5::table(file, "impacts", "impacts in the order of their touches", row, results.impacts.size(), table.data(), units,
+              long_names);
+}
+
+void write_energy(hid_t file, const EnergyHistory& energy) {
+  const Handle place = group(file, "energy");
+  const auto column = [&](const Label& label, const std::vector<double>& values) {
+    check_length(values.size(), energy.time.size(), std::string("energy: ") + label.name);
+    array(place, label, values, {values.size()});
+  };
+  column({"time", "s", "time"}, energy.time);
+  column({"input", "J", "work of the ground motion, and the energy at the start"}, energy.input);
+  column({"kinetic", "J", "kinetic energy"}, energy.kinetic);
+  column({"strain", "J", "elastic energy"}, energy.strain);
+  column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);
+  column({"hysteretic", "J", "energy dissipated by yielding"}, energy.hysteretic);
+  column({"impact", "J", "energy dissipated by the links"}, energy.impact);
+  column({"error", "J", "input minus all other parts"}, energy.error);
+}
+
+void write_solver(hid_t file, const SolverStatistics& solver) {
+  const Handle place = group(file, "solver");
+  scalar(place, {"steps", "1", "steps kept"}, solver.steps);
+  scalar(place, {"rejected", "1", "steps thrown away by the error control"}, solver.rejected);
+  scalar(place, {"events", "1", "located touches, reversals, releases and separations"}, solver.events);
+  scalar(place, {"iterations", "1", "iterations of the link equations"}, solver.iterations);
+  scalar(place, {"wall_seconds", "s", "wall time"}, solver.wall_seconds);
+  scalar(place, {"wall_setup", "s", "wall time before the first step"}, solver.wall_setup);
+  scalar(place, {"wall_solve", "s", "wall time of the steps"}, solver.wall_solve);
+  scalar(place, {"wall_output", "s", "wall time of recording and writing"}, solver.wall_output);
+}
+
+void write_all(hid_t file, const Results& results) {
+  attribute(file, "program", results.program);
+  attribute(file, "version", results.version);
+  attribute(file, "created", results.created);
+  attribute(file, "title", results.title);
+  attribute(file, "command", results.command);
+  attribute(file, "status", results.status);
+
+  const Handle input = group(file, "input");
+  text(input, "model.yaml", "input as given", results.model_yaml);
+  text(input, "resolved.yaml", "input with every default and calibrated parameter", results.resolved_yaml);
+
+  array(file, {"time", "s", "output times"}, results.time, {results.time.size()});
+  const Handle ground = group(file, "ground");
+  check_length(results.ground_acceleration.size(), results.time.size(), "ground acceleration");
+  array(ground, {"acceleration", "m/s^2", "acceleration of the ground at the output times"},
+        results.ground_acceleration, {results.time.size()});
+
+  const Handle structures = group(file, "structures");
+  for (const StructureHistory& history : results.structures) write_structure(structures, history, results.time.size());
+  const Handle links = group(file, "links");
+  for (const LinkHistory& history : results.links) write_link(links, history);
+  write_impacts(file, results);
+  write_energy(file, results.energy);
+  text(file, "summary", "summary as JSON", results.summary_json);
+  write_solver(file, results.solver);
+}
+
+}  // namespace
+
+void write_results(const Results& results, const std::string& path) {
+  check_names(results.structures, "structure");
+  check_names(results.links, "link");
+  replace_file(path, hdf5::file_image([&](hid_t file) { write_all(file, results); }));
+}
+
+}  // namespace pounding

@@ -1,0 +1,73 @@
+#pragma once
+/// What a run leaves behind, in memory and in one HDF5 file that h5py reads without help (DESIGN of the file: README).
+
+#include <string>
+#include <vector>
+
+#include <pounding/impact_row.hpp>
+
+namespace pounding {
+
+/// One end of a link: a structure and its floor, counted from 1 at the lowest; 0 when there is no floor to name.
+struct LinkEnd {
+  std::string structure;
+  int floor = 0;
+};
+
+/// History of one link, dense inside contacts.
+struct LinkHistory {
+  std::string name;
+  std::vector<double> time, penetration, velocity, force, energy;  ///< [s], [m], [m/s], [N], [J]
+  double gap = 0;       ///< opening at rest [m]
+  std::string law;      ///< name of the contact law
+  LinkEnd left, right;  ///< what it is between; pictures place the right one a gap away from the left one
+};
+
+/// Histories of one structure at the output times; row-major [time, floor]. Drift and storey shear stay empty in a
+/// structure without storeys.
+struct StructureHistory {
+  std::string name;
+  std::vector<std::string> floors;  ///< labels from the ground up
+  std::vector<double> displacement, velocity;  ///< relative to the ground [m], [m/s]
+  std::vector<double> acceleration;            ///< absolute [m/s^2]
+  std::vector<double> drift;                   ///< storey drift, floor minus the floor below [m]
+  std::vector<double> storey_shear;            ///< [N]
+};
+
+/// The balance at the output times [J]. input = kinetic + strain + damping + hysteretic + impact + error.
+struct EnergyHistory {
+  std::vector<double> time, input, kinetic, strain, damping, hysteretic, impact, error;
+};
+
+struct SolverStatistics {
+  long steps = 0;       ///< kept
+  long rejected = 0;    ///< thrown away by the error control
+  long events = 0;      ///< located touches, reversals, releases, separations
+  long iterations = 0;  ///< of the link equations
+  double wall_seconds = 0;
+  double wall_setup = 0, wall_solve = 0, wall_output = 0;
+};
+
+struct Results {
+  std::string program = "pounding", version, created, title, command;
+  std::string status = "running";  ///< running | done | failed: reason
+  std::string model_yaml;          ///< the input as given
+  std::string resolved_yaml;       ///< every default and calibrated parameter filled in
+  std::vector<double> time;        ///< output times [s]
+  std::vector<StructureHistory> structures;
+  std::vector<LinkHistory> links;
+  std::vector<ImpactRow> impacts;
+  EnergyHistory energy;
+  std::vector<double> ground_acceleration;  ///< at the output times [m/s^2]
+  SolverStatistics solver;
+  std::string summary_json;  ///< the object that --json prints
+};
+
+/// Writes the whole file beside its place and moves it there in one step: whoever opens `path`, also after a kill at
+/// any moment, finds a complete earlier or a complete new file. Names of structures and links become group names, so
+/// they must differ, must not be empty, "." or "..", and must not contain '/'.
+/// Throws InputError when the place cannot be written or a name is not possible, std::invalid_argument when the lengths
+/// of the histories do not fit together, std::runtime_error with HDF5's own text when HDF5 fails.
+void write_results(const Results& results, const std::string& path);
+
+}  // namespace pounding

@@ -1,0 +1,19 @@
+#pragma once
+/// The subcommands of the program. Each function adds one to the command line; its callback may throw InputError,
+/// SolverError or std::invalid_argument, which main() turns into a message and the exit code.
+
+#include <CLI/CLI.hpp>
+
+namespace pounding::program {
+
+void add_run(CLI::App& app);        ///< `run` and `check`
+void add_laws(CLI::App& app);       ///< `laws [NAME]`
+void add_calibrate(CLI::App& app);  ///< `calibrate --law ... --restitution ...`
+void add_record(CLI::App& app);     ///< `record info|spectrum`
+void add_modes(CLI::App& app);      ///< `modes MODEL.yaml`
+void add_plot(CLI::App& app);       ///< `plot RESULTS.h5`
+
+/// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.
+void draw(const std::string& results, const std::string& picture);
+
+}  // namespace pounding::program

@@ -1,0 +1,82 @@
+"""`pounding plot` from outside: the picture, the exit code, and what it says when Python cannot help."""
+
+import os
+import stat
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["POUNDING_PROGRAM"]
+WRITER = os.environ["POUNDING_RESULTS_WRITER"]
+ADVICE = (
+    "Type `make python` in the source directory, or `python3 -m pip install numpy h5py matplotlib`, or set the "
+    "environment variable POUNDING_PYTHON to a Python that has them.")
+
+
+class PlotCommand(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = Path(directory.name)
+        # Neither a shell nor an option parser may stumble over such a name.
+        self.results = self.directory / "-a run; $HOME.h5"
+        subprocess.run([WRITER, "alone", self.results], check=True)
+
+    def plot(self, *arguments, python=None):
+        environment = dict(os.environ, **({"POUNDING_PYTHON": str(python)} if python else {}))
+        return subprocess.run([PROGRAM, "plot", *map(str, arguments)], env=environment, cwd=self.directory,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
+
+    def false_python(self, script):
+        path = self.directory / "python"
+        path.write_text("#!/bin/sh\n" + script)
+        path.chmod(stat.S_IRWXU)
+        return path
+
+    def test_picture_stands_beside_the_results(self):
+        done = self.plot(self.results)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        self.assertEqual(self.results.with_suffix(".png").read_bytes()[1:4], b"PNG")
+
+    def test_name_and_kind_can_be_chosen(self):
+        done = self.plot(self.results, "-o", "other.svg", "--title", "Chosen")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("<svg", (self.directory / "other.svg").read_text())
+
+    def test_arguments_reach_python_unchanged(self):
+        python = self.false_python('printf "%s\\n" "$@" > arguments\n')
+        self.assertEqual(self.plot("--title", "a 'b' $c", "-o", "x y.png", "--", "-run.h5", python=python).returncode, 0)
+        self.assertEqual((self.directory / "arguments").read_text().splitlines(),
+                         ["-m", "pounding.plots", "-o", "x y.png", "--title=a 'b' $c", "--", "-run.h5"])
+
+    def test_missing_results_are_named(self):
+        done = self.plot("none.h5")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no picture: cannot read none.h5: there is no file none.h5", done.stderr)
+
+    def test_missing_python_says_what_to_install(self):
+        done = self.plot(self.results, python="/no/python")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(f'"/no/python" cannot be started: No such file or directory. {ADVICE}', done.stderr)
+
+    def test_missing_package_says_what_to_install(self):
+        python = self.false_python("echo Traceback >&2\necho \"ModuleNotFoundError: No module named 'h5py'\" >&2\nexit 1\n")
+        done = self.plot(self.results, python=python)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(f"{python}: ModuleNotFoundError: No module named 'h5py'. {ADVICE}", done.stderr)
+
+    def test_last_line_of_a_traceback_is_reported(self):
+        python = self.false_python("echo Traceback >&2\necho 'ValueError: 7' >&2\nexit 1\n")
+        done = self.plot(self.results, python=python)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no picture: ValueError: 7", done.stderr)
+
+    def test_killed_python_is_an_error(self):
+        done = self.plot(self.results, python=self.false_python("kill -9 $$\n"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/python ended with code 137 and without a message", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,196 @@
+"""Pictures of every kind of run, and what they say."""
+
+import contextlib
+import dataclasses
+import io
+import os
+import subprocess
+import tempfile
+import unittest
+import warnings
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from pounding import plots
+from pounding.results import NotResults, read
+
+WRITER = os.environ["POUNDING_RESULTS_WRITER"]
+KINDS = ("two", "row", "towers", "alone", "quiet", "running", "failed")
+
+
+def titles(figure):
+    return [axes.get_title(loc="left") for axes in figure.axes]
+
+
+def axes_titled(figure, words):
+    return next(axes for axes in figure.axes if words in axes.get_title(loc="left"))
+
+
+class Pictures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        # A glyph or an option that matplotlib does not know is a fault of the picture.
+        warnings.simplefilter("error")
+        cls.directory = tempfile.TemporaryDirectory()
+        cls.files = {kind: Path(cls.directory.name) / f"{kind}.h5" for kind in KINDS}
+        for kind, path in cls.files.items():
+            subprocess.run([WRITER, kind, path], check=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.directory.cleanup()
+        warnings.resetwarnings()
+
+    def figure(self, kind, **options):
+        return plots.standard_figure(read(self.files[kind]), **options)
+
+    def test_every_kind_of_run_is_drawn(self):
+        for kind in KINDS:
+            with self.subTest(kind):
+                picture = io.BytesIO()
+                self.figure(kind).savefig(picture, dpi=50)
+                self.assertGreater(picture.tell(), 10000)
+
+    def test_panels_are_those_that_the_run_has(self):
+        self.assertEqual(titles(self.figure("two")), [
+            "(a) Ground", "(b) Displacements", "(c) Opening of the links", "(d) Contact forces", "(e) Energy",
+            "(f) Error of the energy balance", "(g) Strongest impact", "(h) Restitution of each impact"])
+        self.assertEqual(titles(self.figure("alone")), [
+            "(a) Ground", "(b) Displacements", "(c) Energy", "(d) Error of the energy balance"])
+
+    def test_lines_meet_when_the_structures_touch(self):
+        run = read(self.files["two"])
+        left, right = [line.get_ydata() for line in axes_titled(self.figure("two"), "Displacements").lines
+                       if line.get_label() in ("left", "right")]
+        opening = np.interp(run.time, run.links["left.1-right.1"].time, -run.links["left.1-right.1"].penetration)
+        np.testing.assert_allclose(right - left, 1e3 * opening, atol=1.0)
+        self.assertAlmostEqual(right[0] - left[0], 20)
+
+    def test_a_row_stands_gap_beside_gap(self):
+        lines = {line.get_label(): line.get_ydata()
+                 for line in axes_titled(self.figure("row"), "Displacements").lines}
+        self.assertAlmostEqual(lines["right"][0], 20)
+        self.assertAlmostEqual(lines["far right"][0], 50)
+
+    def test_a_wall_stands_still_a_gap_away(self):
+        run = read(self.files["two"])
+        empty = np.zeros((run.time.size, 0))
+        run.structures["right"] = dataclasses.replace(run.structures["right"], floors=[], displacement=empty)
+        run.links["left.1-right.1"] = dataclasses.replace(run.links["left.1-right.1"], right_floor=0)
+        axes = axes_titled(plots.standard_figure(run), "Displacements")
+        lines = {line.get_label(): line.get_ydata() for line in axes.lines}
+        np.testing.assert_array_equal(lines["right"], np.full(run.time.size, 20.0))
+        self.assertIn("gap, 20 mm at rest", axes.get_legend_handles_labels()[1])
+
+    def test_a_top_above_the_links_is_drawn_too(self):
+        run = read(self.files["towers"])
+        del run.links["slender.6-stiff.6"]
+        run = dataclasses.replace(run, impacts=run.impacts[run.impacts["link"] != b"slender.6-stiff.6"])
+        axes = axes_titled(plots.standard_figure(run), "Displacements")
+        self.assertEqual(axes.get_legend_handles_labels()[1], [
+            "slender, floor 5", "slender, top", "stiff, floor 5", "stiff, top", "gap, 40 mm at rest"])
+
+    def test_touches_are_marked(self):
+        run = read(self.files["two"])
+        marks = next(line for line in axes_titled(self.figure("two"), "Opening").lines
+                     if line.get_label().startswith("touch"))
+        np.testing.assert_array_equal(marks.get_xdata(), run.impacts["t_start"])
+
+    def test_forces_are_drawn_in_meganewtons(self):
+        run = read(self.files["two"])
+        axes = axes_titled(self.figure("two"), "Contact forces")
+        self.assertIn("[MN]", axes.get_ylabel())
+        drawn = max(line.get_ydata().max() for line in axes.lines)
+        self.assertAlmostEqual(drawn, 1e-6 * run.links["left.1-right.1"].force.max())
+
+    def test_loop_is_that_of_the_strongest_impact(self):
+        run = read(self.files["two"])
+        strongest = run.impacts[np.argmax(run.impacts["peak_force"])]
+        axes = axes_titled(self.figure("two"), "Strongest")
+        self.assertIn(f"at {strongest['t_start']:.3f} s", axes.get_xlabel())
+        self.assertAlmostEqual(axes.lines[0].get_xdata().max(), 1e3 * strongest["peak_penetration"], delta=0.05)
+
+    def test_many_links_share_one_entry_of_the_legend(self):
+        labels = axes_titled(self.figure("towers"), "Contact forces").get_legend_handles_labels()[1]
+        self.assertEqual(len(labels), 5)
+        self.assertIn("2 other links", labels)
+
+    def test_run_without_impact_says_how_close_it_was(self):
+        words = [text.get_text() for text in axes_titled(self.figure("quiet"), "Contact forces").texts]
+        closest = -1e3 * read(self.files["quiet"]).links["left.1-right.1"].penetration.max()
+        self.assertEqual(words, [f"No impact; closest approach {closest:.4g} mm"])
+
+    def test_rigid_contacts_show_impulses(self):
+        run = read(self.files["two"])
+        for link in run.links.values():
+            link.force[:] = 0
+        run.impacts["peak_force"] = np.nan
+        figure = plots.standard_figure(run)
+        self.assertIn("(d) Impulses of rigid contacts", titles(figure))
+        self.assertEqual(axes_titled(figure, "Strongest").texts[0].get_text(), "Rigid contact: no loop")
+
+    def test_loop_is_not_that_of_a_rigid_impact(self):
+        run = read(self.files["two"])
+        run.impacts["peak_force"][0] = np.nan
+        axes = axes_titled(plots.standard_figure(run), "Strongest")
+        self.assertGreater(axes.lines[0].get_xdata().max(), 1)
+
+    def test_unfinished_runs_say_so(self):
+        self.assertEqual(self.figure("two").get_suptitle(), "Two oscillators, 20 mm apart")
+        self.assertIn("still running at t = 5 s", self.figure("running").get_suptitle())
+        words = " ".join(self.figure("failed").get_suptitle().split())
+        self.assertIn("failed: the step became smaller than 1e-12 s at t = 6.0 s (results up to t = 6 s)", words)
+
+    def test_title_can_be_chosen(self):
+        self.assertEqual(self.figure("two", title="50 % of $x$").get_suptitle(), "50 % of $x$")
+
+    def test_unit_suits_the_size(self):
+        self.assertEqual(plots.engineering(2.4e7, plots.FORCE_UNITS), (1e6, "MN"))
+        self.assertEqual(plots.engineering(4e5, plots.FORCE_UNITS), (1e3, "kN"))
+        self.assertEqual(plots.engineering(0.0, plots.FORCE_UNITS), (1.0, "N"))
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = Path(directory.name)
+        self.results = self.directory / "run.h5"
+        subprocess.run([WRITER, "two", self.results], check=True)
+
+    def run_main(self, *arguments):
+        errors = io.StringIO()
+        with contextlib.redirect_stderr(errors):
+            code = plots.main([str(argument) for argument in arguments])
+        return code, errors.getvalue()
+
+    def test_picture_is_written(self):
+        for suffix in ("png", "pdf"):
+            picture = self.directory / f"run.{suffix}"
+            self.assertEqual(self.run_main(self.results, "-o", picture), (0, ""))
+            self.assertGreater(picture.stat().st_size, 10000)
+
+    def test_missing_file_is_named(self):
+        missing = self.directory / "none.h5"
+        self.assertEqual(self.run_main(missing, "-o", "x.png"), (2, f"cannot read {missing}: there is no file {missing}\n"))
+
+    def test_other_hdf5_file_is_refused(self):
+        other = self.directory / "other.h5"
+        h5py.File(other, "w").close()
+        with self.assertRaises(NotResults):
+            read(other)
+        code, text = self.run_main(other, "-o", "x.png")
+        self.assertEqual(code, 2)
+        self.assertIn("is not a results file of pounding", text)
+
+    def test_unknown_kind_of_picture_is_refused(self):
+        code, text = self.run_main(self.results, "-o", self.directory / "run.xyz")
+        self.assertEqual(code, 2)
+        self.assertIn("cannot write", text)
+        self.assertIn("xyz", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
