@@ -1,0 +1,74 @@
+#pragma once
+/// A unilateral link as the integrator sees it: pure forces, margins that tell when the present phase ends, and history
+/// that moves at kept states only.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include <pounding/impact_row.hpp>
+
+namespace pounding {
+
+/// Relative motion of a link. penetration > 0 is overlap, rate > 0 closes.
+struct LinkMotion {
+  double penetration = 0;  ///< [m]
+  double rate = 0;         ///< [m/s]
+};
+
+/// Force of a link and its slopes. force > 0 pushes apart.
+struct LinkForce {
+  double force = 0;           ///< [N]
+  double by_penetration = 0;  ///< [N/m]
+  double by_rate = 0;         ///< [N s/m]
+};
+
+/// One kept step of a link, its ends and its middle.
+struct LinkStep {
+  double begin = 0, end = 0;  ///< [s]
+  LinkMotion motion_begin, motion_middle, motion_end;
+  double force_begin = 0, force_middle = 0, force_end = 0;  ///< [N]
+};
+
+enum class ContactPhase : std::uint8_t {
+  open,         ///< apart
+  approach,     ///< pressed, still closing
+  restitution,  ///< pressed, opening
+  slack,        ///< overlapping, but the law's force is cut at zero
+  resting       ///< held at zero rate by whatever force that needs (rigid contact after its last bounce)
+};
+
+/// Phases are set from the state at a located instant, never toggled.
+class Contact {
+ public:
+  static constexpr int max_margins = 3;
+  using Margins = std::array<double, max_margins>;
+
+  virtual ~Contact() = default;
+
+  virtual ContactPhase phase() const noexcept = 0;
+  /// Penetration when the two ends have closed on each other by `closure` [m] since the undeformed state.
+  virtual double penetration(double closure) const noexcept = 0;
+  /// Pure: force and slopes in the present phase, continued smoothly past its end so that a trial step may overshoot.
+  virtual LinkForce evaluate(const LinkMotion& motion) const noexcept = 0;
+  /// Pure: values that are positive while the present phase lasts; unused ones are infinite.
+  /// `force` is the link force of the state (only a resting contact needs it).
+  virtual Margins margins(const LinkMotion& motion, double force) const noexcept = 0;
+  /// A step was kept. Moves histories and peaks.
+  virtual void accept(const LinkStep& step) = 0;
+  /// The margin with this index reached zero at a kept state: enter the next phase.
+  virtual void crossed(int margin, double time, const LinkMotion& motion) = 0;
+
+  /// A rigid contact answers a touch with a velocity jump: the rate after is -restitution times the rate before.
+  virtual bool is_rigid() const noexcept { return false; }
+  virtual double restitution() const noexcept { return 1; }
+  /// The jump was applied at a kept state. `held` when the bounce was too slow to resolve and the contact now rests.
+  virtual void jumped(double /*time*/, double /*impulse*/, double /*rate_before*/, double /*rate_after*/, bool /*held*/) {}
+
+  /// Work done on the link so far, stored and lost [J].
+  virtual double work() const noexcept = 0;
+  /// One row an impact, in the order of their touches; the last one is unfinished (t_end NaN) while it lasts.
+  virtual std::span<const ImpactRow> impacts() const noexcept = 0;
+};
+
+}  // namespace pounding

@@ -1,0 +1,68 @@
+#include <pounding/petsc/environment.hpp>
+
+#include <cstdlib>
+#include <cstring>
+
+namespace pounding::petsc {
+namespace {
+
+// The first message of the failure that is on its way up; PETSc calls the handler once a level.
+thread_local std::string failure;
+
+PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
+                            PetscErrorType type, const char* message, void*) {
+  if (type == PETSC_ERROR_INITIAL) {
+    failure = message ? message : "no message";
+    failure += std::string(" (PETSc, ") + (function ? function : "?") + ", " + (file ? file : "?") + ":" +
+               std::to_string(line) + ")";
+  }
+  return code;
+}
+
+}  // namespace
+
+Environment::Environment(const std::vector<std::string>& options) {
+  PetscBool ready = PETSC_FALSE;
+  PetscInitialized(&ready);
+  if (!ready) {
+    // A single process needs no launcher daemon: a tenth of a second of every short run.
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    std::vector<std::string> words{"pounding"};
+    words.insert(words.end(), options.begin(), options.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    int count = static_cast<int>(words.size());
+    char** arguments = pointers.data();
+    check(PetscInitialize(&count, &arguments, nullptr, nullptr));
+    started_ = true;
+    // The options were copied into PETSc's own table; signals stay the program's.
+    PetscPopSignalHandler();
+  }
+  PetscPushErrorHandler(keep_message, nullptr);
+}
+
+Environment::~Environment() {
+  PetscPopErrorHandler();
+  if (started_) PetscFinalize();
+}
+
+std::vector<std::string> Environment::unread_options() {
+  PetscInt count = 0;
+  char **names = nullptr, **values = nullptr;
+  check(PetscOptionsLeftGet(nullptr, &count, &names, &values));
+  std::vector<std::string> unread;
+  for (PetscInt i = 0; i < count; ++i)
+    if (std::strncmp(names[i], "pounding_", 9) == 0) unread.push_back(std::string("-") + names[i]);
+  check(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
+  return unread;
+}
+
+void check(PetscErrorCode code) {
+  if (code == 0) return;
+  std::string text = failure.empty() ? "PETSc error " + std::to_string(static_cast<int>(code)) : failure;
+  failure.clear();
+  throw SolverError(text);
+}
+
+}  // namespace pounding::petsc

@@ -1,0 +1,78 @@
+#pragma once
+/// PETSc's start and end, its errors as exceptions, and the owner of its objects. The only headers that know PETSc are
+/// in this folder.
+
+#include <petscts.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pounding/error.hpp>
+
+namespace pounding::petsc {
+
+/// Starts PETSc (and MPI) unless the host program has done so, and ends only what it started.
+class Environment {
+ public:
+  /// `options`: words of a command line, as PETSc reads them ("-pounding_ts_rtol", "1e-6").
+  explicit Environment(const std::vector<std::string>& options = {});
+  ~Environment();
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+  /// Options with the prefix `-pounding_` that nothing has read.
+  static std::vector<std::string> unread_options();
+
+ private:
+  bool started_ = false;
+};
+
+/// Throws SolverError with PETSc's own text when `code` is not zero.
+void check(PetscErrorCode code);
+
+template <class T>
+struct Destroyer;
+template <>
+struct Destroyer<TS> {
+  static PetscErrorCode destroy(TS* object) { return TSDestroy(object); }
+};
+template <>
+struct Destroyer<Vec> {
+  static PetscErrorCode destroy(Vec* object) { return VecDestroy(object); }
+};
+
+/// Owns one PETSc object.
+template <class T>
+class Handle {
+ public:
+  Handle() = default;
+  ~Handle() { reset(); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  Handle(Handle&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    if (this != &other) {
+      reset();
+      object_ = std::exchange(other.object_, nullptr);
+    }
+    return *this;
+  }
+
+  T get() const { return object_; }
+  operator T() const { return object_; }
+  /// For PETSc's creating functions; what was owned is destroyed.
+  T* out() {
+    reset();
+    return &object_;
+  }
+
+ private:
+  void reset() {
+    if (object_) Destroyer<T>::destroy(&object_);
+    object_ = nullptr;
+  }
+  T object_ = nullptr;
+};
+
+}  // namespace pounding::petsc

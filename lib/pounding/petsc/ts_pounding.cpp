@@ -1,0 +1,253 @@
+#include <pounding/petsc/ts_pounding.hpp>
+
+#include <petsc/private/tsimpl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <pounding/petsc/version.hpp>
+#include <pounding/error.hpp>
+
+namespace pounding::petsc {
+namespace {
+
+// The local error of the scheme falls with this power of the step.
+constexpr PetscInt local_order = 3;
+// Phases that end one after the other without time passing: more than this is a fault, not a contact.
+constexpr int most_crossings_at_one_time = 10000;
+// A first contact is met with this part of the step that was right before it.
+constexpr double first_contact_part = 0.1;
+// A step may be stretched by this part to reach a corner, rather than leave a sliver for the next one.
+constexpr double longest_stretch = 1e-3;
+
+struct Data {
+  Stepper* stepper = nullptr;
+  PetscReal radius = 1;
+  double step_apart = 0;    // last good step while no contact presses [s]
+  double step_pressed = 0;  // and while one does
+};
+
+Data& data_of(TS ts) { return *static_cast<Data*>(ts->data); }
+
+// A trial that ends at the next corner of the ground motion or at the end of the run knows its time exactly.
+struct Aim {
+  double step;
+  std::optional<double> end;
+};
+
+Aim aim(TS ts, const Stepper& stepper, double wanted, bool ladder) {
+  const double now = stepper.state().time;
+  const double target = std::min<double>(stepper.system().ground.next_break(now), ts->max_time);
+  const double left = target - now;
+  const double rung = ladder ? stepper.rung_below(wanted) : wanted;
+  if (left > wanted * (1 + longest_stretch)) return {rung, std::nullopt};
+  return {std::abs(left - rung) <= 1e-9 * rung ? rung : left, target};
+}
+
+[[noreturn]] void give_up(const Stepper& stepper, double step, const char* reason) {
+  throw SolverError(fmt::format(
+      "the solve stopped at t = {:.9g} s with a step of {:.3g} s: {}. Try a larger tolerance, or look at the link that "
+      "presses at this time",
+      stepper.state().time, step, reason));
+}
+
+void check_step(const Stepper& stepper, double step) {
+  const double least = 1e-14 * std::max(1.0, std::abs(stepper.state().time)) * 1e-2;
+  if (!(step > least)) give_up(stepper, step, "no step is short enough for the tolerance");
+}
+
+PetscErrorCode copy(Vec from, Eigen::VectorXd& to) {
+  const PetscScalar* values = nullptr;
+  PetscFunctionBegin;
+  PetscCall(VecGetArrayRead(from, &values));
+  std::copy_n(values, to.size(), to.data());
+  PetscCall(VecRestoreArrayRead(from, &values));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode copy(const Eigen::VectorXd& from, Vec to) {
+  PetscScalar* values = nullptr;
+  PetscFunctionBegin;
+  PetscCall(VecGetArrayWrite(to, &values));
+  std::copy_n(from.data(), from.size(), values);
+  PetscCall(VecRestoreArrayWrite(to, &values));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+// One kept step. `stepper` throws; the caller keeps exceptions out of PETSc.
+PetscErrorCode advance(TS ts) {
+  PetscFunctionBegin;
+  Data& data = data_of(ts);
+  Stepper& stepper = *data.stepper;
+  PetscBool fixed = PETSC_FALSE;
+  PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts->adapt), TSADAPTNONE, &fixed));
+  double wanted = ts->time_step;
+  int crossings = 0;
+  for (;;) {
+    const Aim goal = aim(ts, stepper, wanted, !fixed);
+    check_step(stepper, goal.step);
+    if (!stepper.attempt(goal.step, goal.end)) {
+      wanted = goal.step / 4;
+      ts->reject++;
+      continue;
+    }
+    PetscBool accepted = PETSC_FALSE;
+    PetscReal next = goal.step;
+    ts->time_step = goal.step;
+    PetscCall(TSAdaptChoose(ts->adapt, ts, goal.step, nullptr, &next, &accepted));
+    if (!accepted) {
+      wanted = std::min<double>(next, goal.step / 2);
+      ts->reject++;
+      continue;
+    }
+    // A short step to a corner says nothing against the longer one that was wanted.
+    const double good = goal.end ? std::max<double>(next, wanted) : next;
+    const bool was_pressed = stepper.in_contact();
+    const std::optional<double> landed = stepper.land();
+    if (landed && *landed == 0) {
+      if (++crossings > most_crossings_at_one_time) give_up(stepper, goal.step, "a contact opens and closes without end");
+      stepper.cross_now();
+      continue;
+    }
+    stepper.accept();
+    (was_pressed ? data.step_pressed : data.step_apart) = good;
+    const bool pressed = stepper.in_contact();
+    double following = pressed ? data.step_pressed : data.step_apart;
+    if (following == 0) following = pressed ? good * first_contact_part : good;
+    ts->time_step = fixed ? goal.step : following;
+    if (fixed) ts->time_step = wanted;
+    break;
+  }
+  ts->ptime = stepper.state().time;
+  PetscCall(copy(stepper.state().u, ts->vec_sol));
+  PetscCall(copy(stepper.state().v, ts->vec_dot));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode step(TS ts) {
+  PetscFunctionBegin;
+  Data& data = data_of(ts);
+  PetscCheck(data.stepper, PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ORDER,
+             "Call set_stepper() before TSSolve()");
+  std::string failure;
+  try {
+    if (ts->steprestart) {
+      Eigen::VectorXd u(data.stepper->system().size()), v(data.stepper->system().size());
+      PetscCall(copy(ts->vec_sol, u));
+      PetscCall(copy(ts->vec_dot, v));
+      data.stepper->start(ts->ptime, u, v);
+    }
+    PetscCall(advance(ts));
+  } catch (const std::exception& error) {
+    failure = error.what();
+  }
+  if (!failure.empty()) SETERRQ(PETSC_COMM_SELF, PETSC_ERR_CONV_FAILED, "%s", failure.c_str());
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode evaluate_error(TS ts, NormType, PetscInt* order, PetscReal* ratio) {
+  PetscFunctionBegin;
+  if (order) *order = local_order;
+  *ratio = data_of(ts).stepper->error_ratio();
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode interpolate(TS ts, PetscReal time, Vec to) {
+  PetscFunctionBegin;
+  Eigen::VectorXd u, v;
+  data_of(ts).stepper->interpolate(time, u, v);
+  PetscCall(copy(u, to));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode set_up(TS ts) {
+  PetscFunctionBegin;
+  PetscCheck(ts->vec_sol && ts->vec_dot, PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ORDER,
+             "Call TS2SetSolution() first");
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode set_from_options(TS ts, OptionItems PetscOptionsObject) {
+  PetscFunctionBegin;
+  PetscOptionsHeadBegin(PetscOptionsObject, "Generalized-alpha with condensed links");
+  PetscReal radius = data_of(ts).radius;
+  PetscCall(PetscOptionsReal("-ts_pounding_radius", "Spectral radius at infinite frequency", "set_spectral_radius",
+                             radius, &radius, nullptr));
+  PetscCall(set_spectral_radius(ts, radius));
+  PetscOptionsHeadEnd();
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode view(TS ts, PetscViewer viewer) {
+  PetscFunctionBegin;
+  const Data& data = data_of(ts);
+  PetscBool ascii = PETSC_FALSE;
+  PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(viewer), PETSCVIEWERASCII, &ascii));
+  if (!ascii) PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+  PetscCall(PetscViewerASCIIPrintf(viewer, "  generalized-alpha, spectral radius %g\n", static_cast<double>(data.radius)));
+  if (data.stepper)
+    PetscCall(PetscViewerASCIIPrintf(
+        viewer, "  dense, %d unknowns, %d links, longest step %g s, tolerance %g, %ld factorizations, %ld events\n",
+        data.stepper->system().size(), data.stepper->system().links(), data.stepper->options().first_rung,
+        data.stepper->options().tolerance, data.stepper->factorizations(), data.stepper->events()));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode reset(TS) { return POUNDING_PETSC_SUCCESS; }
+
+PetscErrorCode destroy(TS ts) {
+  PetscFunctionBegin;
+  delete static_cast<Data*>(ts->data);
+  ts->data = nullptr;
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode create(TS ts) {
+  PetscFunctionBegin;
+  ts->ops->setup = set_up;
+  ts->ops->step = step;
+  ts->ops->evaluatewlte = evaluate_error;
+  ts->ops->interpolate = interpolate;
+  ts->ops->setfromoptions = set_from_options;
+  ts->ops->view = view;
+  ts->ops->reset = reset;
+  ts->ops->destroy = destroy;
+  ts->default_adapt_type = TSADAPTBASIC;
+  ts->usessnes = PETSC_FALSE;
+  ts->data = new Data;
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+}  // namespace
+
+PetscErrorCode register_ts_pounding() {
+  PetscFunctionBegin;
+  PetscCall(TSRegister(ts_type, create));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode set_spectral_radius(TS ts, PetscReal radius) {
+  PetscFunctionBegin;
+  PetscCheck(radius >= 0 && radius <= 1, PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ARG_OUTOFRANGE,
+             "The spectral radius must lie in [0, 1], not %g", static_cast<double>(radius));
+  data_of(ts).radius = radius;
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode get_spectral_radius(TS ts, PetscReal* radius) {
+  PetscFunctionBegin;
+  *radius = data_of(ts).radius;
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode set_stepper(TS ts, Stepper* stepper) {
+  PetscFunctionBegin;
+  data_of(ts).stepper = stepper;
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+}  // namespace pounding::petsc

@@ -1,0 +1,437 @@
+#include <pounding/stepper.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace pounding {
+namespace {
+
+// The order of the scheme is two: a local error of tolerance^(3/2) gives a global error in proportion to the tolerance.
+constexpr double local_share = 0.25;
+
+// Sums and differences of the motion carry this much rounding, as part of the motion; no smaller error is asked for.
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+
+// A contact moves far less than the structures that it joins; an error is not resolved below this part of their motion.
+constexpr double smallest_contact_rate = 1e-3;
+constexpr double smallest_contact_penetration = 1e-4;
+
+bool presses(ContactPhase phase) {
+  return phase == ContactPhase::approach || phase == ContactPhase::restitution || phase == ContactPhase::resting;
+}
+
+double peak(const Eigen::VectorXd& x, const Group& group) {
+  return group.count > 0 ? x.segment(group.first, group.count).cwiseAbs().maxCoeff() : 0.0;
+}
+
+}  // namespace
+
+Stepper::Stepper(const System& system, const StepperOptions& options) : system_(system), options_(options) {
+  const double rho = options.spectral_radius;
+  if (!(rho >= 0 && rho <= 1)) throw std::invalid_argument("spectral_radius must lie in [0, 1]");
+  if (!(options.tolerance > 0 && options.tolerance < 1)) throw std::invalid_argument("tolerance must lie in (0, 1)");
+  if (!(options.first_rung > 0)) throw std::invalid_argument("first_rung must be positive");
+  alpha_m_ = (2 - rho) / (1 + rho);
+  alpha_f_ = 1 / (1 + rho);
+  gamma_ = 0.5 + alpha_m_ - alpha_f_;
+  beta_ = 0.25 * (1 + alpha_m_ - alpha_f_) * (1 + alpha_m_ - alpha_f_);
+  allowed_ = std::max(local_share * options.tolerance * std::sqrt(options.tolerance), rounding);
+
+  const int n = system.size();
+  const Eigen::LLT<Eigen::MatrixXd> mass(system.mass);
+  if (mass.info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
+  mass_inverse_ = mass.solve(Eigen::MatrixXd::Identity(n, n));
+  rigid_flexibility_ = system.closing.transpose() * mass_inverse_ * system.closing;
+  displacement_scale_.assign(system.groups.size(), 0.0);
+  velocity_scale_.assign(system.groups.size(), 0.0);
+  rate_scale_.assign(system.links(), 0.0);
+  penetration_scale_.assign(system.links(), 0.0);
+  free_.resize(system.links());
+  link_steps_.resize(system.links());
+  work_.resize(n);
+}
+
+LinkMotion Stepper::motion(int link, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const {
+  const auto column = system_.closing.col(link);
+  return {system_.contacts[link]->penetration(column.dot(u)), column.dot(v)};
+}
+
+// Without resting contacts, whose force is not a function of the motion.
+void Stepper::accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& force,
+                         double ground, Eigen::VectorXd& a) const {
+  work_.noalias() = -ground * system_.load;
+  work_.noalias() -= system_.damping * v;
+  work_.noalias() -= system_.stiffness * u;
+  if (force.size() > 0) work_.noalias() -= system_.closing * force;
+  a.noalias() = mass_inverse_ * work_;
+}
+
+void Stepper::balance(State& state, double ground) const {
+  std::vector<int> resting;
+  for (int i = 0; i < system_.links(); ++i) {
+    const ContactPhase phase = system_.contacts[i]->phase();
+    if (phase == ContactPhase::resting) resting.push_back(i);
+    const bool follows_law = phase == ContactPhase::approach || phase == ContactPhase::restitution;
+    state.force[i] = follows_law ? system_.contacts[i]->evaluate(motion(i, state.u, state.v)).force : 0.0;
+  }
+  accelerate(state.u, state.v, state.force, ground, state.a);
+  if (resting.empty()) return;
+  // Held contacts take the forces that leave no relative acceleration.
+  const int count = static_cast<int>(resting.size());
+  Eigen::MatrixXd g(count, count);
+  Eigen::VectorXd closing(count);
+  for (int i = 0; i < count; ++i) {
+    closing[i] = system_.closing.col(resting[i]).dot(state.a);
+    for (int j = 0; j < count; ++j) g(i, j) = rigid_flexibility_(resting[i], resting[j]);
+  }
+  const Eigen::VectorXd held = g.ldlt().solve(closing);
+  for (int i = 0; i < count; ++i) state.force[resting[i]] = held[i];
+  accelerate(state.u, state.v, state.force, ground, state.a);
+}
+
+void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
+  now_.time = time;
+  now_.u = u;
+  now_.v = v;
+  now_.a = Eigen::VectorXd::Zero(system_.size());
+  now_.force = Eigen::VectorXd::Zero(system_.links());
+  balance(now_, system_.ground.acceleration(time));
+  algorithmic_ = now_.a;
+  before_ = arrived_ = now_;
+  kept_.end = trial_.end = now_;
+  kept_.a_middle = now_.a;
+  sums_ = {};
+  sums_.input = kinetic_energy() + strain_energy();
+  update_scales();
+}
+
+double Stepper::rung_below(double h) const {
+  const double ratio = std::log2(options_.first_rung / (h * (1 + 1e-9)));
+  return std::ldexp(options_.first_rung, -std::max(0, static_cast<int>(std::ceil(ratio))));
+}
+
+const Stepper::Level& Stepper::level(double h) {
+  int exponent = 0;
+  const double mantissa = std::frexp(options_.first_rung / h, &exponent);
+  const bool on_ladder = std::abs(mantissa - 0.5) < 1e-9;
+  if (on_ladder) {
+    const auto found = rungs_.find(exponent);
+    if (found != rungs_.end()) return found->second;
+  } else if (h == off_ladder_h_) {
+    return off_ladder_;
+  }
+  Level& built = on_ladder ? rungs_[exponent] : off_ladder_;
+  if (!on_ladder) off_ladder_h_ = h;
+  const double exact = on_ladder ? std::ldexp(options_.first_rung, 1 - exponent) : h;
+  const Eigen::MatrixXd matrix = alpha_m_ * system_.mass + alpha_f_ * gamma_ * exact * system_.damping +
+                                 alpha_f_ * beta_ * exact * exact * system_.stiffness;
+  built.inverse = matrix.inverse();
+  built.response.noalias() = built.inverse * system_.closing;
+  built.flexibility.noalias() = system_.closing.transpose() * built.response;
+  ++factorizations_;
+  return built;
+}
+
+bool Stepper::attempt(double h, std::optional<double> end) {
+  const Level& lev = level(h);
+  Trial& t = trial_;
+  landed_.clear();
+  t.h = h;
+  t.end.time = end.value_or(now_.time + h);
+  const double ground_begin = system_.ground.acceleration(now_.time);
+  const double ground_end = system_.ground.acceleration_before(t.end.time);
+
+  // Predictors: the part of the end state that does not depend on the end acceleration.
+  t.end.u = now_.u + h * now_.v + (h * h * (0.5 - beta_)) * algorithmic_;
+  t.end.v = now_.v + (h * (1 - gamma_)) * algorithmic_;
+
+  work_.noalias() = -(alpha_f_ * ground_end + (1 - alpha_f_) * ground_begin) * system_.load;
+  t.u_middle = alpha_f_ * t.end.u + (1 - alpha_f_) * now_.u;
+  t.v_middle = alpha_f_ * t.end.v + (1 - alpha_f_) * now_.v;
+  work_.noalias() -= system_.stiffness * t.u_middle;
+  work_.noalias() -= system_.damping * t.v_middle;
+  work_.noalias() -= (1 - alpha_m_) * (system_.mass * algorithmic_);
+  if (system_.links() > 0) work_.noalias() -= (1 - alpha_f_) * (system_.closing * now_.force);
+  t.algorithmic.noalias() = lev.inverse * work_;
+
+  t.end.force.setZero(system_.links());
+  t.end.u += (h * h * beta_) * t.algorithmic;
+  t.end.v += (h * gamma_) * t.algorithmic;
+  if (!solve_links(lev.flexibility, h, t.end.u, t.end.v, t.end.force)) return false;
+  if (!active_.empty()) {
+    const Eigen::VectorXd correction = alpha_f_ * (lev.response * t.end.force);
+    t.algorithmic -= correction;
+    t.end.u -= (h * h * beta_) * correction;
+    t.end.v -= (h * gamma_) * correction;
+  }
+  if (!t.end.u.allFinite() || !t.end.v.allFinite()) return false;
+  if (options_.spectral_radius == 1)
+    t.end.a = t.algorithmic;
+  else
+    accelerate(t.end.u, t.end.v, t.end.force, ground_end, t.end.a);
+  evaluate_middle(t);
+  estimate_error(t);
+  return true;
+}
+
+bool Stepper::solve_links(const Eigen::MatrixXd& flexibility, double h, const Eigen::VectorXd& u,
+                          const Eigen::VectorXd& v, Eigen::VectorXd& force) {
+  active_.clear();
+  for (int i = 0; i < system_.links(); ++i) {
+    if (!presses(system_.contacts[i]->phase())) continue;
+    active_.push_back(i);
+    free_[i] = motion(i, u, v);
+    force[i] = now_.force[i];
+  }
+  if (active_.empty()) return true;
+  if (active_.size() == 1) {
+    const int i = active_.front();
+    return solve_one_link(i, flexibility(i, i), h, free_[i], force[i]);
+  }
+  return solve_many_links(flexibility, h, force);
+}
+
+// The force lies between zero and what the law would answer to the free motion; Newton inside that bracket.
+bool Stepper::solve_one_link(int link, double flexibility, double h, const LinkMotion& free, double& force) {
+  const double by_u = alpha_f_ * beta_ * h * h * flexibility;
+  const double by_v = alpha_f_ * gamma_ * h * flexibility;
+  const Contact& contact = *system_.contacts[link];
+  if (contact.phase() == ContactPhase::resting) {
+    force = free.rate / by_v;
+    return true;
+  }
+  const double unrelieved = contact.evaluate(free).force;
+  double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
+  if (low == high) {
+    force = low;
+    return true;
+  }
+  double trial = std::clamp(force, low, high);
+  for (int iteration = 0; iteration < 200; ++iteration) {
+    ++iterations_;
+    const LinkForce law = contact.evaluate({free.penetration - by_u * trial, free.rate - by_v * trial});
+    const double residual = law.force - trial;
+    if (std::abs(residual) <= 1e-14 * std::max(std::abs(trial), std::abs(law.force)) || residual == 0) {
+      force = trial;
+      return true;
+    }
+    (residual > 0 ? low : high) = trial;
+    if (high - low <= 4e-16 * std::max(std::abs(low), std::abs(high))) {
+      force = trial;
+      return true;
+    }
+    const double slope = 1 + by_u * law.by_penetration + by_v * law.by_rate;
+    double next = trial + residual / slope;
+    if (!(slope > 0) || !(next > low && next < high)) next = 0.5 * (low + high);
+    if (next == trial) {
+      force = trial;
+      return true;
+    }
+    trial = next;
+  }
+  return false;
+}
+
+bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eigen::VectorXd& force) {
+  const int count = static_cast<int>(active_.size());
+  const double by_u = alpha_f_ * beta_ * h * h;
+  const double by_v = alpha_f_ * gamma_ * h;
+  Eigen::MatrixXd g(count, count);
+  Eigen::VectorXd f(count);
+  for (int i = 0; i < count; ++i) {
+    f[i] = force[active_[i]];
+    for (int j = 0; j < count; ++j) g(i, j) = flexibility(active_[i], active_[j]);
+  }
+  Eigen::VectorXd residual(count), relief(count), trial(count);
+  Eigen::MatrixXd slopes(count, count);
+  const auto held = [&](int i) { return system_.contacts[active_[i]]->phase() == ContactPhase::resting; };
+  const auto evaluate = [&](const Eigen::VectorXd& x, bool with_slopes) {
+    ++iterations_;
+    relief.noalias() = g * x;
+    for (int i = 0; i < count; ++i) {
+      const LinkMotion& free = free_[active_[i]];
+      const LinkMotion now{free.penetration - by_u * relief[i], free.rate - by_v * relief[i]};
+      if (held(i)) {
+        residual[i] = now.rate / (by_v * g(i, i));
+        if (with_slopes) slopes.row(i) = g.row(i) / g(i, i);
+        continue;
+      }
+      const LinkForce law = system_.contacts[active_[i]]->evaluate(now);
+      residual[i] = law.force - x[i];
+      if (!with_slopes) continue;
+      slopes.row(i) = (by_u * law.by_penetration + by_v * law.by_rate) * g.row(i);
+      slopes(i, i) += 1;
+    }
+    return residual.norm();
+  };
+  // Gauss-Seidel with the bracketed scalar solve: slower, but it cannot fail on laws that grow with penetration and rate.
+  const auto sweep = [&](Eigen::VectorXd& x) {
+    for (int i = 0; i < count; ++i) {
+      const double others = g.row(i).dot(x) - g(i, i) * x[i];
+      const LinkMotion& free = free_[active_[i]];
+      if (!solve_one_link(active_[i], g(i, i), h, {free.penetration - by_u * others, free.rate - by_v * others}, x[i]))
+        return false;
+    }
+    return true;
+  };
+  for (int iteration = 0; iteration < 500; ++iteration) {
+    const double size = evaluate(f, true);
+    if (!std::isfinite(size)) return false;
+    if (size <= 1e-14 * f.norm() || size == 0) {
+      for (int i = 0; i < count; ++i) force[active_[i]] = f[i];
+      return true;
+    }
+    const Eigen::VectorXd direction = slopes.partialPivLu().solve(residual);
+    double length = 1;
+    bool better = false;
+    for (int halving = 0; halving < 8 && !better; ++halving, length /= 2) {
+      trial = f + length * direction;
+      better = evaluate(trial, false) < size;
+    }
+    if (better) {
+      f = trial;
+    } else if (size <= 1e-12 * f.norm()) {  // rounding: Newton cannot do better
+      for (int i = 0; i < count; ++i) force[active_[i]] = f[i];
+      return true;
+    } else if (!sweep(f)) {
+      return false;
+    }
+  }
+  return false;
+}
+
+void Stepper::evaluate_middle(Trial& t) {
+  const double h = t.h;
+  t.u_middle = 0.5 * (now_.u + t.end.u) + (h / 8) * (now_.v - t.end.v);
+  t.v_middle = 0.5 * (now_.v + t.end.v) + (h / 8) * (now_.a - t.end.a);
+  t.force_middle.setZero(system_.links());
+  for (const int i : active_) {
+    const Contact& contact = *system_.contacts[i];
+    t.force_middle[i] = contact.phase() == ContactPhase::resting
+                            ? 0.5 * (now_.force[i] + t.end.force[i])
+                            : contact.evaluate(motion(i, t.u_middle, t.v_middle)).force;
+  }
+  accelerate(t.u_middle, t.v_middle, t.force_middle, system_.ground.acceleration(now_.time + 0.5 * h), t.a_middle);
+}
+
+// The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at
+// its ends and its middle. It sees forces that are not smooth, such as a dashpot that grows like d^(1/4) from the touch.
+void Stepper::estimate_error(Trial& t) const {
+  const double h = t.h;
+  double worst = 0, widest_u = 0, widest_v = 0;
+  const Eigen::VectorXd error_v = (h / 6) * (now_.a + 4 * t.a_middle + t.end.a) - (t.end.v - now_.v);
+  const Eigen::VectorXd error_u = (h * h / 6) * (now_.a + 2 * t.a_middle) - (t.end.u - now_.u - h * now_.v);
+  for (std::size_t k = 0; k < system_.groups.size(); ++k) {
+    const Group& group = system_.groups[k];
+    const double scale_u = std::max(displacement_scale_[k], peak(t.end.u, group));
+    const double scale_v = std::max(velocity_scale_[k], peak(t.end.v, group));
+    widest_u = std::max(widest_u, scale_u);
+    widest_v = std::max(widest_v, scale_v);
+    worst = std::max({worst, peak(error_u, group) / scale_u, peak(error_v, group) / scale_v});
+  }
+  const double least_d = widest_u * std::max(smallest_contact_penetration, rounding / allowed_);
+  const double least_r = widest_v * std::max(smallest_contact_rate, rounding / allowed_);
+  for (const int i : active_) {
+    const LinkMotion end = motion(i, t.end.u, t.end.v);
+    const double scale_d = std::max({penetration_scale_[i], std::abs(end.penetration), least_d});
+    const double scale_r = std::max({rate_scale_[i], std::abs(end.rate), least_r});
+    const auto column = system_.closing.col(i);
+    worst = std::max({worst, std::abs(column.dot(error_u)) / scale_d, std::abs(column.dot(error_v)) / scale_r});
+  }
+  t.error = worst / allowed_;
+}
+
+double Stepper::error_ratio() const { return trial_.error; }
+
+void Stepper::update_scales() {
+  for (std::size_t k = 0; k < system_.groups.size(); ++k) {
+    const Group& group = system_.groups[k];
+    displacement_scale_[k] = std::max({displacement_scale_[k], peak(now_.u, group), group.displacement_floor});
+    velocity_scale_[k] = std::max({velocity_scale_[k], peak(now_.v, group), group.velocity_floor});
+  }
+}
+
+bool Stepper::in_contact() const {
+  return std::any_of(system_.contacts.begin(), system_.contacts.end(),
+                     [](const Contact* c) { return c->phase() != ContactPhase::open; });
+}
+
+double Stepper::kinetic_energy() const { return 0.5 * now_.v.dot(system_.mass * now_.v); }
+double Stepper::strain_energy() const { return 0.5 * now_.u.dot(system_.stiffness * now_.u); }
+
+double Stepper::contact_work() const {
+  double sum = 0;
+  for (const Contact* contact : system_.contacts) sum += contact->work();
+  return sum;
+}
+
+void Stepper::interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const {
+  const double h = arrived_.time - before_.time;
+  if (!(h > 0)) {
+    u = now_.u;
+    v = now_.v;
+    return;
+  }
+  const double s = std::clamp((time - before_.time) / h, 0.0, 1.0), r = 1 - s;
+  const double begin = r * r * (1 + 2 * s), end = s * s * (1 + 2 * r), slope_begin = h * s * r * r,
+               slope_end = -h * s * s * r;
+  u = begin * before_.u + end * arrived_.u + slope_begin * before_.v + slope_end * arrived_.v;
+  v = begin * before_.v + end * arrived_.v + slope_begin * before_.a + slope_end * arrived_.a;
+}
+
+void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& a) const {
+  const double h = arrived_.time - before_.time;
+  if (!(h > 0)) {
+    a = now_.a;
+    return;
+  }
+  const double s = std::clamp((time - before_.time) / h, 0.0, 1.0);
+  a = (1 - s) * (1 - 2 * s) * before_.a + 4 * s * (1 - s) * kept_.a_middle + s * (2 * s - 1) * arrived_.a;
+}
+
+void Stepper::accept() {
+  const double h = trial_.h;
+  before_ = now_;
+  std::swap(kept_, trial_);
+  arrived_ = kept_.end;
+
+  const double ground[3] = {system_.ground.acceleration(before_.time), system_.ground.acceleration(before_.time + h / 2),
+                            system_.ground.acceleration_before(arrived_.time)};
+  const Eigen::VectorXd* velocity[3] = {&before_.v, &kept_.v_middle, &arrived_.v};
+  for (int k = 0; k < 3; ++k) {
+    const double weight = h / 6 * (k == 1 ? 4 : 1);
+    sums_.input -= weight * ground[k] * system_.load.dot(*velocity[k]);
+    work_.noalias() = system_.damping * *velocity[k];
+    sums_.damping += weight * velocity[k]->dot(work_);
+  }
+  for (int i = 0; i < system_.links(); ++i) {
+    LinkStep& step = link_steps_[i];
+    step = {before_.time,      arrived_.time,
+            motion(i, before_.u, before_.v), motion(i, kept_.u_middle, kept_.v_middle), motion(i, arrived_.u, arrived_.v),
+            before_.force[i],  kept_.force_middle[i], arrived_.force[i]};
+    system_.contacts[i]->accept(step);
+    rate_scale_[i] = std::max(rate_scale_[i], std::abs(step.motion_end.rate));
+    penetration_scale_[i] = std::max(penetration_scale_[i], std::abs(step.motion_end.penetration));
+  }
+  now_ = arrived_;
+  algorithmic_ = kept_.algorithmic;
+  update_scales();
+  const bool ground_jumps = system_.ground.acceleration(now_.time) != ground[2];
+  if (!landed_.empty())
+    enter_phases();
+  else if (ground_jumps) {
+    balance(now_, system_.ground.acceleration(now_.time));
+    algorithmic_ = now_.a;
+  }
+}
+
+void Stepper::cross_now() {
+  before_ = arrived_ = now_;
+  enter_phases();
+}
+
+}  // namespace pounding

@@ -1,0 +1,199 @@
+/// Locating the instants at which contacts change phase, and what happens there.
+
+#include <algorithm>
+#include <cmath>
+
+#include <pounding/stepper.hpp>
+
+namespace pounding {
+namespace {
+
+// Rounding noise of the motion, as part of its own scale.
+constexpr double noise = 1e-12;
+// A margin counts as zero when it has fallen to this part of the change that it makes over the trial.
+constexpr double landed_part = 1e-12;
+// Margins that are this close to zero at a landing end there too: nearly simultaneous contacts are handled in one go.
+constexpr double grouped_part = 1e-9;
+
+constexpr int reversal_or_touch = 0;
+
+}  // namespace
+
+bool Stepper::ended(int link, int margin, double value) const {
+  if (value >= 0) return false;
+  const double u = *std::max_element(displacement_scale_.begin(), displacement_scale_.end());
+  const double v = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
+  switch (system_.contacts[link]->phase()) {
+    case ContactPhase::open: return value < -noise * u;
+    case ContactPhase::approach: return value < -noise * v;
+    case ContactPhase::restitution:
+      if (margin == 0) return value < -noise * u;
+      if (margin == 2) return value < -noise * v;
+      return true;
+    case ContactPhase::slack:
+      if (margin == 0) return value < -noise * u;
+      return true;
+    case ContactPhase::resting: return true;
+  }
+  return true;
+}
+
+std::vector<Stepper::Ending> Stepper::endings() const {
+  std::vector<Ending> found;
+  for (int i = 0; i < system_.links(); ++i) {
+    const Contact& contact = *system_.contacts[i];
+    const LinkMotion begin = motion(i, now_.u, now_.v), end = motion(i, trial_.end.u, trial_.end.v);
+    const Contact::Margins at_begin = contact.margins(begin, now_.force[i]);
+    const Contact::Margins at_end = contact.margins(end, trial_.end.force[i]);
+    for (int k = 0; k < Contact::max_margins; ++k) {
+      if (!ended(i, k, at_end[k])) continue;
+      const double guess = at_begin[k] <= 0 ? 0 : trial_.h * at_begin[k] / (at_begin[k] - at_end[k]);
+      found.push_back({i, k, at_begin[k], at_end[k], guess});
+    }
+  }
+  return found;
+}
+
+// Bodies that close and part again within one trial: the time of least opening when they overlap there.
+std::optional<double> Stepper::inner_touch(int link) {
+  if (system_.contacts[link]->phase() != ContactPhase::open) return std::nullopt;
+  const LinkMotion begin = motion(link, now_.u, now_.v), end = motion(link, trial_.end.u, trial_.end.v);
+  if (!(begin.rate > 0 && end.rate < 0 && begin.penetration <= 0 && end.penetration <= 0)) return std::nullopt;
+  // Extremum of the cubic through both ends.
+  const double h = trial_.h, slope = (end.penetration - begin.penetration) / h;
+  const double a = 3 * (begin.rate + end.rate - 2 * slope), b = 2 * (3 * slope - 2 * begin.rate - end.rate);
+  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * begin.rate));
+  const double s = -2 * begin.rate / (b - root);
+  if (!(s > 0 && s < 1)) return std::nullopt;
+  const double widest =
+      begin.penetration + h * s * (begin.rate + s * (b / 2 + s * a / 3));
+  const double reach = 0.25 * h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
+  if (widest < -reach) return std::nullopt;
+  const double whole = trial_.h;
+  const bool touches = attempt(s * whole) && ended(link, reversal_or_touch,
+                                                   -motion(link, trial_.end.u, trial_.end.v).penetration);
+  if (touches) return s * whole;
+  attempt(whole);
+  return std::nullopt;
+}
+
+std::optional<double> Stepper::land() {
+  for (int i = 0; i < system_.links(); ++i) inner_touch(i);
+  std::vector<Ending> open = endings();
+  if (open.empty()) return std::nullopt;
+  const std::vector<Ending> all = open;
+  while (!open.empty()) {
+    const Ending first =
+        *std::min_element(open.begin(), open.end(), [](const Ending& a, const Ending& b) { return a.guess < b.guess; });
+    if (first.at_begin <= 0) {
+      landed_.clear();
+      for (const Ending& ending : open)
+        if (ending.at_begin <= 0) landed_.push_back(ending);
+      return 0.0;
+    }
+    if (!locate(first, trial_.h)) return std::nullopt;
+    // Endings that came still earlier than the one just located.
+    std::vector<Ending> earlier;
+    for (const Ending& ending : endings())
+      if (!(ending.link == first.link && ending.margin == first.margin) &&
+          std::abs(ending.at_end) > grouped_part * (std::abs(ending.at_begin) + std::abs(ending.at_end)))
+        earlier.push_back(ending);
+    if (!earlier.empty()) {
+      open = earlier;
+      continue;
+    }
+    landed_.assign(1, first);
+    for (const Ending& other : all) {
+      if (other.link == first.link) continue;
+      const LinkMotion end = motion(other.link, trial_.end.u, trial_.end.v);
+      const double margin =
+          system_.contacts[other.link]->margins(end, trial_.end.force[other.link])[other.margin];
+      const double change = std::abs(other.at_begin) + std::abs(other.at_end);
+      const bool known = std::any_of(landed_.begin(), landed_.end(),
+                                     [&](const Ending& e) { return e.link == other.link; });
+      if (!known && margin <= grouped_part * change) landed_.push_back(other);
+    }
+    return trial_.h;
+  }
+  return trial_.h;
+}
+
+// Anderson and Bjorck's regula falsi on the length of the step; every value is a re-integrated step.
+bool Stepper::locate(const Ending& ending, double longest) {
+  const Contact& contact = *system_.contacts[ending.link];
+  const double change = ending.at_begin - ending.at_end;
+  double low = 0, at_low = ending.at_begin, high = longest, at_high = ending.at_end;
+  double guess = ending.guess;
+  enum { lower, upper } replaced = upper;
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
+    if (!attempt(guess)) return false;
+    const LinkMotion end = motion(ending.link, trial_.end.u, trial_.end.v);
+    const double value = contact.margins(end, trial_.end.force[ending.link])[ending.margin];
+    if (std::abs(value) <= landed_part * change || high - low <= 1e-14 * longest) return true;
+    // An end that stays twice in a row is given a smaller value, so that the next guess moves towards it.
+    const auto relieved = [](double m) { return m > 0 ? m : 0.5; };
+    if (value < 0) {
+      if (replaced == upper) at_low *= relieved(1 - value / at_high);
+      high = guess;
+      at_high = value;
+      replaced = upper;
+    } else {
+      if (replaced == lower) at_high *= relieved(1 - value / at_low);
+      low = guess;
+      at_low = value;
+      replaced = lower;
+    }
+    // Bisection now and then, should the false position crawl.
+    guess = iteration % 8 == 7 ? 0.5 * (low + high) : low + (high - low) * at_low / (at_low - at_high);
+  }
+  return true;
+}
+
+void Stepper::enter_phases() {
+  std::vector<int> rigid;
+  for (const Ending& ending : landed_) {
+    Contact& contact = *system_.contacts[ending.link];
+    const LinkMotion here = motion(ending.link, now_.u, now_.v);
+    const bool touches = contact.phase() == ContactPhase::open;
+    ++events_;
+    if (touches && contact.is_rigid()) {
+      rigid.push_back(ending.link);
+      continue;
+    }
+    if (touches) {
+      rate_scale_[ending.link] = std::abs(here.rate);
+      penetration_scale_[ending.link] = 0;
+    }
+    contact.crossed(ending.margin, now_.time, here);
+  }
+  landed_.clear();
+  if (!rigid.empty()) bounce(rigid);
+  balance(now_, system_.ground.acceleration(now_.time));
+  algorithmic_ = now_.a;
+}
+
+// Newton's impact law, one contact after the other until no rigid contact closes: an impulse may make a neighbour close.
+void Stepper::bounce(std::vector<int> links) {
+  for (int i = 0; i < system_.links(); ++i)
+    if (system_.contacts[i]->phase() == ContactPhase::resting) links.push_back(i);
+  const double speed = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
+  const double slowest = options_.tolerance * speed;
+  for (int round = 0; round < 1000; ++round) {
+    bool closing = false;
+    for (const int i : links) {
+      Contact& contact = *system_.contacts[i];
+      const double rate = system_.closing.col(i).dot(now_.v);
+      if (rate <= (round == 0 ? 0 : noise * speed)) continue;
+      closing = true;
+      const bool held = rate < slowest;
+      const double restitution = held ? 0 : contact.restitution();
+      const double impulse = (1 + restitution) * rate / rigid_flexibility_(i, i);
+      now_.v -= impulse * (mass_inverse_ * system_.closing.col(i));
+      contact.jumped(now_.time, impulse, rate, -restitution * rate, held);
+    }
+    if (!closing) return;
+  }
+}
+
+}  // namespace pounding
