@@ -1,0 +1,225 @@
+#include <pounding/analysis.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include <fmt/chrono.h>
+
+#include <pounding/damping.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/ts_pounding.hpp>
+#include <pounding/recorder.hpp>
+#include <pounding/stepper.hpp>
+#include <pounding/version.hpp>
+
+namespace pounding {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Steps may be this part of the fastest first period; the error control shortens them further.
+constexpr double longest_part_of_period = 0.1;
+constexpr double longest_part_of_duration = 1.0 / 16;
+// Steps between two looks at the clock.
+constexpr int steps_per_look = 256;
+constexpr double seconds_between_reports = 0.1;
+// Writing the file may take this part of a run.
+constexpr double output_share = 0.05;
+constexpr double seconds_between_writes = 1;
+
+double longest_step(const Model& model) {
+  if (model.analysis.max_step > 0) return model.analysis.max_step;
+  const double sample = model.ground.sample_step();
+  if (sample > 0) return std::min(sample, model.analysis.duration);
+  double longest = longest_part_of_duration * model.analysis.duration;
+  for (const Structure& s : model.structures) {
+    if (s.storey_stiffness.empty()) continue;
+    const double w = eigenmodes(s.mass, s.stiffness).frequencies[0];
+    longest = std::min(longest, longest_part_of_period * 2 * M_PI / w);
+  }
+  return longest;
+}
+
+// What the post-step of the TS works on.
+struct Watch {
+  Stepper& stepper;
+  Recorder& recorder;
+  const Model& model;
+  const RunOptions& options;
+  Results& results;
+  Summary& summary;
+  Clock::time_point start = Clock::now(), last_report = start, last_write = start;
+  double write_cost = 0;
+  int steps_to_look = steps_per_look;
+  std::exception_ptr failure;
+
+  void write(const std::string& status) {
+    if (options.output.empty()) return;
+    const Clock::time_point begin = Clock::now();
+    results.status = summary.status = status;
+    recorder.summarize(summary);
+    results.summary_json = to_json(summary);
+    write_results(results, options.output);
+    last_write = Clock::now();
+    const double cost = std::chrono::duration<double>(last_write - begin).count();
+    write_cost = cost;
+    results.solver.wall_output += cost;
+  }
+
+  void look() {
+    if (options.progress && seconds_since(last_report) > seconds_between_reports) {
+      last_report = Clock::now();
+      options.progress(stepper.state().time, model.analysis.duration, recorder.impacts());
+    }
+    if (seconds_since(last_write) > std::max(seconds_between_writes, write_cost / output_share)) write("running");
+  }
+};
+
+PetscErrorCode after_step(TS ts) {
+  Watch* watch = nullptr;
+  PetscFunctionBegin;
+  PetscCall(TSGetApplicationContext(ts, &watch));
+  try {
+    watch->recorder.step();
+    if (--watch->steps_to_look == 0) {
+      watch->steps_to_look = steps_per_look;
+      watch->look();
+    }
+  } catch (...) {
+    watch->failure = std::current_exception();
+  }
+  if (watch->failure) SETERRQ(PETSC_COMM_SELF, PETSC_ERR_LIB, "recording failed");
+  PetscFunctionReturn(0);
+}
+
+struct Solve {
+  petsc::Handle<TS> ts;
+  petsc::Handle<Vec> u, v;
+};
+
+// A TS with the run's settings as defaults; the command line (-pounding_ts_...) has the last word.
+Solve make_ts(const Model& model, int size) {
+  using petsc::check;
+  Solve solve;
+  check(petsc::register_ts_pounding());
+  check(TSCreate(PETSC_COMM_SELF, solve.ts.out()));
+  const TS ts = solve.ts;
+  check(TSSetOptionsPrefix(ts, "pounding_"));
+  check(TSSetType(ts, petsc::ts_type));
+  check(petsc::set_spectral_radius(ts, model.analysis.spectral_radius));
+  check(VecCreateSeq(PETSC_COMM_SELF, size, solve.u.out()));
+  check(VecDuplicate(solve.u, solve.v.out()));
+  const auto [u, v] = initial_state(model);
+  PetscScalar* values = nullptr;
+  check(VecGetArray(solve.u, &values));
+  std::copy_n(u.data(), size, values);
+  check(VecRestoreArray(solve.u, &values));
+  check(VecGetArray(solve.v, &values));
+  std::copy_n(v.data(), size, values);
+  check(VecRestoreArray(solve.v, &values));
+  check(TS2SetSolution(ts, solve.u, solve.v));
+  check(TSSetMaxTime(ts, model.analysis.duration));
+  check(TSSetMaxSteps(ts, PETSC_MAX_INT));
+  check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
+  check(TSSetTolerances(ts, 0, nullptr, model.analysis.tolerance, nullptr));
+  const double longest = longest_step(model);
+  TSAdapt adapt = nullptr;
+  check(TSGetAdapt(ts, &adapt));
+  check(TSAdaptSetStepLimits(adapt, 1e-18, longest));
+  check(TSSetTimeStep(ts, longest / 64));
+  check(TSSetFromOptions(ts));
+  PetscBool ours = PETSC_FALSE;
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts), petsc::ts_type, &ours));
+  if (!ours)
+    throw InputError("-pounding_ts_type: only the type \"pounding\" lands on impacts; leave the option out");
+  return solve;
+}
+
+StepperOptions stepper_options(TS ts, const Model& model) {
+  StepperOptions options;
+  PetscReal tolerance = 0, radius = 1;
+  petsc::check(TSGetTolerances(ts, nullptr, nullptr, &tolerance, nullptr));
+  petsc::check(petsc::get_spectral_radius(ts, &radius));
+  options.tolerance = tolerance;
+  options.spectral_radius = radius;
+  options.first_rung = longest_step(model);
+  return options;
+}
+
+void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
+  PetscInt steps = 0, rejected = 0;
+  petsc::check(TSGetStepNumber(ts, &steps));
+  petsc::check(TSGetStepRejections(ts, &rejected));
+  solver.steps = steps;
+  solver.rejected = rejected;
+  solver.events = stepper.events();
+  solver.iterations = stepper.iterations();
+}
+
+Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
+                 std::vector<StructureSummary> without_pounding) {
+  const Clock::time_point start = Clock::now();
+  Outcome outcome;
+  Results& results = outcome.results;
+  results.version = POUNDING_VERSION;
+  results.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  results.title = model.title;
+  results.command = options.command;
+  results.model_yaml = model.source_text;
+  results.resolved_yaml = resolved_yaml(model);
+  outcome.summary.without_pounding = std::move(without_pounding);
+
+  const System system = assemble(model, with_links);
+  Solve solve = make_ts(model, system.size());
+  Stepper stepper(system, stepper_options(solve.ts, model));
+  petsc::check(petsc::set_stepper(solve.ts, &stepper));
+  const auto [u, v] = initial_state(model);
+  stepper.start(0, u, v);
+  Recorder recorder(model, stepper, results);
+  recorder.begin();
+  Watch watch{stepper, recorder, model, options, results, outcome.summary};
+  petsc::check(TSSetApplicationContext(solve.ts, &watch));
+  petsc::check(TSSetPostStep(solve.ts, after_step));
+  watch.write("running");
+  results.solver.wall_setup = seconds_since(start);
+
+  std::string failure;
+  try {
+    petsc::check(TSSolve(solve.ts, nullptr));
+  } catch (const SolverError& error) {
+    failure = error.what();
+  }
+  recorder.end();
+  fill_statistics(solve.ts, stepper, results.solver);
+  results.solver.wall_seconds = seconds_since(start);
+  results.solver.wall_solve = results.solver.wall_seconds - results.solver.wall_setup - results.solver.wall_output;
+  recorder.summarize(outcome.summary);
+  outcome.summary.solver = results.solver;
+  outcome.summary.status = results.status = failure.empty() ? "done" : "failed: " + failure;
+  results.summary_json = to_json(outcome.summary);
+  if (!options.output.empty()) watch.write(results.status);
+  if (watch.failure) std::rethrow_exception(watch.failure);
+  if (!failure.empty()) throw SolverError(failure);
+  return outcome;
+}
+
+}  // namespace
+
+Outcome run(const Model& model, const RunOptions& options) {
+  for (const Link& link : model.links)
+    if (!link.contact->impacts().empty() || link.contact->phase() != ContactPhase::open)
+      throw std::logic_error("this model has been run; read it again");
+  std::vector<StructureSummary> without;
+  if (model.compare_no_pounding) {
+    RunOptions quiet;
+    quiet.progress = options.progress;
+    without = run_once(model, quiet, false, {}).summary.structures;
+  }
+  return run_once(model, options, true, std::move(without));
+}
+
+}  // namespace pounding

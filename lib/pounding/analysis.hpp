@@ -1,0 +1,30 @@
+#pragma once
+/// Runs a model through time and records what happens.
+
+#include <functional>
+#include <string>
+
+#include <pounding/model.hpp>
+#include <pounding/results.hpp>
+#include <pounding/summary.hpp>
+
+namespace pounding {
+
+struct RunOptions {
+  std::string output;   ///< results file, rewritten while the run goes on; empty for none
+  std::string command;  ///< as the user typed it, for the results file
+  /// Called now and then with the simulated time [s], the duration [s] and the number of impacts so far.
+  std::function<void(double, double, int)> progress;
+};
+
+struct Outcome {
+  Results results;
+  Summary summary;
+};
+
+/// Runs a model once: its contacts keep the history of their impacts. PETSc must be running (petsc::Environment).
+/// Throws SolverError when the solve fails, after the results so far were written with the reason, and
+/// std::logic_error for a model that was run before.
+Outcome run(const Model& model, const RunOptions& options = {});
+
+}  // namespace pounding

@@ -1,0 +1,238 @@
+#include <pounding/recorder.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pounding {
+namespace {
+
+constexpr std::size_t most_samples_of_an_impact = 1024;
+
+}  // namespace
+
+void Peak::follow(double value) { largest_ = std::max(largest_, std::abs(value)); }
+
+void Peak::follow(double h, double begin, double slope_begin, double end, double slope_end) {
+  follow(end);
+  if (slope_begin * slope_end >= 0) return;
+  const double s = slope_begin / (slope_begin - slope_end), r = 1 - s;
+  follow(r * r * (1 + 2 * s) * begin + s * s * (1 + 2 * r) * end + h * s * r * (r * slope_begin - s * slope_end));
+}
+
+void LinkSampler::apart(double time, const LinkMotion& motion, double energy, LinkHistory& history) const {
+  if (!samples_.empty()) return;
+  history.time.push_back(time);
+  history.penetration.push_back(motion.penetration);
+  history.velocity.push_back(motion.rate);
+  history.force.push_back(0);
+  history.energy.push_back(energy);
+}
+
+void LinkSampler::pressed(double time, const LinkMotion& motion, double force, double energy) {
+  last_ = {time, motion.penetration, motion.rate, force, energy};
+  if (!samples_.empty() && ++skipped_ < stride_) return;
+  skipped_ = 0;
+  samples_.push_back(last_);
+  if (samples_.size() < most_samples_of_an_impact) return;
+  for (std::size_t i = 0; 2 * i < samples_.size(); ++i) samples_[i] = samples_[2 * i];
+  samples_.resize((samples_.size() + 1) / 2);
+  stride_ *= 2;
+}
+
+void LinkSampler::finish(LinkHistory& history) {
+  if (samples_.empty()) return;
+  if (samples_.back().time < last_.time) samples_.push_back(last_);
+  for (const Sample& s : samples_) {
+    history.time.push_back(s.time);
+    history.penetration.push_back(s.penetration);
+    history.velocity.push_back(s.velocity);
+    history.force.push_back(s.force);
+    history.energy.push_back(s.energy);
+  }
+  samples_.clear();
+  stride_ = 1;
+  skipped_ = 0;
+}
+
+Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
+    : model_(model), stepper_(stepper), results_(results), first_(offsets(model)), linked_(stepper.system().links() > 0) {
+  for (const Structure& s : model.structures) {
+    results_.structures.push_back({s.name, s.floors, {}, {}, {}, {}, {}});
+    peaks_.emplace_back(s.size());
+  }
+  if (!linked_) return;
+  for (const Link& link : model.links) {
+    LinkHistory history;
+    history.name = link.name;
+    history.gap = link.gap;
+    history.law = link.law;
+    history.left = {model.structures[link.left].name, link.left_floor + 1};
+    history.right = {model.structures[link.right].name, link.right_floor + 1};
+    results_.links.push_back(std::move(history));
+  }
+  samplers_.resize(model.links.size());
+}
+
+void Recorder::begin() {
+  const State& now = stepper_.state();
+  sample(now.time, now.u, now.v, now.a);
+  ++outputs_;
+  for (std::size_t k = 0; k < peaks_.size(); ++k)
+    for (int i = 0; i < model_.structures[k].size(); ++i) {
+      FloorPeaks& peaks = peaks_[k][i];
+      const int dof = first_[k] + i;
+      peaks.displacement.follow(now.u[dof]);
+      peaks.drift.follow(now.u[dof] - (i > 0 ? now.u[dof - 1] : 0));
+      peaks.acceleration.follow(now.a[dof] + model_.ground.acceleration(now.time));
+    }
+  sample_energy();
+}
+
+void Recorder::sample(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a) {
+  const double ground = model_.ground.acceleration(time);
+  results_.time.push_back(time);
+  results_.ground_acceleration.push_back(ground);
+  for (std::size_t k = 0; k < model_.structures.size(); ++k) {
+    const Structure& s = model_.structures[k];
+    StructureHistory& history = results_.structures[k];
+    for (int i = 0; i < s.size(); ++i) {
+      const int dof = first_[k] + i;
+      const double drift = u[dof] - (i > 0 ? u[dof - 1] : 0);
+      history.displacement.push_back(u[dof]);
+      history.velocity.push_back(v[dof]);
+      history.acceleration.push_back(a[dof] + ground);
+      if (s.storey_stiffness.empty()) continue;
+      history.drift.push_back(drift);
+      history.storey_shear.push_back(s.storey_stiffness[i] * drift);
+    }
+  }
+}
+
+void Recorder::step() {
+  const double end = stepper_.arrived().time;
+  const double rounding = 1e-12 * std::max(1.0, end);
+  for (double time = outputs_ * model_.analysis.output_step; time <= end + rounding;
+       time = ++outputs_ * model_.analysis.output_step) {
+    stepper_.interpolate(time, u_, v_);
+    stepper_.interpolate_acceleration(time, a_);
+    sample(time, u_, v_, a_);
+    energy_due_ = true;
+  }
+  follow_peaks();
+  if (linked_) sample_links();
+  if (energy_due_) sample_energy();
+  energy_due_ = false;
+}
+
+void Recorder::follow_peaks() {
+  const State &begin = stepper_.before(), &end = stepper_.arrived(), &now = stepper_.state();
+  const double h = end.time - begin.time;
+  const double ground = model_.ground.acceleration_before(end.time);
+  for (std::size_t k = 0; k < peaks_.size(); ++k)
+    for (std::size_t i = 0; i < peaks_[k].size(); ++i) {
+      FloorPeaks& peaks = peaks_[k][i];
+      const int dof = first_[k] + static_cast<int>(i);
+      peaks.displacement.follow(h, begin.u[dof], begin.v[dof], end.u[dof], end.v[dof]);
+      peaks.acceleration.follow(end.a[dof] + ground);
+      peaks.acceleration.follow(now.a[dof] + ground);
+      if (i == 0)
+        peaks.drift.follow(h, begin.u[dof], begin.v[dof], end.u[dof], end.v[dof]);
+      else
+        peaks.drift.follow(h, begin.u[dof] - begin.u[dof - 1], begin.v[dof] - begin.v[dof - 1],
+                           end.u[dof] - end.u[dof - 1], end.v[dof] - end.v[dof - 1]);
+    }
+}
+
+void Recorder::sample_links() {
+  for (std::size_t i = 0; i < samplers_.size(); ++i) {
+    const Contact& contact = *model_.links[i].contact;
+    const LinkStep& step = stepper_.link_steps()[i];
+    const auto rows = contact.impacts();
+    const bool begun = !rows.empty();
+    const bool presses = begun && std::isnan(rows.back().t_end);
+    const bool ends_here = begun && !presses && rows.back().t_end >= step.end;
+    LinkSampler& sampler = samplers_[i];
+    if (presses || ends_here) {
+      const double force = presses ? stepper_.state().force[i] : step.force_end;
+      sampler.pressed(step.end, step.motion_end, force, contact.work());
+    }
+    if (!presses) sampler.finish(results_.links[i]);
+    if (!presses && !ends_here && energy_due_) sampler.apart(step.end, step.motion_end, contact.work(), results_.links[i]);
+  }
+}
+
+void Recorder::sample_energy() {
+  EnergyHistory& e = results_.energy;
+  const EnergySums& sums = stepper_.energy_sums();
+  const double kinetic = stepper_.kinetic_energy(), strain = stepper_.strain_energy(), impact = stepper_.contact_work();
+  const double error = sums.input - (kinetic + strain + sums.damping + impact);
+  e.time.push_back(stepper_.state().time);
+  e.input.push_back(sums.input);
+  e.kinetic.push_back(kinetic);
+  e.strain.push_back(strain);
+  e.damping.push_back(sums.damping);
+  e.hysteretic.push_back(0);
+  e.impact.push_back(impact);
+  e.error.push_back(error);
+  largest_input_ = std::max(largest_input_, std::abs(sums.input));
+  largest_imbalance_ = std::max(largest_imbalance_, std::abs(error));
+}
+
+void Recorder::end() {
+  if (linked_)
+    for (std::size_t i = 0; i < samplers_.size(); ++i) samplers_[i].finish(results_.links[i]);
+  if (results_.energy.time.empty() || results_.energy.time.back() < stepper_.state().time) sample_energy();
+  collect_impacts();
+}
+
+int Recorder::impacts() const {
+  std::size_t count = 0;
+  if (linked_)
+    for (const Link& link : model_.links) count += link.contact->impacts().size();
+  return static_cast<int>(count);
+}
+
+void Recorder::collect_impacts() {
+  results_.impacts.clear();
+  if (!linked_) return;
+  for (const Link& link : model_.links) {
+    const auto rows = link.contact->impacts();
+    results_.impacts.insert(results_.impacts.end(), rows.begin(), rows.end());
+  }
+  std::stable_sort(results_.impacts.begin(), results_.impacts.end(),
+                   [](const ImpactRow& a, const ImpactRow& b) { return a.t_start < b.t_start; });
+}
+
+void Recorder::summarize(Summary& summary) const {
+  summary.structures.clear();
+  summary.links.clear();
+  for (std::size_t k = 0; k < peaks_.size(); ++k) {
+    StructureSummary s{model_.structures[k].name, {}, {}, {}};
+    for (const FloorPeaks& peaks : peaks_[k]) {
+      s.peak_displacement.push_back(peaks.displacement.largest());
+      if (!model_.structures[k].storey_stiffness.empty()) s.peak_drift.push_back(peaks.drift.largest());
+      s.peak_acceleration.push_back(peaks.acceleration.largest());
+    }
+    summary.structures.push_back(std::move(s));
+  }
+  if (linked_)
+    for (const Link& link : model_.links) {
+      LinkSummary s;
+      s.name = link.name;
+      for (const ImpactRow& row : link.contact->impacts()) {
+        ++s.impacts;
+        s.peak_force = std::isnan(row.peak_force) ? row.peak_force : std::max(s.peak_force, row.peak_force);
+        s.peak_penetration = std::max(s.peak_penetration, row.peak_penetration);
+        s.impulse += row.impulse;
+        s.energy_lost += row.energy_lost;
+      }
+      summary.links.push_back(std::move(s));
+    }
+  const EnergyHistory& e = results_.energy;
+  if (e.time.empty()) return;
+  summary.energy = {e.input.back(),  e.kinetic.back(), e.strain.back(),
+                    e.damping.back(), e.hysteretic.back(), e.impact.back(),
+                    largest_input_ > 0 ? largest_imbalance_ / largest_input_ : 0};
+}
+
+}  // namespace pounding

@@ -1,0 +1,81 @@
+#pragma once
+/// Turns kept steps into histories, peaks and the energy balance.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <pounding/model.hpp>
+#include <pounding/results.hpp>
+#include <pounding/stepper.hpp>
+#include <pounding/summary.hpp>
+
+namespace pounding {
+
+/// Largest absolute value of a quantity that is known with its slope at both ends of every step.
+class Peak {
+ public:
+  /// Values and slopes at the ends of a step of length h; a turn inside it is found on the cubic through them.
+  void follow(double h, double begin, double slope_begin, double end, double slope_end);
+  void follow(double value);
+  double largest() const { return largest_; }
+
+ private:
+  double largest_ = 0;
+};
+
+/// Samples of one link, dense inside impacts. A long impact is thinned evenly so that the memory stays bounded.
+class LinkSampler {
+ public:
+  void apart(double time, const LinkMotion& motion, double energy, LinkHistory& history) const;
+  void pressed(double time, const LinkMotion& motion, double force, double energy);
+  /// The impact is over (or the run is): its samples go to the history.
+  void finish(LinkHistory& history);
+
+ private:
+  struct Sample {
+    double time, penetration, velocity, force, energy;
+  };
+  std::vector<Sample> samples_;
+  Sample last_{};
+  int stride_ = 1, skipped_ = 0;
+};
+
+class Recorder {
+ public:
+  Recorder(const Model& model, const Stepper& stepper, Results& results);
+
+  /// The initial state.
+  void begin();
+  /// The step that the stepper has just kept.
+  void step();
+  /// Unfinished impacts and the last energies.
+  void end();
+
+  int impacts() const;
+  /// Peaks and energies so far.
+  void summarize(Summary& summary) const;
+
+ private:
+  void sample(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a);
+  void follow_peaks();
+  void sample_links();
+  void sample_energy();
+  void collect_impacts();
+
+  const Model& model_;
+  const Stepper& stepper_;
+  Results& results_;
+  std::vector<int> first_;
+  bool linked_;
+  long outputs_ = 0;
+  bool energy_due_ = false;
+  struct FloorPeaks {
+    Peak displacement, drift, acceleration;
+  };
+  std::vector<std::vector<FloorPeaks>> peaks_;
+  std::vector<LinkSampler> samplers_;
+  double largest_input_ = 0, largest_imbalance_ = 0;
+  Eigen::VectorXd u_, v_, a_;
+};
+
+}  // namespace pounding
