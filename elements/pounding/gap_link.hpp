@@ -1,0 +1,142 @@
+#pragma once
+/// A gap link with a contact law: nothing until the gap is closed, then the law's force; impacts recorded one by one.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include <pounding/contact.hpp>
+#include <pounding/impact_log.hpp>
+#include <pounding/laws/all.hpp>
+
+namespace pounding {
+
+/// Law is any struct with the members of a contact law (see laws/law.hpp); a user's own works as well.
+///
+/// `evaluate` and `margins` are pure; the phase, the impact and the gap move in `accept` and `crossed` only.
+template <class Law>
+class GapLink final : public Contact {
+ public:
+  /// gap >= 0 [m]; throws std::invalid_argument otherwise, and for parameters that the law refuses.
+  /// `link` is the index that the rows of its impacts carry.
+  GapLink(Law law, double gap, int link = 0) : law_(std::move(law)), gap_(gap), log_(link) {
+    if (!(gap >= 0) || std::isinf(gap)) throw std::invalid_argument("gap must be finite and not negative");
+    law_.check();
+  }
+
+  const Law& law() const noexcept { return law_; }
+  /// The present gap [m]; komodromos leaves its indentation in it.
+  double gap() const noexcept { return gap_; }
+
+  ContactPhase phase() const noexcept override { return phase_; }
+  double penetration(double closure) const noexcept override { return closure - gap_; }
+
+  LinkForce evaluate(const LinkMotion& motion) const noexcept override {
+    if (phase_ != ContactPhase::approach && phase_ != ContactPhase::restitution) return {};
+    const laws::Response r = law_.contact(motion.penetration, motion.rate, impact_);
+    return {r.force, r.by_penetration, r.by_rate};
+  }
+
+  Margins margins(const LinkMotion& motion, double /*force*/) const noexcept override {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    switch (phase_) {
+      case ContactPhase::open: return {-motion.penetration, never, never};
+      case ContactPhase::approach: return {motion.rate, never, never};
+      case ContactPhase::restitution: return {motion.penetration, cut_force(motion), -motion.rate};
+      case ContactPhase::slack: return {motion.penetration, -law_.contact(motion.penetration, motion.rate, impact_).force, never};
+      case ContactPhase::resting: break;
+    }
+    return {never, never, never};
+  }
+
+  void accept(const LinkStep& step) override {
+    if (phase_ == ContactPhase::open) return;
+    log_.add(step);
+    laws::keep(law_, step.motion_end.penetration, step.motion_end.rate, impact_);
+  }
+
+  void crossed(int margin, double time, const LinkMotion& motion) override {
+    switch (phase_) {
+      case ContactPhase::open:
+        phase_ = ContactPhase::approach;
+        impact_ = laws::touch(law_, motion.rate);
+        log_.begin(time, motion.rate);
+        return;
+      case ContactPhase::approach: phase_ = ContactPhase::restitution; return;
+      case ContactPhase::restitution:
+        if (margin == 0) return separate(time, motion);
+        if (margin == 2) {
+          phase_ = ContactPhase::approach;
+          return;
+        }
+        log_.release(time);
+        if constexpr (laws::leaves_indentation<Law>) {
+          gap_ += motion.penetration;
+          return separate(time, motion);
+        }
+        phase_ = ContactPhase::slack;
+        return;
+      case ContactPhase::slack:
+        if (margin == 0) return separate(time, motion);
+        phase_ = motion.rate > 0 ? ContactPhase::approach : ContactPhase::restitution;
+        return;
+      case ContactPhase::resting: return;
+    }
+  }
+
+  double work() const noexcept override { return log_.work(); }
+  std::span<const ImpactRow> impacts() const noexcept override { return log_.rows(); }
+
+ private:
+  // The force as the law writes it. Just past the separation it is asked at a trace of penetration, so that a release
+  // shortly before the separation is not missed.
+  double cut_force(const LinkMotion& motion) const noexcept {
+    if constexpr (laws::may_pull<Law>) return std::numeric_limits<double>::infinity();
+    const double trace = 1e-9 * impact_.largest_penetration;
+    return law_.contact(std::max(motion.penetration, trace), motion.rate, impact_).force;
+  }
+
+  void separate(double time, const LinkMotion& motion) {
+    phase_ = ContactPhase::open;
+    log_.end(time, motion.rate);
+  }
+
+  Law law_;
+  double gap_;
+  ContactPhase phase_ = ContactPhase::open;
+  laws::Impact impact_;
+  ImpactLog log_;
+};
+
+/// Rigid bodies that bounce by Newton's impact law and rest on each other after the last bounce worth resolving.
+class RigidGapLink final : public Contact {
+ public:
+  /// restitution in (0, 1], gap >= 0 [m]; throws std::invalid_argument otherwise.
+  RigidGapLink(double restitution, double gap, int link = 0);
+
+  ContactPhase phase() const noexcept override { return phase_; }
+  double penetration(double closure) const noexcept override { return closure - gap_; }
+  LinkForce evaluate(const LinkMotion&) const noexcept override { return {}; }
+  Margins margins(const LinkMotion& motion, double force) const noexcept override;
+  void accept(const LinkStep& step) override;
+  void crossed(int margin, double time, const LinkMotion& motion) override;
+  bool is_rigid() const noexcept override { return true; }
+  double restitution() const noexcept override { return restitution_; }
+  void jumped(double time, double impulse, double rate_before, double rate_after, bool held) override;
+  double work() const noexcept override { return log_.work(); }
+  std::span<const ImpactRow> impacts() const noexcept override { return log_.rows(); }
+
+ private:
+  double restitution_, gap_;
+  ContactPhase phase_ = ContactPhase::open;
+  ImpactLog log_;
+};
+
+/// The link for a law chosen by name: a RigidGapLink for stereomechanical, else a GapLink.
+std::unique_ptr<Contact> make_gap_link(const laws::AnyLaw& law, double gap, int link = 0);
+
+}  // namespace pounding

@@ -1,0 +1,41 @@
+#pragma once
+/// Keeps the rows of a link's impacts from its kept steps.
+
+#include <span>
+#include <vector>
+
+#include <pounding/contact.hpp>
+
+namespace pounding {
+
+class ImpactLog {
+ public:
+  explicit ImpactLog(int link) : link_(link) {}
+
+  void begin(double time, double closing_speed);
+  /// Adds a kept step inside the impact: impulse, work and peaks. Integrals by Simpson's rule.
+  void add(const LinkStep& step);
+  /// The force fell to zero and may come back.
+  void release(double time);
+  void end(double time, double rate);
+  /// Adds an impulse without duration, from Newton's impact law.
+  void push(double impulse, double rate_before, double rate_after);
+
+  bool open() const { return open_; }
+  const ImpactRow& current() const { return rows_.back(); }
+  std::span<const ImpactRow> rows() const { return rows_; }
+  double work() const { return work_; }
+
+ private:
+  void follow_peak(double time, double force);
+
+  int link_;
+  bool open_ = false;
+  std::vector<ImpactRow> rows_;
+  double work_ = 0;
+  // The last two kept forces, for the parabola through the largest.
+  double times_[3] = {}, forces_[3] = {};
+  int known_ = 0;
+};
+
+}  // namespace pounding

@@ -1,0 +1,47 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+
+#include <pounding/error.hpp>
+#include <pounding/version.hpp>
+#include "commands.hpp"
+
+namespace {
+
+constexpr int done = 0, other_failure = 1, bad_input = 2, failed_solve = 3;
+
+int report(const char* text, int code) {
+  std::fprintf(stderr, "pounding: %s\n", text);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Adjacent structures that hit each other in earthquakes"};
+  app.set_version_flag("--version", "pounding " POUNDING_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::help);
+  using namespace pounding::program;
+  add_run(app);
+  add_modes(app);
+  add_laws(app);
+  add_calibrate(app);
+  add_record(app);
+  add_plot(app);
+  try {
+    app.parse(argc, argv);
+    return done;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
+  } catch (const pounding::InputError& error) {
+    return report(error.what(), bad_input);
+  } catch (const std::invalid_argument& error) {
+    return report(error.what(), bad_input);
+  } catch (const pounding::SolverError& error) {
+    return report(error.what(), failed_solve);
+  } catch (const std::exception& error) {
+    return report(error.what(), other_failure);
+  }
+}

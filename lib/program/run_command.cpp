@@ -1,0 +1,137 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/analysis.hpp>
+#include <pounding/input.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/structures.hpp>
+#include "commands.hpp"
+
+namespace pounding::program {
+namespace {
+
+struct Words {
+  std::string model, output, picture;
+  bool json = false, plot = false, quiet = false;
+};
+
+Model read(const std::string& path) { return read_model(Input::read_file(path), kinds()); }
+
+std::string with_ending(const std::string& path, const char* ending) {
+  return std::filesystem::path(path).replace_extension(ending).string();
+}
+
+// One line that is written over and over, on a terminal only.
+void show_progress(double time, double duration, int impacts) {
+  const int width = 30;
+  const int filled = static_cast<int>(width * time / duration);
+  const std::string line = fmt::format("\r[{:#<{}}{:.<{}}] {:.2f} of {:.2f} s, {} impacts ", "", filled, "", width - filled,
+                                       time, duration, impacts);
+  std::fputs(line.c_str(), stderr);
+}
+
+void clear_progress() { std::fputs("\r\033[K", stderr); }
+
+std::string describe(const Model& model) {
+  std::string text = model.title.empty() ? "" : model.title + "\n";
+  if (!model.ground.is_still())
+    text += fmt::format("ground motion  {}, peak {:.4g} m/s^2 ({:.4g} g)\n", model.ground.source(), model.ground.peak(),
+                        model.ground.peak() / 9.80665);
+  for (const Link& link : model.links) {
+    text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
+                        link.formula, 1e3 * link.gap);
+    if (link.reduced_mass > 0)
+      text += fmt::format(", reduced mass {:.6g} t {}", link.reduced_mass / 1e3,
+                          link.reduced_mass_given ? "(as given)" : "(of the two floors)");
+    text += '\n';
+  }
+  return text;
+}
+
+// Words that CLI11 does not know are PETSc's when they carry its prefix, each with its value.
+std::vector<std::string> petsc_words(const CLI::App& command) {
+  std::vector<std::string> words = command.remaining();
+  bool value = false;
+  for (const std::string& word : words) {
+    const bool option = word.rfind("-pounding_", 0) == 0 || word == "-log_view" || word == "-options_left";
+    if (!option && !value)
+      throw InputError(fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
+                                   "are listed by pounding run --help",
+                                   word));
+    value = option;
+  }
+  return words;
+}
+
+void run_model(const Words& words, const CLI::App& command) {
+  const std::vector<std::string> options = petsc_words(command);
+  const Model model = read(words.model);
+  RunOptions run_options;
+  const bool keep = !words.output.empty() || words.plot;
+  if (keep) run_options.output = words.output.empty() ? with_ending(words.model, ".h5") : words.output;
+  run_options.command = "pounding run " + words.model;
+  const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet;
+  if (terminal) run_options.progress = show_progress;
+  if (!words.json && !words.quiet) std::fputs((describe(model) + "\n").c_str(), stdout);
+  std::fflush(stdout);
+
+  const petsc::Environment environment(options);
+  Outcome outcome;
+  try {
+    outcome = run(model, run_options);
+  } catch (...) {
+    if (terminal) clear_progress();
+    throw;
+  }
+  if (terminal) clear_progress();
+  if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
+    throw InputError(fmt::format("the option {} was read by nothing; the results do not depend on it", unread.front()));
+  if (words.json)
+    std::puts(to_json(outcome.summary).c_str());
+  else if (!words.quiet)
+    std::fputs(to_table(outcome.summary).c_str(), stdout);
+  if (!keep) return;
+  if (!words.json && !words.quiet) std::printf("\nresults      %s\n", run_options.output.c_str());
+  if (!words.plot) return;
+  const std::string picture = words.picture.empty() ? with_ending(run_options.output, ".png") : words.picture;
+  draw(run_options.output, picture);
+  if (!words.json && !words.quiet) std::printf("picture      %s\n", picture.c_str());
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  const auto words = std::make_shared<Words>();
+  CLI::App* run_command = app.add_subcommand("run", "Run a model through time");
+  run_command->add_option("MODEL", words->model, "Input file (YAML)")->required();
+  run_command->add_option("-o,--output", words->output, "Results file (HDF5)");
+  run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file");
+  run_command->add_option("--picture", words->picture, "Name of the picture");
+  run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
+  run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but errors");
+  run_command->allow_extras();
+  run_command->footer("PETSc options with the prefix -pounding_ reach the time stepping, for example\n"
+                      "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_radius 0.8  -pounding_ts_view  -pounding_ts_monitor");
+  run_command->callback([words, run_command] { run_model(*words, *run_command); });
+
+  const auto check_words = std::make_shared<Words>();
+  CLI::App* check_command = app.add_subcommand("check", "Read and check a model without running it");
+  check_command->add_option("MODEL", check_words->model, "Input file (YAML)")->required();
+  check_command->add_flag("--json", check_words->json, "Print one JSON object");
+  check_command->callback([check_words] {
+    const Model model = read(check_words->model);
+    if (check_words->json)
+      std::printf("{\"status\": \"ok\", \"structures\": %zu, \"links\": %zu}\n", model.structures.size(), model.links.size());
+    else
+      std::fputs((describe(model) + "\n" + resolved_yaml(model)).c_str(), stdout);
+  });
+}
+
+}  // namespace pounding::program
