@@ -1,0 +1,106 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/integrated_impact.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/power.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// c D/(m v) that gives a restitution at one closing speed, integrated. D = (m v^2/k)^(1/(n+1)).
+double exact_adams_impact(const Asked& asked);
+
+/// F = max(0, k d^n + c STEP(d) d'), STEP = s^2 (3 - 2 s) with s = d/depth, 1 beyond depth: the IMPACT function.
+///
+/// k [N/m^n], n >= 1 [-], c [N s/m] full damping, depth [m] where it is reached, d [m], d' [m/s]. MSC Adams, Altair
+/// MotionSolve, SolidWorks Motion. The restitution depends on the closing speed; `exact` solves for c at each impact. The
+/// pull is cut; with n < 2 the spring can press again before the penetration is zero.
+struct AdamsImpact {
+  static constexpr std::string_view name = "adams_impact", shape = "F = max(0, k d^n + c STEP(d/depth) d')";
+  static constexpr std::string_view summary = "IMPACT function of multibody programs, damping grows up to a depth";
+  static constexpr std::string_view source = "Altair MotionSolve, SolidWorks Motion: IMPACT function";
+  static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
+
+  static constexpr std::array formulas{
+      Formula{"exact", "root of the integrated impact, at each closing speed", "gives what is asked", &exact_adams_impact}};
+
+  double stiffness = 0;                       ///< k [N/m^n]
+  double exponent = 1.5;                      ///< n [-]
+  double depth = 0;                           ///< penetration of full damping [m]
+  std::optional<double> restitution{};          ///< e in (0, 1], or
+  std::optional<double> damping_coefficient{};  ///< c >= 0 [N s/m]
+  std::optional<double> impact_velocity{};      ///< fixed design velocity instead of the fresh closing speed [m/s]
+  double reduced_mass = 0;                    ///< m [kg]
+  DampingFormula formula = formulas[0].function;
+
+  static constexpr std::array parameters{
+      Parameter<AdamsImpact>{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &AdamsImpact::stiffness},
+      Parameter<AdamsImpact>{{"exponent", "", "exponent n", 1.5, Need::optional}, &AdamsImpact::exponent},
+      Parameter<AdamsImpact>{{"depth", "m", "penetration of full damping", 0.001}, &AdamsImpact::depth},
+      Parameter<AdamsImpact>{{"damping_coefficient", "N s/m", "damping c", 6e5, Need::damping},
+                             nullptr,
+                             &AdamsImpact::damping_coefficient}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_exponent(exponent);
+    require_positive("depth", depth);
+    require_restitution(restitution);
+    require_not_negative("damping_coefficient", damping_coefficient);
+    require_positive("impact_velocity", impact_velocity);
+    require_one_damping(name, restitution, {{"damping_coefficient", &damping_coefficient}});
+    require_velocity_used(impact_velocity, damping_coefficient);
+    require_positive("reduced_mass", reduced_mass);
+  }
+
+  /// c D/(m v) [-] of an impact at this closing speed [m/s].
+  double damping_number(double closing_speed) const {
+    if (!restitution) return *damping_coefficient / coefficient_scale(closing_speed);
+    return formula({.restitution = *restitution,
+                    .closing_speed = calibration_speed(impact_velocity, closing_speed),
+                    .stiffness = stiffness,
+                    .exponent = exponent,
+                    .reduced_mass = reduced_mass,
+                    .depth = depth});
+  }
+  /// c [N s/m] of an impact at this closing speed [m/s].
+  double damping_for(double closing_speed) const {
+    return restitution ? damping_number(closing_speed) * coefficient_scale(closing_speed) : *damping_coefficient;
+  }
+
+  Response contact(double penetration, double rate, const Impact& impact) const noexcept {
+    const Power p = power(penetration, exponent);
+    const double s = std::clamp(penetration / depth, 0.0, 1.0), step = s * s * (3 - 2 * s), step_slope = 6 * s * (1 - s) / depth;
+    return {stiffness * p.value + impact.damping * step * rate, stiffness * p.slope + impact.damping * step_slope * rate,
+            impact.damping * step};
+  }
+  /// Changes sign where the damping reaches its full value [m].
+  double corner(double penetration, double, const Impact&) const noexcept { return penetration - depth; }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+
+ private:
+  double coefficient_scale(double closing_speed) const {
+    const double v = calibration_speed(impact_velocity, closing_speed);
+    return reduced_mass * v / impact_length(reduced_mass, v, stiffness, exponent);
+  }
+};
+
+inline double exact_adams_impact(const Asked& asked) {
+  const double length = impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent);
+  return number_of_restitution(asked.restitution, [&](double number) {
+    return AdamsImpact{.stiffness = 1,
+                       .exponent = asked.exponent,
+                       .depth = asked.depth / length,
+                       .damping_coefficient = number,
+                       .reduced_mass = 1};
+  });
+}
+
+}  // namespace pounding::laws

@@ -1,0 +1,134 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/root.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// Restitution of the bilinear law at its design speed, where a Hertz spring of the same k would reach d_m; loss = dE over
+/// the kinetic energy. With k d_m^(n-1) = d_m = 1 the loading curve stores 1/(n+1) at the penetration p reached.
+inline double restitution_of_bilinear_loss(double loss, double exponent, double yield_ratio) {
+  const double y = yield_ratio, share = loss / (exponent + 1), energy = 1 / (exponent + 1);
+  const double k1 = 1 + share / y, k2 = 1 - share / (1 - y);
+  const double left = energy - 0.5 * k1 * y * y;  // beyond the yield point, = k1 y q + k2 q^2/2
+  if (left <= 0) return 1;
+  const double q = 2 * left / (k1 * y + std::sqrt(k1 * k1 * y * y + 2 * k2 * left));
+  return std::sqrt(std::max(0.0, 1 - (k1 - k2) * y * q / energy));
+}
+
+/// The largest loss a bilinear law can be designed for: there its second stiffness vanishes.
+inline double largest_bilinear_loss(double exponent, double yield_ratio) { return (exponent + 1) * (1 - yield_ratio); }
+
+/// loss = 1 - e^2. Muthukumar & DesRoches 2006: the loop area is right when d_m is reached, which it is not.
+inline double muthukumar_desroches(const Asked& q) { return 1 - q.restitution * q.restitution; }
+
+/// loss with which the law gives e at its design speed. Throws std::invalid_argument when no loss does.
+inline double exact_bilinear_loss(const Asked& q) {
+  const double e = q.restitution, high = largest_bilinear_loss(q.exponent, q.yield_ratio);
+  const double least = restitution_of_bilinear_loss(high, q.exponent, q.yield_ratio);
+  if (e <= least)
+    throw std::invalid_argument("restitution " + number_text(e) + " cannot be reached by bilinear_hertz with yield_ratio " +
+                                number_text(q.yield_ratio) + ", which gives more than " + number_text(least) +
+                                "; take another restitution, yield_ratio or law");
+  // Squares: the restitution itself leaves 1 with a finite slope, but its square is smoother where e is small.
+  const auto miss = [&](double loss) {
+    const double obtained = restitution_of_bilinear_loss(loss, q.exponent, q.yield_ratio);
+    return obtained * obtained - e * e;
+  };
+  return find_root(miss, 0, 1 - e * e, high, miss(high));
+}
+
+/// Stiffness K1 up to the yield point, then K2; unloading along K1 down to the line K2 d, then along it to zero.
+///
+/// F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y], a spring K2 beside an elastic-plastic one with slip s [m].
+/// K1 = K_eff + dE/(a_y d_m^2), K2 = K_eff - dE/((1-a_y) d_m^2) [N/m], d_y = a_y d_m [m], K_eff = k d_m^(n-1),
+/// dE = loss k d_m^(n+1)/(n+1) [J]; k [N/m^n], n >= 1 [-], a_y [-] yield_ratio, m [kg] reduced mass, d [m].
+/// d_m [m] is the penetration of a Hertz spring at the closing speed, or at impact_velocity: a touch nearly at rest meets a
+/// very soft spring, which a fixed impact_velocity avoids. Muthukumar 2003; Muthukumar & DesRoches 2006, EESD 35:811;
+/// OpenSees ImpactMaterial. Never pulls. The published loss gives more than asked, because the loading curve stores more
+/// than the Hertz spring (0.50 asked gives 0.69).
+struct BilinearHertz {
+  static constexpr std::string_view name = "bilinear_hertz", shape = "F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y]";
+  static constexpr std::string_view summary = "bilinear hysteresis instead of a dashpot (truss contact, ImpactMaterial)";
+  static constexpr std::string_view source = "Muthukumar & DesRoches 2006, EESD 35:811; OpenSees ImpactMaterial";
+  static constexpr Quantity number{"loss_ratio", ""}, coefficient{"loss_ratio", ""};
+
+  static constexpr std::array formulas{
+      Formula{"exact", "root of the closed form at the design speed", "gives what is asked at the design speed",
+              &exact_bilinear_loss},
+      Formula{"muthukumar_desroches", "Muthukumar & DesRoches 2006, EESD 35:811", "0.50 asked gives 0.69", &muthukumar_desroches}};
+
+  double stiffness = 0;                   ///< k [N/m^n]
+  double exponent = 1.5;                  ///< n [-]
+  double yield_ratio = 0.1;               ///< a_y = d_y/d_m [-]
+  std::optional<double> restitution{};      ///< e in (0, 1]
+  std::optional<double> impact_velocity{};  ///< fixed design velocity instead of the fresh closing speed [m/s]
+  double reduced_mass = 0;                ///< m [kg]
+  DampingFormula formula = formulas[0].function;
+
+  static constexpr std::array parameters{
+      Parameter<BilinearHertz>{{"stiffness", "N/m^n", "Hertz stiffness k", 2.75e9}, &BilinearHertz::stiffness},
+      Parameter<BilinearHertz>{{"exponent", "", "exponent n", 1.5, Need::optional}, &BilinearHertz::exponent},
+      Parameter<BilinearHertz>{
+          {"yield_ratio", "", "yield over design penetration a_y", 0.1, Need::optional}, &BilinearHertz::yield_ratio}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_exponent(exponent);
+    if (!(yield_ratio > 0 && yield_ratio < 1)) refuse("yield_ratio", yield_ratio, "in (0, 1)");
+    require_restitution(restitution);
+    require_one_damping(name, restitution, {});
+    require_positive("impact_velocity", impact_velocity);
+    require_positive("reduced_mass", reduced_mass);
+    if (damping_number(1) > largest_bilinear_loss(exponent, yield_ratio))
+      refuse("yield_ratio", yield_ratio, "small enough to keep the second stiffness positive at this restitution");
+  }
+
+  /// loss = dE over the kinetic energy at the design speed [-].
+  double damping_number(double) const {
+    return formula({.restitution = *restitution, .exponent = exponent, .yield_ratio = yield_ratio});
+  }
+  double damping_for(double closing_speed) const { return damping_number(closing_speed); }
+
+  /// The bilinear curve of an impact [N/m], [N/m], [m].
+  struct Curve {
+    double k1 = 0, k2 = 0, yield = 0;
+  };
+  Curve curve(const Impact& impact) const noexcept {
+    const double v = std::max(impact.closing_speed, slowest_closing_speed);
+    const double dm = std::pow((exponent + 1) * reduced_mass * v * v / (2 * stiffness), 1 / (exponent + 1));
+    const double k = reduced_mass * v * v * (exponent + 1) / (2 * dm * dm), share = impact.damping / (exponent + 1);
+    return {k * (1 + share / yield_ratio), k * (1 - share / (1 - yield_ratio)), yield_ratio * dm};
+  }
+
+  Response contact(double penetration, double, const Impact& impact) const noexcept {
+    const auto [k1, k2, yield] = curve(impact);
+    const double stretch = penetration - impact.slip;
+    if (stretch <= 0) return {k2 * penetration, k2, 0};
+    if (stretch >= yield) return {k2 * penetration + (k1 - k2) * yield, k2, 0};
+    return {k2 * penetration + (k1 - k2) * stretch, k1, 0};
+  }
+  /// Changes sign where the slope jumps, at both ends of the elastic range [m].
+  double corner(double penetration, double, const Impact& impact) const noexcept {
+    const double stretch = penetration - impact.slip;
+    return std::min(stretch, curve(impact).yield - stretch);
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+  /// The slip follows a penetration that has left [s, s + d_y].
+  void keep(double penetration, double, Impact& impact) const noexcept {
+    impact.slip = std::clamp(impact.slip, penetration - curve(impact).yield, std::max(penetration, 0.0));
+  }
+};
+
+}  // namespace pounding::laws

@@ -1,0 +1,259 @@
+#pragma once
+/// Laws by name, for a variant of laws: the catalogue, making a law from settings, and describing a made law. Everything
+/// is read from the laws' own tables. all.hpp applies it to the laws of this library.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// A law as an input names it. SI units.
+struct Settings {
+  std::string law;
+  std::string formula;                                  ///< empty: "exact", when a restitution is given
+  std::optional<double> restitution{};                  ///< (0, 1]
+  std::optional<double> impact_velocity{};              ///< fixed design velocity [m/s]
+  double reduced_mass = 0;                              ///< of the colliding bodies [kg]; unused by some laws
+  std::map<std::string, double, std::less<>> values{};  ///< the law's own parameters
+};
+
+/// What the tables of a law say.
+struct Entry {
+  std::string_view name, shape, summary, source;
+  std::span<const ParameterInfo> parameters;  ///< beside restitution, impact_velocity and reduced_mass
+  std::span<const Formula> formulas;          ///< "exact" first; empty when there is no damping to choose
+  bool takes_restitution = false, takes_impact_velocity = false, takes_reduced_mass = false;
+  bool may_pull = false, leaves_indentation = false, instantaneous = false;
+  Quantity number;       ///< the dimensionless damping number that formulas give; its name is empty without damping
+  Quantity coefficient;  ///< what damping_for returns
+
+  /// The first parameter that gives the damping instead of a restitution; empty when there is none.
+  std::string_view direct_damping() const noexcept {
+    const auto found = std::ranges::find(parameters, Need::damping, &ParameterInfo::need);
+    return found == parameters.end() ? std::string_view{} : found->name;
+  }
+};
+
+/// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the reduced
+/// mass of floors of 100 t and 150 t [kg].
+inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5, typical_reduced_mass = 6e4;
+
+/// Settings of a law from the typical values of its table, calibrated to the typical restitution.
+inline Settings typical_settings(const Entry& entry) {
+  Settings s{.law = std::string(entry.name), .formula = {}, .reduced_mass = typical_reduced_mass};
+  if (entry.takes_restitution) s.restitution = typical_restitution;
+  for (const ParameterInfo& p : entry.parameters)
+    if (p.need != Need::damping) s.values.emplace(p.name, p.typical);
+  return s;
+}
+
+/// One resolved value of a made law.
+struct ResolvedValue {
+  std::string name;
+  double value = 0;
+  std::string unit;
+};
+
+/// A unit of the tables with the exponent n filled in: "N/m^n" with 1.5 is "N/m^1.5", with 1 "N/m".
+inline std::string resolved_unit(std::string_view unit, double exponent) {
+  const std::pair<std::string_view, double> forms[] = {
+      {"^((n+1)/2)", (exponent + 1) / 2}, {"^(n+1)", exponent + 1}, {"^n", exponent}};
+  std::string text(unit);
+  for (const auto& [form, power] : forms)
+    if (const auto at = text.find(form); at != std::string::npos)
+      return text.replace(at, form.size(), power == 1 ? "" : "^" + number_text(power));
+  return text;
+}
+
+namespace by_name {
+
+/// Insertions, deletions and replacements between two words.
+inline std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = std::exchange(row[j], std::min({replaced, row[j] + 1, row[j - 1] + 1}));
+    }
+  }
+  return row[b.size()];
+}
+
+/// ` Did you mean "hertz"?` when a name is near, else ` Allowed: a, b.`
+inline std::string hint(std::string_view read, const std::vector<std::string_view>& allowed) {
+  std::string_view nearest;
+  std::size_t least = read.size() / 3 + 2;
+  std::string list;
+  for (const std::string_view name : allowed) {
+    if (const std::size_t d = edit_distance(read, name); d < least) least = d, nearest = name;
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  if (!nearest.empty()) return " Did you mean \"" + std::string(nearest) + "\"?";
+  return list.empty() ? "" : " Allowed: " + list + ".";
+}
+
+template <class Range>
+std::vector<std::string_view> names(const Range& range) {
+  std::vector<std::string_view> result;
+  for (const auto& item : range) result.push_back(item.name);
+  return result;
+}
+
+template <class L>
+inline constexpr auto parameter_infos = [] {
+  std::array<ParameterInfo, L::parameters.size()> infos{};
+  for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = L::parameters[i].info;
+  return infos;
+}();
+
+template <class L>
+inline constexpr bool has_formulas = requires { L::formulas; };
+
+template <class L>
+constexpr Entry entry() {
+  Entry e{.name = L::name,
+          .shape = L::shape,
+          .summary = L::summary,
+          .source = L::source,
+          .parameters = parameter_infos<L>,
+          .formulas = {},
+          .takes_restitution = requires(L law) { law.restitution; },
+          .takes_impact_velocity = requires(L law) { law.impact_velocity; },
+          .takes_reduced_mass = requires(L law) { law.reduced_mass; },
+          .may_pull = may_pull<L>,
+          .leaves_indentation = leaves_indentation<L>,
+          .instantaneous = instantaneous<L>,
+          .number = {},
+          .coefficient = {}};
+  if constexpr (has_formulas<L>) {
+    e.formulas = L::formulas;
+    e.number = L::number;
+    e.coefficient = L::coefficient;
+  }
+  return e;
+}
+
+template <class Any>
+struct List;
+template <class... L>
+struct List<std::variant<L...>> {
+  static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
+};
+
+template <class L>
+void set(L& law, std::string_view name, double value) {
+  std::vector<std::string_view> known;
+  for (const Parameter<L>& p : L::parameters) {
+    known.push_back(p.info.name);
+    if (p.info.name != name) continue;
+    if (p.value)
+      law.*p.value = value;
+    else
+      law.*p.choice = value;
+    return;
+  }
+  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + hint(name, known));
+}
+
+template <class L>
+L make(const Settings& s) {
+  const std::string law_name(L::name);
+  L law;
+  for (const auto& [name, value] : s.values) set(law, name, value);
+  for (const ParameterInfo& p : parameter_infos<L>)
+    if (p.need == Need::required && !s.values.contains(p.name))
+      throw std::invalid_argument(law_name + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
+
+  if constexpr (requires { law.restitution; }) {
+    if constexpr (std::is_same_v<decltype(law.restitution), double>) {
+      if (!s.restitution) throw std::invalid_argument(law_name + " needs restitution");
+      law.restitution = *s.restitution;
+    } else {
+      law.restitution = s.restitution;
+    }
+  } else if (s.restitution) {
+    throw std::invalid_argument(law_name + " takes no restitution: it loses no energy");
+  }
+
+  if (!s.formula.empty()) {
+    if constexpr (has_formulas<L>) {
+      const auto found = std::ranges::find(L::formulas, s.formula, &Formula::name);
+      if (found == L::formulas.end())
+        throw std::invalid_argument(law_name + " has no formula \"" + s.formula + "\"." + hint(s.formula, names(L::formulas)));
+      if (!s.restitution)
+        throw std::invalid_argument("formula \"" + s.formula + "\" needs a restitution to find the damping of " + law_name);
+      law.formula = found->function;
+    } else {
+      throw std::invalid_argument(law_name + " takes no formula: it has no damping to calibrate");
+    }
+  }
+
+  if constexpr (requires { law.impact_velocity; })
+    law.impact_velocity = s.impact_velocity;
+  else if (s.impact_velocity)
+    throw std::invalid_argument(law_name + " takes no impact_velocity: nothing in it depends on one");
+  if constexpr (requires { law.reduced_mass; }) law.reduced_mass = s.reduced_mass;
+  law.check();
+  return law;
+}
+
+template <class Any, std::size_t I = 0>
+Any make_any(const Settings& s) {
+  if constexpr (I == std::variant_size_v<Any>) {
+    throw std::invalid_argument("unknown law \"" + s.law + "\"." + hint(s.law, names(List<Any>::entries)));
+  } else {
+    using L = std::variant_alternative_t<I, Any>;
+    if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));
+    return make_any<Any, I + 1>(s);
+  }
+}
+
+template <class L>
+std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
+  double exponent = 1;
+  if constexpr (requires { law.exponent; }) exponent = law.exponent;
+  std::vector<ResolvedValue> result;
+  const auto add = [&](std::string_view name, double value, std::string_view unit) {
+    if (std::ranges::find(result, name, &ResolvedValue::name) == result.end())
+      result.push_back({std::string(name), value, resolved_unit(unit, exponent)});
+  };
+  for (const Parameter<L>& p : L::parameters) {
+    if (p.value) add(p.info.name, law.*p.value, p.info.unit);
+    if (p.choice && law.*p.choice) add(p.info.name, *(law.*p.choice), p.info.unit);
+  }
+  if constexpr (requires { law.restitution.has_value(); }) {
+    if (law.restitution) add("restitution", *law.restitution, "");
+  } else if constexpr (requires { law.restitution; }) {
+    add("restitution", law.restitution, "");
+  }
+  if constexpr (requires { law.reduced_mass; }) add("reduced_mass", law.reduced_mass, "kg");
+  if constexpr (requires { law.impact_velocity; })
+    if (law.impact_velocity) add("impact_velocity", *law.impact_velocity, "m/s");
+  if constexpr (has_damping<L>) {
+    if constexpr (requires { law.impact_velocity; })
+      if (!law.impact_velocity) add("closing_speed", closing_speed, "m/s");
+    add(L::number.name, law.damping_number(closing_speed), L::number.unit);
+    add(L::coefficient.name, law.damping_for(closing_speed), L::coefficient.unit);
+  }
+  return result;
+}
+
+}  // namespace by_name
+}  // namespace pounding::laws

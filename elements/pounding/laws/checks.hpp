@@ -1,0 +1,70 @@
+#pragma once
+/// Refusals that say which parameter, what was read, and what is allowed. All throw std::invalid_argument.
+
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace pounding::laws {
+
+/// Shortest text that reads back as the same number.
+inline std::string number_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+[[noreturn]] inline void refuse(std::string_view name, double value, std::string_view allowed) {
+  throw std::invalid_argument(std::string(name) + " is " + number_text(value) + ", but must be " + std::string(allowed));
+}
+
+inline void require_positive(std::string_view name, double value) {
+  if (!(std::isfinite(value) && value > 0)) refuse(name, value, "finite and positive");
+}
+
+inline void require_positive(std::string_view name, const std::optional<double>& value) {
+  if (value) require_positive(name, *value);
+}
+
+inline void require_not_negative(std::string_view name, const std::optional<double>& value) {
+  if (value && !(std::isfinite(*value) && *value >= 0)) refuse(name, *value, "finite and not negative");
+}
+
+inline void require_restitution(const std::optional<double>& value) {
+  if (value && !(*value > 0 && *value <= 1)) refuse("restitution", *value, "in (0, 1]");
+}
+
+/// Below 1 the stiffness at the touch would be infinite.
+inline void require_exponent(double value) {
+  if (!(std::isfinite(value) && value >= 1)) refuse("exponent", value, "finite and at least 1");
+}
+
+/// Damping comes from a restitution or from one direct value.
+inline void require_one_damping(std::string_view law, const std::optional<double>& restitution,
+                                std::initializer_list<std::pair<std::string_view, const std::optional<double>*>> direct) {
+  std::string names = "restitution", given;
+  int count = 0;
+  const auto note = [&](std::string_view name) {
+    given += (count++ ? " and " : "") + std::string(name);
+  };
+  if (restitution) note("restitution");
+  for (const auto& [name, value] : direct) {
+    names += " or " + std::string(name);
+    if (*value) note(name);
+  }
+  if (count == 0) throw std::invalid_argument(std::string(law) + " needs its damping: give " + names);
+  if (count > 1)
+    throw std::invalid_argument(std::string(law) + " takes its damping once, but " + given + " are given; keep one of them");
+}
+
+/// A design velocity that nothing uses is a misunderstanding, not a detail.
+inline void require_velocity_used(const std::optional<double>& impact_velocity, const std::optional<double>& coefficient) {
+  if (impact_velocity && coefficient)
+    throw std::invalid_argument("impact_velocity has no effect beside damping_coefficient; leave one of them out");
+}
+
+}  // namespace pounding::laws

@@ -1,0 +1,55 @@
+#pragma once
+/// Two free bodies and one contact law: what the law gives, in closed form where one exists, else integrated.
+
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include <pounding/laws/all.hpp>
+#include <pounding/laws/closed_impact.hpp>
+#include <pounding/laws/integrated_impact.hpp>
+
+namespace pounding::laws {
+
+/// A free impact of two bodies with this reduced mass m1 m2/(m1+m2) [kg] at this closing speed [m/s]. Values that have no
+/// closed form are integrated to 1e-10. Throws std::invalid_argument unless mass and speed are finite and positive.
+template <class L>
+FreeImpact free_impact(const L& law, double reduced_mass, double closing_speed) {
+  require_positive("reduced_mass", reduced_mass);
+  require_positive("closing_speed", closing_speed);
+  FreeImpact known = closed_impact(law, reduced_mass, closing_speed);
+  if (known.closed_form.all()) return known;
+  if constexpr (!instantaneous<L>) {
+    const FreeImpact integrated = integrated_free_impact(law, reduced_mass, closing_speed);
+    if (!known.closed_form.restitution) {
+      known.restitution = integrated.restitution;
+      known.energy_lost = integrated.energy_lost;
+      known.impulse = integrated.impulse;
+    }
+    if (!known.closed_form.peak_force) known.peak_force = integrated.peak_force;
+    if (!known.closed_form.time_of_peak) known.time_of_peak = integrated.time_of_peak;
+    if (!known.closed_form.peak_penetration) known.peak_penetration = integrated.peak_penetration;
+    if (!known.closed_form.duration) known.duration = integrated.duration;
+  }
+  return known;
+}
+
+/// The same for a law chosen by name.
+inline FreeImpact free_impact(const AnyLaw& law, double reduced_mass, double closing_speed) {
+  return std::visit([&](const auto& chosen) { return free_impact(chosen, reduced_mass, closing_speed); }, law);
+}
+
+/// integrated_free_impact for a law chosen by name; throws std::invalid_argument for an instantaneous law.
+inline FreeImpact integrated_free_impact(const AnyLaw& law, double reduced_mass, double closing_speed) {
+  return std::visit(
+      [&](const auto& chosen) -> FreeImpact {
+        if constexpr (instantaneous<std::decay_t<decltype(chosen)>>)
+          throw std::invalid_argument(std::string(chosen.name) + " has no force history to integrate");
+        else
+          return integrated_free_impact(chosen, reduced_mass, closing_speed);
+      },
+      law);
+}
+
+}  // namespace pounding::laws

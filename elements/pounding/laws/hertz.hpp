@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/power.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// F = k d^n: Hertz contact for n = 1.5, elastic, restitution 1.
+///
+/// k [N/m^n], n >= 1 [-], d [m] penetration. Jing & Young 1991; Chau & Wei 2001. Any penetration.
+struct Hertz {
+  static constexpr std::string_view name = "hertz", shape = "F = k d^n";
+  static constexpr std::string_view summary = "nonlinear elastic spring of Hertz, loses no energy";
+  static constexpr std::string_view source = "Hertz 1882; Jing & Young 1991; Chau & Wei 2001";
+
+  double stiffness = 0;   ///< k [N/m^n]
+  double exponent = 1.5;  ///< n [-]
+
+  static constexpr std::array parameters{
+      Parameter<Hertz>{{"stiffness", "N/m^n", "contact stiffness k", 2.06e9}, &Hertz::stiffness},
+      Parameter<Hertz>{{"exponent", "", "exponent n", 1.5, Need::optional}, &Hertz::exponent}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_exponent(exponent);
+  }
+
+  Response contact(double penetration, double, const Impact&) const noexcept {
+    const Power p = power(penetration, exponent);
+    return {stiffness * p.value, stiffness * p.slope, 0};
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+};
+
+}  // namespace pounding::laws

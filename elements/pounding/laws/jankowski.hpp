@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/damping_formulas.hpp>
+#include <pounding/laws/exact_damping.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/power.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// F = k d^1.5 + c d' in approach (d' > 0), k d^1.5 in restitution; c = 2 xi sqrt(k sqrt(d) m).
+///
+/// k [N/m^1.5], xi [-], m [kg] reduced mass, d [m], d' [m/s], c [N s/m]. The nonlinear viscoelastic model, Jankowski 2005,
+/// EESD 34:595; paper Eqs. 8-10. Kept as prefactor: c = C d^0.25 with C = 2 xi sqrt(k m) [N s/m^1.25]. Asked 0.50, the
+/// formula of 2005 gives 0.558, that of 2006 gives 0.495.
+///
+/// The law's own slope by d is infinite at d = 0 (d^0.25); there the slope is bounded by its value at shallowest_slope,
+/// the force is not altered. The slope by d' jumps at the reversal, and at d' = 0 is that of the restitution. Never pulls.
+struct Jankowski {
+  static constexpr std::string_view name = "jankowski",
+                                    shape = "F = k d^1.5 + c d' for d' > 0, k d^1.5 for d' <= 0; c = 2 xi sqrt(k sqrt(d) m)";
+  static constexpr std::string_view summary = "Hertz spring, nonlinear dashpot in the approach only";
+  static constexpr std::string_view source = "Jankowski 2005, EESD 34:595";
+  static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^1.25"};
+
+  static constexpr std::array formulas{
+      Formula{"exact", "closed form: a linear oscillator in stretched time, z = 2 xi/sqrt(5)", "gives what is asked",
+              &exact_jankowski},
+      Formula{"jankowski_2005", "Jankowski 2005, EESD 34:595; paper Eq. 10", "0.50 asked gives 0.558", &jankowski_2005},
+      Formula{"jankowski_2006", "Jankowski 2006, EESD 35:517", "0.50 asked gives 0.495", &jankowski_2006},
+      Formula{"naderpour_2015_eq38", "Naderpour, Barros & Khatami 2015, Eq. 38", "far too much damping below 0.85",
+              &naderpour_2015_eq38}};
+
+  double stiffness = 0;                 ///< k [N/m^1.5]
+  std::optional<double> restitution{};    ///< e in (0, 1], or
+  std::optional<double> damping_ratio{};  ///< xi >= 0 [-]
+  double reduced_mass = 0;              ///< m [kg]
+  DampingFormula formula = formulas[0].function;
+
+  static constexpr std::array parameters{
+      Parameter<Jankowski>{{"stiffness", "N/m^1.5", "contact stiffness k", 2.75e9}, &Jankowski::stiffness},
+      Parameter<Jankowski>{
+          {"damping_ratio", "", "damping ratio xi", 0.35, Need::damping}, nullptr, &Jankowski::damping_ratio}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_restitution(restitution);
+    require_not_negative("damping_ratio", damping_ratio);
+    require_one_damping(name, restitution, {{"damping_ratio", &damping_ratio}});
+    require_positive("reduced_mass", reduced_mass);
+  }
+
+  /// xi [-].
+  double damping_number(double) const { return restitution ? formula({.restitution = *restitution}) : *damping_ratio; }
+  /// C = 2 xi sqrt(k m) [N s/m^1.25], the same at every closing speed.
+  double damping_for(double closing_speed) const {
+    return 2 * damping_number(closing_speed) * std::sqrt(stiffness * reduced_mass);
+  }
+
+  Response contact(double penetration, double rate, const Impact& impact) const noexcept {
+    const Power spring = power(penetration, 1.5);
+    if (!(rate > 0)) return {stiffness * spring.value, stiffness * spring.slope, 0};
+    const Power dashpot = power(penetration, 0.25);
+    return {stiffness * spring.value + impact.damping * dashpot.value * rate,
+            stiffness * spring.slope + impact.damping * dashpot.slope * rate, impact.damping * dashpot.value};
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+};
+
+}  // namespace pounding::laws

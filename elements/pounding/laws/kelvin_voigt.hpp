@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/damping_formulas.hpp>
+#include <pounding/laws/exact_damping.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// F = k d + c d', c = 2 zeta sqrt(k m): linear spring and dashpot, in contact until d = 0.
+///
+/// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Anagnostopoulos 1988, EESD 16:443; paper Eqs. 5-7.
+/// The force jumps to c v at the touch and pulls near separation, as published; kelvin_voigt_no_tension cuts the pull.
+/// zeta >= 1 never separates in a free impact. The published formula is exact here.
+struct KelvinVoigt {
+  static constexpr std::string_view name = "kelvin_voigt", shape = "F = k d + c d', c = 2 zeta sqrt(k m)";
+  static constexpr std::string_view summary = "linear spring and dashpot as published: pulls near separation";
+  static constexpr std::string_view source = "Anagnostopoulos 1988, EESD 16:443";
+  static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
+  static constexpr bool may_pull = true;
+
+  static constexpr std::array formulas{
+      Formula{"exact", "closed form, contact until d = 0", "the same as anagnostopoulos", &anagnostopoulos},
+      Formula{"anagnostopoulos", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7", "exact for this law", &anagnostopoulos}};
+
+  double stiffness = 0;                 ///< k [N/m]
+  std::optional<double> restitution{};    ///< e in (0, 1], or
+  std::optional<double> damping_ratio{};  ///< zeta >= 0 [-]
+  double reduced_mass = 0;              ///< m [kg]
+  DampingFormula formula = formulas[0].function;
+
+  static constexpr std::array parameters{
+      Parameter<KelvinVoigt>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &KelvinVoigt::stiffness},
+      Parameter<KelvinVoigt>{{"damping_ratio", "", "damping ratio zeta", 0.14, Need::damping},
+                           nullptr,
+                           &KelvinVoigt::damping_ratio}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_restitution(restitution);
+    require_not_negative("damping_ratio", damping_ratio);
+    require_one_damping(name, restitution, {{"damping_ratio", &damping_ratio}});
+    require_positive("reduced_mass", reduced_mass);
+  }
+
+  /// zeta [-].
+  double damping_number(double) const { return restitution ? formula({.restitution = *restitution}) : *damping_ratio; }
+  /// c [N s/m], the same at every closing speed.
+  double damping_for(double closing_speed) const {
+    return 2 * damping_number(closing_speed) * std::sqrt(stiffness * reduced_mass);
+  }
+
+  Response contact(double penetration, double rate, const Impact& impact) const noexcept {
+    return {stiffness * penetration + impact.damping * rate, stiffness, impact.damping};
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+};
+
+}  // namespace pounding::laws

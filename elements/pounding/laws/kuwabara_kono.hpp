@@ -1,0 +1,91 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/integrated_impact.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/power.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// A v/D that gives a restitution: one universal curve, integrated. D = (m v^2/k)^(2/5).
+double exact_kuwabara_kono(const Asked& asked);
+
+/// F = max(0, k d^1.5 + (3/2) A k d^0.5 d'): viscoelastic spheres; the restitution falls with the closing speed.
+///
+/// k [N/m^1.5], A [s] dissipation time of the material, d [m], d' [m/s]. Kuwabara & Kono 1987; Brilliantov et al. 1996. The
+/// pull near separation is cut. A restitution is met at each impact by an A of its own, A = A* D/v with
+/// D = (m v^2/k)^(2/5); with a fixed impact_velocity or a given dissipation_time the law keeps its speed dependence.
+///
+/// The slope by d is infinite at d = 0; there it is bounded by its value at shallowest_slope, the force is not altered.
+struct KuwabaraKono {
+  static constexpr std::string_view name = "kuwabara_kono", shape = "F = max(0, k d^1.5 + (3/2) A k d^0.5 d')";
+  static constexpr std::string_view summary = "viscoelastic Hertz contact, restitution falls with speed";
+  static constexpr std::string_view source = "Kuwabara & Kono 1987; Brilliantov et al. 1996";
+  static constexpr Quantity number{"damping_factor", ""}, coefficient{"dissipation_time", "s"};
+
+  static constexpr std::array formulas{
+      Formula{"exact", "root of the integrated impact", "gives what is asked", &exact_kuwabara_kono}};
+
+  double stiffness = 0;                    ///< k [N/m^1.5]
+  std::optional<double> restitution{};       ///< e in (0, 1], or
+  std::optional<double> dissipation_time{};  ///< A >= 0 [s]
+  std::optional<double> impact_velocity{};   ///< fixed design velocity instead of the fresh closing speed [m/s]
+  double reduced_mass = 0;                 ///< m [kg]
+  DampingFormula formula = formulas[0].function;
+
+  static constexpr std::array parameters{
+      Parameter<KuwabaraKono>{{"stiffness", "N/m^1.5", "contact stiffness k", 2.75e9}, &KuwabaraKono::stiffness},
+      Parameter<KuwabaraKono>{{"dissipation_time", "s", "dissipation time A", 0.003, Need::damping},
+                              nullptr,
+                              &KuwabaraKono::dissipation_time}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_restitution(restitution);
+    require_not_negative("dissipation_time", dissipation_time);
+    require_positive("impact_velocity", impact_velocity);
+    require_one_damping(name, restitution, {{"dissipation_time", &dissipation_time}});
+    if (impact_velocity && dissipation_time)
+      throw std::invalid_argument("impact_velocity has no effect beside dissipation_time; leave one of them out");
+    require_positive("reduced_mass", reduced_mass);
+  }
+
+  /// A v/D [-] of an impact at this closing speed [m/s].
+  double damping_number(double closing_speed) const {
+    if (restitution) return formula({.restitution = *restitution});
+    return *dissipation_time / time_scale(closing_speed);
+  }
+  /// A [s] of an impact at this closing speed [m/s].
+  double damping_for(double closing_speed) const {
+    return restitution ? damping_number(closing_speed) * time_scale(closing_speed) : *dissipation_time;
+  }
+
+  Response contact(double penetration, double rate, const Impact& impact) const noexcept {
+    const Power spring = power(penetration, 1.5), dashpot = power(penetration, 0.5);
+    const double c = 1.5 * impact.damping * stiffness;
+    return {stiffness * spring.value + c * dashpot.value * rate, stiffness * spring.slope + c * dashpot.slope * rate,
+            c * dashpot.value};
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+
+ private:
+  double time_scale(double closing_speed) const {
+    const double v = calibration_speed(impact_velocity, closing_speed);
+    return impact_length(reduced_mass, v, stiffness, 1.5) / v;
+  }
+};
+
+inline double exact_kuwabara_kono(const Asked& asked) {
+  return number_of_restitution(asked.restitution, [](double number) {
+    return KuwabaraKono{.stiffness = 1, .dissipation_time = number, .reduced_mass = 1};
+  });
+}
+
+}  // namespace pounding::laws

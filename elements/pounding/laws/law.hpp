@@ -1,0 +1,101 @@
+#pragma once
+/// What every contact law shares: its answer, what it may know of the impact, the no-tension cut, and how an impact
+/// begins and is kept.
+///
+/// A law is a plain struct with parameters as members and
+///
+///     static constexpr std::string_view name;
+///     void check() const;                                            // std::invalid_argument for a wrong value
+///     double damping_for(double closing_speed) const;                // dissipative laws only
+///     Response contact(double penetration, double rate, const Impact&) const noexcept;  // the formula, uncut
+///     Response respond(double penetration, double rate, const Impact&) const noexcept;  // what acts on the bodies
+///     double corner(double penetration, double rate, const Impact&) const noexcept;  // optional: changes sign where slopes jump
+///     void keep(double penetration, double rate, Impact&) const noexcept;               // laws with memory only
+///
+/// `contact` continues the formula smoothly past its end, and its sign tells where the force is released; `respond` is
+/// zero for an open gap and never pulls, unless the law says `static constexpr bool may_pull = true`.
+///
+/// Sign: penetration d > 0 [m] is overlap, rate d' > 0 [m/s] closes, force > 0 [N] pushes apart. SI units.
+
+#include <algorithm>
+#include <optional>
+
+namespace pounding::laws {
+
+/// Force and its two slopes, from one call.
+struct Response {
+  double force = 0;           ///< [N]
+  double by_penetration = 0;  ///< dF/dd [N/m]
+  double by_rate = 0;         ///< dF/dd' [N s/m]
+};
+
+/// What a law may know of the impact it is in. Written by the link, at kept states only.
+struct Impact {
+  double closing_speed = 0;        ///< rate at the touch, or the fixed design velocity [m/s]
+  double damping = 0;              ///< the law's coefficient for this impact, in the law's own unit
+  double largest_penetration = 0;  ///< so far in this impact [m]
+  double slip = 0;                 ///< plastic slip of laws that have one [m]
+};
+
+/// Contact cannot pull: a negative force becomes zero, with zero slopes.
+constexpr Response no_tension(const Response& r) noexcept { return r.force > 0 ? r : Response{}; }
+
+/// Where a damping formula divides by the closing speed, a slower touch counts as this fast [m/s].
+inline constexpr double slowest_closing_speed = 1e-6;
+
+/// The speed that calibrates an impact [m/s]: the fixed design velocity when there is one, else the fresh closing speed,
+/// never below slowest_closing_speed.
+constexpr double calibration_speed(const std::optional<double>& impact_velocity, double closing_speed) noexcept {
+  return std::max(impact_velocity.value_or(closing_speed), slowest_closing_speed);
+}
+
+/// The law pulls at the end of an impact, as published.
+template <class L>
+inline constexpr bool may_pull = [] {
+  if constexpr (requires { L::may_pull; }) return L::may_pull;
+  return false;
+}();
+
+/// The contact ends where the force reaches zero, and the penetration left is added to the gap.
+template <class L>
+inline constexpr bool leaves_indentation = [] {
+  if constexpr (requires { L::leaves_indentation; }) return L::leaves_indentation;
+  return false;
+}();
+
+/// The law is a jump of the velocity at the touch; it has no force history.
+template <class L>
+inline constexpr bool instantaneous = [] {
+  if constexpr (requires { L::instantaneous; }) return L::instantaneous;
+  return false;
+}();
+
+/// The law has a coefficient that is calibrated at each impact.
+template <class L>
+inline constexpr bool has_damping = requires(const L& law) { law.damping_for(1.0); };
+
+/// An impact begins: what the law may know of it. closing_speed is the rate at the touch [m/s].
+template <class L>
+Impact touch(const L& law, double closing_speed) {
+  Impact impact{.closing_speed = closing_speed};
+  if constexpr (requires { law.impact_velocity; }) impact.closing_speed = law.impact_velocity.value_or(closing_speed);
+  if constexpr (has_damping<L>) impact.damping = law.damping_for(closing_speed);
+  return impact;
+}
+
+/// A state was kept: the largest penetration grows, and a law with memory moves it.
+template <class L>
+void keep(const L& law, double penetration, double rate, Impact& impact) noexcept {
+  impact.largest_penetration = std::max(impact.largest_penetration, penetration);
+  if constexpr (requires { law.keep(penetration, rate, impact); }) law.keep(penetration, rate, impact);
+}
+
+/// What acts on the bodies: nothing across an open gap, and no pull unless the law may.
+template <class L>
+Response pressed(const L& law, double penetration, double rate, const Impact& impact) noexcept {
+  if (!(penetration > 0)) return {};
+  const Response r = law.contact(penetration, rate, impact);
+  return may_pull<L> ? r : no_tension(r);
+}
+
+}  // namespace pounding::laws

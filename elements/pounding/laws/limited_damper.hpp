@@ -1,0 +1,96 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/integrated_impact.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/power.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// c D/(m v) that gives a restitution: one curve for each exponent, integrated. D = (m v^2/k)^(1/(n+1)).
+double exact_limited_damper(const Asked& asked);
+
+/// F = k d^n + clamp(c d', -k d^n, k d^n): a dashpot whose force is limited to that of the spring.
+///
+/// k [N/m^n], n >= 1 [-], c [N s/m], d [m], d' [m/s]. Modelica ElastoGap; MapleSim contact. The force starts from zero and
+/// never pulls. A restitution is met at each impact by c = c* m v/D with D = (m v^2/k)^(1/(n+1)). Where the dashpot
+/// outweighs the spring in the approach the force is 2 k d^n; the slopes jump at the corner.
+struct LimitedDamper {
+  static constexpr std::string_view name = "limited_damper", shape = "F = k d^n + clamp(c d', -k d^n, k d^n)";
+  static constexpr std::string_view summary = "power-law spring, dashpot limited to the spring's force";
+  static constexpr std::string_view source = "Modelica ElastoGap; MapleSim contact";
+  static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
+
+  static constexpr std::array formulas{
+      Formula{"exact", "root of the integrated impact", "gives what is asked", &exact_limited_damper}};
+
+  double stiffness = 0;                       ///< k [N/m^n]
+  double exponent = 1.5;                      ///< n [-]
+  std::optional<double> restitution{};          ///< e in (0, 1], or
+  std::optional<double> damping_coefficient{};  ///< c >= 0 [N s/m]
+  std::optional<double> impact_velocity{};      ///< fixed design velocity instead of the fresh closing speed [m/s]
+  double reduced_mass = 0;                    ///< m [kg]
+  DampingFormula formula = formulas[0].function;
+
+  static constexpr std::array parameters{
+      Parameter<LimitedDamper>{{"stiffness", "N/m^n", "contact stiffness k", 2.75e9}, &LimitedDamper::stiffness},
+      Parameter<LimitedDamper>{{"exponent", "", "exponent n", 1.5, Need::optional}, &LimitedDamper::exponent},
+      Parameter<LimitedDamper>{{"damping_coefficient", "N s/m", "damping c", 8e5, Need::damping},
+                               nullptr,
+                               &LimitedDamper::damping_coefficient}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_exponent(exponent);
+    require_restitution(restitution);
+    require_not_negative("damping_coefficient", damping_coefficient);
+    require_positive("impact_velocity", impact_velocity);
+    require_one_damping(name, restitution, {{"damping_coefficient", &damping_coefficient}});
+    require_velocity_used(impact_velocity, damping_coefficient);
+    require_positive("reduced_mass", reduced_mass);
+  }
+
+  /// c D/(m v) [-] of an impact at this closing speed [m/s].
+  double damping_number(double closing_speed) const {
+    if (restitution) return formula({.restitution = *restitution, .exponent = exponent});
+    return *damping_coefficient / coefficient_scale(closing_speed);
+  }
+  /// c [N s/m] of an impact at this closing speed [m/s].
+  double damping_for(double closing_speed) const {
+    return restitution ? damping_number(closing_speed) * coefficient_scale(closing_speed) : *damping_coefficient;
+  }
+
+  /// In restitution the lower limit is left out, so that the sign tells where the force is gone; `respond` cuts there.
+  Response contact(double penetration, double rate, const Impact& impact) const noexcept {
+    const Power p = power(penetration, exponent);
+    const double spring = stiffness * p.value, dashpot = impact.damping * rate;
+    if (dashpot > spring) return {2 * spring, 2 * stiffness * p.slope, 0};
+    return {spring + dashpot, stiffness * p.slope, impact.damping};
+  }
+  /// Changes sign where the slopes jump [N].
+  double corner(double penetration, double rate, const Impact& impact) const noexcept {
+    return stiffness * power(penetration, exponent).value - impact.damping * rate;
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+
+ private:
+  double coefficient_scale(double closing_speed) const {
+    const double v = calibration_speed(impact_velocity, closing_speed);
+    return reduced_mass * v / impact_length(reduced_mass, v, stiffness, exponent);
+  }
+};
+
+inline double exact_limited_damper(const Asked& asked) {
+  return number_of_restitution(asked.restitution, [&](double number) {
+    return LimitedDamper{.stiffness = 1, .exponent = asked.exponent, .damping_coefficient = number, .reduced_mass = 1};
+  });
+}
+
+}  // namespace pounding::laws

@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/damping_formulas.hpp>
+#include <pounding/laws/exact_damping.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// F = k d + zeta d d' = k d (1 + a d'/v), zeta = a k/v: linear spring, damping proportional to the penetration.
+///
+/// k [N/m], zeta [N s/m^2], a [-], d [m], d' [m/s], v [m/s] closing speed of the impact. Ye, Li & Zhu 2009, Earthq. Eng.
+/// Eng. Vib. 8:433; paper Eq. 13. It is hertz_damped with n = 1, so its restitution follows from a in the same way; the
+/// published formula gives 0.488 for 0.50 asked. The force starts from zero and never pulls in a free impact.
+struct ModifiedKelvin {
+  static constexpr std::string_view name = "modified_kelvin", shape = "F = k d (1 + a d'/v)";
+  static constexpr std::string_view summary = "linear spring, damping proportional to the penetration";
+  static constexpr std::string_view source = "Ye, Li & Zhu 2009, Earthq. Eng. Eng. Vib. 8:433";
+  static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m^2"};
+
+  static constexpr std::array formulas{
+      Formula{"exact", "root of a(1+e) = ln[(1+a)/(1-a e)]", "gives what is asked", &exact_factor},
+      Formula{"ye_2009_linear", "Ye, Li & Zhu 2009, Earthq. Eng. Eng. Vib. 8:433; paper Eq. 13", "0.50 asked gives 0.488",
+              &hu_guo}};
+
+  double stiffness = 0;                       ///< k [N/m]
+  std::optional<double> restitution{};          ///< e in (0, 1], or
+  std::optional<double> damping_factor{};       ///< a >= 0 [-], or
+  std::optional<double> damping_coefficient{};  ///< zeta >= 0 [N s/m^2]
+  std::optional<double> impact_velocity{};      ///< fixed design velocity instead of the fresh closing speed [m/s]
+  DampingFormula formula = formulas[0].function;
+
+  static constexpr std::array parameters{
+      Parameter<ModifiedKelvin>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &ModifiedKelvin::stiffness},
+      Parameter<ModifiedKelvin>{{"damping_factor", "", "damping factor a", 0.79, Need::damping},
+                                nullptr,
+                                &ModifiedKelvin::damping_factor},
+      Parameter<ModifiedKelvin>{{"damping_coefficient", "N s/m^2", "damping zeta", 7.4e7, Need::damping},
+                                nullptr,
+                                &ModifiedKelvin::damping_coefficient}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_restitution(restitution);
+    require_not_negative("damping_factor", damping_factor);
+    require_not_negative("damping_coefficient", damping_coefficient);
+    require_positive("impact_velocity", impact_velocity);
+    require_one_damping(name, restitution,
+                        {{"damping_factor", &damping_factor}, {"damping_coefficient", &damping_coefficient}});
+    require_velocity_used(impact_velocity, damping_coefficient);
+  }
+
+  /// a [-] of an impact at this closing speed [m/s].
+  double damping_number(double closing_speed) const {
+    if (damping_coefficient) return *damping_coefficient * calibration_speed(impact_velocity, closing_speed) / stiffness;
+    return damping_factor ? *damping_factor : formula({.restitution = *restitution});
+  }
+  /// zeta [N s/m^2] of an impact at this closing speed [m/s].
+  double damping_for(double closing_speed) const {
+    if (damping_coefficient) return *damping_coefficient;
+    return damping_number(closing_speed) * stiffness / calibration_speed(impact_velocity, closing_speed);
+  }
+
+  Response contact(double penetration, double rate, const Impact& impact) const noexcept {
+    const double factor = stiffness + impact.damping * rate;
+    return {penetration * factor, factor, penetration * impact.damping};
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+};
+
+}  // namespace pounding::laws

@@ -1,0 +1,69 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/damping_formulas.hpp>
+#include <pounding/laws/exact_damping.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// F = k d + c d' in approach (d' > 0), k d in restitution; c = 2 zeta sqrt(k m).
+///
+/// k [N/m], c [N s/m], zeta [-], m [kg] reduced mass, d [m], d' [m/s]. Mahmoud & Jankowski 2011, Iran. J. Sci. Tech.
+/// 35(C1):51. The force jumps to c v at the touch and is continuous at the reversal; the slope by d' jumps there, and at
+/// d' = 0 is that of the restitution. Never pulls.
+struct ModifiedLinearViscoelastic {
+  static constexpr std::string_view name = "modified_linear_viscoelastic", shape = "F = k d + c d' for d' > 0, k d for d' <= 0; c = 2 zeta sqrt(k m)";
+  static constexpr std::string_view summary = "linear spring, dashpot in the approach only";
+  static constexpr std::string_view source = "Mahmoud & Jankowski 2011, Iran. J. Sci. Tech. 35(C1):51";
+  static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
+
+  static constexpr std::array formulas{
+      Formula{"exact", "closed form, e = exp(-zeta arccos(zeta)/sqrt(1-zeta^2))", "gives what is asked", &exact_approach_ratio},
+      Formula{"mahmoud_jankowski_2011", "Mahmoud & Jankowski 2011", "0.50 asked gives 0.506", &mahmoud_jankowski_2011},
+      Formula{"simple", "paper Table 4", "0.50 asked gives 0.558", &simple_approach},
+      Formula{"naderpour_2015_eq38", "Naderpour, Barros & Khatami 2015, Eq. 38", "0.50 asked gives 0.161; near only at 0.88",
+              &naderpour_2015_eq38}};
+
+  double stiffness = 0;                 ///< k [N/m]
+  std::optional<double> restitution{};    ///< e in (0, 1], or
+  std::optional<double> damping_ratio{};  ///< zeta >= 0 [-]
+  double reduced_mass = 0;              ///< m [kg]
+  DampingFormula formula = formulas[0].function;
+
+  static constexpr std::array parameters{
+      Parameter<ModifiedLinearViscoelastic>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &ModifiedLinearViscoelastic::stiffness},
+      Parameter<ModifiedLinearViscoelastic>{{"damping_ratio", "", "damping ratio zeta", 0.14, Need::damping},
+                           nullptr,
+                           &ModifiedLinearViscoelastic::damping_ratio}};
+
+  void check() const {
+    require_positive("stiffness", stiffness);
+    require_restitution(restitution);
+    require_not_negative("damping_ratio", damping_ratio);
+    require_one_damping(name, restitution, {{"damping_ratio", &damping_ratio}});
+    require_positive("reduced_mass", reduced_mass);
+  }
+
+  /// zeta [-].
+  double damping_number(double) const { return restitution ? formula({.restitution = *restitution}) : *damping_ratio; }
+  /// c [N s/m], the same at every closing speed.
+  double damping_for(double closing_speed) const {
+    return 2 * damping_number(closing_speed) * std::sqrt(stiffness * reduced_mass);
+  }
+
+  Response contact(double penetration, double rate, const Impact& impact) const noexcept {
+    const double c = rate > 0 ? impact.damping : 0;
+    return {stiffness * penetration + c * rate, stiffness, c};
+  }
+  Response respond(double penetration, double rate, const Impact& impact) const noexcept {
+    return pressed(*this, penetration, rate, impact);
+  }
+};
+
+}  // namespace pounding::laws

@@ -1,0 +1,31 @@
+#pragma once
+#include <array>
+#include <string_view>
+
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/law.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// No force: the relative velocity changes from v to -e v at the located instant of touch.
+///
+/// e in (0, 1] restitution: v1+ = v1 - (1+e) m2 (v1-v2)/(m1+m2), v2+ = v2 + (1+e) m1 (v1-v2)/(m1+m2). Goldsmith 1960. Gives
+/// neither force nor duration.
+struct Stereomechanical {
+  static constexpr std::string_view name = "stereomechanical", shape = "v+ = -e v-";
+  static constexpr std::string_view summary = "rigid impact: a velocity jump at the touch, no force history";
+  static constexpr std::string_view source = "Goldsmith 1960";
+  static constexpr bool instantaneous = true;
+
+  double restitution = 0;  ///< e in (0, 1]
+
+  static constexpr std::array<Parameter<Stereomechanical>, 0> parameters{};
+
+  void check() const { require_restitution(restitution); }
+
+  Response contact(double, double, const Impact&) const noexcept { return {}; }
+  Response respond(double, double, const Impact&) const noexcept { return {}; }
+};
+
+}  // namespace pounding::laws

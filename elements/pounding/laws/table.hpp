@@ -1,0 +1,55 @@
+#pragma once
+/// How a law describes itself: the tables that parser, reports, tests and documentation read.
+
+#include <optional>
+#include <string_view>
+
+namespace pounding::laws {
+
+enum class Need : unsigned char {
+  required,  ///< no default: the user must say it
+  optional,  ///< has a default
+  damping    ///< gives the damping directly, instead of a restitution
+};
+
+/// One parameter of a law. In a unit, `n` is the law's exponent.
+struct ParameterInfo {
+  std::string_view name, unit, meaning;
+  double typical = 0;  ///< SI
+  Need need = Need::required;
+};
+
+/// A parameter and the member of the law that holds it: exactly one of the two pointers is set.
+template <class L>
+struct Parameter {
+  ParameterInfo info;
+  double L::*value = nullptr;
+  std::optional<double> L::*choice = nullptr;
+};
+
+/// What a damping formula may use; most need the restitution alone.
+struct Asked {
+  double restitution = 1;    ///< e in (0, 1]
+  double closing_speed = 1;  ///< v [m/s]
+  double stiffness = 1;      ///< k [N/m^n]
+  double exponent = 1.5;     ///< n
+  double reduced_mass = 1;   ///< m [kg]
+  double depth = 1;          ///< penetration of full damping (adams_impact) [m]
+  double yield_ratio = 0.1;  ///< yield over design penetration (bilinear_hertz)
+};
+
+/// Gives the law's dimensionless damping number (its `number`: a, zeta, xi ...) for a restitution.
+using DampingFormula = double (*)(const Asked&);
+
+/// A published damping formula, or the exact calibration.
+struct Formula {
+  std::string_view name, source, note;
+  DampingFormula function = nullptr;
+};
+
+/// A named value with its unit.
+struct Quantity {
+  std::string_view name, unit;
+};
+
+}  // namespace pounding::laws

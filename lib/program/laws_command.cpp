@@ -1,0 +1,136 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <pounding/laws/free_impact.hpp>
+#include "commands.hpp"
+
+namespace pounding::program {
+namespace {
+
+constexpr int tenths = 9;  // restitutions 0.1 ... 0.9
+
+/// What a formula really gives for a restitution, with the typical values of the law; nothing where it has no value.
+std::optional<double> obtained(const laws::Entry& entry, std::string_view formula, double restitution) {
+  laws::Settings settings = laws::typical_settings(entry);
+  settings.formula = formula;
+  settings.restitution = restitution;
+  try {
+    return laws::free_impact(laws::make_law(settings), laws::typical_reduced_mass, laws::typical_closing_speed).restitution;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+std::string_view need_text(laws::Need need) {
+  switch (need) {
+    case laws::Need::required: return "required";
+    case laws::Need::optional: return "optional";
+    case laws::Need::damping: return "instead of a restitution";
+  }
+  return "";
+}
+
+nlohmann::json law_json(const laws::Entry& entry) {
+  nlohmann::json law{{"name", entry.name}, {"force", entry.shape}, {"summary", entry.summary}, {"source", entry.source},
+                     {"restitution", entry.takes_restitution}, {"impact_velocity", entry.takes_impact_velocity},
+                     {"reduced_mass", entry.takes_reduced_mass}, {"may_pull", entry.may_pull},
+                     {"leaves_indentation", entry.leaves_indentation}, {"instantaneous", entry.instantaneous}};
+  law["parameters"] = nlohmann::json::array();
+  for (const laws::ParameterInfo& p : entry.parameters)
+    law["parameters"].push_back({{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"typical", p.typical},
+                                 {"need", need_text(p.need)}});
+  law["formulas"] = nlohmann::json::array();
+  for (const laws::Formula& f : entry.formulas)
+    law["formulas"].push_back({{"name", f.name}, {"source", f.source}, {"note", f.note}});
+  return law;
+}
+
+nlohmann::json law_json_with_table(const laws::Entry& entry) {
+  nlohmann::json law = law_json(entry);
+  for (nlohmann::json& formula : law["formulas"]) {
+    formula["obtained"] = nlohmann::json::array();
+    for (int i = 1; i <= tenths; ++i) {
+      const auto e = obtained(entry, formula["name"].get<std::string>(), 0.1 * i);
+      formula["obtained"].push_back({{"asked", i / 10.0}, {"obtained", e ? nlohmann::json(*e) : nlohmann::json()}});
+    }
+  }
+  return law;
+}
+
+void print_all() {
+  for (const laws::Entry& entry : laws::catalogue()) fmt::print("{:<30}{}\n", entry.name, entry.summary);
+  fmt::print("\npounding laws NAME shows one of them.\n");
+}
+
+void print_parameters(const laws::Entry& entry) {
+  const auto line = [](std::string_view name, std::string_view unit, const std::string& typical, std::string_view meaning,
+                       std::string_view need) {
+    fmt::print("  {:<22}{:<14}{:>10}  {} ({})\n", name, unit, typical, meaning, need);
+  };
+  fmt::print("\n  {:<22}{:<14}{:>10}\n", "parameter", "unit", "typical");
+  for (const laws::ParameterInfo& p : entry.parameters)
+    line(p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning, need_text(p.need));
+  if (entry.takes_restitution)
+    line("restitution", "", fmt::format("{:g}", laws::typical_restitution), "coefficient of restitution e, in (0, 1]",
+         entry.direct_damping().empty() ? "required" : "or a direct damping value");
+  if (entry.takes_impact_velocity)
+    line("impact_velocity", "m/s", "", "fixed design velocity; without it each impact takes its own", "optional");
+  if (entry.takes_reduced_mass) line("reduced_mass", "kg", "", "m1 m2/(m1+m2) of the linked floors", "found by the link");
+}
+
+void print_formulas(const laws::Entry& entry) {
+  fmt::print("\nRestitution really obtained (typical values, closing speed {:g} m/s)\n\n  {:<24}",
+             laws::typical_closing_speed, "asked");
+  for (int i = 1; i <= tenths; ++i) fmt::print("{:>8.1f}", 0.1 * i);
+  fmt::print("\n");
+  for (const laws::Formula& f : entry.formulas) {
+    fmt::print("  {:<24}", f.name);
+    for (int i = 1; i <= tenths; ++i) {
+      const auto e = obtained(entry, f.name, 0.1 * i);
+      fmt::print("{:>8}", e ? fmt::format("{:.4f}", *e) : "-");
+    }
+    fmt::print("\n");
+  }
+  fmt::print("\n");
+  for (const laws::Formula& f : entry.formulas) fmt::print("  {:<24}{}; {}\n", f.name, f.source, f.note);
+}
+
+void print_law(const laws::Entry& entry) {
+  fmt::print("{}: {}\n\n  {}\n\nSource: {}\n", entry.name, entry.summary, entry.shape, entry.source);
+  if (entry.may_pull) fmt::print("The force may pull near separation, as published.\n");
+  if (entry.leaves_indentation) fmt::print("The indentation left at zero force is added to the gap.\n");
+  print_parameters(entry);
+  if (!entry.formulas.empty()) print_formulas(entry);
+}
+
+}  // namespace
+
+void add_laws(CLI::App& app) {
+  struct Words {
+    std::string name;
+    bool json = false;
+  };
+  const auto words = std::make_shared<Words>();
+  CLI::App* command = app.add_subcommand("laws", "Contact laws: their formulas, parameters and what restitution they give");
+  command->add_option("NAME", words->name, "One law in detail");
+  command->add_flag("--json", words->json, "Print JSON");
+  command->callback([words] {
+    if (words->name.empty() && !words->json) return print_all();
+    if (words->name.empty()) {
+      nlohmann::json list = nlohmann::json::array();
+      for (const laws::Entry& entry : laws::catalogue()) list.push_back(law_json(entry));
+      return fmt::print("{}\n", list.dump(2));
+    }
+    const laws::Entry& entry = laws::find_law(words->name);
+    if (words->json) return fmt::print("{}\n", law_json_with_table(entry).dump(2));
+    print_law(entry);
+  });
+}
+
+}  // namespace pounding::program

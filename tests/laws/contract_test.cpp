@@ -1,0 +1,236 @@
+/// What every law promises, typed over the one list, with the typical values of the laws' own tables.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include <pounding/laws/free_impact.hpp>
+
+namespace pounding::laws {
+namespace {
+
+template <class L>
+struct LawContract : testing::Test {
+  static Settings settings() { return typical_settings(find_law(L::name)); }
+  L law = std::get<L>(make_law(settings()));
+  Impact impact = touch(law, typical_closing_speed);
+};
+
+template <class Variant>
+struct TypesOf;
+template <class... L>
+struct TypesOf<std::variant<L...>> {
+  using type = testing::Types<L...>;
+};
+
+struct LawName {
+  template <class L>
+  static std::string GetName(int) {
+    return std::string(L::name);
+  }
+};
+
+TYPED_TEST_SUITE(LawContract, TypesOf<AnyLaw>::type, LawName);
+
+struct State {
+  double penetration, rate;
+};
+
+/// In approach and in restitution, shallow and deep, slow and fast.
+State random_state(std::mt19937& random) {
+  std::uniform_real_distribution<double> decades(-4, -2), speed(0.05, 1);
+  std::bernoulli_distribution approaches;
+  const double d = std::pow(10, decades(random)), v = speed(random);
+  return {d, approaches(random) ? v : -v};
+}
+
+/// True when the stencil around a state lies across a corner of the law, where no slope exists.
+template <class L>
+bool near_corner(const L& law, const Impact& impact, State s, double hd, double hv) {
+  if constexpr (requires { law.corner(s.penetration, s.rate, impact); }) {
+    const double here = law.corner(s.penetration, s.rate, impact);
+    for (const auto& [d, v] : {State{hd, 0}, State{-hd, 0}, State{0, hv}, State{0, -hv}})
+      if (here * law.corner(s.penetration + d, s.rate + v, impact) <= 0) return true;
+  }
+  return false;
+}
+
+/// A slope is right when the error of its central difference falls by four as the step halves, or is nothing from the start.
+void expect_derivative(double slope, double coarse, double fine, double size) {
+  const double error = std::abs(coarse - slope), half_error = std::abs(fine - slope);
+  if (error <= 1e-9 * size) return;
+  EXPECT_NEAR(error / half_error, 4, 0.05) << "slope " << slope << ", differences " << coarse << ", " << fine;
+}
+
+TYPED_TEST(LawContract, SlopesAreDerivatives) {
+  std::mt19937 random(7);
+  int used = 0;
+  for (int i = 0; i < 400; ++i) {
+    const State s = random_state(random);
+    const double hd = 1e-2 * s.penetration, hv = 1e-2 * std::abs(s.rate);
+    if (near_corner(this->law, this->impact, s, hd, hv)) continue;
+    const auto force = [&](double d, double v) { return this->law.contact(d, v, this->impact).force; };
+    const auto by_d = [&](double h) { return (force(s.penetration + h, s.rate) - force(s.penetration - h, s.rate)) / (2 * h); };
+    const auto by_v = [&](double h) { return (force(s.penetration, s.rate + h) - force(s.penetration, s.rate - h)) / (2 * h); };
+    const Response r = this->law.contact(s.penetration, s.rate, this->impact);
+    EXPECT_EQ(r.force, force(s.penetration, s.rate));
+    const double reach = std::abs(force(s.penetration, std::abs(s.rate)));
+    expect_derivative(r.by_penetration, by_d(hd), by_d(hd / 2), reach / s.penetration);
+    expect_derivative(r.by_rate, by_v(hv), by_v(hv / 2), reach / std::abs(s.rate));
+    ++used;
+  }
+  EXPECT_GT(used, 200);
+}
+
+TYPED_TEST(LawContract, OpenGapGivesExactlyNothing) {
+  for (const double d : {0.0, -1e-12, -0.01, -1.0})
+    for (const double v : {-1.0, 0.0, 1.0}) {
+      const Response r = this->law.respond(d, v, this->impact);
+      EXPECT_EQ(r.force, 0);
+      EXPECT_EQ(r.by_penetration, 0);
+      EXPECT_EQ(r.by_rate, 0);
+    }
+}
+
+TYPED_TEST(LawContract, ContinuesSmoothlyPastTheSeparation) {
+  for (const double d : {0.0, -1e-9, -1e-4})
+    for (const double v : {-1.0, 1.0}) {
+      const Response r = this->law.contact(d, v, this->impact);
+      EXPECT_TRUE(std::isfinite(r.force) && std::isfinite(r.by_penetration) && std::isfinite(r.by_rate));
+    }
+}
+
+TYPED_TEST(LawContract, PullsOnlyWhenItSaysSo) {
+  std::mt19937 random(8);
+  double least = 0;
+  for (int i = 0; i < 2000; ++i) {
+    State s = random_state(random);
+    s.rate *= 5;
+    const Response r = this->law.respond(s.penetration, s.rate, this->impact);
+    least = std::min(least, r.force);
+    const Response uncut = this->law.contact(s.penetration, s.rate, this->impact);
+    if (may_pull<TypeParam> || uncut.force > 0) {
+      EXPECT_EQ(r.force, uncut.force);
+    }
+  }
+  EXPECT_EQ(least < 0, may_pull<TypeParam>);
+}
+
+TYPED_TEST(LawContract, ClosedCycleNeverGainsEnergy) {
+  constexpr int cycles = 4, steps = 4000;
+  const double deep = 5e-3;
+  for (const double shallow : {0.0, 1e-3, 4e-3})
+    for (const double frequency : {1.0, 30.0}) {
+      Impact impact = this->impact;
+      double work = 0, last_work = 0, largest = 0, d = shallow;
+      for (int i = 0; i < cycles * steps; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + 1) / steps, middle = angle - std::numbers::pi / steps;
+        const double next = shallow + 0.5 * (deep - shallow) * (1 - std::cos(angle));
+        const double rate = 0.5 * (deep - shallow) * frequency * std::sin(middle);
+        const double force = this->law.respond(0.5 * (d + next), rate, impact).force;
+        work += force * (next - d);
+        largest = std::max(largest, std::abs(force));
+        d = next;
+        keep(this->law, d, rate, impact);
+        if ((i + 1) % steps == 0) {
+          EXPECT_GE(work - last_work, -1e-6 * largest * deep);
+          last_work = work;
+        }
+      }
+    }
+}
+
+TYPED_TEST(LawContract, LargestPenetrationIsKept) {
+  Impact impact = this->impact;
+  keep(this->law, 2e-3, 0.1, impact);
+  keep(this->law, 1e-3, -0.1, impact);
+  EXPECT_EQ(impact.largest_penetration, 2e-3);
+}
+
+TYPED_TEST(LawContract, RefusesValuesThatMakeNoSense) {
+  const Entry& entry = find_law(TypeParam::name);
+  const auto refuses = [](const Settings& s) { EXPECT_THROW(make_law(s), std::invalid_argument); };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for (const ParameterInfo& p : entry.parameters)
+    for (const double bad : {-1.0, nan, infinite}) {
+      Settings s = this->settings();
+      if (p.need == Need::damping) s.restitution.reset();
+      s.values[std::string(p.name)] = bad;
+      refuses(s);
+      if (p.need == Need::damping) continue;
+      s.values[std::string(p.name)] = 0;
+      refuses(s);
+    }
+  for (const double bad : {0.0, -0.5, 1.0001, nan}) {
+    Settings s = this->settings();
+    s.restitution = bad;
+    refuses(s);
+  }
+  for (const double bad : {0.0, -0.5, nan, infinite}) {
+    Settings s = this->settings();
+    s.impact_velocity = bad;
+    refuses(s);
+    s = this->settings();
+    s.reduced_mass = bad;
+    if (entry.takes_reduced_mass) refuses(s);
+  }
+}
+
+TYPED_TEST(LawContract, FixedImpactVelocityReplacesTheClosingSpeed) {
+  if constexpr (requires { this->law.impact_velocity; }) {
+    TypeParam fixed = this->law;
+    fixed.impact_velocity = 0.2;
+    EXPECT_EQ(fixed.damping_for(3.0), this->law.damping_for(0.2));
+    EXPECT_EQ(touch(fixed, 3.0).closing_speed, 0.2);
+  } else {
+    EXPECT_EQ(touch(this->law, 3.0).closing_speed, 3.0);
+  }
+}
+
+TYPED_TEST(LawContract, TouchAtRestHasFiniteDamping) {
+  if constexpr (has_damping<TypeParam>) {
+    for (const double v : {0.0, -0.1, slowest_closing_speed / 2}) {
+      EXPECT_TRUE(std::isfinite(touch(this->law, v).damping));
+      EXPECT_EQ(this->law.damping_for(v), this->law.damping_for(slowest_closing_speed));
+    }
+  }
+}
+
+TYPED_TEST(LawContract, TableIsComplete) {
+  const Entry& entry = find_law(TypeParam::name);
+  EXPECT_FALSE(entry.summary.empty() || entry.shape.empty() || entry.source.empty());
+  for (const ParameterInfo& p : entry.parameters) {
+    EXPECT_FALSE(p.meaning.empty());
+    EXPECT_GT(p.typical, 0) << p.name;
+  }
+  for (const Formula& f : entry.formulas) EXPECT_FALSE(f.name.empty() || f.source.empty() || f.note.empty());
+  EXPECT_EQ(entry.formulas.empty(), !has_damping<TypeParam>);
+  if (!entry.formulas.empty()) {
+    EXPECT_EQ(entry.formulas.front().name, "exact");
+  }
+}
+
+TYPED_TEST(LawContract, DirectDampingGivesTheLawOfItsRestitution) {
+  if constexpr (has_damping<TypeParam>) {
+    const double v = typical_closing_speed;
+    for (const ParameterInfo& p : find_law(TypeParam::name).parameters) {
+      if (p.need != Need::damping) continue;
+      Settings s = this->settings();
+      s.restitution.reset();
+      const bool is_number = p.name == TypeParam::number.name;
+      s.values[std::string(p.name)] = is_number ? this->law.damping_number(v) : this->law.damping_for(v);
+      const AnyLaw direct = make_law(s);
+      EXPECT_NEAR(free_impact(direct, typical_reduced_mass, v).restitution, typical_restitution, 1e-11) << p.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pounding::laws

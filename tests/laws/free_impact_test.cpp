@@ -1,0 +1,249 @@
+/// Closed forms against integration, identities of every free impact, exact calibration, and limits.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <pounding/laws/free_impact.hpp>
+
+namespace pounding::laws {
+namespace {
+
+constexpr double mass = typical_reduced_mass;
+
+AnyLaw law_with(const Entry& entry, std::string_view formula, double restitution) {
+  Settings s = typical_settings(entry);
+  s.formula = formula;
+  s.restitution = restitution;
+  return make_law(s);
+}
+
+void for_every_law(double restitution, auto&& check) {
+  for (const Entry& entry : catalogue()) {
+    if (entry.instantaneous) continue;
+    SCOPED_TRACE(std::string(entry.name) + " " + std::to_string(restitution));
+    if (entry.formulas.empty()) check(entry, make_law(typical_settings(entry)));
+    for (const Formula& f : entry.formulas)
+      if (restitution > 0.36 || entry.name != "bilinear_hertz") check(entry, law_with(entry, f.name, restitution));
+  }
+}
+
+// 1e-10 is what free_impact promises of an integrated value.
+TEST(FreeImpact, ClosedFormsAgreeWithIntegration) {
+  int compared = 0;
+  for (const double e : {0.15, 0.4, 0.65, 0.89})
+    for (const double v : {0.05, 2.0})
+      for_every_law(e, [&](const Entry&, const AnyLaw& law) {
+        const FreeImpact closed = free_impact(law, mass, v), integrated = integrated_free_impact(law, mass, v);
+        const auto same = [&](double a, double b, double size) { EXPECT_NEAR(a, b, 1e-10 * size); };
+        same(closed.restitution, integrated.restitution, 1);
+        same(closed.peak_force, integrated.peak_force, closed.peak_force);
+        same(closed.peak_penetration, integrated.peak_penetration, closed.peak_penetration);
+        same(closed.duration, integrated.duration, closed.duration);
+        same(closed.energy_lost, integrated.energy_lost, 0.5 * mass * v * v);
+        same(closed.impulse, integrated.impulse, mass * v);
+        // At a smooth maximum the time is known to the square root of the force's accuracy only.
+        EXPECT_NEAR(closed.time_of_peak, integrated.time_of_peak, 1e-8 * closed.duration);
+        compared += closed.closed_form.restitution;
+      });
+  EXPECT_GT(compared, 100);
+}
+
+TEST(FreeImpact, EnergyAndImpulseFollowFromTheRestitution) {
+  for_every_law(0.5, [](const Entry&, const AnyLaw& law) {
+    const double v = 0.8;
+    const FreeImpact r = integrated_free_impact(law, mass, v);
+    EXPECT_NEAR(r.energy_lost / (0.5 * mass * v * v), 1 - r.restitution * r.restitution, 1e-11);
+    EXPECT_NEAR(r.impulse / (mass * v), 1 + r.restitution, 1e-11);
+  });
+}
+
+TEST(FreeImpact, ExactCalibrationGivesWhatIsAskedAtEverySpeed) {
+  for (const Entry& entry : catalogue()) {
+    if (entry.formulas.empty()) continue;
+    for (const double e : {0.1, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 0.95, 0.9999, 1.0})
+      for (const double v : {1e-3, 0.5, 12.0}) {
+        if (entry.name == "bilinear_hertz" && e < 0.36) continue;
+        SCOPED_TRACE(std::string(entry.name) + " " + std::to_string(e) + " " + std::to_string(v));
+        EXPECT_NEAR(free_impact(law_with(entry, "exact", e), mass, v).restitution, e, 1e-12);
+      }
+  }
+}
+
+TEST(FreeImpact, ExactFactorReachesExtremeRestitutions) {
+  for (const double e : {1e-3, 0.01, 0.02, 0.05, 0.999, 0.999999, 1 - 1e-9})
+    EXPECT_NEAR(restitution_of_factor(exact_factor({.restitution = e})), e, 1e-14) << e;
+  for (const double e : {1e-6, 1e-3, 0.13, 0.135335283236613, 0.14, 0.3678794411714423, 0.99999, 1 - 1e-9}) {
+    EXPECT_NEAR(restitution_of_approach(exact_approach_ratio({.restitution = e})), e, 1e-14) << e;
+    EXPECT_NEAR(restitution_to_zero_force(exact_cut_ratio({.restitution = e})), e, 1e-14) << e;
+  }
+}
+
+TEST(FreeImpact, SpotValuesOfTheClosedForms) {
+  EXPECT_NEAR(restitution_of_factor(0.5), 0.7484349316, 0.51e-10);
+  EXPECT_NEAR(restitution_of_factor(1.0), 0.5936242600, 0.51e-10);
+  EXPECT_NEAR(restitution_to_zero_force(1.0), std::exp(-2), 1e-15);
+  EXPECT_NEAR(restitution_of_approach(1.0), std::exp(-1), 1e-15);
+  EXPECT_EQ(restitution_to_zero_penetration(1.0), 0);
+  const double e = 0.65;
+  EXPECT_NEAR(exact_factor({.restitution = e}), 0.793101, 0.51e-6);
+  EXPECT_NEAR(anagnostopoulos({.restitution = e}), 0.135851, 0.51e-6);
+  EXPECT_NEAR(exact_cut_ratio({.restitution = e}), 0.149939, 0.51e-6);
+  EXPECT_NEAR(exact_approach_ratio({.restitution = e}), 0.329294, 0.51e-6);
+  EXPECT_NEAR(exact_jankowski({.restitution = e}), 0.368162, 0.51e-6);
+}
+
+TEST(FreeImpact, AngleRatioIsSmoothAcrossCriticalDamping) {
+  for (const double h : {1e-3, 1e-6, 1e-9})
+    EXPECT_NEAR((angle_ratio(1 + h) - angle_ratio(1 - h)) / (2 * h), -1.0 / 3, 1e-5);
+  EXPECT_NEAR(angle_ratio(0.3), std::acos(0.3) / std::sqrt(1 - 0.09), 1e-15);
+  EXPECT_NEAR(angle_ratio(3.0), std::acosh(3.0) / std::sqrt(8.0), 1e-15);
+}
+
+// a -> (3/2)(1-e) as e -> 1 and a -> 1/e as e -> 0.
+TEST(FreeImpact, ExactFactorHasTheRightAsymptotes) {
+  EXPECT_NEAR(exact_factor({.restitution = 1 - 1e-6}) / 1.5e-6, 1, 1e-5);
+  EXPECT_NEAR(exact_factor({.restitution = 0.03}) * 0.03, 1, 1e-12);
+  EXPECT_LT(exact_factor({.restitution = 0.1}) * 0.1, 1);
+}
+
+TEST(FreeImpact, PublishedFormulasOfFirstOrderMeetTheExactOneNearOne) {
+  const Asked q{.restitution = 1 - 1e-5};
+  for (const DampingFormula f : {hunt_crossley, herbert_mcwhannell, lankarani_nikravesh, zhiying_qishao, hu_guo})
+    EXPECT_NEAR(f(q) / exact_factor(q), 1, 1e-4);
+  EXPECT_NEAR(lee_wang(q) / exact_factor(q), 0.5, 1e-4);
+  EXPECT_NEAR(gonthier(q) / exact_factor(q), 4.0 / 3, 1e-4);
+  EXPECT_NEAR(ye_2009(q) / exact_factor(q), 16.0 / 15, 1e-4);
+}
+
+TEST(FreeImpact, RestitutionOfProportionalDampingIgnoresStiffnessMassExponentAndSpeed) {
+  for (const double n : {1.0, 1.5, 2.2})
+    for (const double k : {1.0, 2.75e9})
+      for (const double v : {0.01, 10.0})
+        EXPECT_NEAR(integrated_free_impact(HertzDamped{.stiffness = k, .exponent = n, .damping_factor = 1.0}, 5 * k, v).restitution,
+                    0.59362426, 1e-8);
+}
+
+TEST(FreeImpact, JankowskiWithBothPhasesWouldBeViscousHertz) {
+  // xi and alpha = 2 xi give the same dashpot in the approach: same largest penetration.
+  const Jankowski approach{.stiffness = 2.75e9, .damping_ratio = 0.3, .reduced_mass = mass};
+  const ViscousHertz both{.stiffness = 2.75e9, .damping_ratio = 0.6, .reduced_mass = mass};
+  EXPECT_NEAR(integrated_free_impact(approach, mass, 1).peak_penetration / integrated_free_impact(both, mass, 1).peak_penetration, 1,
+              1e-12);
+}
+
+TEST(FreeImpact, LinearAndHertzFirstFormulasGiveTheSameRestitution) {
+  // sqrt(5)/2 between the first forms for the linear and the Hertz spring cancels exactly.
+  for (const double e : {0.2, 0.5, 0.8}) {
+    const ModifiedLinearViscoelastic linear{.stiffness = 1e8, .restitution = e, .reduced_mass = mass, .formula = simple_approach};
+    const Jankowski hertz{.stiffness = 1e9, .restitution = e, .reduced_mass = mass, .formula = jankowski_2005};
+    EXPECT_NEAR(free_impact(linear, mass, 1).restitution, free_impact(hertz, mass, 1).restitution, 1e-14);
+  }
+}
+
+TEST(FreeImpact, GivenCoefficientsMakeTheRestitutionFallWithSpeed) {
+  const KuwabaraKono spheres{.stiffness = 2.75e9, .dissipation_time = 2e-3, .reduced_mass = mass};
+  const AdamsImpact impact{.stiffness = 2.75e9, .depth = 1e-3, .damping_coefficient = 1e6, .reduced_mass = mass};
+  EXPECT_GT(free_impact(spheres, mass, 0.1).restitution, free_impact(spheres, mass, 1.0).restitution + 0.02);
+  EXPECT_LT(free_impact(impact, mass, 0.1).restitution, free_impact(impact, mass, 1.0).restitution - 0.02);
+}
+
+// Small damping loses the work of the dashpot along the elastic motion: for F = k d^1.5 + (3/2) A k d^0.5 d' in units of
+// k = m = v = 1 this is 1 - e = (3/2) A integral of d^0.5 sqrt(1 - (d/d_m)^2.5) dd over one way and back, all over one.
+TEST(FreeImpact, KuwabaraKonoHasTheRightLimitOfSmallDamping) {
+  const double number = 1e-5, dm = std::pow(1.25, 0.4);
+  double integral = 0;
+  constexpr int points = 200000;
+  for (int i = 0; i < points; ++i) {
+    const double angle = (i + 0.5) / points * std::numbers::pi / 2;  // d = d_m sin^2(angle)
+    const double s = std::sin(angle) * std::sin(angle), d = dm * s;
+    integral += std::sqrt(d) * std::sqrt(1 - std::pow(s, 2.5)) * dm * std::sin(2 * angle) * std::numbers::pi / 2 / points;
+  }
+  const KuwabaraKono law{.stiffness = 1, .dissipation_time = number, .reduced_mass = 1};
+  EXPECT_NEAR((1 - free_impact(law, 1, 1).restitution) / (2 * 1.5 * number * integral), 1, 1e-4);
+}
+
+TEST(FreeImpact, BilinearLawWithoutYieldIsElastic) {
+  const BilinearHertz law{.stiffness = 1, .restitution = 0.6, .impact_velocity = 1, .reduced_mass = 0.8};
+  const FreeImpact r = free_impact(law, 0.8, 0.01);
+  EXPECT_EQ(r.restitution, 1);
+  EXPECT_NEAR(integrated_free_impact(law, 0.8, 0.01).restitution, 1, 1e-11);
+}
+
+TEST(FreeImpact, BilinearLawUnloadsSteeplyAndReloadsAlongTheSameLine) {
+  const BilinearHertz law{.stiffness = 1, .restitution = 0.6, .impact_velocity = 1, .reduced_mass = 0.8};
+  Impact impact = touch(law, 1);
+  const auto [k1, k2, yield] = law.curve(impact);
+  const auto force_at = [&](double d) {
+    keep(law, d, 0, impact);
+    return law.respond(d, 0, impact).force;
+  };
+  const double top = k1 * yield + k2 * (0.6 - yield);
+  EXPECT_NEAR(force_at(0.6), top, 1e-14);
+  EXPECT_NEAR(force_at(0.6 - yield / 2), top - k1 * yield / 2, 1e-14);
+  EXPECT_NEAR(force_at(0.6), top, 1e-14);
+  EXPECT_NEAR(force_at(0.3), k2 * 0.3, 1e-14);
+  EXPECT_NEAR(force_at(0.3 + yield / 2), k2 * 0.3 + k1 * yield / 2, 1e-14);
+}
+
+TEST(FreeImpact, BilinearLawSaysWhichRestitutionItCannotReach) {
+  const BilinearHertz law{.stiffness = 1, .restitution = 0.3, .reduced_mass = 1};
+  try {
+    law.check();
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("restitution 0.3 cannot be reached by bilinear_hertz"), std::string::npos) << error.what();
+  }
+}
+
+TEST(FreeImpact, OverdampedKelvinVoigtNeverParts) {
+  const KelvinVoigt law{.stiffness = 1, .damping_ratio = 1.5, .reduced_mass = 1};
+  const FreeImpact r = free_impact(law, 1, 1);
+  EXPECT_EQ(r.restitution, 0);
+  EXPECT_TRUE(std::isinf(r.duration));
+  // The integration creeps back until rounding lets the bodies part.
+  EXPECT_NEAR(integrated_free_impact(law, 1, 1).restitution, 0, 1e-12);
+}
+
+/// A law that the library does not know.
+struct Cubic {
+  static constexpr std::string_view name = "cubic";
+  void check() const {}
+  Response contact(double d, double, const Impact&) const noexcept { return {d * d * d, 3 * d * d, 0}; }
+  Response respond(double d, double v, const Impact& i) const noexcept { return pressed(*this, d, v, i); }
+};
+
+TEST(FreeImpact, UserLawsAreIntegrated) {
+  const FreeImpact r = free_impact(Cubic{}, 2, 3);
+  EXPECT_NEAR(r.restitution, 1, 1e-11);
+  EXPECT_NEAR(r.peak_penetration, std::pow(36, 0.25), 1e-10);
+}
+
+TEST(FreeImpact, RefusesNoMassAndNoSpeed) {
+  for (const double bad : {0.0, -1.0, std::nan("")}) {
+    EXPECT_THROW(free_impact(Hertz{.stiffness = 1}, bad, 1), std::invalid_argument);
+    EXPECT_THROW(free_impact(Hertz{.stiffness = 1}, 1, bad), std::invalid_argument);
+    EXPECT_THROW(integrated_free_impact(Hertz{.stiffness = 1}, 1, bad), std::invalid_argument);
+  }
+}
+
+TEST(Extrapolation, ErrorFallsWithTheThirteenthPowerOfTheStep) {
+  const auto f = [](double x, const std::array<double, 1>& y) { return std::array<double, 1>{y[0] * std::cos(x)}; };
+  const auto error = [&](double h) { return std::abs(extrapolated_step<1>(f, 0, {1}, h, 1).state[0] - std::exp(std::sin(h))); };
+  EXPECT_NEAR(std::log2(error(2.0) / error(1.0)), 13, 1.5);
+}
+
+TEST(FindRoot, FindsRootsAndRefusesBracketsWithoutOne) {
+  const auto f = [](double x) { return x * x - 2; };
+  EXPECT_NEAR(find_root(f, 0, -2, 2, 2), std::numbers::sqrt2, 4e-16);
+  const auto steep = [](double x) { return x < 0.3 ? -1.0 : 1e6; };
+  EXPECT_NEAR(find_root(steep, 0, -1, 1, 1e6), 0.3, 1e-15);
+  EXPECT_THROW(find_root(f, 2, 2, 3, 7), std::domain_error);
+}
+
+}  // namespace
+}  // namespace pounding::laws
