@@ -1,0 +1,137 @@
+#include <pounding/ground_motion_input.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/error.hpp>
+#include <pounding/record.hpp>
+#include <pounding/synthetic.hpp>
+
+namespace pounding {
+namespace {
+
+constexpr std::array<std::string_view, 4> kinds = {"record", "harmonic", "pulse", "synthetic"};
+
+GroundMotion read_record_motion(const Input& section) {
+  section.only_keys({"record", "units", "scale", "pga"});
+  const Input file = section.at("record");
+  const auto units = section.find("units");
+  const auto scale = section.find("scale");
+  const auto pga = section.find("pga");
+  if (scale && pga) pga->fail_at_key("\"scale\" and \"pga\" both set the strength; keep one of them");
+
+  RecordOptions options;
+  if (units) options.units = units->as_text();
+  const Record record = [&] {
+    try {
+      return read_record(find_record(file.as_text(), section.directory()), options);
+    } catch (const InputError& error) {
+      file.fail(error.what());
+    }
+  }();
+  double factor = 1;
+  if (scale) {
+    factor = scale->as_number();
+    if (factor == 0) scale->fail("takes a number other than 0; leave \"ground_motion\" out for a still ground");
+  }
+  if (pga) {
+    if (record.measures.pga == 0) pga->fail("the record is zero throughout and cannot be scaled to a peak");
+    factor = pga->as_quantity(dimension::acceleration, bounds::positive) / record.measures.pga;
+  }
+  return scaled(record, factor);
+}
+
+GroundMotion read_harmonic(const Input& node) {
+  node.only_keys({"amplitude", "period", "duration"});
+  return GroundMotion(Harmonic{.amplitude = node.quantity("amplitude", dimension::acceleration),
+                               .period = node.quantity("period", dimension::time, bounds::positive),
+                               .duration = node.quantity("duration", dimension::time, bounds::positive)});
+}
+
+GroundMotion read_pulse(const Input& node) {
+  node.only_keys({"shape", "amplitude", "duration", "start"});
+  const std::string name =
+      node.at("shape", "half_sine").as_choice("pulse shape", {"half_sine", "sine", "rectangle"});
+  const Pulse::Shape shape = name == "half_sine" ? Pulse::Shape::half_sine
+                             : name == "sine"    ? Pulse::Shape::sine
+                                                 : Pulse::Shape::rectangle;
+  return GroundMotion(Pulse{.shape = shape,
+                            .amplitude = node.quantity("amplitude", dimension::acceleration),
+                            .duration = node.quantity("duration", dimension::time, bounds::positive),
+                            .start = node.quantity_or("start", dimension::time, 0, bounds::non_negative)});
+}
+
+/// A circular frequency. In units 1 Hz and 1 rad/s are the same number, so the one that is not meant is refused.
+double read_omega(const Input& node, std::string_view key) {
+  const Input value = node.at(key, "15 rad/s");
+  if (value.as_text().find("Hz") != std::string::npos)
+    value.fail(fmt::format("takes a circular frequency such as \"15 rad/s\"; \"{}\" is in Hz, multiply by 2 pi",
+                           value.as_text()));
+  return value.as_quantity(dimension::frequency, bounds::positive);
+}
+
+GroundFilter read_filter(const Input& node) {
+  for (const std::string_view key : {"omega_g", "zeta_g", "omega_f", "zeta_f"}) {
+    if (!node.has(key)) continue;
+    if (const auto soil = node.find("soil"))
+      soil->fail_at_key(fmt::format("\"soil\" and \"{}\" both set the filter; keep one of them", key));
+    return {.omega_g = read_omega(node, "omega_g"),
+            .zeta_g = node.quantity("zeta_g", dimension::none, bounds::above_0_to_1),
+            .omega_f = read_omega(node, "omega_f"),
+            .zeta_f = node.quantity("zeta_f", dimension::none, bounds::above_0_to_1)};
+  }
+  const std::string soil = node.at("soil", "firm").as_choice("soil", {"firm", "medium", "soft"});
+  return soil == "firm" ? firm_soil : soil == "medium" ? medium_soil : soft_soil;
+}
+
+GroundMotion read_synthetic(const Input& node) {
+  node.only_keys({"seed", "duration", "pga", "soil", "omega_g", "zeta_g", "omega_f", "zeta_f", "step", "rise",
+                  "strong_until"});
+  SyntheticOptions options;
+  options.seed = static_cast<std::uint64_t>(
+      node.at("seed", "1").as_integer(0, std::numeric_limits<long long>::max()));
+  options.duration = node.quantity("duration", dimension::time, bounds::positive);
+  options.pga = node.quantity("pga", dimension::acceleration, bounds::positive);
+  options.filter = read_filter(node);
+  options.step = node.quantity_or("step", dimension::time, options.step, bounds::positive);
+  options.rise = node.quantity_or("rise", dimension::none, options.rise);
+  options.strong_until = node.quantity_or("strong_until", dimension::none, options.strong_until);
+  try {
+    return synthetic_motion(options);
+  } catch (const std::invalid_argument& error) {
+    node.fail(error.what());
+  }
+}
+
+}  // namespace
+
+GroundMotion read_ground_motion(const Input& section) {
+  std::optional<std::string_view> kind;
+  for (const std::string_view candidate : kinds) {
+    const auto found = section.find(candidate);
+    if (!found) continue;
+    if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; keep one of them", *kind, candidate));
+    kind = candidate;
+  }
+  if (kind == "record") return read_record_motion(section);
+  if (!kind) {
+    section.only_keys(kinds);
+    section.fail("takes one of record, harmonic, pulse, synthetic; for a still ground leave \"ground_motion\" out");
+  }
+  for (const std::string_view key : {"units", "scale", "pga"})
+    if (const auto found = section.find(key))
+      found->fail_at_key(fmt::format("belongs to a record; a {} states its own strength", *kind));
+  section.only_keys(kinds);
+  const Input node = section.at(*kind);
+  if (kind == "harmonic") return read_harmonic(node);
+  if (kind == "pulse") return read_pulse(node);
+  return read_synthetic(node);
+}
+
+}  // namespace pounding

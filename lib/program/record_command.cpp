@@ -1,0 +1,153 @@
+/// `pounding record info FILE` and `pounding record spectrum FILE`.
+
+#include "program/commands.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <pounding/error.hpp>
+#include <pounding/record.hpp>
+#include <pounding/spectrum.hpp>
+#include <pounding/units.hpp>
+
+namespace pounding::program {
+namespace {
+
+struct Words {
+  std::string file, units, csv;
+  std::string damping = "5 %";
+  std::string periods = "0.02:4:50";
+  bool json = false;
+};
+
+Record read(const Words& words) { return read_record(find_record(words.file, {}), {.units = words.units}); }
+
+nlohmann::json as_json(const Record& record) {
+  const RecordMeasures& m = record.measures;
+  return {{"file", record.file},
+          {"format", record.format},
+          {"title", record.title},
+          {"unit", record.unit},
+          {"npts", record.points()},
+          {"dt", record.samples.uniform ? nlohmann::json(record.step()) : nlohmann::json(nullptr)},
+          {"duration", record.samples.times.back()},
+          {"pga", m.pga},
+          {"pgv", m.pgv},
+          {"pgd", m.pgd},
+          {"arias", m.arias},
+          {"t5", m.t5},
+          {"t95", m.t95},
+          {"significant_duration", m.significant_duration()}};
+}
+
+void print_info(const Record& record) {
+  const RecordMeasures& m = record.measures;
+  const auto line = [](const char* name, const std::string& value) { fmt::print("{:<22} {}\n", name, value); };
+  line("file", record.file);
+  if (!record.title.empty()) line("title", record.title);
+  line("format", fmt::format("{}, in {}", record.format, record.unit));
+  line("points", fmt::format("{}, {}", record.points(),
+                             record.samples.uniform ? fmt::format("every {:g} s", record.step()) : "unevenly spaced"));
+  line("duration", fmt::format("{:g} s", record.samples.times.back()));
+  line("PGA", fmt::format("{:.4g} m/s^2 ({:.4g} g)", m.pga, m.pga / standard_gravity));
+  line("PGV", fmt::format("{:.4g} m/s", m.pgv));
+  line("PGD", fmt::format("{:.4g} m (baseline not corrected)", m.pgd));
+  line("Arias intensity", fmt::format("{:.4g} m/s", m.arias));
+  line("significant duration",
+       fmt::format("{:.4g} s (5 % at {:.4g} s, 95 % at {:.4g} s)", m.significant_duration(), m.t5, m.t95));
+}
+
+/// Reads "a:b:n": n periods from a to b [s], each the same factor longer than the one before.
+std::vector<double> read_periods(const std::string& text) {
+  const auto fail = [&]() -> InputError {
+    return InputError(fmt::format("--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such "
+                                  "as 0.02:4:50; \"{}\" was read", text));
+  };
+  const std::size_t one = text.find(':'), two = text.find(':', one == std::string::npos ? one : one + 1);
+  if (two == std::string::npos) throw fail();
+  double first = 0, last = 0, count = 0;
+  if (!parse_number(text.substr(0, one), first) || !parse_number(text.substr(one + 1, two - one - 1), last) ||
+      !parse_number(text.substr(two + 1), count))
+    throw fail();
+  if (!(first > 0 && last > first && count >= 2 && count <= 10000 && count == std::floor(count))) throw fail();
+  std::vector<double> periods;
+  for (double i = 0; i < count; ++i) periods.push_back(first * std::pow(last / first, i / (count - 1)));
+  periods.back() = last;
+  return periods;
+}
+
+double read_damping(const std::string& text) {
+  double damping = 0;
+  try {
+    damping = parse_quantity(text, dimension::none);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--damping: {}", error.what()));
+  }
+  if (!(damping >= 0 && damping < 1))
+    throw InputError(fmt::format("--damping: takes a number in [0, 1) such as \"5 %\"; \"{}\" is outside", text));
+  return damping;
+}
+
+void write_csv(const std::vector<SpectrumPoint>& points, const std::string& path) {
+  std::ofstream file(path);
+  file << "period (s),sd (m),psv (m/s),psa (m/s^2)\n";
+  for (const SpectrumPoint& p : points)
+    file << fmt::format("{:.10g},{:.10g},{:.10g},{:.10g}\n", p.period, p.sd, p.psv, p.psa);
+  file.close();
+  if (!file) throw InputError(fmt::format("{}: cannot be written", path));
+}
+
+void print_spectrum(const Words& words) {
+  const double damping = read_damping(words.damping);
+  const std::vector<double> periods = read_periods(words.periods);
+  const Record record = read(words);
+  const std::vector<SpectrumPoint> points = response_spectrum(scaled(record, 1), periods, damping);
+  if (!words.csv.empty()) {
+    write_csv(points, words.csv);
+    return;
+  }
+  fmt::print("{}, damping {:g} %\n", record.summary(), 100 * damping);
+  fmt::print("{:>10} {:>12} {:>12} {:>12}\n", "T [s]", "SD [m]", "PSV [m/s]", "PSA [g]");
+  for (const SpectrumPoint& p : points)
+    fmt::print("{:>10.4f} {:>12.4e} {:>12.4e} {:>12.4e}\n", p.period, p.sd, p.psv, p.psa / standard_gravity);
+}
+
+}  // namespace
+
+void add_record(CLI::App& app) {
+  const auto words = std::make_shared<Words>();
+  CLI::App* const record = app.add_subcommand("record", "Look at an accelerogram");
+  record->require_subcommand(1);
+
+  const auto add = [&](const char* name, const char* what) {
+    CLI::App* const command = record->add_subcommand(name, what);
+    command->add_option("file", words->file, "PEER AT2, or two columns of time and acceleration")->required();
+    command->add_option("--units", words->units, "Unit when the file states none: g, m/s^2, cm/s^2, gal");
+    return command;
+  };
+  CLI::App* const info = add("info", "Points, spacing, peaks, Arias intensity, significant duration");
+  info->add_flag("--json", words->json, "One JSON object, in SI");
+  info->callback([words] {
+    const Record read_now = read(*words);
+    // Old headers are not always UTF-8, which JSON demands.
+    constexpr auto on_bad_text = nlohmann::json::error_handler_t::replace;
+    if (words->json) fmt::print("{}\n", as_json(read_now).dump(2, ' ', false, on_bad_text));
+    else print_info(read_now);
+  });
+
+  CLI::App* const spectrum = add("spectrum", "Elastic response spectrum");
+  spectrum->add_option("--damping", words->damping, "Damping ratio")->capture_default_str();
+  spectrum->add_option("--periods", words->periods, "first:last:count [s], each the same factor longer than the one before")
+      ->capture_default_str();
+  spectrum->add_option("--csv", words->csv, "Write to this file, in SI, instead of the screen");
+  spectrum->callback([words] { print_spectrum(*words); });
+}
+
+}  // namespace pounding::program
