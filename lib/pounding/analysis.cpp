@@ -55,7 +55,7 @@ struct Watch {
   Clock::time_point start = Clock::now(), last_report = start, last_write = start;
   double write_cost = 0;
   int steps_to_look = steps_per_look;
-  std::exception_ptr failure;
+  std::exception_ptr failure = nullptr;
 
   void write(const std::string& status) {
     if (options.output.empty()) return;

@@ -51,6 +51,7 @@ Stepper::Stepper(const System& system, const StepperOptions& options) : system_(
   rate_scale_.assign(system.links(), 0.0);
   penetration_scale_.assign(system.links(), 0.0);
   free_.resize(system.links());
+  free_closing_.resize(system.links());
   link_steps_.resize(system.links());
   work_.resize(n);
 }
@@ -60,7 +61,6 @@ LinkMotion Stepper::motion(int link, const Eigen::VectorXd& u, const Eigen::Vect
   return {system_.contacts[link]->penetration(column.dot(u)), column.dot(v)};
 }
 
-// Without resting contacts, whose force is not a function of the motion.
 void Stepper::accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& force,
                          double ground, Eigen::VectorXd& a) const {
   work_.noalias() = -ground * system_.load;
@@ -70,27 +70,35 @@ void Stepper::accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, con
   a.noalias() = mass_inverse_ * work_;
 }
 
-void Stepper::balance(State& state, double ground) const {
-  std::vector<int> resting;
+void Stepper::balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double ground, Eigen::VectorXd& force,
+                      Eigen::VectorXd& a) const {
+  std::vector<int> held;
+  force.setZero(system_.links());
   for (int i = 0; i < system_.links(); ++i) {
-    const ContactPhase phase = system_.contacts[i]->phase();
-    if (phase == ContactPhase::resting) resting.push_back(i);
-    const bool follows_law = phase == ContactPhase::approach || phase == ContactPhase::restitution;
-    state.force[i] = follows_law ? system_.contacts[i]->evaluate(motion(i, state.u, state.v)).force : 0.0;
+    const Contact& contact = *system_.contacts[i];
+    if (contact.phase() == ContactPhase::resting)
+      held.push_back(i);
+    else if (presses(contact.phase()))
+      force[i] = contact.evaluate(motion(i, u, v)).force;
   }
-  accelerate(state.u, state.v, state.force, ground, state.a);
-  if (resting.empty()) return;
-  // Held contacts take the forces that leave no relative acceleration.
-  const int count = static_cast<int>(resting.size());
+  accelerate(u, v, force, ground, a);
+  if (held.empty()) return;
+  // Held contacts take the forces that leave no closing acceleration.
+  const int count = static_cast<int>(held.size());
   Eigen::MatrixXd g(count, count);
   Eigen::VectorXd closing(count);
   for (int i = 0; i < count; ++i) {
-    closing[i] = system_.closing.col(resting[i]).dot(state.a);
-    for (int j = 0; j < count; ++j) g(i, j) = rigid_flexibility_(resting[i], resting[j]);
+    closing[i] = system_.closing.col(held[i]).dot(a);
+    for (int j = 0; j < count; ++j) g(i, j) = rigid_flexibility_(held[i], held[j]);
   }
-  const Eigen::VectorXd held = g.ldlt().solve(closing);
-  for (int i = 0; i < count; ++i) state.force[resting[i]] = held[i];
-  accelerate(state.u, state.v, state.force, ground, state.a);
+  const Eigen::VectorXd forces = g.ldlt().solve(closing);
+  for (int i = 0; i < count; ++i) force[held[i]] = forces[i];
+  accelerate(u, v, force, ground, a);
+}
+
+void Stepper::balance_now() {
+  balance(now_.u, now_.v, system_.ground.acceleration(now_.time), now_.force, now_.a);
+  algorithmic_ = now_.a;
 }
 
 void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
@@ -99,8 +107,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   now_.v = v;
   now_.a = Eigen::VectorXd::Zero(system_.size());
   now_.force = Eigen::VectorXd::Zero(system_.links());
-  balance(now_, system_.ground.acceleration(time));
-  algorithmic_ = now_.a;
+  balance_now();
   before_ = arrived_ = now_;
   kept_.end = trial_.end = now_;
   kept_.a_middle = now_.a;
@@ -161,7 +168,7 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   t.end.force.setZero(system_.links());
   t.end.u += (h * h * beta_) * t.algorithmic;
   t.end.v += (h * gamma_) * t.algorithmic;
-  if (!solve_links(lev.flexibility, h, t.end.u, t.end.v, t.end.force)) return false;
+  if (!solve_links(lev.flexibility, h, t.end.u, t.end.v, t.algorithmic, t.end.force)) return false;
   if (!active_.empty()) {
     const Eigen::VectorXd correction = alpha_f_ * (lev.response * t.end.force);
     t.algorithmic -= correction;
@@ -179,29 +186,34 @@ bool Stepper::attempt(double h, std::optional<double> end) {
 }
 
 bool Stepper::solve_links(const Eigen::MatrixXd& flexibility, double h, const Eigen::VectorXd& u,
-                          const Eigen::VectorXd& v, Eigen::VectorXd& force) {
+                          const Eigen::VectorXd& v, const Eigen::VectorXd& a, Eigen::VectorXd& force) {
   active_.clear();
   for (int i = 0; i < system_.links(); ++i) {
     if (!presses(system_.contacts[i]->phase())) continue;
     active_.push_back(i);
     free_[i] = motion(i, u, v);
+    free_closing_[i] = system_.closing.col(i).dot(a);
     force[i] = now_.force[i];
   }
   if (active_.empty()) return true;
   if (active_.size() == 1) {
     const int i = active_.front();
-    return solve_one_link(i, flexibility(i, i), h, free_[i], force[i]);
+    return solve_one_link(i, flexibility(i, i), h, 0.0, force[i]);
   }
   return solve_many_links(flexibility, h, force);
 }
 
-// The force lies between zero and what the law would answer to the free motion; Newton inside that bracket.
-bool Stepper::solve_one_link(int link, double flexibility, double h, const LinkMotion& free, double& force) {
+// A held contact takes the force that leaves no closing acceleration: from a rate of zero it stays at zero. Else the
+// force lies between zero and what the law would answer to the free motion; Newton inside that bracket.
+// `others` is what the other links take off, G F without this one.
+bool Stepper::solve_one_link(int link, double flexibility, double h, double others, double& force) {
   const double by_u = alpha_f_ * beta_ * h * h * flexibility;
   const double by_v = alpha_f_ * gamma_ * h * flexibility;
+  const double scale = others / flexibility;
+  const LinkMotion free{free_[link].penetration - by_u * scale, free_[link].rate - by_v * scale};
   const Contact& contact = *system_.contacts[link];
   if (contact.phase() == ContactPhase::resting) {
-    force = free.rate / by_v;
+    force = (free_closing_[link] / alpha_f_ - others) / flexibility;
     return true;
   }
   const double unrelieved = contact.evaluate(free).force;
@@ -256,7 +268,7 @@ bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eig
       const LinkMotion& free = free_[active_[i]];
       const LinkMotion now{free.penetration - by_u * relief[i], free.rate - by_v * relief[i]};
       if (held(i)) {
-        residual[i] = now.rate / (by_v * g(i, i));
+        residual[i] = (free_closing_[active_[i]] / alpha_f_ - relief[i]) / g(i, i);
         if (with_slopes) slopes.row(i) = g.row(i) / g(i, i);
         continue;
       }
@@ -272,9 +284,7 @@ bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eig
   const auto sweep = [&](Eigen::VectorXd& x) {
     for (int i = 0; i < count; ++i) {
       const double others = g.row(i).dot(x) - g(i, i) * x[i];
-      const LinkMotion& free = free_[active_[i]];
-      if (!solve_one_link(active_[i], g(i, i), h, {free.penetration - by_u * others, free.rate - by_v * others}, x[i]))
-        return false;
+      if (!solve_one_link(active_[i], g(i, i), h, others, x[i])) return false;
     }
     return true;
   };
@@ -308,14 +318,7 @@ void Stepper::evaluate_middle(Trial& t) {
   const double h = t.h;
   t.u_middle = 0.5 * (now_.u + t.end.u) + (h / 8) * (now_.v - t.end.v);
   t.v_middle = 0.5 * (now_.v + t.end.v) + (h / 8) * (now_.a - t.end.a);
-  t.force_middle.setZero(system_.links());
-  for (const int i : active_) {
-    const Contact& contact = *system_.contacts[i];
-    t.force_middle[i] = contact.phase() == ContactPhase::resting
-                            ? 0.5 * (now_.force[i] + t.end.force[i])
-                            : contact.evaluate(motion(i, t.u_middle, t.v_middle)).force;
-  }
-  accelerate(t.u_middle, t.v_middle, t.force_middle, system_.ground.acceleration(now_.time + 0.5 * h), t.a_middle);
+  balance(t.u_middle, t.v_middle, system_.ground.acceleration(now_.time + 0.5 * h), t.force_middle, t.a_middle);
 }
 
 // The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at
@@ -423,10 +426,8 @@ void Stepper::accept() {
   const bool ground_jumps = system_.ground.acceleration(now_.time) != ground[2];
   if (!landed_.empty())
     enter_phases();
-  else if (ground_jumps) {
-    balance(now_, system_.ground.acceleration(now_.time));
-    algorithmic_ = now_.a;
-  }
+  else if (ground_jumps)
+    balance_now();
 }
 
 void Stepper::cross_now() {

@@ -93,8 +93,9 @@ class Stepper {
   /// A margin that is negative at the end of the trial.
   struct Ending {
     int link = 0, margin = 0;
+    double from = 0;  // the margin is known to be positive here [s after the beginning], unless at_begin is not
     double at_begin = 0, at_end = 0;
-    double guess = 0;  // where in the trial it may be zero [s after its beginning]
+    double guess = 0;  // where it may be zero [s after the beginning]
   };
   struct Trial {
     double h = 0;
@@ -107,21 +108,27 @@ class Stepper {
 
   const Level& level(double h);
   bool solve_links(const Eigen::MatrixXd& flexibility, double h, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
-                   Eigen::VectorXd& force);
-  bool solve_one_link(int link, double flexibility, double h, const LinkMotion& free, double& force);
+                   const Eigen::VectorXd& a, Eigen::VectorXd& force);
+  bool solve_one_link(int link, double flexibility, double h, double others, double& force);
   bool solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eigen::VectorXd& force);
   void evaluate_middle(Trial& trial);
   void estimate_error(Trial& trial) const;
-  void balance(State& state, double ground) const;
+  /// Link forces and accelerations that balance the equations in the present phases.
+  void balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double ground, Eigen::VectorXd& force,
+               Eigen::VectorXd& a) const;
+  void balance_now();
   void accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& force, double ground,
                   Eigen::VectorXd& a) const;
   LinkMotion motion(int link, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const;
+  double noise_of(int link, int margin) const;
   bool ended(int link, int margin, double value) const;
   std::vector<Ending> endings() const;
   std::optional<double> inner_touch(int link);
+  bool begins_inside(Ending& ending, double longest);
   bool locate(const Ending& ending, double longest);
+  double margin_of_trial(const Ending& ending) const;
   void enter_phases();
-  void bounce(std::vector<int> links);
+  void bounce(const std::vector<int>& touching);
   void update_scales();
 
   const System& system_;
@@ -146,6 +153,7 @@ class Stepper {
   std::vector<double> rate_scale_, penetration_scale_;       // by link, of the present impact
   std::vector<int> active_;                                  // links that press
   std::vector<LinkMotion> free_;                             // motion of the links without their forces
+  std::vector<double> free_closing_;                         // their closing acceleration without forces
   mutable Eigen::VectorXd work_;
   long iterations_ = 0, events_ = 0, factorizations_ = 0;
 };

@@ -15,28 +15,31 @@ constexpr double landed_part = 1e-12;
 // Margins that are this close to zero at a landing end there too: nearly simultaneous contacts are handled in one go.
 constexpr double grouped_part = 1e-9;
 
+// Where in a trial to look for the time at which a phase lasts that seems to end where it begins.
+constexpr double shortest_look = 1e-9;
+
+// Impulses that go back and forth in a row of rigid bodies.
+constexpr int most_rounds = 1000;
+
 constexpr int reversal_or_touch = 0;
 
 }  // namespace
 
-bool Stepper::ended(int link, int margin, double value) const {
-  if (value >= 0) return false;
+// Rounding noise of a margin. Margins that are forces have none: they are compared with zero.
+double Stepper::noise_of(int link, int margin) const {
   const double u = *std::max_element(displacement_scale_.begin(), displacement_scale_.end());
   const double v = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
   switch (system_.contacts[link]->phase()) {
-    case ContactPhase::open: return value < -noise * u;
-    case ContactPhase::approach: return value < -noise * v;
-    case ContactPhase::restitution:
-      if (margin == 0) return value < -noise * u;
-      if (margin == 2) return value < -noise * v;
-      return true;
-    case ContactPhase::slack:
-      if (margin == 0) return value < -noise * u;
-      return true;
-    case ContactPhase::resting: return true;
+    case ContactPhase::open: return noise * u;
+    case ContactPhase::approach: return noise * v;
+    case ContactPhase::restitution: return margin == 0 ? noise * u : margin == 2 ? noise * v : 0;
+    case ContactPhase::slack: return margin == 0 ? noise * u : 0;
+    case ContactPhase::resting: break;
   }
-  return true;
+  return 0;
 }
+
+bool Stepper::ended(int link, int margin, double value) const { return value < 0 && value < -noise_of(link, margin); }
 
 std::vector<Stepper::Ending> Stepper::endings() const {
   std::vector<Ending> found;
@@ -48,7 +51,7 @@ std::vector<Stepper::Ending> Stepper::endings() const {
     for (int k = 0; k < Contact::max_margins; ++k) {
       if (!ended(i, k, at_end[k])) continue;
       const double guess = at_begin[k] <= 0 ? 0 : trial_.h * at_begin[k] / (at_begin[k] - at_end[k]);
-      found.push_back({i, k, at_begin[k], at_end[k], guess});
+      found.push_back({i, k, 0, at_begin[k], at_end[k], guess});
     }
   }
   return found;
@@ -83,12 +86,13 @@ std::optional<double> Stepper::land() {
   if (open.empty()) return std::nullopt;
   const std::vector<Ending> all = open;
   while (!open.empty()) {
-    const Ending first =
+    Ending first =
         *std::min_element(open.begin(), open.end(), [](const Ending& a, const Ending& b) { return a.guess < b.guess; });
-    if (first.at_begin <= 0) {
-      landed_.clear();
-      for (const Ending& ending : open)
-        if (ending.at_begin <= 0) landed_.push_back(ending);
+    const double noise_here = noise_of(first.link, first.margin);
+    const bool at_zero = first.at_begin <= noise_here;
+    const bool doubtful = at_zero || first.at_begin <= grouped_part * std::abs(first.at_end);
+    if (doubtful && !begins_inside(first, trial_.h) && at_zero) {
+      landed_.assign(1, first);
       return 0.0;
     }
     if (!locate(first, trial_.h)) return std::nullopt;
@@ -105,9 +109,7 @@ std::optional<double> Stepper::land() {
     landed_.assign(1, first);
     for (const Ending& other : all) {
       if (other.link == first.link) continue;
-      const LinkMotion end = motion(other.link, trial_.end.u, trial_.end.v);
-      const double margin =
-          system_.contacts[other.link]->margins(end, trial_.end.force[other.link])[other.margin];
+      const double margin = margin_of_trial(other);
       const double change = std::abs(other.at_begin) + std::abs(other.at_end);
       const bool known = std::any_of(landed_.begin(), landed_.end(),
                                      [&](const Ending& e) { return e.link == other.link; });
@@ -118,19 +120,40 @@ std::optional<double> Stepper::land() {
   return trial_.h;
 }
 
+double Stepper::margin_of_trial(const Ending& ending) const {
+  const LinkMotion end = motion(ending.link, trial_.end.u, trial_.end.v);
+  return system_.contacts[ending.link]->margins(end, trial_.end.force[ending.link])[ending.margin];
+}
+
+// A phase that has just begun may do so on the wrong side of its margin by rounding, and end properly later in the trial:
+// bodies that part and come back. Looks for a time at which it lasts; the trial is lost.
+bool Stepper::begins_inside(Ending& ending, double longest) {
+  for (double h = longest / 2; h > shortest_look * longest; h /= 4) {
+    if (!attempt(h)) continue;
+    const double margin = margin_of_trial(ending);
+    if (ended(ending.link, ending.margin, -margin)) {  // clearly positive
+      ending.from = h;
+      ending.at_begin = margin;
+      ending.guess = 0.5 * (h + longest);
+      return attempt(longest);
+    }
+  }
+  return false;
+}
+
 // Anderson and Bjorck's regula falsi on the length of the step; every value is a re-integrated step.
 bool Stepper::locate(const Ending& ending, double longest) {
-  const Contact& contact = *system_.contacts[ending.link];
-  const double change = ending.at_begin - ending.at_end;
-  double low = 0, at_low = ending.at_begin, high = longest, at_high = ending.at_end;
+  const double noise_here = noise_of(ending.link, ending.margin), change = ending.at_begin - ending.at_end;
+  // Below the noise, so that the landing itself is not taken for an end of the next phase.
+  const double landed = noise_here > 0 ? std::min(landed_part * change, 0.1 * noise_here) : landed_part * change;
+  double low = ending.from, at_low = ending.at_begin, high = longest, at_high = ending.at_end;
   double guess = ending.guess;
   enum { lower, upper } replaced = upper;
   for (int iteration = 0; iteration < 100; ++iteration) {
     if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
     if (!attempt(guess)) return false;
-    const LinkMotion end = motion(ending.link, trial_.end.u, trial_.end.v);
-    const double value = contact.margins(end, trial_.end.force[ending.link])[ending.margin];
-    if (std::abs(value) <= landed_part * change || high - low <= 1e-14 * longest) return true;
+    const double value = margin_of_trial(ending);
+    if (std::abs(value) <= landed || high - low <= 1e-16 * longest) return true;
     // An end that stays twice in a row is given a smaller value, so that the next guess moves towards it.
     const auto relieved = [](double m) { return m > 0 ? m : 0.5; };
     if (value < 0) {
@@ -169,28 +192,36 @@ void Stepper::enter_phases() {
   }
   landed_.clear();
   if (!rigid.empty()) bounce(rigid);
-  balance(now_, system_.ground.acceleration(now_.time));
-  algorithmic_ = now_.a;
+  balance_now();
 }
 
 // Newton's impact law, one contact after the other until no rigid contact closes: an impulse may make a neighbour close.
-void Stepper::bounce(std::vector<int> links) {
-  for (int i = 0; i < system_.links(); ++i)
-    if (system_.contacts[i]->phase() == ContactPhase::resting) links.push_back(i);
+// A touch too slow for the tolerance is held.
+void Stepper::bounce(const std::vector<int>& touching) {
   const double speed = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
   const double slowest = options_.tolerance * speed;
-  for (int round = 0; round < 1000; ++round) {
+  const auto strike = [&](int i, double rate, bool held) {
+    Contact& contact = *system_.contacts[i];
+    const double restitution = held ? 0 : contact.restitution();
+    const double impulse = (1 + restitution) * rate / rigid_flexibility_(i, i);
+    now_.v -= impulse * (mass_inverse_ * system_.closing.col(i));
+    contact.jumped(now_.time, impulse, rate, -restitution * rate, held);
+  };
+  const auto rate_of = [&](int i) { return system_.closing.col(i).dot(now_.v); };
+  std::vector<int> links = touching;
+  for (const int i : touching) {
+    const double rate = std::max(0.0, rate_of(i));
+    strike(i, rate, rate < slowest);
+  }
+  for (int i = 0; i < system_.links(); ++i)
+    if (system_.contacts[i]->phase() == ContactPhase::resting) links.push_back(i);
+  for (int round = 0; round < most_rounds; ++round) {
     bool closing = false;
     for (const int i : links) {
-      Contact& contact = *system_.contacts[i];
-      const double rate = system_.closing.col(i).dot(now_.v);
-      if (rate <= (round == 0 ? 0 : noise * speed)) continue;
+      const double rate = rate_of(i);
+      if (rate <= noise * speed) continue;
       closing = true;
-      const bool held = rate < slowest;
-      const double restitution = held ? 0 : contact.restitution();
-      const double impulse = (1 + restitution) * rate / rigid_flexibility_(i, i);
-      now_.v -= impulse * (mass_inverse_ * system_.closing.col(i));
-      contact.jumped(now_.time, impulse, rate, -restitution * rate, held);
+      strike(i, rate, rate < slowest);
     }
     if (!closing) return;
   }

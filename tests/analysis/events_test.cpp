@@ -1,0 +1,139 @@
+// Contacts that a fixed step would miss, or that would make an integrator stumble.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "support/runs.hpp"
+
+namespace pounding {
+namespace {
+
+using test::run_text;
+
+// 10 kg at 20 m/s on a stiff wall: the contact lasts a hundredth of the first free step.
+TEST(ShortContact, IsFoundByAStepMuchLongerThanIt) {
+  const Outcome run = run_text("structures:\n  a: {body: {mass: 10 kg}, initial_velocity: 20 m/s}\n  w: {wall: {}}\n"
+                               "links: [{between: [a, w], gap: 10 m, law: linear_spring, stiffness: 1e9}]\n"
+                               "analysis: {duration: 1, tolerance: 1e-6}\n");
+  ASSERT_EQ(run.results.impacts.size(), 1u);
+  EXPECT_NEAR(run.results.impacts[0].t_start, 0.5, 1e-12);
+  EXPECT_NEAR(run.results.impacts[0].t_end - run.results.impacts[0].t_start, M_PI * std::sqrt(10.0 / 1e9), 1e-9);
+  EXPECT_NEAR(run.results.impacts[0].peak_force, 20 * std::sqrt(1e9 * 10.0), 1e-5 * 2e6);
+}
+
+// An undamped oscillator whose amplitude is the gap and a little more, or a little less.
+Outcome grazing(double excess) {
+  const double w = 2 * M_PI / 0.5;
+  return run_text("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}, initial_velocity: " +
+                  fmt::format("{}", w * 0.02) + "}\n  w: {wall: {}}\nlinks: [{between: [a, w], gap: " +
+                  fmt::format("{}", 0.02 * (1 - excess)) +
+                  ", law: hertz, stiffness: 2.75e9}]\nanalysis: {duration: 0.4, tolerance: 1e-6}\n");
+}
+
+TEST(Grazing, TouchesOnceWhenTheGapIsAHairTooSmall) {
+  const Outcome run = grazing(1e-4);
+  ASSERT_EQ(run.results.impacts.size(), 1u);
+  // u = U sin(w t) reaches (1 - 1e-4) U at speed w U sqrt(2e-4).
+  EXPECT_NEAR(run.results.impacts[0].v_approach, 2 * M_PI / 0.5 * 0.02 * std::sqrt(2e-4), 2e-3 * 0.0036);
+  EXPECT_NEAR(run.results.impacts[0].restitution, 1, 1e-3);
+}
+
+TEST(Grazing, DoesNotTouchWhenTheGapIsAHairTooLarge) { EXPECT_TRUE(grazing(-1e-4).results.impacts.empty()); }
+
+// A rigid ball that a constant ground acceleration presses on a wall bounces ever lower: with e = 0.5 and a = 2 m/s^2 from
+// rest 10 mm away the touch comes at t1 = sqrt(2 g/a) at v1 = a t1, and all bounces end at t1 + 2 (v1/a) e/(1 - e) = 3 t1.
+TEST(RestingContact, FollowsInfinitelyManyBounces) {
+  const Outcome run = run_text("ground_motion: {pulse: {shape: rectangle, amplitude: -2.0, duration: 2 s}}\n"
+                               "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
+                               "links: [{between: [a, w], gap: 10 mm, law: stereomechanical, restitution: 0.5}]\n"
+                               "analysis: {duration: 2, tolerance: 1e-5}\n");
+  const double t1 = std::sqrt(2 * 0.01 / 2.0);
+  ASSERT_GT(run.results.impacts.size(), 5u);
+  ASSERT_LT(run.results.impacts.size(), 40u);
+  EXPECT_NEAR(run.results.impacts[0].t_start, t1, 1e-9);
+  EXPECT_NEAR(run.results.impacts.back().t_start, 3 * t1, 1e-4);
+  EXPECT_NEAR(run.results.structures[0].displacement.back(), 0.01, 1e-8);
+  EXPECT_NEAR(run.results.structures[0].velocity.back(), 0, 1e-9);
+  double impulse = 0;
+  for (const ImpactRow& row : run.results.impacts) impulse += row.impulse;
+  EXPECT_NEAR(impulse, 1e5 * 2.0 * 2.0, 1e-3 * 4e5) << "the wall took all the momentum of the ground";
+}
+
+TEST(RestingContact, OpensWhenTheGroundTurns) {
+  const Outcome run = run_text("ground_motion: {pulse: {shape: sine, amplitude: -2.0, duration: 2 s}}\n"
+                               "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
+                               "links: [{between: [a, w], gap: 0, law: stereomechanical, restitution: 0.5}]\n"
+                               "analysis: {duration: 2, tolerance: 1e-6}\n");
+  // Pressed for the first second, then free: v(2) = -integral of 2 sin(pi t) from 1 to 2 ... = -4/pi.
+  EXPECT_NEAR(run.results.structures[0].velocity.back(), -4 / M_PI, 1e-5);
+  EXPECT_NEAR(run.results.impacts.back().t_end, 1.0, 1e-5);
+}
+
+// A compliant contact settles at the penetration that carries the push.
+TEST(RestingContact, SettlesAtTheStaticPenetration) {
+  const Outcome run = run_text("ground_motion: {pulse: {shape: rectangle, amplitude: -2.0, duration: 5 s}}\n"
+                               "structures:\n  a: {body: {mass: 100 t}}\n  w: {wall: {}}\n"
+                               "links: [{between: [a, w], gap: 0, law: kelvin_voigt_no_tension, stiffness: 50 MN/m, "
+                               "restitution: 0.3}]\nanalysis: {duration: 5}\n");
+  EXPECT_NEAR(run.results.structures[0].displacement.back(), 1e5 * 2.0 / 50e6, 1e-7);
+}
+
+// Eight links with gaps that differ by a micrometre, or not at all.
+long steps_of_eight(double difference) {
+  std::string structures = "structures:\n  w: {wall: {}}\n", links = "links:\n";
+  for (int i = 0; i < 8; ++i) {
+    const std::string name = "a" + std::to_string(i);
+    structures += "  " + name + ": {oscillator: {mass: 100 t, period: 0.5, damping: 5 %}, initial_velocity: 1 m/s}\n";
+    links += "  - {between: [" + name + ", w], gap: " + std::to_string(0.02 + i * difference) +
+             ", law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}\n";
+  }
+  const Outcome run = run_text(structures + links + "analysis: {duration: 2}\n");
+  EXPECT_EQ(run.results.impacts.size() % 8, 0u);
+  return run.summary.solver.steps;
+}
+
+TEST(NearlySimultaneousContacts, DoNotMultiplyTheSteps) {
+  const long equal = steps_of_eight(0), different = steps_of_eight(1e-6);
+  EXPECT_LT(different, 2 * equal);
+}
+
+TEST(ZeroGap, StaysUnilateral) {
+  const Outcome run = run_text("ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
+                               "structures:\n"
+                               "  a: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\n"
+                               "  b: {oscillator: {mass: 150 t, period: 0.3, damping: 5 %}}\n"
+                               "links: [{between: [a, b], gap: 0, law: kelvin_voigt_no_tension, stiffness: 93.5 MN/m, "
+                               "restitution: 0.65}]\nanalysis: {duration: 4}\n");
+  EXPECT_GT(run.results.impacts.size(), 3u);
+  const LinkHistory& link = run.results.links[0];
+  double widest = 0;
+  for (std::size_t i = 0; i < link.time.size(); ++i) {
+    if (link.penetration[i] < -1e-9) {
+      EXPECT_EQ(link.force[i], 0) << "at " << link.time[i];
+    }
+    EXPECT_GE(link.force[i], 0) << "at " << link.time[i];
+    widest = std::min(widest, link.penetration[i]);
+  }
+  EXPECT_LT(widest, -1e-2) << "the buildings part";
+}
+
+// A row of four equal bodies, the first one moving: rigid contacts at zero gap hand the impulse on.
+TEST(RigidRow, HandsTheImpulseOnAtTheSameInstant) {
+  std::string structures = "structures:\n", links = "links:\n";
+  for (int i = 0; i < 4; ++i) {
+    structures += "  b" + std::to_string(i) + ": {body: {mass: 10 t}" + (i == 0 ? ", initial_velocity: 1 m/s" : "") + "}\n";
+    if (i > 0)
+      links += "  - {between: [b" + std::to_string(i - 1) + ", b" + std::to_string(i) + "], gap: " +
+               (i == 1 ? "10 mm" : "0") + ", law: stereomechanical, restitution: 1}\n";
+  }
+  const Outcome run = run_text(structures + links + "analysis: {duration: 0.1}\n");
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(run.results.structures[i].velocity.back(), 0, 1e-12) << i;
+  EXPECT_NEAR(run.results.structures[3].velocity.back(), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace pounding

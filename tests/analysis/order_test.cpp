@@ -1,0 +1,166 @@
+// The observed order of generalized-alpha: halving the step divides the error by four, at rest or not, with contacts
+// whose force is smooth (Hertz) or jumps at the touch (Kelvin-Voigt), because steps end at the located instants.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <pounding/gap_link.hpp>
+#include <pounding/laws/free_impact.hpp>
+#include <pounding/stepper.hpp>
+
+namespace pounding {
+namespace {
+
+struct Problem {
+  System system;
+  std::unique_ptr<Contact> contact;
+  Eigen::VectorXd u, v;
+  double end = 0;
+};
+
+// u'' + 2 z w u' + w^2 u = 0 from u = 1, v = 0: the initial acceleration is not zero.
+Problem damped_oscillator(double w, double z) {
+  Problem p;
+  p.system.mass = Eigen::MatrixXd::Constant(1, 1, 2.0);
+  p.system.damping = Eigen::MatrixXd::Constant(1, 1, 2.0 * 2 * z * w);
+  p.system.stiffness = Eigen::MatrixXd::Constant(1, 1, 2.0 * w * w);
+  p.system.load = Eigen::VectorXd::Zero(1);
+  p.system.closing = Eigen::MatrixXd::Zero(1, 0);
+  p.system.groups = {{0, 1, 1.0, 1.0}};
+  p.u = Eigen::VectorXd::Constant(1, 1.0);
+  p.v = Eigen::VectorXd::Zero(1);
+  p.end = 1.0;
+  return p;
+}
+
+double exact_oscillation(double w, double z, double t) {
+  const double wd = w * std::sqrt(1 - z * z);
+  return std::exp(-z * w * t) * (std::cos(wd * t) + z * w / wd * std::sin(wd * t));
+}
+
+// A mass of 60 t at 1 m/s, 10 mm from a wall.
+template <class Law>
+Problem ball_on_wall(const Law& law, double end) {
+  Problem p;
+  p.system.mass = Eigen::MatrixXd::Constant(1, 1, 6e4);
+  p.system.damping = p.system.stiffness = Eigen::MatrixXd::Zero(1, 1);
+  p.system.load = Eigen::VectorXd::Zero(1);
+  p.system.closing = Eigen::MatrixXd::Ones(1, 1);
+  p.system.groups = {{0, 1, 1e-3, 1.0}};
+  p.contact = std::make_unique<GapLink<Law>>(law, 0.01);
+  p.system.contacts = {p.contact.get()};
+  p.u = Eigen::VectorXd::Zero(1);
+  p.v = Eigen::VectorXd::Ones(1);
+  p.end = end;
+  return p;
+}
+
+// Steps of one length; shorter only where a phase ends and at the end.
+void march(Stepper& stepper, double end, double h) {
+  while (stepper.state().time < end * (1 - 1e-12)) {
+    const double left = end - stepper.state().time;
+    ASSERT_TRUE(stepper.attempt(std::min(h, left)));
+    const auto landed = stepper.land();
+    if (landed && *landed == 0)
+      stepper.cross_now();
+    else
+      stepper.accept();
+  }
+}
+
+double observed_order(const std::vector<double>& errors) {
+  return std::log2(errors[errors.size() - 2] / errors.back());
+}
+
+class SpectralRadius : public testing::TestWithParam<double> {};
+
+TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
+  const double w = 7.0, z = 0.05;
+  std::vector<double> errors;
+  for (const double h : {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512}) {
+    Problem p = damped_oscillator(w, z);
+    Stepper stepper(p.system, {.tolerance = 1e-3, .spectral_radius = GetParam(), .first_rung = h});
+    stepper.start(0, p.u, p.v);
+    EXPECT_DOUBLE_EQ(stepper.state().a[0], -w * w) << "the initial acceleration balances the equations";
+    march(stepper, p.end, h);
+    errors.push_back(std::abs(stepper.state().u[0] - exact_oscillation(w, z, p.end)));
+  }
+  EXPECT_NEAR(observed_order(errors), 2.0, 0.06);
+}
+
+// Error of position and speed after an impact that parts at `parting` with the speed `speed`; a single one of them may
+// pass through zero between two steps.
+template <class Law>
+double error_after_impact(const Law& law, double parting, double speed, double h, double radius) {
+  const double end = 0.15;
+  Problem p = ball_on_wall(law, end);
+  Stepper stepper(p.system, {.tolerance = 1e-3, .spectral_radius = radius, .first_rung = h});
+  stepper.start(0, p.u, p.v);
+  march(stepper, end, h);
+  const double position = 0.01 - speed * (end - 0.01 - parting);
+  return std::hypot(stepper.state().v[0] + speed, (stepper.state().u[0] - position) / parting);
+}
+
+// Least squares through log error against log step.
+double order_of(const std::vector<double>& errors) {
+  const double n = static_cast<double>(errors.size());
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double step = -static_cast<double>(i), error = std::log2(errors[i]);
+    x += step, y += error, xx += step * step, xy += step * error;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+TEST_P(SpectralRadius, AHertzImpactIsSecondOrder) {
+  const laws::Hertz law{.stiffness = 2.75e9};
+  const double duration = laws::free_impact(law, 6e4, 1.0).duration;
+  std::vector<double> errors;
+  for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, 1.0, h, GetParam()));
+  EXPECT_NEAR(order_of(errors), 2.0, 0.15);
+  EXPECT_NEAR(observed_order(errors), 2.0, 0.2);
+}
+
+TEST_P(SpectralRadius, AKelvinVoigtImpactIsSecondOrderAlthoughItsForceJumps) {
+  const double asked = 0.65;
+  const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = asked, .reduced_mass = 6e4};
+  const double duration = laws::free_impact(law, 6e4, 1.0).duration;
+  std::vector<double> errors;
+  for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, asked, h, GetParam()));
+  EXPECT_NEAR(order_of(errors), 2.0, 0.15);
+  EXPECT_NEAR(observed_order(errors), 2.0, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(GeneralizedAlpha, SpectralRadius, testing::Values(1.0, 0.8, 0.0));
+
+TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
+  Problem p = damped_oscillator(7.0, 0.05);
+  Stepper stepper(p.system, {.tolerance = 1e-3, .first_rung = 0.1});
+  stepper.start(0, p.u, p.v);
+  ASSERT_TRUE(stepper.attempt(1e-2));
+  const double coarse = stepper.error_ratio();
+  ASSERT_TRUE(stepper.attempt(5e-3));
+  EXPECT_NEAR(std::log2(coarse / stepper.error_ratio()), 3.0, 0.15);
+}
+
+// The estimate is the error that the step really makes, within a small factor.
+TEST(ErrorEstimate, IsTheErrorOfTheStep) {
+  const double w = 7.0, z = 0.05, tolerance = 1e-3, h = 2e-3;
+  Problem p = damped_oscillator(w, z);
+  Stepper stepper(p.system, {.tolerance = tolerance, .first_rung = h});
+  stepper.start(0, p.u, p.v);
+  ASSERT_TRUE(stepper.attempt(h));
+  const double estimated = stepper.error_ratio() * 0.25 * std::pow(tolerance, 1.5);
+  stepper.accept();
+  const double slope = (exact_oscillation(w, z, h + 1e-6) - exact_oscillation(w, z, h - 1e-6)) / 2e-6;
+  const double made = std::max(std::abs(stepper.state().u[0] - exact_oscillation(w, z, h)), std::abs(stepper.state().v[0] - slope));
+  EXPECT_GT(estimated, 0.3 * made);
+  EXPECT_LT(estimated, 5 * made);
+}
+
+}  // namespace
+}  // namespace pounding

@@ -1,0 +1,11 @@
+/// Tests that run models: PETSc starts once for all of them.
+
+#include <gtest/gtest.h>
+
+#include <pounding/petsc/environment.hpp>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  const pounding::petsc::Environment environment;
+  return RUN_ALL_TESTS();
+}
