@@ -13,24 +13,6 @@ namespace {
 using test::model_of;
 using test::run_text;
 
-const char* const laws_of_two_bodies[] = {
-    "linear_spring, stiffness: 9.35e7",
-    "kelvin_voigt, stiffness: 9.35e7, restitution: 0.65",
-    "kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65",
-    "komodromos, stiffness: 9.35e7, restitution: 0.65",
-    "modified_linear_viscoelastic, stiffness: 9.35e7, restitution: 0.65",
-    "modified_kelvin, stiffness: 9.35e7, restitution: 0.65",
-    "hertz, stiffness: 2.75e9",
-    "hertz_damped, stiffness: 2.75e9, restitution: 0.65",
-    "jankowski, stiffness: 2.75e9, restitution: 0.65",
-    "bilinear_hertz, stiffness: 2.75e9, restitution: 0.65",
-    "viscous_hertz, stiffness: 2.75e9, restitution: 0.65",
-    "kuwabara_kono, stiffness: 2.75e9, restitution: 0.65",
-    "adams_impact, stiffness: 2.75e9, depth: 1 mm, restitution: 0.65",
-    "limited_damper, stiffness: 2.75e9, restitution: 0.65",
-    "stereomechanical, restitution: 0.65",
-};
-
 class TwoBodies : public testing::TestWithParam<const char*> {};
 
 TEST_P(TwoBodies, KeepTheirMomentumAndObeyTheIdentitiesOfAnImpact) {
@@ -47,13 +29,13 @@ TEST_P(TwoBodies, KeepTheirMomentumAndObeyTheIdentitiesOfAnImpact) {
   EXPECT_NEAR(row.t_start, 0.01, 1e-12);
   EXPECT_NEAR(row.v_approach, 1.0, 1e-12);
   EXPECT_NEAR(row.v_separation, end2 - end1, 1e-9);
-  // LAWS 2.6: impulse m (1 + e) v, energy lost m v^2 (1 - e^2)/2.
+  // Of any law: impulse m (1 + e) v, energy lost m v^2 (1 - e^2)/2.
   const double e = row.restitution;
   EXPECT_NEAR(row.impulse, m * (1 + e), 1e-6 * m);
   EXPECT_NEAR(row.energy_lost, 0.5 * m * (1 - e * e), 1e-6 * m);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryLaw, TwoBodies, testing::ValuesIn(laws_of_two_bodies));
+INSTANTIATE_TEST_SUITE_P(EveryLaw, TwoBodies, testing::ValuesIn(test::every_law), test::law_name);
 
 // Code_Aster's SDND102: the mirror plane between two equal oscillators is a rigid wall. A link of stiffness k that is
 // pressed from both sides is a link of stiffness 2 k between one oscillator and the wall.

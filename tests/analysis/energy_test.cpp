@@ -9,23 +9,7 @@
 namespace pounding {
 namespace {
 
-const char* const every_law[] = {
-    "linear_spring, stiffness: 9.35e7",
-    "kelvin_voigt, stiffness: 9.35e7, restitution: 0.65",
-    "kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65",
-    "komodromos, stiffness: 9.35e7, restitution: 0.65",
-    "modified_linear_viscoelastic, stiffness: 9.35e7, restitution: 0.65",
-    "modified_kelvin, stiffness: 9.35e7, restitution: 0.65",
-    "hertz, stiffness: 2.75e9",
-    "hertz_damped, stiffness: 2.75e9, restitution: 0.65",
-    "jankowski, stiffness: 2.75e9, restitution: 0.65",
-    "bilinear_hertz, stiffness: 2.75e9, restitution: 0.65",
-    "viscous_hertz, stiffness: 2.75e9, restitution: 0.65",
-    "kuwabara_kono, stiffness: 2.75e9, restitution: 0.65",
-    "adams_impact, stiffness: 2.75e9, depth: 1 mm, restitution: 0.65",
-    "limited_damper, stiffness: 2.75e9, restitution: 0.65",
-    "stereomechanical, restitution: 0.65",
-};
+using test::every_law;
 
 class Energy : public testing::TestWithParam<const char*> {};
 
@@ -38,7 +22,7 @@ TEST_P(Energy, ClosesBelowTheToleranceOfTheRun) {
   EXPECT_GT(fine.summary.energy.input, 1e5);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryLaw, Energy, testing::ValuesIn(every_law));
+INSTANTIATE_TEST_SUITE_P(EveryLaw, Energy, testing::ValuesIn(every_law), test::law_name);
 
 TEST(Energy, LostInTheLinkIsTheSumOverItsImpacts) {
   const Outcome run = test::run_text(test::two_oscillators(every_law[7], 1e-6));

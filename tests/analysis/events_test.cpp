@@ -86,10 +86,9 @@ TEST(RestingContact, SettlesAtTheStaticPenetration) {
 long steps_of_eight(double difference) {
   std::string structures = "structures:\n  w: {wall: {}}\n", links = "links:\n";
   for (int i = 0; i < 8; ++i) {
-    const std::string name = "a" + std::to_string(i);
-    structures += "  " + name + ": {oscillator: {mass: 100 t, period: 0.5, damping: 5 %}, initial_velocity: 1 m/s}\n";
-    links += "  - {between: [" + name + ", w], gap: " + std::to_string(0.02 + i * difference) +
-             ", law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}\n";
+    structures += fmt::format("  a{}: {{oscillator: {{mass: 100 t, period: 0.5, damping: 5 %}}, initial_velocity: 1 m/s}}\n", i);
+    links += fmt::format("  - {{between: [a{}, w], gap: {}, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}\n", i,
+                         0.02 + i * difference);
   }
   const Outcome run = run_text(structures + links + "analysis: {duration: 2}\n");
   EXPECT_EQ(run.results.impacts.size() % 8, 0u);
@@ -125,10 +124,10 @@ TEST(ZeroGap, StaysUnilateral) {
 TEST(RigidRow, HandsTheImpulseOnAtTheSameInstant) {
   std::string structures = "structures:\n", links = "links:\n";
   for (int i = 0; i < 4; ++i) {
-    structures += "  b" + std::to_string(i) + ": {body: {mass: 10 t}" + (i == 0 ? ", initial_velocity: 1 m/s" : "") + "}\n";
+    structures += fmt::format("  b{}: {{body: {{mass: 10 t}}{}}}\n", i, i == 0 ? ", initial_velocity: 1 m/s" : "");
     if (i > 0)
-      links += "  - {between: [b" + std::to_string(i - 1) + ", b" + std::to_string(i) + "], gap: " +
-               (i == 1 ? "10 mm" : "0") + ", law: stereomechanical, restitution: 1}\n";
+      links += fmt::format("  - {{between: [b{}, b{}], gap: {}, law: stereomechanical, restitution: 1}}\n", i - 1, i,
+                           i == 1 ? "10 mm" : "0");
   }
   const Outcome run = run_text(structures + links + "analysis: {duration: 0.1}\n");
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(run.results.structures[i].velocity.back(), 0, 1e-12) << i;

@@ -19,14 +19,23 @@ PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char
   return code;
 }
 
+// Open MPI looks for networks and a launcher daemon when it starts: a fifth of a second of every short run. A process that
+// no launcher has started talks to itself only. What the user has set stays.
+void prepare_single_process() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMIX_RANK") || std::getenv("PMI_RANK")) return;
+  constexpr int keep_existing = 0;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_existing);
+  setenv("OMPI_MCA_pml", "ob1", keep_existing);
+  setenv("OMPI_MCA_btl", "self", keep_existing);
+}
+
 }  // namespace
 
 Environment::Environment(const std::vector<std::string>& options) {
   PetscBool ready = PETSC_FALSE;
   PetscInitialized(&ready);
   if (!ready) {
-    // A single process needs no launcher daemon: a tenth of a second of every short run.
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    prepare_single_process();
     std::vector<std::string> words{"pounding"};
     words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> pointers;

