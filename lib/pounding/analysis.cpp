@@ -63,7 +63,7 @@ struct Watch {
     results.status = summary.status = status;
     recorder.summarize(summary);
     results.summary_json = to_json(summary);
-    write_results(results, options.output);
+    recorder.with_present_state([&] { write_results(results, options.output); });
     last_write = Clock::now();
     const double cost = std::chrono::duration<double>(last_write - begin).count();
     write_cost = cost;
@@ -71,6 +71,7 @@ struct Watch {
   }
 
   void look() {
+    if (options.stop && options.stop()) throw SolverError(fmt::format("stopped by the user at t = {:.6g} s", stepper.state().time));
     if (options.progress && seconds_since(last_report) > seconds_between_reports) {
       last_report = Clock::now();
       options.progress(stepper.state().time, model.analysis.duration, recorder.impacts());
@@ -94,6 +95,14 @@ PetscErrorCode after_step(TS ts) {
   }
   if (watch->failure) SETERRQ(PETSC_COMM_SELF, PETSC_ERR_LIB, "recording failed");
   PetscFunctionReturn(0);
+}
+
+std::string text_of(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
 }
 
 struct Solve {
@@ -191,7 +200,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   try {
     petsc::check(TSSolve(solve.ts, nullptr));
   } catch (const SolverError& error) {
-    failure = error.what();
+    failure = watch.failure ? text_of(watch.failure) : error.what();
   }
   recorder.end();
   fill_statistics(solve.ts, stepper, results.solver);

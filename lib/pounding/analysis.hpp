@@ -15,6 +15,8 @@ struct RunOptions {
   std::string command;  ///< as the user typed it, for the results file
   /// Called now and then with the simulated time [s], the duration [s] and the number of impacts so far.
   std::function<void(double, double, int)> progress;
+  /// Asked as often; the run ends as a failed one, with what was computed in the file, when it answers true.
+  std::function<bool()> stop;
 };
 
 struct Outcome {

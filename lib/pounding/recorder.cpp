@@ -39,16 +39,20 @@ void LinkSampler::pressed(double time, const LinkMotion& motion, double force, d
   stride_ *= 2;
 }
 
-void LinkSampler::finish(LinkHistory& history) {
-  if (samples_.empty()) return;
-  if (samples_.back().time < last_.time) samples_.push_back(last_);
-  for (const Sample& s : samples_) {
+void LinkSampler::show(LinkHistory& history) const {
+  const auto append = [&](const Sample& s) {
     history.time.push_back(s.time);
     history.penetration.push_back(s.penetration);
     history.velocity.push_back(s.velocity);
     history.force.push_back(s.force);
     history.energy.push_back(s.energy);
-  }
+  };
+  for (const Sample& s : samples_) append(s);
+  if (!samples_.empty() && samples_.back().time < last_.time) append(last_);
+}
+
+void LinkSampler::finish(LinkHistory& history) {
+  show(history);
   samples_.clear();
   stride_ = 1;
   skipped_ = 0;
@@ -183,6 +187,21 @@ void Recorder::end() {
     for (std::size_t i = 0; i < samplers_.size(); ++i) samplers_[i].finish(results_.links[i]);
   if (results_.energy.time.empty() || results_.energy.time.back() < stepper_.state().time) sample_energy();
   collect_impacts();
+}
+
+void Recorder::with_present_state(const std::function<void()>& write) {
+  collect_impacts();
+  std::vector<std::size_t> finished;
+  for (std::size_t i = 0; i < samplers_.size(); ++i) {
+    finished.push_back(results_.links[i].time.size());
+    samplers_[i].show(results_.links[i]);
+  }
+  write();
+  for (std::size_t i = 0; i < samplers_.size(); ++i) {
+    LinkHistory& history = results_.links[i];
+    for (auto* values : {&history.time, &history.penetration, &history.velocity, &history.force, &history.energy})
+      values->resize(finished[i]);
+  }
 }
 
 int Recorder::impacts() const {

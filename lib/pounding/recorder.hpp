@@ -2,6 +2,7 @@
 /// Turns kept steps into histories, peaks and the energy balance.
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include <pounding/model.hpp>
@@ -30,6 +31,8 @@ class LinkSampler {
   void pressed(double time, const LinkMotion& motion, double force, double energy);
   /// The impact is over (or the run is): its samples go to the history.
   void finish(LinkHistory& history);
+  /// Copies the samples of an impact that is not over, for a file that is written meanwhile.
+  void show(LinkHistory& history) const;
 
  private:
   struct Sample {
@@ -50,6 +53,8 @@ class Recorder {
   void step();
   /// Unfinished impacts and the last energies.
   void end();
+  /// Calls `write` with the results as they are now, impacts that are not over included.
+  void with_present_state(const std::function<void()>& write);
 
   int impacts() const;
   /// Peaks and energies so far.

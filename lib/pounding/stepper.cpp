@@ -24,6 +24,24 @@ bool presses(ContactPhase phase) {
   return phase == ContactPhase::approach || phase == ContactPhase::restitution || phase == ContactPhase::resting;
 }
 
+// y += scale A x. For the few unknowns of oscillators plain loops beat the call of a matrix kernel.
+void add_product(Eigen::VectorXd& y, double scale, const Eigen::MatrixXd& a, const Eigen::VectorXd& x) {
+  constexpr Eigen::Index few = 8;
+  if (x.size() > few || y.size() > few) {
+    y.noalias() += scale * a * x;
+    return;
+  }
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    const double factor = scale * x[j];
+    for (Eigen::Index i = 0; i < y.size(); ++i) y[i] += factor * a(i, j);
+  }
+}
+
+void set_product(Eigen::VectorXd& y, const Eigen::MatrixXd& a, const Eigen::VectorXd& x) {
+  y.setZero(a.rows());
+  add_product(y, 1, a, x);
+}
+
 double peak(const Eigen::VectorXd& x, const Group& group) {
   return group.count > 0 ? x.segment(group.first, group.count).cwiseAbs().maxCoeff() : 0.0;
 }
@@ -63,11 +81,11 @@ LinkMotion Stepper::motion(int link, const Eigen::VectorXd& u, const Eigen::Vect
 
 void Stepper::accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& force,
                          double ground, Eigen::VectorXd& a) const {
-  work_.noalias() = -ground * system_.load;
-  work_.noalias() -= system_.damping * v;
-  work_.noalias() -= system_.stiffness * u;
-  if (force.size() > 0) work_.noalias() -= system_.closing * force;
-  a.noalias() = mass_inverse_ * work_;
+  work_ = -ground * system_.load;
+  add_product(work_, -1, system_.damping, v);
+  add_product(work_, -1, system_.stiffness, u);
+  add_product(work_, -1, system_.closing, force);
+  set_product(a, mass_inverse_, work_);
 }
 
 void Stepper::balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double ground, Eigen::VectorXd& force,
@@ -156,24 +174,24 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   t.end.u = now_.u + h * now_.v + (h * h * (0.5 - beta_)) * algorithmic_;
   t.end.v = now_.v + (h * (1 - gamma_)) * algorithmic_;
 
-  work_.noalias() = -(alpha_f_ * ground_end + (1 - alpha_f_) * ground_begin) * system_.load;
+  work_ = -(alpha_f_ * ground_end + (1 - alpha_f_) * ground_begin) * system_.load;
   t.u_middle = alpha_f_ * t.end.u + (1 - alpha_f_) * now_.u;
   t.v_middle = alpha_f_ * t.end.v + (1 - alpha_f_) * now_.v;
-  work_.noalias() -= system_.stiffness * t.u_middle;
-  work_.noalias() -= system_.damping * t.v_middle;
-  work_.noalias() -= (1 - alpha_m_) * (system_.mass * algorithmic_);
-  if (system_.links() > 0) work_.noalias() -= (1 - alpha_f_) * (system_.closing * now_.force);
-  t.algorithmic.noalias() = lev.inverse * work_;
+  add_product(work_, -1, system_.stiffness, t.u_middle);
+  add_product(work_, -1, system_.damping, t.v_middle);
+  add_product(work_, alpha_m_ - 1, system_.mass, algorithmic_);
+  add_product(work_, alpha_f_ - 1, system_.closing, now_.force);
+  set_product(t.algorithmic, lev.inverse, work_);
 
   t.end.force.setZero(system_.links());
   t.end.u += (h * h * beta_) * t.algorithmic;
   t.end.v += (h * gamma_) * t.algorithmic;
   if (!solve_links(lev.flexibility, h, t.end.u, t.end.v, t.algorithmic, t.end.force)) return false;
   if (!active_.empty()) {
-    const Eigen::VectorXd correction = alpha_f_ * (lev.response * t.end.force);
-    t.algorithmic -= correction;
-    t.end.u -= (h * h * beta_) * correction;
-    t.end.v -= (h * gamma_) * correction;
+    set_product(work_, lev.response, t.end.force);
+    t.algorithmic -= alpha_f_ * work_;
+    t.end.u -= (h * h * beta_ * alpha_f_) * work_;
+    t.end.v -= (h * gamma_ * alpha_f_) * work_;
   }
   if (!t.end.u.allFinite() || !t.end.v.allFinite()) return false;
   if (options_.spectral_radius == 1)
@@ -323,18 +341,18 @@ void Stepper::evaluate_middle(Trial& t) {
 
 // The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at
 // its ends and its middle. It sees forces that are not smooth, such as a dashpot that grows like d^(1/4) from the touch.
-void Stepper::estimate_error(Trial& t) const {
+void Stepper::estimate_error(Trial& t) {
   const double h = t.h;
   double worst = 0, widest_u = 0, widest_v = 0;
-  const Eigen::VectorXd error_v = (h / 6) * (now_.a + 4 * t.a_middle + t.end.a) - (t.end.v - now_.v);
-  const Eigen::VectorXd error_u = (h * h / 6) * (now_.a + 2 * t.a_middle) - (t.end.u - now_.u - h * now_.v);
+  error_v_ = (h / 6) * (now_.a + 4 * t.a_middle + t.end.a) - (t.end.v - now_.v);
+  error_u_ = (h * h / 6) * (now_.a + 2 * t.a_middle) - (t.end.u - now_.u - h * now_.v);
   for (std::size_t k = 0; k < system_.groups.size(); ++k) {
     const Group& group = system_.groups[k];
     const double scale_u = std::max(displacement_scale_[k], peak(t.end.u, group));
     const double scale_v = std::max(velocity_scale_[k], peak(t.end.v, group));
     widest_u = std::max(widest_u, scale_u);
     widest_v = std::max(widest_v, scale_v);
-    worst = std::max({worst, peak(error_u, group) / scale_u, peak(error_v, group) / scale_v});
+    worst = std::max({worst, peak(error_u_, group) / scale_u, peak(error_v_, group) / scale_v});
   }
   const double least_d = widest_u * std::max(smallest_contact_penetration, rounding / allowed_);
   const double least_r = widest_v * std::max(smallest_contact_rate, rounding / allowed_);
@@ -343,7 +361,7 @@ void Stepper::estimate_error(Trial& t) const {
     const double scale_d = std::max({penetration_scale_[i], std::abs(end.penetration), least_d});
     const double scale_r = std::max({rate_scale_[i], std::abs(end.rate), least_r});
     const auto column = system_.closing.col(i);
-    worst = std::max({worst, std::abs(column.dot(error_u)) / scale_d, std::abs(column.dot(error_v)) / scale_r});
+    worst = std::max({worst, std::abs(column.dot(error_u_)) / scale_d, std::abs(column.dot(error_v_)) / scale_r});
   }
   t.error = worst / allowed_;
 }
@@ -408,7 +426,7 @@ void Stepper::accept() {
   for (int k = 0; k < 3; ++k) {
     const double weight = h / 6 * (k == 1 ? 4 : 1);
     sums_.input -= weight * ground[k] * system_.load.dot(*velocity[k]);
-    work_.noalias() = system_.damping * *velocity[k];
+    set_product(work_, system_.damping, *velocity[k]);
     sums_.damping += weight * velocity[k]->dot(work_);
   }
   for (int i = 0; i < system_.links(); ++i) {

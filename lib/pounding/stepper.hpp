@@ -112,7 +112,7 @@ class Stepper {
   bool solve_one_link(int link, double flexibility, double h, double others, double& force);
   bool solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eigen::VectorXd& force);
   void evaluate_middle(Trial& trial);
-  void estimate_error(Trial& trial) const;
+  void estimate_error(Trial& trial);
   /// Link forces and accelerations that balance the equations in the present phases.
   void balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double ground, Eigen::VectorXd& force,
                Eigen::VectorXd& a) const;
@@ -155,6 +155,7 @@ class Stepper {
   std::vector<LinkMotion> free_;                             // motion of the links without their forces
   std::vector<double> free_closing_;                         // their closing acceleration without forces
   mutable Eigen::VectorXd work_;
+  Eigen::VectorXd error_u_, error_v_;
   long iterations_ = 0, events_ = 0, factorizations_ = 0;
 };
 

@@ -19,6 +19,8 @@ namespace {
 constexpr PetscInt local_order = 3;
 // Phases that end one after the other without time passing: more than this is a fault, not a contact.
 constexpr int most_crossings_at_one_time = 10000;
+// Time passes when a step is longer than this part of the time.
+constexpr double no_time = 1e-13;
 // A first contact is met with this part of the step that was right before it.
 constexpr double first_contact_part = 0.1;
 // A step may be stretched by this part to reach a corner, rather than leave a sliver for the next one.
@@ -29,6 +31,7 @@ struct Data {
   PetscReal radius = 1;
   double step_apart = 0;    // last good step while no contact presses [s]
   double step_pressed = 0;  // and while one does
+  int crossings = 0;        // without time passing
 };
 
 Data& data_of(TS ts) { return *static_cast<Data*>(ts->data); }
@@ -86,7 +89,9 @@ PetscErrorCode advance(TS ts) {
   PetscBool fixed = PETSC_FALSE;
   PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts->adapt), TSADAPTNONE, &fixed));
   double wanted = ts->time_step;
-  int crossings = 0;
+  const auto cross = [&](double step) {
+    if (++data.crossings > most_crossings_at_one_time) give_up(stepper, step, "a contact opens and closes without end");
+  };
   for (;;) {
     const Aim goal = aim(ts, stepper, wanted, !fixed);
     check_step(stepper, goal.step);
@@ -109,10 +114,14 @@ PetscErrorCode advance(TS ts) {
     const bool was_pressed = stepper.in_contact();
     const std::optional<double> landed = stepper.land();
     if (landed && *landed == 0) {
-      if (++crossings > most_crossings_at_one_time) give_up(stepper, goal.step, "a contact opens and closes without end");
+      cross(goal.step);
       stepper.cross_now();
       continue;
     }
+    if (landed && *landed < no_time * std::max(1.0, stepper.state().time))
+      cross(*landed);
+    else
+      data.crossings = 0;
     stepper.accept();
     (was_pressed ? data.step_pressed : data.step_apart) = good;
     const bool pressed = stepper.in_contact();
