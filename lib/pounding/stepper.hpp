@@ -143,7 +143,8 @@ class Stepper {
   double off_ladder_h_ = 0;
 
   State now_, before_, arrived_;
-  Eigen::VectorXd algorithmic_;  // acceleration that the scheme carries
+  Eigen::VectorXd algorithmic_;  // acceleration that the scheme carries, for the length of the last step
+  Eigen::VectorXd carried_;      // and for that of the trial
   Trial trial_, kept_;
   std::vector<Ending> landed_;  // endings at the end of the trial
   std::vector<LinkStep> link_steps_;
