@@ -47,7 +47,7 @@ class GapLink final : public Contact {
       case ContactPhase::open: return {-motion.penetration, never, never};
       case ContactPhase::approach: return {motion.rate, never, never};
       case ContactPhase::restitution: return {motion.penetration, cut_force(motion), -motion.rate};
-      case ContactPhase::slack: return {motion.penetration, -law_.contact(motion.penetration, motion.rate, impact_).force, never};
+      case ContactPhase::slack: return {motion.penetration, -cut_force(motion), never};
       case ContactPhase::resting: break;
     }
     return {never, never, never};
@@ -82,6 +82,7 @@ class GapLink final : public Contact {
         return;
       case ContactPhase::slack:
         if (margin == 0) return separate(time, motion);
+        log_.engage();
         phase_ = motion.rate > 0 ? ContactPhase::approach : ContactPhase::restitution;
         return;
       case ContactPhase::resting: return;
@@ -93,7 +94,7 @@ class GapLink final : public Contact {
 
  private:
   // The force as the law writes it. Just past the separation it is asked at a trace of penetration, so that a release
-  // shortly before the separation is not missed.
+  // shortly before it is not missed, nor the sign of a law that continues to negative penetrations taken for a new press.
   double cut_force(const LinkMotion& motion) const noexcept {
     if constexpr (laws::may_pull<Law>) return std::numeric_limits<double>::infinity();
     const double trace = 1e-9 * impact_.largest_penetration;

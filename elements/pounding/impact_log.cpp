@@ -73,6 +73,8 @@ void ImpactLog::follow_peak(double time, double force) {
 
 void ImpactLog::release(double time) { rows_.back().t_release = time; }
 
+void ImpactLog::engage() { rows_.back().t_release = unknown; }
+
 void ImpactLog::end(double time, double rate) {
   ImpactRow& row = rows_.back();
   row.t_end = time;

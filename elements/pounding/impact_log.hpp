@@ -17,6 +17,8 @@ class ImpactLog {
   void add(const LinkStep& step);
   /// The force fell to zero and may come back.
   void release(double time);
+  /// The force is back.
+  void engage();
   void end(double time, double rate);
   /// Adds an impulse without duration, from Newton's impact law.
   void push(double impulse, double rate_before, double rate_after);
@@ -33,7 +35,7 @@ class ImpactLog {
   bool open_ = false;
   std::vector<ImpactRow> rows_;
   double work_ = 0;
-  // The last two kept forces, for the parabola through the largest.
+  // The last three kept forces, for the parabola through the largest.
   double times_[3] = {}, forces_[3] = {};
   int known_ = 0;
 };

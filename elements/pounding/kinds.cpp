@@ -1,5 +1,6 @@
 /// The table of what an input can name.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,13 +21,13 @@ void only_keys(const Input& body, std::initializer_list<std::string_view> own, b
 
 Structure read_body(const Input& body) {
   only_keys(body, {"mass"}, true, false);
-  return make_body(body.at("mass", "mass: 100 t").as_quantity(dimension::mass, bounds::positive));
+  return make_body(body.at("mass", "100 t").as_quantity(dimension::mass, bounds::positive));
 }
 
 // The damping is read with that of every other structure.
 Structure read_oscillator(const Input& body) {
   only_keys(body, {"mass", "period", "stiffness"});
-  const double mass = body.at("mass", "mass: 100 t").as_quantity(dimension::mass, bounds::positive);
+  const double mass = body.at("mass", "100 t").as_quantity(dimension::mass, bounds::positive);
   const std::optional<Input> period = body.find("period"), stiffness = body.find("stiffness");
   if (period && stiffness) stiffness->fail_at_key("give the period or the stiffness, not both");
   if (!period && !stiffness) body.fail("the stiffness is missing; type period: 0.8 s, or stiffness: 6.2 MN/m");
@@ -37,18 +38,20 @@ Structure read_oscillator(const Input& body) {
 
 Structure read_shear_building(const Input& body) {
   only_keys(body, {"storeys", "mass", "stiffness", "height"});
-  const int storeys = static_cast<int>(body.at("storeys", "storeys: 5").as_integer(1, 100000));
-  const auto masses = body.at("mass", "mass: 250 t").as_quantities(storeys, dimension::mass, bounds::positive);
+  const int storeys = static_cast<int>(body.at("storeys", "5").as_integer(1, 100000));
+  const auto masses = body.at("mass", "250 t").as_quantities(storeys, dimension::mass, bounds::positive);
   const auto stiffnesses =
-      body.at("stiffness", "stiffness: 350 MN/m").as_quantities(storeys, dimension::stiffness, bounds::positive);
+      body.at("stiffness", "350 MN/m").as_quantities(storeys, dimension::stiffness, bounds::positive);
   std::vector<double> heights;
   if (const auto height = body.find("height")) heights = height->as_quantities(storeys, dimension::length, bounds::positive);
   return make_shear_building(masses, stiffnesses, heights);
 }
 
 Structure read_wall(const Input& body) {
-  if (body.is_map()) body.only_keys({});
-  if (body.is_list() || (body.is_scalar() && !body.as_text().empty())) body.fail("a wall has no parameters; type wall: {}");
+  constexpr std::string_view bare = "a wall has no parameters; type wall: {}";
+  if (body.is_map())
+    for (const auto& [key, value] : body.entries()) value.fail_at_key(bare);
+  if (body.is_list() || (body.is_scalar() && !body.as_text().empty())) body.fail(bare);
   return make_wall();
 }
 
@@ -58,12 +61,27 @@ double reduced(double left, double right) {
   return left * right / (left + right);
 }
 
+// The laws know no places: what one of them refuses is reported at the first of the link's own keys that the text names.
+Input place_of(const std::string& refusal, const Input& link, const Input& law, const laws::Entry& entry) {
+  std::vector<std::string_view> keys{"formula", "restitution", "impact_velocity", "reduced_mass"};
+  for (const laws::ParameterInfo& parameter : entry.parameters) keys.push_back(parameter.name);
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz_";
+  for (std::size_t begin = 0; (begin = refusal.find_first_of(letters, begin)) != std::string::npos;) {
+    const std::size_t end = std::min(refusal.find_first_not_of(letters, begin), refusal.size());
+    const std::string_view word = std::string_view(refusal).substr(begin, end - begin);
+    if (std::find(keys.begin(), keys.end(), word) != keys.end())
+      if (const auto found = link.find(word)) return *found;
+    begin = end;
+  }
+  return law;
+}
+
 LinkLaw read_law(const Input& link, std::span<const std::string_view> link_keys, double gap, double left_mass,
                  double right_mass, int index) {
   std::vector<std::string_view> names;
   for (const laws::Entry& entry : laws::catalogue()) names.push_back(entry.name);
   laws::Settings settings;
-  const Input law_node = link.at("law", "law: hertz_damped");
+  const Input law_node = link.at("law", "hertz_damped");
   settings.law = law_node.as_choice("law", names);
   const laws::Entry& entry = laws::find_law(settings.law);
 
@@ -71,6 +89,13 @@ LinkLaw read_law(const Input& link, std::span<const std::string_view> link_keys,
   keys.insert(keys.end(), {"law", "formula", "restitution", "impact_velocity", "reduced_mass"});
   for (const laws::ParameterInfo& parameter : entry.parameters) keys.push_back(parameter.name);
   link.only_keys(keys);
+
+  double exponent = 1.5;
+  if (const auto node = link.find("exponent")) exponent = node->as_number(bounds::positive);
+  for (const laws::ParameterInfo& parameter : entry.parameters)
+    if (parameter.need == laws::Need::required && !link.has(parameter.name))
+      law_node.fail(fmt::format("{0} needs {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name, parameter.meaning,
+                                parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
 
   LinkLaw result;
   const std::optional<Input> mass = link.find("reduced_mass");
@@ -84,11 +109,9 @@ LinkLaw read_law(const Input& link, std::span<const std::string_view> link_keys,
   if (const auto formula = link.find("formula")) {
     std::vector<std::string_view> formulas;
     for (const laws::Formula& each : entry.formulas) formulas.push_back(each.name);
-    if (formulas.empty()) formula->fail_at_key(fmt::format("the law {} has no damping formula", settings.law));
+    if (formulas.empty()) formula->fail_at_key(fmt::format("the law {} has no damping formula; leave it out", settings.law));
     settings.formula = formula->as_choice(fmt::format("formula of {}", settings.law), formulas);
   }
-  double exponent = 1.5;
-  if (const auto node = link.find("exponent")) exponent = node->as_number(bounds::positive);
   // A unit such as "N/m^n" depends on the exponent that the link chose.
   for (const laws::ParameterInfo& parameter : entry.parameters)
     if (const auto node = link.find(parameter.name))
@@ -103,7 +126,7 @@ LinkLaw read_law(const Input& link, std::span<const std::string_view> link_keys,
     result.reduced_mass = settings.reduced_mass;
     result.contact = make_gap_link(law, gap, index);
   } catch (const std::invalid_argument& error) {
-    law_node.fail(error.what());
+    place_of(error.what(), link, law_node, entry).fail(error.what());
   }
   return result;
 }

@@ -44,8 +44,8 @@ TwoFrequencies rayleigh_points(const Input& node, const Eigenmodes& modes) {
   }
   long long first = 1, second = std::min(2, count);
   if (chosen) {
+    if (!chosen->is_list() || chosen->items().size() != 2) chosen->fail("takes two mode numbers; type modes: [1, 2]");
     const std::vector<Input> items = chosen->items();
-    if (items.size() != 2) chosen->fail("takes two mode numbers; type modes: [1, 2]");
     first = items[0].as_integer(1, count);
     second = items[1].as_integer(1, count);
   }
@@ -73,11 +73,11 @@ void read_damping(const Input& node, Structure& s) {
     node.fail("takes one of rayleigh and modal; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
   if (rayleigh) {
     rayleigh->only_keys({"ratio", "modes", "periods"});
-    return use_rayleigh(rayleigh->at("ratio", "ratio: 5 %").as_number(bounds::from_0_below_1),
+    return use_rayleigh(rayleigh->at("ratio", "5 %").as_number(bounds::from_0_below_1),
                         rayleigh_points(*rayleigh, modes));
   }
   modal->only_keys({"ratio"});
-  const double ratio = modal->at("ratio", "ratio: 5 %").as_number(bounds::from_0_below_1);
+  const double ratio = modal->at("ratio", "5 %").as_number(bounds::from_0_below_1);
   s.damping = modal_damping(s.mass, modes, ratio);
   s.damping_note = fmt::format("modal, {:.4g} % in every mode", 100 * ratio);
 }
@@ -86,35 +86,37 @@ Structure read_structure(const std::string& name, const Input& place, const Kind
   std::vector<std::string_view> words, keys{"damping", "initial_velocity", "initial_displacement"};
   for (const StructureKind& kind : kinds.structures) words.push_back(kind.word);
   keys.insert(keys.end(), words.begin(), words.end());
+  if (name.empty() || name.find_first_of("/.") != std::string::npos)
+    place.fail_at_key("a name must not be empty or contain \".\" or \"/\"; type a name such as left_building");
   if (place.is_scalar() && place.as_text() == "wall") place.fail("a wall is written as {wall: {}}");
   place.only_keys(keys);
   const StructureKind* chosen = nullptr;
   for (const StructureKind& kind : kinds.structures) {
     if (!place.has(kind.word)) continue;
-    if (chosen) place.find(kind.word)->fail_at_key(fmt::format("a structure has one kind; it is a {} already", chosen->word));
+    if (chosen)
+      place.find(kind.word)->fail_at_key(
+          fmt::format("a structure has one kind, and a {} is given too; keep one of the two", chosen->word));
     chosen = &kind;
   }
-  if (!chosen) place.fail(fmt::format("the kind is missing; type one of {}", fmt::join(words, ", ")));
+  if (!chosen) place.fail(fmt::format("the kind of the structure is missing; it is one of {}", fmt::join(words, ", ")));
 
   const Input body = *place.find(chosen->word);
   Structure s = chosen->read(body);
   s.name = name;
   s.kind = chosen->word;
-  if (name.find_first_of("/.") != std::string::npos)
-    place.fail_at_key("a name must not contain \".\" or \"/\"; type a name such as left_building");
 
   const auto damping = beside_or_inside(place, body, "damping");
   const auto velocity = beside_or_inside(place, body, "initial_velocity");
   const auto displacement = beside_or_inside(place, body, "initial_displacement");
   if (s.storey_stiffness.empty()) {
-    if (damping) damping->fail_at_key(fmt::format("a {} has no damping of its own", s.kind));
+    if (damping) damping->fail_at_key(fmt::format("a {} has no damping of its own; leave it out", s.kind));
   } else if (!damping) {
     body.fail(fmt::format("damping is missing; type {}, or damping: 0 for none", damping_example));
   } else {
     read_damping(*damping, s);
   }
-  if (s.is_rigid() && velocity) velocity->fail_at_key("a wall moves with the ground");
-  if (s.is_rigid() && displacement) displacement->fail_at_key("a wall moves with the ground");
+  if (s.is_rigid() && velocity) velocity->fail_at_key("a wall moves with the ground; leave it out");
+  if (s.is_rigid() && displacement) displacement->fail_at_key("a wall moves with the ground; leave it out");
   if (velocity) s.initial_velocity = from_the_ground_up(*velocity, s.size(), dimension::velocity);
   if (displacement) s.initial_displacement = from_the_ground_up(*displacement, s.size(), dimension::length);
   return s;
@@ -139,6 +141,8 @@ End read_end(const Input& node, const std::vector<Structure>& structures) {
   double number = 0;
   const bool whole = parse_number(text.substr(dot + 1), number) && number == std::floor(number);
   if (s.is_rigid()) node.fail(fmt::format("\"{}\" is a wall and has no floors; type {}", name, name));
+  if (s.size() == 1 && (!whole || number != 1))
+    node.fail(fmt::format("\"{}\" names no floor of {}, which has one; type {}", text, name, name));
   if (!whole || number < 1 || number > s.size())
     node.fail(fmt::format("\"{}\" names no floor of {}, which has the floors 1 to {}; type {}.{}", text, name, s.size(),
                           name, s.size()));
@@ -163,8 +167,9 @@ std::vector<std::pair<int, int>> facing_floors(const Input& node, const Structur
     if (!left.heights.empty() && !right.heights.empty()) {
       const double a = elevation(left, i), b = elevation(right, i);
       if (std::abs(a - b) > 1e-6 * std::max(a, b))
-        node.fail(fmt::format("floors {} of {} and {} do not face each other: they are at {:.6g} m and {:.6g} m", i + 1,
-                              left.name, right.name, a, b));
+        node.fail(fmt::format("floor {0} of {1} is {2:.6g} m up and floor {0} of {3} {4:.6g} m: they do not face each other; "
+                              "without \"floors: all\" a link names its two floors, as in [{1}.{0}, {3}.{0}]",
+                              i + 1, left.name, a, right.name, b));
     }
     pairs.emplace_back(left.is_rigid() ? -1 : i, right.is_rigid() ? -1 : i);
   }
@@ -184,13 +189,15 @@ double initial_closure(const Model& model, const Link& link) {
 
 void read_link(const Input& node, Model& model, const Kinds& kinds) {
   static constexpr std::string_view keys[] = {"between", "floors", "gap", "name"};
-  const Input between = node.at("between", "between: [left, right]");
+  const Input between = node.at("between", "[left, right]");
+  if (!between.is_list() || between.items().size() != 2)
+    between.fail("takes two structures, the left one first; type between: [left, right]");
   const std::vector<Input> ends = between.items();
-  if (ends.size() != 2) between.fail("takes two structures, the left one first; type between: [left, right]");
   const End left = read_end(ends[0], model.structures), right = read_end(ends[1], model.structures);
   const Structure& a = model.structures[left.structure];
   const Structure& b = model.structures[right.structure];
-  if (left.structure == right.structure) between.fail(fmt::format("\"{}\" cannot hit itself", a.name));
+  if (left.structure == right.structure)
+    between.fail(fmt::format("\"{}\" cannot hit itself; name two structures, the left one first", a.name));
 
   std::vector<std::pair<int, int>> pairs;
   const std::optional<Input> floors = node.find("floors");
@@ -210,7 +217,7 @@ void read_link(const Input& node, Model& model, const Kinds& kinds) {
     if (a.is_rigid() && b.is_rigid()) between.fail("both ends are walls; one of them must be able to move");
   }
 
-  const Input gap_node = node.at("gap", "gap: 20 mm");
+  const Input gap_node = node.at("gap", "20 mm");
   const int count = static_cast<int>(pairs.size());
   const std::vector<double> gaps = gap_node.as_quantities(count, dimension::length, bounds::non_negative);
   const std::optional<Input> name = node.find("name");
@@ -227,10 +234,12 @@ void read_link(const Input& node, Model& model, const Kinds& kinds) {
     const bool number_left = floors || left.floor, number_right = floors || right.floor;
     link.name = label(a, link.left_floor, number_left) + "-" + label(b, link.right_floor, number_right);
     if (name) link.name = count == 1 ? name->as_text() : fmt::format("{}.{}", name->as_text(), i + 1);
-    if (link.name.empty() || link.name.find('/') != std::string::npos) name->fail("a name must not be empty or contain \"/\"");
+    if (name && (link.name.empty() || link.name == "." || link.name == ".." || link.name.find('/') != std::string::npos))
+      name->fail("a name must not be empty, \".\" or \"..\", or contain \"/\"; type a name such as third_floor");
     for (const Link& other : model.links)
       if (other.name == link.name)
-        (name ? *name : between).fail(fmt::format("a link \"{}\" exists already; give this one another name: name: ...", link.name));
+        (name ? *name : between)
+            .fail(fmt::format("a link \"{}\" exists already; give this one a name of its own, such as name: second", link.name));
     LinkLaw law = kinds.read_law(node, std::span(keys), link.gap, floor_mass(a, link.left_floor), floor_mass(b, link.right_floor),
                                  static_cast<int>(model.links.size()));
     link.law = law.law;
@@ -256,7 +265,10 @@ AnalysisSettings read_analysis(const Input& input, const Model& model) {
     settings.duration = node->quantity_or("duration", dimension::time, 0, bounds::positive);
     settings.tolerance = node->quantity_or("tolerance", dimension::none, settings.tolerance,
                                            Bounds{.low = 1e-10, .high = 0.1});
-    settings.output_step = node->quantity_or("output_step", dimension::time, 0, bounds::positive);
+    if (const auto output_step = node->find("output_step")) {
+      const double longest = settings.duration > 0 ? settings.duration : std::numeric_limits<double>::infinity();
+      settings.output_step = output_step->as_quantity(dimension::time, Bounds{.low = 0, .high = longest, .without_low = true});
+    }
     settings.spectral_radius = node->quantity_or("spectral_radius", dimension::none, 1, bounds::from_0_to_1);
     settings.max_step = node->quantity_or("max_step", dimension::time, 0, bounds::positive);
     if (const auto integrator = node->find("integrator")) integrator->as_choice("integrator", {"generalized_alpha"});
@@ -278,12 +290,15 @@ Model read_model(const Input& input, const Kinds& kinds) {
   model.source_text = input.text();
   if (const auto title = input.find("title")) model.title = title->as_text();
   if (const auto motion = input.find("ground_motion")) model.ground = read_ground_motion(*motion);
-  const Input structures = input.at("structures", "structures: {left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}");
+  const Input structures = input.at("structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}");
   for (const auto& [name, place] : structures.entries()) model.structures.push_back(read_structure(name, place, kinds));
   if (std::all_of(model.structures.begin(), model.structures.end(), [](const Structure& s) { return s.is_rigid(); }))
     structures.fail("no structure that can move; add a body, an oscillator or a shear_building");
-  if (const auto links = input.find("links"))
+  if (const auto links = input.find("links")) {
+    if (!links->is_list())
+      links->fail("takes a list, one link a line; type - {between: [left, right], gap: 20 mm, law: hertz_damped, ...}");
     for (const Input& link : links->items()) read_link(link, model, kinds);
+  }
   model.analysis = read_analysis(input, model);
   if (const auto compare = input.find("compare")) {
     compare->as_choice("comparison", {"no_pounding"});
@@ -320,11 +335,10 @@ System assemble(const Model& model, bool with_links) {
     // Errors are compared with the motion so far; before there is any, with a hundredth of what the ground can cause.
     Group group{first[i], s.size(), 1e-12, 1e-9};
     group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
-    const double w = eigenmodes(s.mass, s.stiffness).frequencies[0];
-    if (w > 0) {
-      group.displacement_floor = std::max(group.displacement_floor, 1e-2 * model.ground.peak() / (w * w));
-      group.velocity_floor = std::max(group.velocity_floor, 1e-2 * model.ground.peak() / w);
-    }
+    // A free body has no period; the ground moves it for as long as it moves, which a second stands for.
+    const double w = std::max(eigenmodes(s.mass, s.stiffness).frequencies[0], 2 * M_PI);
+    group.displacement_floor = std::max(group.displacement_floor, 1e-2 * model.ground.peak() / (w * w));
+    group.velocity_floor = std::max(group.velocity_floor, 1e-2 * model.ground.peak() / w);
     system.groups.push_back(group);
   }
   system.load = system.mass * Eigen::VectorXd::Ones(n);

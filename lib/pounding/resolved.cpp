@@ -43,9 +43,16 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
   out << YAML::EndMap;
 }
 
-void emit_link(YAML::Emitter& out, const Link& link) {
+std::string end_of(const Model& model, int structure, int floor) {
+  const Structure& s = model.structures[structure];
+  return floor < 0 ? s.name : fmt::format("{}.{}", s.name, floor + 1);
+}
+
+void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   out << YAML::BeginMap;
   out << YAML::Key << "name" << YAML::Value << link.name;
+  out << YAML::Key << "between" << YAML::Value << YAML::Flow << YAML::BeginSeq
+      << end_of(model, link.left, link.left_floor) << end_of(model, link.right, link.right_floor) << YAML::EndSeq;
   emit(out, "gap", link.gap);
   out << YAML::Key << "law" << YAML::Value << link.law;
   if (!link.formula.empty()) out << YAML::Key << "formula" << YAML::Value << link.formula;
@@ -75,7 +82,7 @@ std::string resolved_yaml(const Model& model) {
   for (const Structure& s : model.structures) emit_structure(out, s);
   out << YAML::EndMap;
   out << YAML::Key << "links" << YAML::Value << YAML::BeginSeq;
-  for (const Link& link : model.links) emit_link(out, link);
+  for (const Link& link : model.links) emit_link(out, model, link);
   out << YAML::EndSeq;
   out << YAML::Key << "analysis" << YAML::Value << YAML::BeginMap;
   emit(out, "duration", model.analysis.duration);

@@ -60,7 +60,7 @@ std::vector<std::string> petsc_words(const CLI::App& command) {
   std::vector<std::string> words = command.remaining();
   bool value = false;
   for (const std::string& word : words) {
-    const bool option = word.rfind("-pounding_", 0) == 0 || word == "-log_view" || word == "-options_left";
+    const bool option = word.rfind("-pounding_", 0) == 0 || word == "-log_view";
     if (!option && !value)
       throw InputError(fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
                                    "are listed by pounding run --help",
@@ -117,7 +117,7 @@ void add_run(CLI::App& app) {
   run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
   run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but errors");
   run_command->allow_extras();
-  run_command->footer("PETSc options with the prefix -pounding_ reach the time stepping, for example\n"
+  run_command->footer("PETSc options with the prefix -pounding_ stand behind MODEL and reach the time stepping, for example\n"
                       "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_radius 0.8  -pounding_ts_view  -pounding_ts_monitor");
   run_command->callback([words, run_command] { run_model(*words, *run_command); });
 

@@ -1,0 +1,182 @@
+"""Exit codes, where the words go, and what each command prints."""
+
+import json
+import math
+import os
+import pty
+import subprocess
+import unittest
+
+import h5py
+from support import LONG, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
+
+SUMMARY_KEYS = ["status", "links", "structures", "energy", "solver"]
+LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost"]
+STRUCTURE_KEYS = ["peak_displacement", "peak_drift", "peak_acceleration"]
+ENERGY_KEYS = ["input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"]
+SOLVER_KEYS = ["steps", "rejected", "events", "wall_seconds"]
+
+
+class ExitCodes(ProgramTest):
+    def test_zero_for_a_run_that_is_done(self):
+        done = self.pounding("run", self.write(OSCILLATORS))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("left-right", done.stdout)
+
+    def test_two_for_bad_input(self):
+        self.write(OSCILLATORS.replace("jankowski", "jankovski"))
+        for command in ("run", "check", "modes"):
+            with self.subTest(command=command):
+                self.refused(2, 'model.yaml:7:47: links[0].law: unknown law "jankovski". Did you mean "jankowski"?',
+                             command, "model.yaml")
+
+    def test_two_for_a_model_that_cannot_be_read(self):
+        self.refused(2, "none.yaml: no such file, or it cannot be read", "run", "none.yaml")
+        self.refused(2, "this is a folder; give the YAML file in it", "run", ".")
+
+    def test_two_for_words_that_are_none_of_ours(self):
+        self.refused(2, "A subcommand is required")
+        self.refused(2, "A subcommand is required", "walk")
+        self.refused(2, "MODEL is required", "run")
+        self.refused(2, 'unknown option "--jsom"', "run", self.write(OSCILLATORS), "--jsom")
+        self.refused(2, "The following argument was not expected: second.yaml", "check", "model.yaml", "second.yaml")
+
+    def test_three_for_a_solve_that_fails_with_the_reason_in_the_file(self):
+        self.refused(3, "the solve stopped at t = 0.01 s", "run", self.write(UNSOLVABLE), "--json", "-o", "out.h5")
+        with h5py.File(self.folder / "out.h5") as file:
+            self.assertTrue(file.attrs["status"].startswith("failed: the solve stopped at t = 0.01 s"))
+            self.assertAlmostEqual(file["time"][-1], 0.01, places=3)
+
+    def test_version_and_help(self):
+        self.assertRegex(self.pounding("--version").stdout, r"^pounding \d+\.\d+\.\d+\n$")
+        for words in (["--help"], ["run", "--help"]):
+            done = self.pounding(*words)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("-pounding_ts_rtol", done.stdout)
+
+
+class Json(ProgramTest):
+    def test_is_one_object_with_the_promised_keys(self):
+        done = self.pounding("run", self.write(OSCILLATORS), "--json")
+        self.assertEqual(done.stdout.count("\n"), 1)
+        summary = json.loads(done.stdout)
+        self.assertEqual(list(summary), SUMMARY_KEYS)
+        self.assertEqual(summary["status"], "done")
+        self.assertEqual([list(link) for link in summary["links"]], [LINK_KEYS])
+        self.assertEqual(list(summary["structures"]), ["left", "right"])
+        for structure in summary["structures"].values():
+            self.assertEqual(list(structure), STRUCTURE_KEYS)
+            self.assertEqual([len(values) for values in structure.values()], [1, 1, 1])
+        self.assertEqual(list(summary["energy"]), ENERGY_KEYS)
+        self.assertEqual(list(summary["solver"]), SOLVER_KEYS)
+
+    def test_balances_its_energies(self):
+        energy = self.summary(self.write(OSCILLATORS))["energy"]
+        parts = sum(energy[key] for key in ("kinetic", "strain", "damping", "hysteretic", "impact"))
+        self.assertLess(abs(energy["input"] - parts), 1e-4 * energy["input"])
+        self.assertLess(energy["error"], 1e-4)
+
+    def test_names_links_in_the_order_of_the_input(self):
+        self.write("""\
+structures:
+  b: {shear_building: {storeys: 2, mass: 100 t, stiffness: 100 MN/m}, damping: 5 %}
+  a: {shear_building: {storeys: 3, mass: 100 t, stiffness: 100 MN/m}, damping: 5 %}
+  w: {wall: {}}
+links:
+  - {between: [a, w], floors: all, gap: 1 m, law: hertz, stiffness: 1e9}
+  - {between: [b, a], floors: all, gap: 1 m, law: hertz, stiffness: 1e9}
+analysis: {duration: 0.1}
+""")
+        names = [link["name"] for link in self.summary("model.yaml")["links"]]
+        self.assertEqual(names, ["a.1-w", "a.2-w", "a.3-w", "b.1-a.1", "b.2-a.2"])
+
+    def test_has_null_where_a_rigid_impact_has_no_force(self):
+        self.write(OSCILLATORS.replace("law: jankowski, stiffness: 2.75e9", "law: stereomechanical"))
+        link = self.summary("model.yaml")["links"][0]
+        self.assertIsNone(link["peak_force"])
+        self.assertGreater(link["impacts"], 0)
+
+    def test_compares_with_the_same_structures_apart(self):
+        alone = self.summary(self.write(OSCILLATORS[:OSCILLATORS.index("links:")] + "analysis: {duration: 3.0}\n"))
+        summary = self.summary(self.write(OSCILLATORS + "compare: no_pounding\n"))
+        self.assertEqual(list(summary), SUMMARY_KEYS + ["no_pounding"])
+        for name, structure in alone["structures"].items():
+            without = summary["no_pounding"]["structures"][name]["peak_displacement"][0]
+            self.assertTrue(math.isclose(without, structure["peak_displacement"][0], rel_tol=1e-3))
+            self.assertEqual(summary["no_pounding"]["amplification"][name],
+                             [summary["structures"][name]["peak_displacement"][0] / without])
+
+    def test_is_the_same_bit_by_bit_when_repeated(self):
+        self.write(OSCILLATORS)
+        first, second = self.summary("model.yaml"), self.summary("model.yaml")
+        for summary in (first, second):
+            del summary["solver"]["wall_seconds"]
+        self.assertEqual(json.dumps(first), json.dumps(second))
+
+
+class Words(ProgramTest):
+    def test_quiet_says_nothing(self):
+        done = self.pounding("run", self.write(OSCILLATORS), "--quiet")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def test_report_says_which_mass_calibrates_the_damping(self):
+        self.assertIn("reduced mass 60 t (of the two floors)", self.pounding("run", self.write(OSCILLATORS)).stdout)
+        given = OSCILLATORS.replace("restitution: 0.65", "restitution: 0.65, reduced_mass: 50 t")
+        self.assertIn("reduced mass 50 t (as given)", self.pounding("run", self.write(given)).stdout)
+
+    def test_progress_is_for_a_terminal_only(self):
+        self.write(OSCILLATORS.replace("duration: 3.0}\n", "duration: 3.0, tolerance: 1e-8}\n"))
+        self.assertEqual(self.pounding("run", "model.yaml").stderr, "")
+        master, terminal = pty.openpty()
+        self.addCleanup(os.close, master)
+        done = subprocess.run([PROGRAM, "run", "model.yaml", "--json"], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=terminal, timeout=60)
+        os.close(terminal)
+        shown = os.read(master, 100000).decode()
+        self.assertRegex(shown, r"\r\[#+\.*\] \d\.\d\d of 3\.00 s, \d impacts ")
+        self.assertTrue(shown.endswith("\r\x1b[K"), "the line is cleared in the end")
+        json.loads(done.stdout)
+
+    def test_quiet_shows_no_progress_on_a_terminal_either(self):
+        self.write(OSCILLATORS.replace("duration: 3.0}\n", "duration: 3.0, tolerance: 1e-8}\n"))
+        master, terminal = pty.openpty()
+        self.addCleanup(os.close, master)
+        subprocess.run([PROGRAM, "run", "model.yaml", "-q"], cwd=self.folder, stderr=terminal, timeout=60)
+        os.set_blocking(master, False)
+        self.addCleanup(os.close, terminal)
+        self.assertRaises(BlockingIOError, os.read, master, 1)
+
+
+class Check(ProgramTest):
+    def test_shows_the_model_with_every_default(self):
+        done = self.pounding("check", self.write(LONG))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for line in ("formula: exact", "reduced_mass: 60000", "integrator: generalized_alpha", "between: [left.1, right.1]"):
+            self.assertIn(line, done.stdout)
+
+    def test_says_ok_in_json(self):
+        done = self.pounding("check", self.write(LONG), "--json")
+        self.assertEqual(json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1})
+
+    def test_writes_nothing(self):
+        self.pounding("check", self.write(LONG))
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["model.yaml"])
+
+
+class Modes(ProgramTest):
+    def test_of_a_shear_building_are_those_of_the_closed_form(self):
+        self.write("structures: {a: {shear_building: {storeys: 3, mass: 250 t, stiffness: 220 MN/m}, damping: 5 %}}\n"
+                   "analysis: {duration: 1}\n")
+        modes = json.loads(self.pounding("modes", "model.yaml", "--json").stdout)["a"]
+        for j, mode in enumerate(modes, 1):
+            w = 2 * math.sqrt(220e6 / 250e3) * math.sin((2 * j - 1) * math.pi / 14)
+            self.assertAlmostEqual(mode["period"], 2 * math.pi / w, places=12)
+        self.assertAlmostEqual(modes[1]["damping_ratio"], 0.05, places=12)
+        self.assertAlmostEqual(sum(mode["effective_mass"] for mode in modes), 750e3, places=4)
+        table = self.pounding("modes", "model.yaml").stdout
+        self.assertIn(f"{modes[0]['period']:.6f}", table)
+        self.assertIn("effective masses add up to 100.000 % of 750 t", table)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,45 @@
+"""PETSc's options on the command line of `pounding run`."""
+
+import unittest
+
+from support import OSCILLATORS, ProgramTest
+
+
+class Options(ProgramTest):
+    def test_reach_the_time_stepping(self):
+        self.write(OSCILLATORS)
+        usual = self.summary("model.yaml")
+        finer = self.summary("model.yaml", "-pounding_ts_rtol", "1e-7")
+        self.assertGreater(finer["solver"]["steps"], 5 * usual["solver"]["steps"])
+        self.assertLess(finer["energy"]["error"], usual["energy"]["error"])
+
+    def test_have_the_last_word_over_the_model(self):
+        self.write(OSCILLATORS.replace("{duration: 3.0}", "{duration: 3.0, tolerance: 1e-7}"))
+        written = self.summary("model.yaml")
+        self.write(OSCILLATORS)
+        typed = self.summary("model.yaml", "-pounding_ts_rtol", "1e-7")
+        self.assertEqual(typed["links"], written["links"])
+
+    def test_of_the_integrator_change_its_damping(self):
+        done = self.pounding("run", self.write(OSCILLATORS), "-q", "-pounding_ts_pounding_radius", "0.8", "-pounding_ts_view")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("spectral radius 0.8", done.stdout)
+
+    def test_that_nothing_reads_are_an_error(self):
+        self.refused(2, "the option -pounding_ts_rtoll was read by nothing", "run", self.write(OSCILLATORS), "--json",
+                     "-pounding_ts_rtoll", "1e-7")
+
+    def test_without_the_prefix_are_an_error(self):
+        self.refused(2, 'unknown option "-ts_rtol"; PETSc\'s options for the run start with -pounding_',
+                     "run", self.write(OSCILLATORS), "--json", "-ts_rtol", "1e-7")
+
+    def test_that_ask_for_another_integrator_are_an_error(self):
+        self.refused(2, '-pounding_ts_type: only the type "pounding" lands on impacts', "run", self.write(OSCILLATORS),
+                     "--json", "-pounding_ts_type", "rk")
+
+    def test_of_an_impossible_tolerance_are_an_error(self):
+        self.refused(2, "tolerance must lie in (0, 1)", "run", self.write(OSCILLATORS), "--json", "-pounding_ts_rtol", "2")
+
+
+if __name__ == "__main__":
+    unittest.main()
