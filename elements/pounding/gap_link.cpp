@@ -1,5 +1,6 @@
 #include <pounding/gap_link.hpp>
 
+#include <algorithm>
 #include <type_traits>
 #include <variant>
 
@@ -13,7 +14,7 @@ RigidGapLink::RigidGapLink(double restitution, double gap, int link) : restituti
 Contact::Margins RigidGapLink::margins(const LinkMotion& motion, double force) const noexcept {
   constexpr double never = std::numeric_limits<double>::infinity();
   if (phase_ == ContactPhase::resting) return {force, never, never};
-  return {-motion.penetration, never, never};
+  return {drift_ - motion.penetration, never, never};
 }
 
 void RigidGapLink::accept(const LinkStep& step) {
@@ -24,6 +25,7 @@ void RigidGapLink::accept(const LinkStep& step) {
 void RigidGapLink::crossed(int, double time, const LinkMotion& motion) {
   if (phase_ != ContactPhase::resting) return;
   phase_ = ContactPhase::open;
+  drift_ = std::max(0.0, motion.penetration);
   log_.end(time, motion.rate);
 }
 

@@ -133,6 +133,7 @@ class RigidGapLink final : public Contact {
 
  private:
   double restitution_, gap_;
+  double drift_ = 0;  // overlap by rounding when the last rest ended; a touch goes on from there [m]
   ContactPhase phase_ = ContactPhase::open;
   ImpactLog log_;
 };

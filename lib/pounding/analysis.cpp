@@ -93,7 +93,7 @@ PetscErrorCode after_step(TS ts) {
   } catch (...) {
     watch->failure = std::current_exception();
   }
-  if (watch->failure) SETERRQ(PETSC_COMM_SELF, PETSC_ERR_LIB, "recording failed");
+  if (watch->failure) PetscFunctionReturn(petsc::fail("recording failed"));
   PetscFunctionReturn(0);
 }
 
@@ -109,6 +109,13 @@ struct Solve {
   petsc::Handle<TS> ts;
   petsc::Handle<Vec> u, v;
 };
+
+// Options that draw or print at the end are read there; every other one has been read by now.
+void refuse_unread_options() {
+  for (const std::string& option : petsc::Environment::unread_options())
+    if (option.find("view") == std::string::npos)
+      throw InputError(fmt::format("nothing reads the option {}; pounding run --help names some that exist", option));
+}
 
 // A TS with the run's settings as defaults; the command line (-pounding_ts_...) has the last word.
 Solve make_ts(const Model& model, int size) {
@@ -140,7 +147,12 @@ Solve make_ts(const Model& model, int size) {
   check(TSGetAdapt(ts, &adapt));
   check(TSAdaptSetStepLimits(adapt, 1e-18, longest));
   check(TSSetTimeStep(ts, longest / 64));
-  check(TSSetFromOptions(ts));
+  try {
+    check(TSSetFromOptions(ts));
+  } catch (const SolverError& error) {
+    throw InputError(fmt::format("a -pounding_ option is wrong: {}", error.what()));
+  }
+  refuse_unread_options();
   PetscBool ours = PETSC_FALSE;
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts), petsc::ts_type, &ours));
   if (!ours)
@@ -153,10 +165,22 @@ StepperOptions stepper_options(TS ts, const Model& model) {
   PetscReal tolerance = 0, radius = 1;
   petsc::check(TSGetTolerances(ts, nullptr, nullptr, &tolerance, nullptr));
   petsc::check(petsc::get_spectral_radius(ts, &radius));
+  if (!(tolerance >= least_tolerance && tolerance <= largest_tolerance))
+    throw InputError(fmt::format("-pounding_ts_rtol {:g}: the tolerance lies in [{:g}, {:g}]", tolerance, least_tolerance,
+                                 largest_tolerance));
   options.tolerance = tolerance;
   options.spectral_radius = radius;
   options.first_rung = longest_step(model);
   return options;
+}
+
+// A limit on steps ends a TS without an error.
+std::string early_end(TS ts, const Stepper& stepper, const Model& model) {
+  if (stepper.state().time >= model.analysis.duration * (1 - 1e-12)) return "";
+  TSConvergedReason reason = TS_CONVERGED_ITERATING;
+  petsc::check(TSGetConvergedReason(ts, &reason));
+  return fmt::format("the time stepping ended at t = {:.6g} s of {:.6g} s ({})", stepper.state().time, model.analysis.duration,
+                     TSConvergedReasons[reason]);
 }
 
 void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
@@ -169,17 +193,23 @@ void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
   solver.iterations = stepper.iterations();
 }
 
-Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
-                 std::vector<StructureSummary> without_pounding) {
-  const Clock::time_point start = Clock::now();
-  Outcome outcome;
-  Results& results = outcome.results;
+Results heading(const Model& model, const RunOptions& options) {
+  Results results;
   results.version = POUNDING_VERSION;
   results.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   results.title = model.title;
   results.command = options.command;
   results.model_yaml = model.source_text;
   results.resolved_yaml = resolved_yaml(model);
+  return results;
+}
+
+Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
+                 std::vector<StructureSummary> without_pounding) {
+  const Clock::time_point start = Clock::now();
+  Outcome outcome;
+  Results& results = outcome.results;
+  results = heading(model, options);
   outcome.summary.without_pounding = std::move(without_pounding);
 
   const System system = assemble(model, with_links);
@@ -202,6 +232,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   } catch (const SolverError& error) {
     failure = watch.failure ? text_of(watch.failure) : error.what();
   }
+  if (failure.empty()) failure = early_end(solve.ts, stepper, model);
   recorder.end();
   fill_statistics(solve.ts, stepper, results.solver);
   results.solver.wall_seconds = seconds_since(start);
@@ -211,8 +242,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   outcome.summary.status = results.status = failure.empty() ? "done" : "failed: " + failure;
   results.summary_json = to_json(outcome.summary);
   if (!options.output.empty()) watch.write(results.status);
-  if (watch.failure) std::rethrow_exception(watch.failure);
-  if (!failure.empty()) throw SolverError(failure);
+  if (!failure.empty()) throw FailedRun(failure, std::move(outcome));
   return outcome;
 }
 
@@ -224,8 +254,11 @@ Outcome run(const Model& model, const RunOptions& options) {
       throw std::logic_error("this model has been run; read it again");
   std::vector<StructureSummary> without;
   if (model.compare_no_pounding) {
+    // A place that cannot be written is found before the first of the two runs.
+    if (!options.output.empty()) write_results(heading(model, options), options.output);
     RunOptions quiet;
     quiet.progress = options.progress;
+    quiet.stop = options.stop;
     without = run_once(model, quiet, false, {}).summary.structures;
   }
   return run_once(model, options, true, std::move(without));

@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
+#include <pounding/error.hpp>
 #include <pounding/model.hpp>
 #include <pounding/results.hpp>
 #include <pounding/summary.hpp>
@@ -24,9 +26,20 @@ struct Outcome {
   Summary summary;
 };
 
+/// A run that stopped before its end, with what it had computed until then.
+class FailedRun : public SolverError {
+ public:
+  FailedRun(const std::string& reason, Outcome outcome) : SolverError(reason), outcome_(std::move(outcome)) {}
+  const Outcome& outcome() const { return outcome_; }
+
+ private:
+  Outcome outcome_;
+};
+
 /// Runs a model once: its contacts keep the history of their impacts. PETSc must be running (petsc::Environment).
-/// Throws SolverError when the solve fails, after the results so far were written with the reason, and
-/// std::logic_error for a model that was run before.
+/// Throws FailedRun when the solve fails or is stopped, after the results so far were written with the reason; InputError
+/// for a place that cannot be written and for PETSc options that are wrong or that nothing reads; std::logic_error for a
+/// model that was run before.
 Outcome run(const Model& model, const RunOptions& options = {});
 
 }  // namespace pounding

@@ -264,7 +264,7 @@ AnalysisSettings read_analysis(const Input& input, const Model& model) {
     node->only_keys({"duration", "tolerance", "output_step", "integrator", "spectral_radius", "max_step"});
     settings.duration = node->quantity_or("duration", dimension::time, 0, bounds::positive);
     settings.tolerance = node->quantity_or("tolerance", dimension::none, settings.tolerance,
-                                           Bounds{.low = 1e-10, .high = 0.1});
+                                           Bounds{.low = least_tolerance, .high = largest_tolerance});
     if (const auto output_step = node->find("output_step")) {
       const double longest = settings.duration > 0 ? settings.duration : std::numeric_limits<double>::infinity();
       settings.output_step = output_step->as_quantity(dimension::time, Bounds{.low = 0, .high = longest, .without_low = true});

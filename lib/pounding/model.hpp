@@ -50,6 +50,9 @@ struct Link {
   std::unique_ptr<Contact> contact;
 };
 
+/// Below the first the rounding of the arithmetic is larger than the error; above the second an impact is not resolved.
+inline constexpr double least_tolerance = 1e-10, largest_tolerance = 0.1;
+
 struct AnalysisSettings {
   double duration = 0;           ///< [s]
   double tolerance = 1e-4;       ///< relative, on displacements and forces

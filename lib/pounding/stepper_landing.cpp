@@ -25,7 +25,8 @@ constexpr int reversal_or_touch = 0;
 
 }  // namespace
 
-// Rounding noise of a margin. Margins that are forces have none: they are compared with zero.
+// Rounding noise of a margin. A law's force is compared with zero; the force that holds a contact has the noise of a speed
+// lost in the longest step.
 double Stepper::noise_of(int link, int margin) const {
   const double u = *std::max_element(displacement_scale_.begin(), displacement_scale_.end());
   const double v = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
@@ -34,7 +35,7 @@ double Stepper::noise_of(int link, int margin) const {
     case ContactPhase::approach: return noise * v;
     case ContactPhase::restitution: return margin == 0 ? noise * u : margin == 2 ? noise * v : 0;
     case ContactPhase::slack: return margin == 0 ? noise * u : 0;
-    case ContactPhase::resting: break;
+    case ContactPhase::resting: return noise * v / (rigid_flexibility_(link, link) * options_.first_rung);
   }
   return 0;
 }

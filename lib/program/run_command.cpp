@@ -1,3 +1,4 @@
+#include <csignal>
 #include <unistd.h>
 
 #include <cstdio>
@@ -38,6 +39,20 @@ void show_progress(double time, double duration, int impacts) {
 }
 
 void clear_progress() { std::fputs("\r\033[K", stderr); }
+
+// Ctrl-C and a polite kill end the run with what was computed in the file; a second one ends the program at once.
+class StopOnSignal {
+ public:
+  StopOnSignal() {
+    struct sigaction action = {};
+    action.sa_handler = [](int) { stop = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+  static volatile std::sig_atomic_t stop;
+};
+volatile std::sig_atomic_t StopOnSignal::stop = 0;
 
 std::string describe(const Model& model) {
   std::string text = model.title.empty() ? "" : model.title + "\n";
@@ -83,9 +98,15 @@ void run_model(const Words& words, const CLI::App& command) {
   std::fflush(stdout);
 
   const petsc::Environment environment(options);
+  const StopOnSignal signals;  // after PETSc, which takes and gives back signals of its own
+  run_options.stop = [] { return StopOnSignal::stop != 0; };
   Outcome outcome;
   try {
     outcome = run(model, run_options);
+  } catch (const FailedRun& failed) {
+    if (terminal) clear_progress();
+    if (words.json) std::puts(to_json(failed.outcome().summary).c_str());
+    throw;
   } catch (...) {
     if (terminal) clear_progress();
     throw;

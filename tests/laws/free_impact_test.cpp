@@ -74,6 +74,14 @@ TEST(FreeImpact, ExactCalibrationGivesWhatIsAskedAtEverySpeed) {
   }
 }
 
+// A slow touch stays so far short of the depth of full damping that it needs a million million times the damping.
+TEST(FreeImpact, ExactImpactFunctionReachesSlowTouches) {
+  for (const double speed : {1e-6, 1e-3}) {
+    const AdamsImpact law{.stiffness = 4.2e10, .depth = 1.26e-3, .restitution = 0.5, .reduced_mass = 5e4};
+    EXPECT_NEAR(free_impact(law, 5e4, speed).restitution, 0.5, 1e-9) << speed;
+  }
+}
+
 TEST(FreeImpact, ExactFactorReachesExtremeRestitutions) {
   for (const double e : {1e-3, 0.01, 0.02, 0.05, 0.999, 0.999999, 1 - 1e-9})
     EXPECT_NEAR(restitution_of_factor(exact_factor({.restitution = e})), e, 1e-14) << e;

@@ -42,7 +42,10 @@ class ExitCodes(ProgramTest):
         self.refused(2, "The following argument was not expected: second.yaml", "check", "model.yaml", "second.yaml")
 
     def test_three_for_a_solve_that_fails_with_the_reason_in_the_file(self):
-        self.refused(3, "the solve stopped at t = 0.01 s", "run", self.write(UNSOLVABLE), "--json", "-o", "out.h5")
+        done = self.pounding("run", self.write(UNSOLVABLE), "--json", "-o", "out.h5")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("pounding: the solve stopped at t = 0.01 s", done.stderr)
+        self.assertTrue(json.loads(done.stdout)["status"].startswith("failed: the solve stopped at t = 0.01 s"))
         with h5py.File(self.folder / "out.h5") as file:
             self.assertTrue(file.attrs["status"].startswith("failed: the solve stopped at t = 0.01 s"))
             self.assertAlmostEqual(file["time"][-1], 0.01, places=3)

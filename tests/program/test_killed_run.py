@@ -1,6 +1,7 @@
 """A run that is killed leaves a file that can be read."""
 
 import random
+import signal
 import subprocess
 import time
 import unittest
@@ -53,6 +54,26 @@ class KilledRun(ProgramTest):
             self.assertGreater(file["time"][-1], 0)
             self.assertEqual(len(file["structures/right/velocity"]), len(file["time"]))
             self.assertGreater(len(file["links/left-right/time"]), 0)
+
+
+class InterruptedRun(ProgramTest):
+    def test_ends_with_what_was_computed_in_the_file(self):
+        self.write(LONG)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            run = subprocess.Popen([PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"], cwd=self.folder,
+                                   stderr=subprocess.PIPE, text=True)
+            path = self.folder / "out.h5"
+            while not path.exists():
+                time.sleep(0.001)
+            time.sleep(0.3)
+            run.send_signal(number)
+            _, errors = run.communicate(timeout=10)
+            self.assertEqual(run.returncode, 3)
+            self.assertIn("pounding: stopped by the user at t = ", errors)
+            with h5py.File(path) as file:
+                self.assertIn("failed: stopped by the user", file.attrs["status"])
+                self.assertGreater(file["time"][-1], 0)
+            path.unlink()
 
 
 if __name__ == "__main__":

@@ -26,8 +26,15 @@ class Options(ProgramTest):
         self.assertIn("spectral radius 0.8", done.stdout)
 
     def test_that_nothing_reads_are_an_error(self):
-        self.refused(2, "the option -pounding_ts_rtoll was read by nothing", "run", self.write(OSCILLATORS), "--json",
-                     "-pounding_ts_rtoll", "1e-7")
+        self.refused(2, "nothing reads the option -pounding_ts_rtoll", "run", self.write(OSCILLATORS), "--json", "-o",
+                     "out.h5", "-pounding_ts_rtoll", "1e-7")
+        self.assertFalse((self.folder / "out.h5").exists())
+
+    def test_with_values_that_cannot_be_are_an_error(self):
+        self.refused(2, "a -pounding_ option is wrong", "run", self.write(OSCILLATORS), "--json", "-pounding_ts_rtol", "abc")
+
+    def test_that_end_the_run_early_make_it_a_failed_one(self):
+        self.refused(3, "the time stepping ended at t = ", "run", self.write(OSCILLATORS), "-q", "-pounding_ts_max_steps", "5")
 
     def test_without_the_prefix_are_an_error(self):
         self.refused(2, 'unknown option "-ts_rtol"; PETSc\'s options for the run start with -pounding_',
@@ -38,7 +45,7 @@ class Options(ProgramTest):
                      "--json", "-pounding_ts_type", "rk")
 
     def test_of_an_impossible_tolerance_are_an_error(self):
-        self.refused(2, "tolerance must lie in (0, 1)", "run", self.write(OSCILLATORS), "--json", "-pounding_ts_rtol", "2")
+        self.refused(2, "-pounding_ts_rtol 2: the tolerance lies in [1e-10, 0.1]", "run", self.write(OSCILLATORS), "--json", "-pounding_ts_rtol", "2")
 
 
 if __name__ == "__main__":

@@ -115,7 +115,7 @@ class EarlierFile(ProgramTest):
         self.check()
 
     def test_is_replaced_by_what_a_failed_solve_has_reached(self):
-        self.refused(3, "the solve stopped", "run", self.write(UNSOLVABLE), "--json", "-o", "out.h5")
+        self.refused(3, "the solve stopped", "run", self.write(UNSOLVABLE), "-q", "-o", "out.h5")
         with h5py.File(self.folder / "out.h5") as file:
             self.assertIn("failed", file.attrs["status"])
 

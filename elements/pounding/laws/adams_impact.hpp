@@ -94,11 +94,14 @@ struct AdamsImpact {
 
 inline double exact_adams_impact(const Asked& asked) {
   const double length = impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent);
-  return number_of_restitution(asked.restitution, [&](double number) {
+  const double depth = asked.depth / length;
+  // An impact that stays far short of the depth of full damping meets 3 (d/depth)^2 of it.
+  const double scale = std::max(1.0, depth * depth / 3);
+  return scale * number_of_restitution(asked.restitution, [&](double number) {
     return AdamsImpact{.stiffness = 1,
                        .exponent = asked.exponent,
-                       .depth = asked.depth / length,
-                       .damping_coefficient = number,
+                       .depth = depth,
+                       .damping_coefficient = scale * number,
                        .reduced_mass = 1};
   });
 }

@@ -74,4 +74,9 @@ void check(PetscErrorCode code) {
   throw SolverError(text);
 }
 
+PetscErrorCode fail(const std::string& text) {
+  failure = text;
+  return PETSC_ERR_CONV_FAILED;
+}
+
 }  // namespace pounding::petsc

@@ -31,6 +31,9 @@ class Environment {
 /// Throws SolverError with PETSc's own text when `code` is not zero.
 void check(PetscErrorCode code);
 
+/// For callbacks: the code to return, after which check() throws this text alone.
+PetscErrorCode fail(const std::string& text);
+
 template <class T>
 struct Destroyer;
 template <>

@@ -9,8 +9,9 @@
 
 #include <fmt/format.h>
 
-#include <pounding/petsc/version.hpp>
 #include <pounding/error.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/version.hpp>
 
 namespace pounding::petsc {
 namespace {
@@ -154,7 +155,7 @@ PetscErrorCode step(TS ts) {
   } catch (const std::exception& error) {
     failure = error.what();
   }
-  if (!failure.empty()) SETERRQ(PETSC_COMM_SELF, PETSC_ERR_CONV_FAILED, "%s", failure.c_str());
+  if (!failure.empty()) PetscFunctionReturn(fail(failure));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
