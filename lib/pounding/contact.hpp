@@ -38,6 +38,11 @@ enum class ContactPhase : std::uint8_t {
   resting       ///< held at zero rate by whatever force that needs (rigid contact after its last bounce)
 };
 
+/// Pressed together, with a force or held.
+constexpr bool presses(ContactPhase phase) noexcept {
+  return phase == ContactPhase::approach || phase == ContactPhase::restitution || phase == ContactPhase::resting;
+}
+
 /// Phases are set from the state at a located instant, never toggled.
 class Contact {
  public:

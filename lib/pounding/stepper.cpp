@@ -20,10 +20,6 @@ constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 constexpr double smallest_contact_rate = 1e-3;
 constexpr double smallest_contact_penetration = 1e-4;
 
-bool presses(ContactPhase phase) {
-  return phase == ContactPhase::approach || phase == ContactPhase::restitution || phase == ContactPhase::resting;
-}
-
 // y += scale A x. For the few unknowns of oscillators plain loops beat the call of a matrix kernel.
 void add_product(Eigen::VectorXd& y, double scale, const Eigen::MatrixXd& a, const Eigen::VectorXd& x) {
   constexpr Eigen::Index few = 8;
@@ -64,6 +60,10 @@ Stepper::Stepper(const System& system, const StepperOptions& options) : system_(
   if (mass.info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
   mass_inverse_ = mass.solve(Eigen::MatrixXd::Identity(n, n));
   rigid_flexibility_ = system.closing.transpose() * mass_inverse_ * system.closing;
+  entries_.resize(system.links());
+  for (int i = 0; i < system.links(); ++i)
+    for (int k = 0; k < n; ++k)
+      if (system.closing(k, i) != 0) entries_[i].push_back({k, system.closing(k, i)});
   displacement_scale_.assign(system.groups.size(), 0.0);
   velocity_scale_.assign(system.groups.size(), 0.0);
   rate_scale_.assign(system.links(), 0.0);
@@ -74,9 +74,14 @@ Stepper::Stepper(const System& system, const StepperOptions& options) : system_(
   work_.resize(n);
 }
 
+double Stepper::closing(int link, const Eigen::VectorXd& x) const {
+  double sum = 0;
+  for (const Entry& entry : entries_[link]) sum += entry.factor * x[entry.unknown];
+  return sum;
+}
+
 LinkMotion Stepper::motion(int link, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const {
-  const auto column = system_.closing.col(link);
-  return {system_.contacts[link]->penetration(column.dot(u)), column.dot(v)};
+  return {system_.contacts[link]->penetration(closing(link, u)), closing(link, v)};
 }
 
 void Stepper::accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& force,
@@ -104,12 +109,12 @@ void Stepper::balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double
   // Held contacts take the forces that leave no closing acceleration.
   const int count = static_cast<int>(held.size());
   Eigen::MatrixXd g(count, count);
-  Eigen::VectorXd closing(count);
+  Eigen::VectorXd relative(count);
   for (int i = 0; i < count; ++i) {
-    closing[i] = system_.closing.col(held[i]).dot(a);
+    relative[i] = closing(held[i], a);
     for (int j = 0; j < count; ++j) g(i, j) = rigid_flexibility_(held[i], held[j]);
   }
-  const Eigen::VectorXd forces = g.ldlt().solve(closing);
+  const Eigen::VectorXd forces = g.ldlt().solve(relative);
   for (int i = 0; i < count; ++i) force[held[i]] = forces[i];
   accelerate(u, v, force, ground, a);
 }
@@ -126,8 +131,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   now_.a = Eigen::VectorXd::Zero(system_.size());
   now_.force = Eigen::VectorXd::Zero(system_.links());
   balance_now();
-  before_ = arrived_ = now_;
-  kept_.end = trial_.end = now_;
+  before_ = kept_.end = trial_.end = now_;
   kept_.h = 0;
   kept_.a_middle = now_.a;
   sums_ = {};
@@ -211,135 +215,6 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   return true;
 }
 
-bool Stepper::solve_links(const Eigen::MatrixXd& flexibility, double h, const Eigen::VectorXd& u,
-                          const Eigen::VectorXd& v, const Eigen::VectorXd& a, Eigen::VectorXd& force) {
-  active_.clear();
-  for (int i = 0; i < system_.links(); ++i) {
-    if (!presses(system_.contacts[i]->phase())) continue;
-    active_.push_back(i);
-    free_[i] = motion(i, u, v);
-    free_closing_[i] = system_.closing.col(i).dot(a);
-    force[i] = now_.force[i];
-  }
-  if (active_.empty()) return true;
-  if (active_.size() == 1) {
-    const int i = active_.front();
-    return solve_one_link(i, flexibility(i, i), h, 0.0, force[i]);
-  }
-  return solve_many_links(flexibility, h, force);
-}
-
-// A held contact takes the force that leaves no closing acceleration: from a rate of zero it stays at zero. Else the
-// force lies between zero and what the law would answer to the free motion; Newton inside that bracket.
-// `others` is what the other links take off, G F without this one.
-bool Stepper::solve_one_link(int link, double flexibility, double h, double others, double& force) {
-  const double by_u = alpha_f_ * beta_ * h * h * flexibility;
-  const double by_v = alpha_f_ * gamma_ * h * flexibility;
-  const double scale = others / flexibility;
-  const LinkMotion free{free_[link].penetration - by_u * scale, free_[link].rate - by_v * scale};
-  const Contact& contact = *system_.contacts[link];
-  if (contact.phase() == ContactPhase::resting) {
-    force = (free_closing_[link] / alpha_f_ - others) / flexibility;
-    return true;
-  }
-  const double unrelieved = contact.evaluate(free).force;
-  double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
-  if (low == high) {
-    force = low;
-    return true;
-  }
-  double trial = std::clamp(force, low, high);
-  for (int iteration = 0; iteration < 200; ++iteration) {
-    ++iterations_;
-    const LinkForce law = contact.evaluate({free.penetration - by_u * trial, free.rate - by_v * trial});
-    const double residual = law.force - trial;
-    if (std::abs(residual) <= 1e-14 * std::max(std::abs(trial), std::abs(law.force)) || residual == 0) {
-      force = trial;
-      return true;
-    }
-    (residual > 0 ? low : high) = trial;
-    if (high - low <= 4e-16 * std::max(std::abs(low), std::abs(high))) {
-      force = trial;
-      return true;
-    }
-    const double slope = 1 + by_u * law.by_penetration + by_v * law.by_rate;
-    double next = trial + residual / slope;
-    if (!(slope > 0) || !(next > low && next < high)) next = 0.5 * (low + high);
-    if (next == trial) {
-      force = trial;
-      return true;
-    }
-    trial = next;
-  }
-  return false;
-}
-
-bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eigen::VectorXd& force) {
-  const int count = static_cast<int>(active_.size());
-  const double by_u = alpha_f_ * beta_ * h * h;
-  const double by_v = alpha_f_ * gamma_ * h;
-  Eigen::MatrixXd g(count, count);
-  Eigen::VectorXd f(count);
-  for (int i = 0; i < count; ++i) {
-    f[i] = force[active_[i]];
-    for (int j = 0; j < count; ++j) g(i, j) = flexibility(active_[i], active_[j]);
-  }
-  Eigen::VectorXd residual(count), relief(count), trial(count);
-  Eigen::MatrixXd slopes(count, count);
-  const auto held = [&](int i) { return system_.contacts[active_[i]]->phase() == ContactPhase::resting; };
-  const auto evaluate = [&](const Eigen::VectorXd& x, bool with_slopes) {
-    ++iterations_;
-    relief.noalias() = g * x;
-    for (int i = 0; i < count; ++i) {
-      const LinkMotion& free = free_[active_[i]];
-      const LinkMotion now{free.penetration - by_u * relief[i], free.rate - by_v * relief[i]};
-      if (held(i)) {
-        residual[i] = (free_closing_[active_[i]] / alpha_f_ - relief[i]) / g(i, i);
-        if (with_slopes) slopes.row(i) = g.row(i) / g(i, i);
-        continue;
-      }
-      const LinkForce law = system_.contacts[active_[i]]->evaluate(now);
-      residual[i] = law.force - x[i];
-      if (!with_slopes) continue;
-      slopes.row(i) = (by_u * law.by_penetration + by_v * law.by_rate) * g.row(i);
-      slopes(i, i) += 1;
-    }
-    return residual.norm();
-  };
-  // Gauss-Seidel with the bracketed scalar solve: slower, but it cannot fail on laws that grow with penetration and rate.
-  const auto sweep = [&](Eigen::VectorXd& x) {
-    for (int i = 0; i < count; ++i) {
-      const double others = g.row(i).dot(x) - g(i, i) * x[i];
-      if (!solve_one_link(active_[i], g(i, i), h, others, x[i])) return false;
-    }
-    return true;
-  };
-  for (int iteration = 0; iteration < 500; ++iteration) {
-    const double size = evaluate(f, true);
-    if (!std::isfinite(size)) return false;
-    if (size <= 1e-14 * f.norm() || size == 0) {
-      for (int i = 0; i < count; ++i) force[active_[i]] = f[i];
-      return true;
-    }
-    const Eigen::VectorXd direction = slopes.partialPivLu().solve(residual);
-    double length = 1;
-    bool better = false;
-    for (int halving = 0; halving < 8 && !better; ++halving, length /= 2) {
-      trial = f + length * direction;
-      better = evaluate(trial, false) < size;
-    }
-    if (better) {
-      f = trial;
-    } else if (size <= 1e-12 * f.norm()) {  // rounding: Newton cannot do better
-      for (int i = 0; i < count; ++i) force[active_[i]] = f[i];
-      return true;
-    } else if (!sweep(f)) {
-      return false;
-    }
-  }
-  return false;
-}
-
 void Stepper::evaluate_middle(Trial& t) {
   const double h = t.h;
   t.u_middle = 0.5 * (now_.u + t.end.u) + (h / 8) * (now_.v - t.end.v);
@@ -368,8 +243,7 @@ void Stepper::estimate_error(Trial& t) {
     const LinkMotion end = motion(i, t.end.u, t.end.v);
     const double scale_d = std::max({penetration_scale_[i], std::abs(end.penetration), least_d});
     const double scale_r = std::max({rate_scale_[i], std::abs(end.rate), least_r});
-    const auto column = system_.closing.col(i);
-    worst = std::max({worst, std::abs(column.dot(error_u_)) / scale_d, std::abs(column.dot(error_v_)) / scale_r});
+    worst = std::max({worst, std::abs(closing(i, error_u_)) / scale_d, std::abs(closing(i, error_v_)) / scale_r});
   }
   t.error = worst / allowed_;
 }
@@ -399,7 +273,7 @@ double Stepper::contact_work() const {
 }
 
 void Stepper::interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const {
-  const double h = arrived_.time - before_.time;
+  const double h = kept_.end.time - before_.time;
   if (!(h > 0)) {
     u = now_.u;
     v = now_.v;
@@ -408,29 +282,28 @@ void Stepper::interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) c
   const double s = std::clamp((time - before_.time) / h, 0.0, 1.0), r = 1 - s;
   const double begin = r * r * (1 + 2 * s), end = s * s * (1 + 2 * r), slope_begin = h * s * r * r,
                slope_end = -h * s * s * r;
-  u = begin * before_.u + end * arrived_.u + slope_begin * before_.v + slope_end * arrived_.v;
-  v = begin * before_.v + end * arrived_.v + slope_begin * before_.a + slope_end * arrived_.a;
+  u = begin * before_.u + end * kept_.end.u + slope_begin * before_.v + slope_end * kept_.end.v;
+  v = begin * before_.v + end * kept_.end.v + slope_begin * before_.a + slope_end * kept_.end.a;
 }
 
 void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& a) const {
-  const double h = arrived_.time - before_.time;
+  const double h = kept_.end.time - before_.time;
   if (!(h > 0)) {
     a = now_.a;
     return;
   }
   const double s = std::clamp((time - before_.time) / h, 0.0, 1.0);
-  a = (1 - s) * (1 - 2 * s) * before_.a + 4 * s * (1 - s) * kept_.a_middle + s * (2 * s - 1) * arrived_.a;
+  a = (1 - s) * (1 - 2 * s) * before_.a + 4 * s * (1 - s) * kept_.a_middle + s * (2 * s - 1) * kept_.end.a;
 }
 
 void Stepper::accept() {
   const double h = trial_.h;
-  before_ = now_;
+  std::swap(before_, now_);
   std::swap(kept_, trial_);
-  arrived_ = kept_.end;
 
   const double ground[3] = {system_.ground.acceleration(before_.time), system_.ground.acceleration(before_.time + h / 2),
-                            system_.ground.acceleration_before(arrived_.time)};
-  const Eigen::VectorXd* velocity[3] = {&before_.v, &kept_.v_middle, &arrived_.v};
+                            system_.ground.acceleration_before(kept_.end.time)};
+  const Eigen::VectorXd* velocity[3] = {&before_.v, &kept_.v_middle, &kept_.end.v};
   for (int k = 0; k < 3; ++k) {
     const double weight = h / 6 * (k == 1 ? 4 : 1);
     sums_.input -= weight * ground[k] * system_.load.dot(*velocity[k]);
@@ -439,14 +312,14 @@ void Stepper::accept() {
   }
   for (int i = 0; i < system_.links(); ++i) {
     LinkStep& step = link_steps_[i];
-    step = {before_.time,      arrived_.time,
-            motion(i, before_.u, before_.v), motion(i, kept_.u_middle, kept_.v_middle), motion(i, arrived_.u, arrived_.v),
-            before_.force[i],  kept_.force_middle[i], arrived_.force[i]};
+    step = {before_.time,      kept_.end.time,
+            motion(i, before_.u, before_.v), motion(i, kept_.u_middle, kept_.v_middle), motion(i, kept_.end.u, kept_.end.v),
+            before_.force[i],  kept_.force_middle[i], kept_.end.force[i]};
     system_.contacts[i]->accept(step);
     rate_scale_[i] = std::max(rate_scale_[i], std::abs(step.motion_end.rate));
     penetration_scale_[i] = std::max(penetration_scale_[i], std::abs(step.motion_end.penetration));
   }
-  now_ = arrived_;
+  now_ = kept_.end;
   algorithmic_ = kept_.algorithmic;
   update_scales();
   const bool ground_jumps = system_.ground.acceleration(now_.time) != ground[2];
@@ -457,7 +330,7 @@ void Stepper::accept() {
 }
 
 void Stepper::cross_now() {
-  before_ = arrived_ = now_;
+  before_ = kept_.end = now_;
   enter_phases();
 }
 

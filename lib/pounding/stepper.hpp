@@ -63,7 +63,7 @@ class Stepper {
   const State& state() const { return now_; }
   const State& before() const { return before_; }  ///< the state at the beginning of the last kept step
   /// End of the last kept step as the step saw it: accelerations and forces before contacts changed phase.
-  const State& arrived() const { return arrived_; }
+  const State& arrived() const { return kept_.end; }
   const std::vector<LinkStep>& link_steps() const { return link_steps_; }
   const EnergySums& energy_sums() const { return sums_; }
   double kinetic_energy() const;
@@ -119,6 +119,7 @@ class Stepper {
   void balance_now();
   void accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& force, double ground,
                   Eigen::VectorXd& a) const;
+  double closing(int link, const Eigen::VectorXd& x) const;
   LinkMotion motion(int link, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const;
   double noise_of(int link, int margin) const;
   bool ended(int link, int margin, double value) const;
@@ -136,13 +137,18 @@ class Stepper {
   double alpha_m_, alpha_f_, beta_, gamma_;
   double allowed_;  // local error that the tolerance allows
 
+  struct Entry {
+    Eigen::Index unknown;
+    double factor;
+  };
+  std::vector<std::vector<Entry>> entries_;  // of the columns of B
   Eigen::MatrixXd mass_inverse_;
   Eigen::MatrixXd rigid_flexibility_;  // B^T M^-1 B
   std::map<int, Level> rungs_;         // by power of two
   Level off_ladder_;
   double off_ladder_h_ = 0;
 
-  State now_, before_, arrived_;
+  State now_, before_;
   Eigen::VectorXd algorithmic_;  // acceleration that the scheme carries, for the length of the last step
   Eigen::VectorXd carried_;      // and for that of the trial
   Trial trial_, kept_;

@@ -208,7 +208,7 @@ void Stepper::bounce(const std::vector<int>& touching) {
     now_.v -= impulse * (mass_inverse_ * system_.closing.col(i));
     contact.jumped(now_.time, impulse, rate, -restitution * rate, held);
   };
-  const auto rate_of = [&](int i) { return system_.closing.col(i).dot(now_.v); };
+  const auto rate_of = [&](int i) { return closing(i, now_.v); };
   std::vector<int> links = touching;
   for (const int i : touching) {
     const double rate = std::max(0.0, rate_of(i));
