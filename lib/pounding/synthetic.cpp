@@ -95,7 +95,8 @@ GroundMotion synthetic_motion(const SyntheticOptions& options) {
   for (const double a : samples.accelerations) peak = std::max(peak, std::abs(a));
   for (double& a : samples.accelerations) a = a / peak * options.pga;
   samples.uniform = true;
-  std::string source = fmt::format("synthetic, seed {}, {:g} s, {}", options.seed, options.duration,
+  std::string source = fmt::format("synthetic, seed {}, soil filter {:g} rad/s, {:g} s, {}", options.seed,
+                                   options.filter.omega_g, options.duration,
                                    format_quantity(options.pga, dimension::acceleration));
   return GroundMotion(std::move(samples), std::move(source));
 }

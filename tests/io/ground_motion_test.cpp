@@ -315,6 +315,9 @@ TEST_F(GroundMotionSection, ClosedFormsAreRead) {
 
 TEST_F(GroundMotionSection, SyntheticIsRead) {
   const GroundMotion motion = read("synthetic: {seed: 7, duration: 10 s, pga: 0.3 g, soil: soft}");
+  const GroundMotion firm = read("synthetic: {seed: 7, duration: 10 s, pga: 0.3 g, soil: firm}");
+  EXPECT_EQ(read("synthetic: {seed: 7, duration: 10 s, pga: 0.3 g}").acceleration(3.1), firm.acceleration(3.1));
+  EXPECT_NE(motion.acceleration(3.1), firm.acceleration(3.1));
   EXPECT_EQ(motion.peak(), 0.3 * 9.80665);
   EXPECT_DOUBLE_EQ(motion.duration(), 10);
   const GroundMotion same = read(
@@ -344,8 +347,8 @@ TEST_F(GroundMotionSection, WrongValuesAreReportedAtTheirKeys) {
   EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, omega_g: 2.5 Hz, zeta_g: 1, omega_f: 1, zeta_f: 1}"),
             "m.yaml:1:52: synthetic.omega_g: takes a circular frequency such as \"15 rad/s\"; \"2.5 Hz\" is in Hz, multiply "
             "by 2 pi");
-  EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1}"),
-            "m.yaml:1:12: synthetic: key \"soil\" is missing; type \"soil: firm\"");
+  EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, soil: rock}"),
+            "m.yaml:1:49: synthetic.soil: unknown soil \"rock\". Allowed: firm, medium, soft.");
   EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, soil: firm, zeta_g: 1}"),
             "m.yaml:1:43: synthetic.soil: \"soil\" and \"zeta_g\" both set the filter; keep one of them");
   EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, soil: firm, step: 0.1}"),
