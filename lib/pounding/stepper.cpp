@@ -172,8 +172,9 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   landed_.clear();
   t.h = h;
   t.end.time = end.value_or(now_.time + h);
-  const double ground_begin = system_.ground.acceleration(now_.time);
-  const double ground_end = system_.ground.acceleration_before(t.end.time);
+  t.ground_begin = system_.ground.acceleration(now_.time);
+  t.ground_middle = system_.ground.acceleration(now_.time + 0.5 * h);
+  t.ground_end = system_.ground.acceleration_before(t.end.time);
 
   // With a spectral radius below one the scheme carries the acceleration of a time (alpha_m - alpha_f) h earlier: it goes
   // along when the step changes, else each change would cost an order.
@@ -186,7 +187,7 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   t.end.u = now_.u + h * now_.v + (h * h * (0.5 - beta_)) * carried_;
   t.end.v = now_.v + (h * (1 - gamma_)) * carried_;
 
-  work_ = -(alpha_f_ * ground_end + (1 - alpha_f_) * ground_begin) * system_.load;
+  work_ = -(alpha_f_ * t.ground_end + (1 - alpha_f_) * t.ground_begin) * system_.load;
   t.u_middle = alpha_f_ * t.end.u + (1 - alpha_f_) * now_.u;
   t.v_middle = alpha_f_ * t.end.v + (1 - alpha_f_) * now_.v;
   add_product(work_, -1, system_.stiffness, t.u_middle);
@@ -209,7 +210,7 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   if (options_.spectral_radius == 1)
     t.end.a = t.algorithmic;
   else
-    accelerate(t.end.u, t.end.v, t.end.force, ground_end, t.end.a);
+    accelerate(t.end.u, t.end.v, t.end.force, t.ground_end, t.end.a);
   evaluate_middle(t);
   estimate_error(t);
   return true;
@@ -219,7 +220,7 @@ void Stepper::evaluate_middle(Trial& t) {
   const double h = t.h;
   t.u_middle = 0.5 * (now_.u + t.end.u) + (h / 8) * (now_.v - t.end.v);
   t.v_middle = 0.5 * (now_.v + t.end.v) + (h / 8) * (now_.a - t.end.a);
-  balance(t.u_middle, t.v_middle, system_.ground.acceleration(now_.time + 0.5 * h), t.force_middle, t.a_middle);
+  balance(t.u_middle, t.v_middle, t.ground_middle, t.force_middle, t.a_middle);
 }
 
 // The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at
@@ -301,8 +302,7 @@ void Stepper::accept() {
   std::swap(before_, now_);
   std::swap(kept_, trial_);
 
-  const double ground[3] = {system_.ground.acceleration(before_.time), system_.ground.acceleration(before_.time + h / 2),
-                            system_.ground.acceleration_before(kept_.end.time)};
+  const double ground[3] = {kept_.ground_begin, kept_.ground_middle, kept_.ground_end};
   const Eigen::VectorXd* velocity[3] = {&before_.v, &kept_.v_middle, &kept_.end.v};
   for (int k = 0; k < 3; ++k) {
     const double weight = h / 6 * (k == 1 ? 4 : 1);

@@ -103,6 +103,7 @@ class Stepper {
     Eigen::VectorXd u_middle, v_middle, a_middle;
     Eigen::VectorXd algorithmic;  // acceleration of the scheme at the end
     Eigen::VectorXd force_middle;
+    double ground_begin = 0, ground_middle = 0, ground_end = 0;  // [m/s^2]
     double error = 0;
   };
 
