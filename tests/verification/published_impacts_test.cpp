@@ -1,0 +1,174 @@
+// Published formulas and examples: the time integration against the tables of an independent script (8th-order
+// Runge-Kutta at 1e-12 and closed forms).
+//
+// Run at tolerance 1e-8, as it comes out of the program: link, events and error control included. Every value is compared
+// to half a unit of the last digit printed there, plus 1e-6 of the value for the integration.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/gap_link.hpp>
+#include <pounding/laws/all.hpp>
+#include "support/jankowski_in_both_phases.hpp"
+#include "support/published_tables.hpp"
+#include "support/runs.hpp"
+
+namespace pounding {
+namespace reference {
+void PrintTo(const FormulaRow& row, std::ostream* out) { *out << row.name; }
+}  // namespace reference
+
+namespace {
+
+using reference::asked;
+
+void expect_printed(double value, double printed, int decimals, const char* what) {
+  EXPECT_NEAR(value, printed, reference::half_unit(decimals) + 1e-6 * std::abs(printed)) << what;
+}
+
+// A ball of this mass [kg] thrown against a wall; `link` is the text after "law: ". The bodies get time to part.
+std::string ball_on_wall(double mass, double speed, const std::string& link, double duration) {
+  return fmt::format("structures:\n  ball: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n  wall: {{wall: {{}}}}\n"
+                     "links: [{{between: [ball, wall], gap: 5 mm, law: {}}}]\n"
+                     "analysis: {{duration: {}, tolerance: 1e-8}}\n",
+                     mass, speed, link, duration);
+}
+
+// The only impact of a run; all NaN, with a failure noted, when there is not exactly one.
+ImpactRow only_impact(const Outcome& run) {
+  EXPECT_EQ(run.results.impacts.size(), 1u);
+  if (run.results.impacts.size() == 1) return run.results.impacts[0];
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {0, none, none, none, none, none, none, none, none, none, none, none};
+}
+
+class PublishedFormula : public testing::TestWithParam<reference::FormulaRow> {};
+
+TEST_P(PublishedFormula, GivesTheRestitutionOfTheReference) {
+  const reference::FormulaRow& row = GetParam();
+  for (const reference::Asking& asking : row.askings)
+    for (std::size_t i = 0; i < 9; ++i) {
+      SCOPED_TRACE(fmt::format("{} asked {}", asking.law, asked(i)));
+      double stiffness = asking.stiffness;
+      for (const laws::ParameterInfo& p : laws::find_law(asking.law).parameters)
+        if (p.name == "stiffness" && stiffness == 0) stiffness = p.typical;
+      const std::string damping = asking.ratio
+                                      ? fmt::format("damping_ratio: {}", asking.ratio({.restitution = asked(i)}))
+                                      : fmt::format("restitution: {}, formula: {}", asked(i), asking.formula);
+      const Outcome run = test::run_text(
+          ball_on_wall(6e4, asking.speed, fmt::format("{}, stiffness: {}, {}", asking.law, stiffness, damping), 20));
+      expect_printed(only_impact(run).restitution, row.obtained[i], 4, "restitution");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PublishedFormula, testing::ValuesIn(reference::formulas), [](const auto& test) {
+  const reference::Asking& first = test.param.askings.front();
+  const std::string formula = first.ratio ? "damping_ratio" : std::string(first.formula);
+  return fmt::format("{:02}__{}__{}", test.index + 1, first.law, formula);
+});
+
+// For z >= 1 the bodies never part, so there is no impact to end: the run is left with the ball still creeping out.
+TEST(JankowskiInBothPhases, GivesTheRestitutionOfTheReference) {
+  const reference::FormulaRow& row = reference::jankowski_in_both_phases;
+  const double mass = 6e4, speed = 0.8, stiffness = 2.75e9;
+  for (std::size_t i = 0; i < 9; ++i) {
+    SCOPED_TRACE(asked(i));
+    const double xi = laws::jankowski_2005({.restitution = asked(i)});
+    Model model = test::model_of(ball_on_wall(mass, speed, fmt::format("hertz, stiffness: {}", stiffness), 2));
+    Link& link = model.links[0];
+    link.contact = std::make_unique<GapLink<reference::JankowskiInBothPhases>>(
+        reference::jankowski_in_both_phases_of(xi, stiffness, mass), link.gap);
+    const ImpactRow impact = only_impact(run(model));
+    if (2 * xi / std::sqrt(5.0) < 1)
+      expect_printed(impact.restitution, row.obtained[i], 4, "restitution");
+    else
+      EXPECT_TRUE(std::isnan(impact.t_end));
+  }
+}
+
+TEST(PaperSection51, OfTheTimeIntegrationAgreesWithTheReference) {
+  using namespace reference::section_5_1;
+  const auto collide = [](const std::string& link) {
+    return only_impact(test::run_text(
+        "structures:\n  a: {body: {mass: 100 t}, initial_velocity: 15 m/s}\n  b: {body: {mass: 150 t}}\n"
+        "links: [{between: [a, b], gap: 1 m, stiffness: 22000 kN/m^1.5, law: " +
+        link + "}]\nanalysis: {duration: 1, tolerance: 1e-8}\n"));
+  };
+  for (const reference::Section51Row& row : rows) {
+    SCOPED_TRACE(fmt::format("{} {} {}", row.law, row.formula, row.asked));
+    const ImpactRow impact = collide(fmt::format("{}, formula: {}, restitution: {}", row.law, row.formula, row.asked));
+    expect_printed(impact.restitution, row.restitution, 5, "restitution");
+    expect_printed(impact.peak_penetration, row.penetration, 6, "penetration [m]");
+    expect_printed(impact.peak_force / 1e3, row.force, 2, "force [kN]");
+    expect_printed(impact.t_release - impact.t_start, row.duration, 6, "duration [s]");
+    expect_printed(impact.energy_lost / 1e3, row.lost, 3, "energy lost [kJ]");
+    expect_printed(impact.impulse / 1e3, row.impulse, 3, "impulse [kN s]");
+  }
+  const ImpactRow elastic = collide("hertz");
+  expect_printed(elastic.peak_penetration, elastic_penetration, 6, "penetration [m]");
+  expect_printed(elastic.peak_force / 1e3, elastic_force, 3, "force [kN]");
+  expect_printed(elastic.t_end - elastic.t_start, elastic_duration, 6, "duration [s]");
+}
+
+TEST(KelvinVoigt, OfTheTimeIntegrationAgreesWithTheReferenceWithAndWithoutPull) {
+  using namespace reference::kelvin_voigt;
+  for (const reference::KelvinVoigtRow& row : rows) {
+    SCOPED_TRACE(row.asked);
+    const auto check = [&row](const char* law, double restitution, double duration) {
+      SCOPED_TRACE(law);
+      const ImpactRow impact = only_impact(test::run_text(ball_on_wall(
+          mass, speed,
+          fmt::format("{}, stiffness: {}, restitution: {}, formula: anagnostopoulos", law, stiffness, row.asked), 1)));
+      expect_printed(impact.restitution, restitution, 6, "restitution");
+      expect_printed(impact.t_release - impact.t_start, duration, 8, "duration [s]");
+      expect_printed(impact.peak_penetration, row.penetration, 8, "penetration [m]");
+      expect_printed(impact.peak_force, row.force, 1, "force [N]");
+    };
+    check("kelvin_voigt", row.restitution_to_zero_penetration, row.duration_to_zero_penetration);
+    check("kelvin_voigt_no_tension", row.restitution_to_zero_force, row.duration_to_zero_force);
+  }
+}
+
+TEST(PaperSection5, OfTheTimeIntegrationAgreesWithTheReference) {
+  using namespace reference::section_5;
+  for (const reference::Section5Row& row : rows) {
+    SCOPED_TRACE(row.formula);
+    const ImpactRow impact = only_impact(test::run_text(ball_on_wall(
+        mass, speed,
+        fmt::format("hertz_damped, stiffness: {}, restitution: {}, formula: {}", stiffness, reference::section_5::asked,
+                    row.formula),
+        1)));
+    expect_printed(impact.restitution, row.restitution, 5, "restitution");
+    expect_printed(impact.peak_penetration, row.penetration, 6, "penetration [m]");
+    expect_printed(impact.peak_force / 1e3, row.force, 3, "force [kN]");
+    expect_printed(impact.energy_lost / 1e3, row.lost, 5, "energy lost [kJ]");
+  }
+}
+
+// The design penetration is 1 m at impact_velocity; the actual speed is the one that reaches it along the bilinear curve,
+// where the force is the effective stiffness times 1 m.
+TEST(BilinearHertz, OfTheTimeIntegrationAtItsDesignPenetrationAgreesWithTheReference) {
+  using namespace reference::bilinear;
+  for (const reference::BilinearRow& row : rows) {
+    SCOPED_TRACE(row.asked);
+    const ImpactRow impact = only_impact(test::run_text(ball_on_wall(
+        mass, reaching_speed(row),
+        fmt::format("bilinear_hertz, stiffness: 1, impact_velocity: {}, restitution: {}, formula: muthukumar_desroches",
+                    design_speed, row.asked),
+        20)));
+    expect_printed(impact.peak_penetration, 1, 6, "penetration [m]");
+    expect_printed(impact.peak_force, row.stiffness, 6, "force [N]");
+    expect_printed(impact.energy_lost, row.loss, 6, "energy lost [J]");
+    expect_printed(impact.restitution, row.restitution, 6, "restitution");
+  }
+}
+
+}  // namespace
+}  // namespace pounding
