@@ -79,6 +79,7 @@ void ImpactLog::end(double time, double rate) {
   ImpactRow& row = rows_.back();
   row.t_end = time;
   if (std::isnan(row.t_release)) row.t_release = time;
+  if (row.peak_force == 0 && row.impulse > 0) row.peak_force = unknown;  // an impulse without duration
   row.v_separation = -rate;
   row.restitution = restitution(row.v_approach, -rate);
   open_ = false;
@@ -90,7 +91,6 @@ void ImpactLog::push(double impulse, double rate_before, double rate_after) {
   row.impulse += impulse;
   row.energy_lost += work;
   work_ += work;
-  if (row.peak_force == 0) row.peak_force = unknown;
 }
 
 }  // namespace pounding

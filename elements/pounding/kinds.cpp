@@ -33,12 +33,13 @@ Structure read_oscillator(const Input& body) {
   if (!period && !stiffness) body.fail("the stiffness is missing; type period: 0.8 s, or stiffness: 6.2 MN/m");
   if (stiffness) return make_oscillator(mass, stiffness->as_quantity(dimension::stiffness, bounds::positive), 0);
   const double w = 2 * M_PI / period->as_quantity(dimension::time, bounds::positive);
+  if (!std::isfinite(mass * w * w)) period->fail("is so short that the stiffness m (2 pi/T)^2 is no number");
   return make_oscillator(mass, mass * w * w, 0);
 }
 
 Structure read_shear_building(const Input& body) {
   only_keys(body, {"storeys", "mass", "stiffness", "height"});
-  const int storeys = static_cast<int>(body.at("storeys", "5").as_integer(1, 100000));
+  const int storeys = static_cast<int>(body.at("storeys", "5").as_integer(1, 1000));
   const auto masses = body.at("mass", "250 t").as_quantities(storeys, dimension::mass, bounds::positive);
   const auto stiffnesses =
       body.at("stiffness", "350 MN/m").as_quantities(storeys, dimension::stiffness, bounds::positive);

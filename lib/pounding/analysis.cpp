@@ -10,6 +10,7 @@
 #include <pounding/damping.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ts_pounding.hpp>
+#include <pounding/petsc/version.hpp>
 #include <pounding/recorder.hpp>
 #include <pounding/stepper.hpp>
 #include <pounding/version.hpp>
@@ -32,10 +33,11 @@ constexpr double output_share = 0.05;
 constexpr double seconds_between_writes = 1;
 
 double longest_step(const Model& model) {
-  if (model.analysis.max_step > 0) return model.analysis.max_step;
-  const double sample = model.ground.sample_step();
-  if (sample > 0) return std::min(sample, model.analysis.duration);
   double longest = longest_part_of_duration * model.analysis.duration;
+  if (model.analysis.max_step > 0) longest = std::min(longest, model.analysis.max_step);
+  const double sample = model.ground.sample_step();
+  if (sample > 0) return std::min(sample, model.analysis.max_step > 0 ? longest : model.analysis.duration);
+  longest = std::min(longest, longest_part_of_period * model.ground.shortest_period());
   for (const Structure& s : model.structures) {
     if (s.storey_stiffness.empty()) continue;
     const double w = eigenmodes(s.mass, s.stiffness).frequencies[0];
@@ -94,7 +96,7 @@ PetscErrorCode after_step(TS ts) {
     watch->failure = std::current_exception();
   }
   if (watch->failure) PetscFunctionReturn(petsc::fail("recording failed"));
-  PetscFunctionReturn(0);
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
 std::string text_of(const std::exception_ptr& failure) {
@@ -254,12 +256,21 @@ Outcome run(const Model& model, const RunOptions& options) {
       throw std::logic_error("this model has been run; read it again");
   std::vector<StructureSummary> without;
   if (model.compare_no_pounding) {
-    // A place that cannot be written is found before the first of the two runs.
+    // What is wrong with the options or the place is found before the first of the two runs.
+    make_ts(model, assemble(model, false).size());
     if (!options.output.empty()) write_results(heading(model, options), options.output);
     RunOptions quiet;
     quiet.progress = options.progress;
     quiet.stop = options.stop;
-    without = run_once(model, quiet, false, {}).summary.structures;
+    try {
+      without = run_once(model, quiet, false, {}).summary.structures;
+    } catch (const FailedRun& failed) {
+      Outcome outcome{heading(model, options), {}};
+      outcome.results.status = outcome.summary.status = fmt::format("failed: (the run without links) {}", failed.what());
+      outcome.results.summary_json = to_json(outcome.summary);
+      if (!options.output.empty()) write_results(outcome.results, options.output);
+      throw FailedRun(fmt::format("the run without links: {}", failed.what()), std::move(outcome));
+    }
   }
   return run_once(model, options, true, std::move(without));
 }

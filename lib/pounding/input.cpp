@@ -12,6 +12,9 @@
 namespace pounding {
 namespace {
 
+// No model is nested as deep as this.
+constexpr int deepest = 64;
+
 std::string joined(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : path + "." + std::string(key);
 }
@@ -214,9 +217,10 @@ void Input::expect_map() const {
   fail(fmt::format("takes keys with values such as {{key: value}}; {} was read", read));
 }
 
-void Input::refuse_repeated_keys() const {
+void Input::refuse_repeated_keys(int depth) const {
+  if (depth > deepest) fail(fmt::format("is nested more than {} levels deep; does an alias contain itself?", deepest));
   if (is_list())
-    for (const Input& member : items()) member.refuse_repeated_keys();
+    for (const Input& member : items()) member.refuse_repeated_keys(depth + 1);
   if (!is_map()) return;
   std::set<std::string> seen;
   for (const auto& entry : node_) {
@@ -225,7 +229,8 @@ void Input::refuse_repeated_keys() const {
     if (!entry.first.IsScalar()) fail_at(place, "a key must be a plain name");
     if (!seen.insert(entry.first.Scalar()).second)
       fail_at(place, fmt::format("key \"{}\" is given twice; keep one of them", entry.first.Scalar()));
-    child(entry.first.Scalar(), entry.first, entry.second).refuse_repeated_keys();
+    child(entry.first.Scalar(), entry.first, entry.second)
+        .refuse_repeated_keys(depth + 1);
   }
 }
 

@@ -14,6 +14,9 @@
 namespace pounding {
 namespace {
 
+// Histories are kept in memory.
+constexpr double most_outputs = 1e7;
+
 constexpr std::string_view damping_example = "damping: 5 %";
 
 // A key may stand under the kind's own word or beside it, not in both places.
@@ -279,6 +282,9 @@ AnalysisSettings read_analysis(const Input& input, const Model& model) {
     const double sample = model.ground.sample_step();
     settings.output_step = sample > 0 ? std::min(sample, settings.duration) : settings.duration / 1000;
   }
+  if (settings.duration / settings.output_step > most_outputs)
+    input.fail(fmt::format("{:.3g} output times are too many; type analysis: {{output_step: {:.3g}}}",
+                           settings.duration / settings.output_step, settings.duration / 1e4));
   return settings;
 }
 

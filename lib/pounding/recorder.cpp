@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pounding {
 namespace {
@@ -30,6 +31,8 @@ void LinkSampler::apart(double time, const LinkMotion& motion, double energy, Li
 
 void LinkSampler::pressed(double time, const LinkMotion& motion, double force, double energy) {
   last_ = {time, motion.penetration, motion.rate, force, energy};
+  // A force that jumps at the touch does so from zero.
+  if (samples_.empty()) samples_.push_back({time, motion.penetration, motion.rate, 0, energy});
   if (!samples_.empty() && ++skipped_ < stride_) return;
   skipped_ = 0;
   samples_.push_back(last_);
@@ -79,7 +82,7 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
 
 void Recorder::begin() {
   const State& now = stepper_.state();
-  sample(now.time, now.u, now.v, now.a);
+  sample(now.time, now.u, now.v, now.a, model_.ground.acceleration(now.time));
   ++outputs_;
   for (std::size_t k = 0; k < peaks_.size(); ++k)
     for (int i = 0; i < model_.structures[k].size(); ++i) {
@@ -92,8 +95,8 @@ void Recorder::begin() {
   sample_energy();
 }
 
-void Recorder::sample(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a) {
-  const double ground = model_.ground.acceleration(time);
+void Recorder::sample(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a,
+                      double ground) {
   results_.time.push_back(time);
   results_.ground_acceleration.push_back(ground);
   for (std::size_t k = 0; k < model_.structures.size(); ++k) {
@@ -117,10 +120,15 @@ void Recorder::step() {
   const double rounding = 1e-12 * std::max(1.0, end);
   for (double time = outputs_ * model_.analysis.output_step; time <= end + rounding;
        time = ++outputs_ * model_.analysis.output_step) {
+    energy_due_ = true;
+    if (time >= end - rounding) {  // just after what happens there: jumps of the ground, of a force, of a velocity
+      const State& now = stepper_.state();
+      sample(time, now.u, now.v, now.a, model_.ground.acceleration(end));
+      continue;
+    }
     stepper_.interpolate(time, u_, v_);
     stepper_.interpolate_acceleration(time, a_);
-    sample(time, u_, v_, a_);
-    energy_due_ = true;
+    sample(time, u_, v_, a_, model_.ground.acceleration(time));
   }
   follow_peaks();
   if (linked_) sample_links();
@@ -161,6 +169,7 @@ void Recorder::sample_links() {
       sampler.pressed(step.end, step.motion_end, force, contact.work());
     }
     if (!presses) sampler.finish(results_.links[i]);
+    if (ends_here) sampler.apart(step.end, step.motion_end, contact.work(), results_.links[i]);
     if (!presses && !ends_here && energy_due_) sampler.apart(step.end, step.motion_end, contact.work(), results_.links[i]);
   }
 }
@@ -238,9 +247,10 @@ void Recorder::summarize(Summary& summary) const {
     for (const Link& link : model_.links) {
       LinkSummary s;
       s.name = link.name;
+      if (!link.contact->impacts().empty()) s.peak_force = std::numeric_limits<double>::quiet_NaN();  // until a finite one
       for (const ImpactRow& row : link.contact->impacts()) {
         ++s.impacts;
-        s.peak_force = std::isnan(row.peak_force) ? row.peak_force : std::max(s.peak_force, row.peak_force);
+        s.peak_force = std::fmax(s.peak_force, row.peak_force);
         s.peak_penetration = std::max(s.peak_penetration, row.peak_penetration);
         s.impulse += row.impulse;
         s.energy_lost += row.energy_lost;

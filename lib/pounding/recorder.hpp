@@ -61,7 +61,7 @@ class Recorder {
   void summarize(Summary& summary) const;
 
  private:
-  void sample(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a);
+  void sample(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a, double ground);
   void follow_peaks();
   void sample_links();
   void sample_energy();

@@ -4,9 +4,11 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <system_error>
 
@@ -23,6 +25,15 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
+/// Only earlier results (HDF5 starts with these eight bytes) and empty files are replaced, never a model or a record.
+bool may_be_replaced(const fs::path& path) {
+  static constexpr std::array<char, 8> signature = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
+  std::array<char, 8> start{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), start.size());
+  return file.gcount() == 0 || (file.gcount() == 8 && start == signature);
+}
+
 /// Where the file really goes: a symbolic link stays a link. Refuses what a rename would silently destroy.
 fs::path destination(const std::string& path) {
   if (path.empty()) refuse(path, "the name is empty", "Name a file: -o results.h5");
@@ -32,6 +43,8 @@ fs::path destination(const std::string& path) {
   if (!fs::exists(status)) return path;
   if (!fs::is_regular_file(status)) refuse(path, "it is not a regular file", "Name a file: -o results.h5");
   if (access(path.c_str(), W_OK) != 0) refuse(path, reason(errno), "Name another file: -o results.h5");
+  if (!may_be_replaced(path))
+    refuse(path, "a file of this name exists and holds no results", "Name another file: -o results.h5");
   return fs::canonical(path);
 }
 

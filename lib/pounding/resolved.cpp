@@ -9,6 +9,9 @@
 namespace pounding {
 namespace {
 
+// Larger damping matrices are told by their note.
+constexpr int largest_shown_matrix = 20;
+
 // Every digit that a double needs, and no more.
 std::string exact(double value) { return fmt::format("{}", value); }
 
@@ -33,7 +36,7 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
       for (const double each : w) periods.push_back(2 * M_PI / each);
       emit_list(out, "periods", periods);
       std::vector<double> matrix(s.damping.data(), s.damping.data() + s.damping.size());
-      emit_list(out, "damping_matrix", matrix);
+      if (s.size() <= largest_shown_matrix) emit_list(out, "damping_matrix", matrix);
     }
     if (!s.heights.empty()) emit_list(out, "height", s.heights);
     emit_list(out, "initial_displacement", {s.initial_displacement.begin(), s.initial_displacement.end()});

@@ -153,12 +153,12 @@ void write_energy(hid_t file, const EnergyHistory& energy) {
     array(place, label, values, {values.size()});
   };
   column({"time", "s", "time"}, energy.time);
-  column({"input", "J", "work of the ground motion, and the energy at the start"}, energy.input);
-  column({"kinetic", "J", "kinetic energy"}, energy.kinetic);
+  column({"input", "J", "relative input energy: work of -M r ag on the motion relative to the ground, and the energy at the start"}, energy.input);
+  column({"kinetic", "J", "kinetic energy of the motion relative to the ground"}, energy.kinetic);
   column({"strain", "J", "elastic energy"}, energy.strain);
   column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);
   column({"hysteretic", "J", "energy dissipated by yielding"}, energy.hysteretic);
-  column({"impact", "J", "energy dissipated by the links"}, energy.impact);
+  column({"impact", "J", "work done on the links: lost, and stored while they press"}, energy.impact);
   column({"error", "J", "input minus all other parts"}, energy.error);
 }
 

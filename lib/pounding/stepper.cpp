@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -106,7 +107,7 @@ void Stepper::balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double
   }
   accelerate(u, v, force, ground, a);
   if (held.empty()) return;
-  // Held contacts take the forces that leave no closing acceleration.
+  // Held contacts take the forces that leave no closing acceleration; those that hold the same bodies share them.
   const int count = static_cast<int>(held.size());
   Eigen::MatrixXd g(count, count);
   Eigen::VectorXd relative(count);
@@ -114,7 +115,7 @@ void Stepper::balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double
     relative[i] = closing(held[i], a);
     for (int j = 0; j < count; ++j) g(i, j) = rigid_flexibility_(held[i], held[j]);
   }
-  const Eigen::VectorXd forces = g.ldlt().solve(relative);
+  const Eigen::VectorXd forces = g.completeOrthogonalDecomposition().solve(relative);
   for (int i = 0; i < count; ++i) force[held[i]] = forces[i];
   accelerate(u, v, force, ground, a);
 }

@@ -131,6 +131,7 @@ class Stepper {
   double margin_of_trial(const Ending& ending) const;
   void enter_phases();
   void bounce(const std::vector<int>& touching);
+  void release_parting();
   void update_scales();
 
   const System& system_;

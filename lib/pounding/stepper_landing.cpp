@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <pounding/error.hpp>
 #include <pounding/stepper.hpp>
 
 namespace pounding {
@@ -211,8 +212,9 @@ void Stepper::bounce(const std::vector<int>& touching) {
   const auto rate_of = [&](int i) { return closing(i, now_.v); };
   std::vector<int> links = touching;
   for (const int i : touching) {
-    const double rate = std::max(0.0, rate_of(i));
-    strike(i, rate, rate < slowest);
+    const double rate = rate_of(i);
+    if (rate < -noise * speed) continue;  // an earlier impulse has parted them
+    strike(i, std::max(0.0, rate), rate < slowest);
   }
   for (int i = 0; i < system_.links(); ++i)
     if (system_.contacts[i]->phase() == ContactPhase::resting) links.push_back(i);
@@ -224,7 +226,20 @@ void Stepper::bounce(const std::vector<int>& touching) {
       closing = true;
       strike(i, rate, rate < slowest);
     }
-    if (!closing) return;
+    if (closing) continue;
+    release_parting();
+    return;
+  }
+  throw SolverError("rigid bodies hand an impulse back and forth without end; give one of their links a compliant law");
+}
+
+// An impulse on one body may tear it from another that it rested on.
+void Stepper::release_parting() {
+  const double speed = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
+  for (int i = 0; i < system_.links(); ++i) {
+    Contact& contact = *system_.contacts[i];
+    const LinkMotion here = motion(i, now_.u, now_.v);
+    if (contact.phase() == ContactPhase::resting && here.rate < -noise * speed) contact.crossed(0, now_.time, here);
   }
 }
 

@@ -1,6 +1,7 @@
 /// The link forces of a trial step: Newton on the few equations that condensation leaves.
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -84,6 +85,10 @@ bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eig
   Eigen::VectorXd residual(count), relief(count), trial(count);
   Eigen::MatrixXd slopes(count, count);
   const auto held = [&](int i) { return system_.contacts[active_[i]]->phase() == ContactPhase::resting; };
+  // Held contacts between the same bodies leave their shares open.
+  int held_count = 0;
+  for (int i = 0; i < count; ++i) held_count += held(i);
+  const bool several_held = held_count > 1;
   const auto evaluate = [&](const Eigen::VectorXd& x, bool with_slopes) {
     ++iterations_;
     relief.noalias() = g * x;
@@ -118,7 +123,9 @@ bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eig
       for (int i = 0; i < count; ++i) force[active_[i]] = f[i];
       return true;
     }
-    const Eigen::VectorXd direction = slopes.partialPivLu().solve(residual);
+    const Eigen::VectorXd direction =
+        several_held ? Eigen::VectorXd(slopes.completeOrthogonalDecomposition().solve(residual))
+                     : Eigen::VectorXd(slopes.partialPivLu().solve(residual));
     double length = 1;
     bool better = false;
     for (int halving = 0; halving < 8 && !better; ++halving, length /= 2) {

@@ -34,7 +34,7 @@ std::string structures_table(const std::vector<StructureSummary>& structures,
   std::string text = fmt::format("{:<{}}  floor  displacement       drift  acceleration{}\n", "structure", width,
                                  compare ? "   without links  ratio" : "");
   text += fmt::format("{:<{}}                 (mm)        (mm)       (m/s^2){}\n", "", width,
-                      compare ? "            (mm)       " : "");
+                      compare ? "            (mm)" : "");
   for (std::size_t k = 0; k < structures.size(); ++k) {
     const StructureSummary& s = structures[k];
     for (std::size_t i = s.peak_displacement.size(); i-- > 0;) {

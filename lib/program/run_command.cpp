@@ -18,6 +18,9 @@
 namespace pounding::program {
 namespace {
 
+// An imbalance this many times the tolerance says that something was not resolved.
+constexpr double suspicious_imbalance = 100;
+
 struct Words {
   std::string model, output, picture;
   bool json = false, plot = false, quiet = false;
@@ -89,9 +92,10 @@ void run_model(const Words& words, const CLI::App& command) {
   const std::vector<std::string> options = petsc_words(command);
   const Model model = read(words.model);
   RunOptions run_options;
-  const bool keep = !words.output.empty() || words.plot;
+  const bool plot = words.plot || !words.picture.empty();
+  const bool keep = !words.output.empty() || plot;
   if (keep) run_options.output = words.output.empty() ? with_ending(words.model, ".h5") : words.output;
-  run_options.command = "pounding run " + words.model;
+  run_options.command = fmt::format("pounding run {}{}{}", words.model, options.empty() ? "" : " ", fmt::join(options, " "));
   const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet;
   if (terminal) run_options.progress = show_progress;
   if (!words.json && !words.quiet) std::fputs((describe(model) + "\n").c_str(), stdout);
@@ -113,14 +117,19 @@ void run_model(const Words& words, const CLI::App& command) {
   }
   if (terminal) clear_progress();
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
-    throw InputError(fmt::format("the option {} was read by nothing; the results do not depend on it", unread.front()));
+    std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n", unread.front().c_str());
+  if (outcome.summary.energy.error > suspicious_imbalance * model.analysis.tolerance)
+    std::fprintf(stderr,
+                 "pounding: warning: the energies do not close, the largest imbalance is %.1e of the input; run again with a "
+                 "smaller tolerance\n",
+                 outcome.summary.energy.error);
   if (words.json)
     std::puts(to_json(outcome.summary).c_str());
   else if (!words.quiet)
     std::fputs(to_table(outcome.summary).c_str(), stdout);
   if (!keep) return;
   if (!words.json && !words.quiet) std::printf("\nresults      %s\n", run_options.output.c_str());
-  if (!words.plot) return;
+  if (!plot) return;
   const std::string picture = words.picture.empty() ? with_ending(run_options.output, ".png") : words.picture;
   draw(run_options.output, picture);
   if (!words.json && !words.quiet) std::printf("picture      %s\n", picture.c_str());

@@ -120,6 +120,33 @@ TEST(ZeroGap, StaysUnilateral) {
   EXPECT_LT(widest, -1e-2) << "the buildings part";
 }
 
+// Two links between the same bodies touch at the same instant: the first impulse parts both, and nothing is held.
+TEST(RigidContactsAtOneInstant, AreAsOne) {
+  const std::string one = test::two_oscillators("stereomechanical, restitution: 0.65", 1e-4);
+  std::string two = one;
+  two.insert(two.find("analysis:"),
+             "  - {name: second, between: [left, right], gap: 20 mm, law: stereomechanical, restitution: 0.65}\n");
+  const Outcome single = run_text(one), both = run_text(two);
+  EXPECT_NEAR(both.summary.structures[0].peak_displacement[0], single.summary.structures[0].peak_displacement[0], 1e-9);
+  EXPECT_EQ(both.results.impacts.size(), single.results.impacts.size());
+  EXPECT_GE(both.summary.energy.impact, 0);
+}
+
+// A body that hits another and a wall at the same instant leaves both.
+TEST(RigidContactsAtOneInstant, LetABodyLeaveAWallAndAnotherBody) {
+  const Outcome run = run_text("structures:\n"
+                               "  a: {body: {mass: 1 t}, initial_velocity: 1 m/s}\n"
+                               "  b: {body: {mass: 1 t}}\n"
+                               "  w: {wall: {}}\n"
+                               "links:\n"
+                               "  - {between: [a, b], gap: 10 mm, law: stereomechanical, restitution: 0.6}\n"
+                               "  - {between: [a, w], gap: 10 mm, law: stereomechanical, restitution: 0.6}\n"
+                               "analysis: {duration: 0.1}\n");
+  EXPECT_LT(run.results.structures[0].velocity.back(), 0);
+  for (const ImpactRow& row : run.results.impacts) EXPECT_FALSE(std::isnan(row.t_end));
+  EXPECT_LT(run.summary.energy.error, 1e-12);
+}
+
 // A row of four equal bodies, the first one moving: rigid contacts at zero gap hand the impulse on.
 TEST(RigidRow, HandsTheImpulseOnAtTheSameInstant) {
   std::string structures = "structures:\n", links = "links:\n";
@@ -132,6 +159,37 @@ TEST(RigidRow, HandsTheImpulseOnAtTheSameInstant) {
   const Outcome run = run_text(structures + links + "analysis: {duration: 0.1}\n");
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(run.results.structures[i].velocity.back(), 0, 1e-12) << i;
   EXPECT_NEAR(run.results.structures[3].velocity.back(), 1, 1e-12);
+}
+
+// Where the ground jumps, the absolute acceleration does not: m a = -(c v + k u) at every output time.
+TEST(JumpOfTheGround, LeavesTheAbsoluteAccelerationInBalance) {
+  const Outcome run = run_text("ground_motion: {pulse: {shape: rectangle, amplitude: 2.0, start: 0.5, duration: 1}}\n"
+                               "structures: {a: {oscillator: {mass: 2 kg, period: 0.4, damping: 5 %}}}\n"
+                               "analysis: {duration: 2, output_step: 0.01, tolerance: 1e-6}\n");
+  const StructureHistory& a = run.results.structures[0];
+  const double w = 2 * M_PI / 0.4;
+  for (std::size_t i = 0; i < run.results.time.size(); ++i)
+    EXPECT_NEAR(a.acceleration[i], -(2 * 0.05 * w * a.velocity[i] + w * w * a.displacement[i]), 1e-5) << run.results.time[i];
+}
+
+// A first step over whole periods would see no motion at all.
+TEST(GroundMotion, IsNotSteppedOver) {
+  const Outcome run = run_text("ground_motion: {harmonic: {amplitude: 3.0, period: 0.1, duration: 1.6}}\n"
+                               "structures: {a: {body: {mass: 1 t}}}\nanalysis: {duration: 1.6, max_step: 1e3}\n");
+  // v = -(A T/2 pi)(1 - cos), u(1.6) = -A T t/(2 pi).
+  EXPECT_NEAR(run.results.structures[0].displacement.back(), -3.0 * 0.1 * 1.6 / (2 * M_PI), 1e-5);
+}
+
+TEST(LinkHistory, RisesFromZeroAtTheTouch) {
+  const Outcome run = run_text("structures:\n  a: {body: {mass: 100 t}, initial_velocity: 1 m/s}\n  w: {wall: {}}\n"
+                               "links: [{between: [a, w], gap: 10 mm, law: kelvin_voigt_no_tension, stiffness: 93.5 MN/m, "
+                               "restitution: 0.5}]\nanalysis: {duration: 0.2, tolerance: 1e-6}\n");
+  const LinkHistory& link = run.results.links[0];
+  double impulse = 0;
+  for (std::size_t i = 1; i < link.time.size(); ++i)
+    impulse += 0.5 * (link.time[i] - link.time[i - 1]) * (link.force[i] + link.force[i - 1]);
+  // Trapezoids over some hundred samples; a ramp from the last output before the touch would add a per cent.
+  EXPECT_NEAR(impulse, run.results.impacts[0].impulse, 1e-4 * impulse);
 }
 
 }  // namespace

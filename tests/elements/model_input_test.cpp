@@ -133,9 +133,9 @@ TEST(StructureInput, OfAShearBuildingHasAValueAStorey) {
   refused(structure("{shear_building: {mass: 5 t, stiffness: 1 MN/m}, damping: 0}"),
           R"(2:23: structures.a.shear_building: key "storeys" is missing; type "storeys: 5")");
   refused(structure("{shear_building: {storeys: 0, mass: 5 t, stiffness: 1 MN/m}, damping: 0}"),
-          R"(2:33: structures.a.shear_building.storeys: takes an integer from 1 to 100000; "0" is outside)");
+          R"(2:33: structures.a.shear_building.storeys: takes an integer from 1 to 1000; "0" is outside)");
   refused(structure("{shear_building: {storeys: 2.5, mass: 5 t, stiffness: 1 MN/m}, damping: 0}"),
-          R"(2:33: structures.a.shear_building.storeys: takes an integer from 1 to 100000; "2.5" is not one)");
+          R"(2:33: structures.a.shear_building.storeys: takes an integer from 1 to 1000; "2.5" is not one)");
   refused(structure("{shear_building: {storeys: 3, stiffness: 1 MN/m}, damping: 0}"),
           R"(2:23: structures.a.shear_building: key "mass" is missing; type "mass: 250 t")");
   refused(structure("{shear_building: {storeys: 3, mass: [5 t, 6 t], stiffness: 1 MN/m}, damping: 0}"),

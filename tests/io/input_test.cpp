@@ -27,6 +27,15 @@ std::string error_in(const std::string& text) {
   return error_of([&] { model(text); });
 }
 
+TEST(Input, AliasThatContainsItselfIsRefused) {
+  try {
+    Input::read_text("structures: &x\n  a: *x\n", "m.yaml");
+    FAIL() << "an endless file was read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("does an alias contain itself?"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Input, MissingFileIsNamed) {
   EXPECT_EQ(error_of([] { Input::read_file("no/such.yaml"); }), "no/such.yaml: no such file, or it cannot be read");
 }

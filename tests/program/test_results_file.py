@@ -119,6 +119,18 @@ class EarlierFile(ProgramTest):
         with h5py.File(self.folder / "out.h5") as file:
             self.assertIn("failed", file.attrs["status"])
 
+    def test_that_is_no_results_file_is_not_overwritten(self):
+        (self.folder / "record.csv").write_text("0, 0\n1, 1\n")
+        self.refused(2, "a file of this name exists and holds no results", "run", "good.yaml", "-q", "-o", "record.csv")
+        self.refused(2, "a file of this name exists and holds no results", "run", "good.yaml", "-q", "-o", "good.yaml")
+        self.assertEqual((self.folder / "record.csv").read_text(), "0, 0\n1, 1\n")
+
+    def test_survives_wrong_options_of_a_run_that_compares(self):
+        compared = self.write((self.folder / "good.yaml").read_text() + "compare: no_pounding\n", "compared.yaml")
+        before = (self.folder / "out.h5").read_bytes()
+        self.refused(2, "nothing reads the option", "run", compared, "-q", "-o", "out.h5", "-pounding_nothing", "1")
+        self.assertEqual((self.folder / "out.h5").read_bytes(), before)
+
     def test_is_not_needed_for_a_place_that_cannot_be_written(self):
         self.refused(2, "mkdir -p none", "run", "good.yaml", "--json", "-o", "none/out.h5")
         (self.folder / "taken").mkdir()
