@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   add_plot(app);
   try {
     app.parse(argc, argv);
-    if (std::fflush(stdout) != 0) return report("what was printed could not be written", other_failure);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);
     return done;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

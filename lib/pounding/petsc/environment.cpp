@@ -52,8 +52,11 @@ Environment::Environment(const std::vector<std::string>& options) {
 }
 
 Environment::~Environment() {
-  PetscPopErrorHandler();
-  if (started_) PetscFinalize();
+  // Under our handler to the end: what PETSc finds then (a full standard output) is the program's to tell.
+  if (started_)
+    PetscFinalize();
+  else
+    PetscPopErrorHandler();
 }
 
 std::vector<std::string> Environment::unread_options() {
