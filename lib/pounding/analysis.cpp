@@ -59,12 +59,18 @@ struct Watch {
   int steps_to_look = steps_per_look;
   std::exception_ptr failure = nullptr;
 
+  // The summary of what there is so far.
+  void conclude(const std::string& status) {
+    results.status = summary.status = status;
+    recorder.summarize(summary);
+    summary.solver = results.solver;
+    results.summary_json = to_json(summary);
+  }
+
   void write(const std::string& status) {
     if (options.output.empty()) return;
     const Clock::time_point begin = Clock::now();
-    results.status = summary.status = status;
-    recorder.summarize(summary);
-    results.summary_json = to_json(summary);
+    conclude(status);
     recorder.with_present_state([&] { write_results(results, options.output); });
     last_write = Clock::now();
     const double cost = std::chrono::duration<double>(last_write - begin).count();
@@ -239,11 +245,8 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   fill_statistics(solve.ts, stepper, results.solver);
   results.solver.wall_seconds = seconds_since(start);
   results.solver.wall_solve = results.solver.wall_seconds - results.solver.wall_setup - results.solver.wall_output;
-  recorder.summarize(outcome.summary);
-  outcome.summary.solver = results.solver;
-  outcome.summary.status = results.status = failure.empty() ? "done" : "failed: " + failure;
-  results.summary_json = to_json(outcome.summary);
-  if (!options.output.empty()) watch.write(results.status);
+  watch.conclude(failure.empty() ? "done" : "failed: " + failure);
+  watch.write(results.status);
   if (!failure.empty()) throw FailedRun(failure, std::move(outcome));
   return outcome;
 }

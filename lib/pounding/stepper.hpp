@@ -125,7 +125,7 @@ class Stepper {
   double noise_of(int link, int margin) const;
   bool ended(int link, int margin, double value) const;
   std::vector<Ending> endings() const;
-  std::optional<double> inner_touch(int link);
+  void inner_touch(int link);
   bool begins_inside(Ending& ending, double longest);
   bool locate(const Ending& ending, double longest);
   double margin_of_trial(const Ending& ending) const;

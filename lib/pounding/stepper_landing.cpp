@@ -22,6 +22,10 @@ constexpr double shortest_look = 1e-9;
 // Impulses that go back and forth in a row of rigid bodies.
 constexpr int most_rounds = 1000;
 
+// A trial that was thrown away half solved must not be kept.
+constexpr const char* lost_trial =
+    "the link equations could not be solved while the instant of an impact was sought; try a smaller tolerance";
+
 constexpr int reversal_or_touch = 0;
 
 }  // namespace
@@ -59,27 +63,27 @@ std::vector<Stepper::Ending> Stepper::endings() const {
   return found;
 }
 
-// Bodies that close and part again within one trial: the time of least opening when they overlap there.
-std::optional<double> Stepper::inner_touch(int link) {
-  if (system_.contacts[link]->phase() != ContactPhase::open) return std::nullopt;
+// Bodies that close and part again within one trial: when they overlap between its ends, the trial is shortened to the time
+// of least opening.
+void Stepper::inner_touch(int link) {
+  if (system_.contacts[link]->phase() != ContactPhase::open) return;
   const LinkMotion begin = motion(link, now_.u, now_.v), end = motion(link, trial_.end.u, trial_.end.v);
-  if (!(begin.rate > 0 && end.rate < 0 && begin.penetration <= 0 && end.penetration <= 0)) return std::nullopt;
+  if (!(begin.rate > 0 && end.rate < 0 && begin.penetration <= 0 && end.penetration <= 0)) return;
   // Extremum of the cubic through both ends.
   const double h = trial_.h, slope = (end.penetration - begin.penetration) / h;
   const double a = 3 * (begin.rate + end.rate - 2 * slope), b = 2 * (3 * slope - 2 * begin.rate - end.rate);
   const double root = std::sqrt(std::max(0.0, b * b - 4 * a * begin.rate));
   const double s = -2 * begin.rate / (b - root);
-  if (!(s > 0 && s < 1)) return std::nullopt;
+  if (!(s > 0 && s < 1)) return;
   const double widest =
       begin.penetration + h * s * (begin.rate + s * (b / 2 + s * a / 3));
   const double reach = 0.25 * h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
-  if (widest < -reach) return std::nullopt;
-  const double whole = trial_.h;
+  if (widest < -reach) return;
+  const double whole = trial_.h, end_time = trial_.end.time;
   const bool touches = attempt(s * whole) && ended(link, reversal_or_touch,
                                                    -motion(link, trial_.end.u, trial_.end.v).penetration);
-  if (touches) return s * whole;
-  attempt(whole);
-  return std::nullopt;
+  // The trial as it was, its end at the exact time of a corner of the ground motion included.
+  if (!touches && !attempt(whole, end_time)) throw SolverError(lost_trial);
 }
 
 std::optional<double> Stepper::land() {
@@ -90,14 +94,14 @@ std::optional<double> Stepper::land() {
   while (!open.empty()) {
     Ending first =
         *std::min_element(open.begin(), open.end(), [](const Ending& a, const Ending& b) { return a.guess < b.guess; });
-    const double noise_here = noise_of(first.link, first.margin);
+    const double noise_here = noise_of(first.link, first.margin), longest = trial_.h;
     const bool at_zero = first.at_begin <= noise_here;
     const bool doubtful = at_zero || first.at_begin <= grouped_part * std::abs(first.at_end);
-    if (doubtful && !begins_inside(first, trial_.h) && at_zero) {
+    if (doubtful && !begins_inside(first, longest) && at_zero) {
       landed_.assign(1, first);
       return 0.0;
     }
-    if (!locate(first, trial_.h)) return std::nullopt;
+    if (!locate(first, longest)) throw SolverError(lost_trial);
     // Endings that came still earlier than the one just located.
     std::vector<Ending> earlier;
     for (const Ending& ending : endings())

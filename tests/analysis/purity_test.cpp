@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <memory>
 
@@ -49,6 +50,23 @@ TEST(TrialSteps, LeaveNoTrace) {
   EXPECT_TRUE(same_bits(quiet.u, busy.u));
   EXPECT_TRUE(same_bits(quiet.v, busy.v));
   EXPECT_TRUE(same_bits(quiet.force, busy.force));
+}
+
+// Looking between the ends of a trial for a touch that is not there leaves the trial as it was, its exact end included: a
+// time one rounding short of a corner of the ground motion would ask for a step of that length.
+TEST(TrialSteps, KeepTheirExactEndWhenBodiesPassClose) {
+  const Model model = test::model_of("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"
+                                     "links: [{between: [a, w], gap: 20.001 mm, law: hertz, stiffness: 2.75e9}]\n"
+                                     "analysis: {duration: 1}\n");
+  const System system = assemble(model);
+  Stepper stepper(system, {.tolerance = 1e-4, .first_rung = 0.1});
+  const double w = 2 * M_PI / 0.5, begin = 0.12, h = 0.01, end = std::nextafter(begin + h, 1.0);
+  stepper.start(begin, Eigen::VectorXd::Constant(1, 0.02 * std::sin(w * begin)),
+                Eigen::VectorXd::Constant(1, 0.02 * w * std::cos(w * begin)));
+  ASSERT_TRUE(stepper.attempt(h, end));
+  EXPECT_FALSE(stepper.land().has_value());
+  stepper.accept();
+  EXPECT_EQ(stepper.state().time, end);
 }
 
 TEST(SameInput, GivesTheSameBitsTwice) {

@@ -128,8 +128,7 @@ PetscErrorCode advance(TS ts) {
     const bool pressed = stepper.in_contact();
     double following = pressed ? data.step_pressed : data.step_apart;
     if (following == 0) following = pressed ? good * first_contact_part : good;
-    ts->time_step = fixed ? goal.step : following;
-    if (fixed) ts->time_step = wanted;
+    ts->time_step = fixed ? wanted : following;
     break;
   }
   ts->ptime = stepper.state().time;
@@ -207,8 +206,6 @@ PetscErrorCode view(TS ts, PetscViewer viewer) {
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
-PetscErrorCode reset(TS) { return POUNDING_PETSC_SUCCESS; }
-
 PetscErrorCode destroy(TS ts) {
   PetscFunctionBegin;
   delete static_cast<Data*>(ts->data);
@@ -224,7 +221,6 @@ PetscErrorCode create(TS ts) {
   ts->ops->interpolate = interpolate;
   ts->ops->setfromoptions = set_from_options;
   ts->ops->view = view;
-  ts->ops->reset = reset;
   ts->ops->destroy = destroy;
   ts->default_adapt_type = TSADAPTBASIC;
   ts->usessnes = PETSC_FALSE;
