@@ -21,6 +21,12 @@ void RigidGapLink::accept(const LinkStep& step) {
   if (phase_ == ContactPhase::resting) log_.add(step);
 }
 
+void RigidGapLink::archive(Archive& archive) {
+  archive(drift_);
+  archive(phase_);
+  log_.archive(archive);
+}
+
 // A touch is answered by a jump, not here: what ends here is a rest whose force has come to pull.
 void RigidGapLink::crossed(int, double time, const LinkMotion& motion) {
   if (phase_ != ContactPhase::resting) return;

@@ -91,6 +91,12 @@ class GapLink final : public Contact {
 
   double work() const noexcept override { return log_.work(); }
   std::span<const ImpactRow> impacts() const noexcept override { return log_.rows(); }
+  void archive(Archive& archive) override {
+    archive(gap_);
+    archive(phase_);
+    archive(impact_);
+    log_.archive(archive);
+  }
 
  private:
   // The force as the law writes it. Just past the separation it is asked at a trace of penetration, so that a release
@@ -130,6 +136,7 @@ class RigidGapLink final : public Contact {
   void jumped(double time, double impulse, double rate_before, double rate_after, bool held) override;
   double work() const noexcept override { return log_.work(); }
   std::span<const ImpactRow> impacts() const noexcept override { return log_.rows(); }
+  void archive(Archive& archive) override;
 
  private:
   double restitution_, gap_;

@@ -93,4 +93,13 @@ void ImpactLog::push(double impulse, double rate_before, double rate_after) {
   work_ += work;
 }
 
+void ImpactLog::archive(Archive& archive) {
+  archive(open_);
+  archive(rows_);
+  archive(work_);
+  archive(times_);
+  archive(forces_);
+  archive(known_);
+}
+
 }  // namespace pounding

@@ -27,6 +27,7 @@ class ImpactLog {
   const ImpactRow& current() const { return rows_.back(); }
   std::span<const ImpactRow> rows() const { return rows_; }
   double work() const { return work_; }
+  void archive(Archive& archive);
 
  private:
   void follow_peak(double time, double force);

@@ -8,6 +8,7 @@
 #include <fmt/chrono.h>
 
 #include <pounding/damping.hpp>
+#include <pounding/modal_base.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ts_pounding.hpp>
 #include <pounding/petsc/version.hpp>
@@ -79,10 +80,10 @@ struct Watch {
   }
 
   void look() {
-    if (options.stop && options.stop()) throw SolverError(fmt::format("stopped by the user at t = {:.6g} s", stepper.state().time));
+    if (options.stop && options.stop()) throw SolverError(fmt::format("stopped by the user at t = {:.6g} s", stepper.time()));
     if (options.progress && seconds_since(last_report) > seconds_between_reports) {
       last_report = Clock::now();
-      options.progress(stepper.state().time, model.analysis.duration, recorder.impacts());
+      options.progress(stepper.time(), model.analysis.duration, recorder.impacts());
     }
     if (seconds_since(last_write) > std::max(seconds_between_writes, write_cost / output_share)) write("running");
   }
@@ -177,17 +178,17 @@ StepperOptions stepper_options(TS ts, const Model& model) {
     throw InputError(fmt::format("-pounding_ts_rtol {:g}: the tolerance lies in [{:g}, {:g}]", tolerance, least_tolerance,
                                  largest_tolerance));
   options.tolerance = tolerance;
-  options.spectral_radius = radius;
+  options.scheme.spectral_radius = radius;
   options.first_rung = longest_step(model);
   return options;
 }
 
 // A limit on steps ends a TS without an error.
 std::string early_end(TS ts, const Stepper& stepper, const Model& model) {
-  if (stepper.state().time >= model.analysis.duration * (1 - 1e-12)) return "";
+  if (stepper.time() >= model.analysis.duration * (1 - 1e-12)) return "";
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   petsc::check(TSGetConvergedReason(ts, &reason));
-  return fmt::format("the time stepping ended at t = {:.6g} s of {:.6g} s ({})", stepper.state().time, model.analysis.duration,
+  return fmt::format("the time stepping ended at t = {:.6g} s of {:.6g} s ({})", stepper.time(), model.analysis.duration,
                      TSConvergedReasons[reason]);
 }
 
@@ -222,7 +223,8 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
 
   const System system = assemble(model, with_links);
   Solve solve = make_ts(model, system.size());
-  Stepper stepper(system, stepper_options(solve.ts, model));
+  ModalBase base(system);
+  Stepper stepper(system, base, stepper_options(solve.ts, model));
   petsc::check(petsc::set_stepper(solve.ts, &stepper));
   const auto [u, v] = initial_state(model);
   stepper.start(0, u, v);

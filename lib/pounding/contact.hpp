@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include <pounding/archive.hpp>
 #include <pounding/impact_row.hpp>
 
 namespace pounding {
@@ -74,6 +75,8 @@ class Contact {
   virtual double work() const noexcept = 0;
   /// One row an impact, in the order of their touches; the last one is unfinished (t_end NaN) while it lasts.
   virtual std::span<const ImpactRow> impacts() const noexcept = 0;
+  /// Everything that moves in accept() and crossed().
+  virtual void archive(Archive& archive) = 0;
 };
 
 }  // namespace pounding

@@ -323,11 +323,29 @@ std::vector<int> offsets(const Model& model) {
   return first;
 }
 
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void add_entries(Triplets& entries, const Eigen::MatrixXd& block, int first) {
+  for (int j = 0; j < block.cols(); ++j)
+    for (int i = 0; i < block.rows(); ++i)
+      if (block(i, j) != 0) entries.emplace_back(first + i, first + j, block(i, j));
+}
+
+SparseMatrix sparse(const Triplets& entries, int rows, int columns) {
+  SparseMatrix matrix(rows, columns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}  // namespace
+
 System assemble(const Model& model, bool with_links) {
   const std::vector<int> first = offsets(model);
   const int n = first.back() + model.structures.back().size();
   System system;
-  system.mass = system.damping = system.stiffness = Eigen::MatrixXd::Zero(n, n);
+  Triplets mass, damping, stiffness, closing;
   system.ground = model.ground;
   double fastest = 0;
   for (const Structure& s : model.structures)
@@ -335,9 +353,9 @@ System assemble(const Model& model, bool with_links) {
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     if (s.is_rigid()) continue;
-    system.mass.block(first[i], first[i], s.size(), s.size()) = s.mass;
-    system.damping.block(first[i], first[i], s.size(), s.size()) = s.damping;
-    system.stiffness.block(first[i], first[i], s.size(), s.size()) = s.stiffness;
+    add_entries(mass, s.mass, first[i]);
+    add_entries(damping, s.damping, first[i]);
+    add_entries(stiffness, s.stiffness, first[i]);
     // Errors are compared with the motion so far; before there is any, with a hundredth of what the ground can cause.
     Group group{first[i], s.size(), 1e-12, 1e-9};
     group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
@@ -347,15 +365,18 @@ System assemble(const Model& model, bool with_links) {
     group.velocity_floor = std::max(group.velocity_floor, 1e-2 * model.ground.peak() / w);
     system.groups.push_back(group);
   }
+  system.mass = sparse(mass, n, n);
+  system.damping = sparse(damping, n, n);
+  system.stiffness = sparse(stiffness, n, n);
   system.load = system.mass * Eigen::VectorXd::Ones(n);
-  system.closing = Eigen::MatrixXd::Zero(n, with_links ? static_cast<int>(model.links.size()) : 0);
-  if (!with_links) return system;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
+  for (std::size_t i = 0; with_links && i < model.links.size(); ++i) {
     const Link& link = model.links[i];
-    if (link.left_floor >= 0) system.closing(first[link.left] + link.left_floor, i) += 1;
-    if (link.right_floor >= 0) system.closing(first[link.right] + link.right_floor, i) -= 1;
+    const int column = static_cast<int>(i);
+    if (link.left_floor >= 0) closing.emplace_back(first[link.left] + link.left_floor, column, 1);
+    if (link.right_floor >= 0) closing.emplace_back(first[link.right] + link.right_floor, column, -1);
     system.contacts.push_back(link.contact.get());
   }
+  system.closing = sparse(closing, n, system.links());
   return system;
 }
 

@@ -7,7 +7,14 @@
 namespace pounding {
 namespace {
 
-constexpr std::size_t most_samples_of_an_impact = 1024;
+constexpr std::size_t most_samples_of_an_impact = 2048;
+
+// The parabola through the power at both ends and the middle.
+double work_of_second_half(const LinkStep& step) {
+  const double begin = step.force_begin * step.motion_begin.rate, middle = step.force_middle * step.motion_middle.rate,
+               end = step.force_end * step.motion_end.rate;
+  return (step.end - step.begin) / 24 * (5 * end + 8 * middle - begin);
+}
 
 }  // namespace
 
@@ -37,8 +44,9 @@ void LinkSampler::pressed(double time, const LinkMotion& motion, double force, d
   skipped_ = 0;
   samples_.push_back(last_);
   if (samples_.size() < most_samples_of_an_impact) return;
-  for (std::size_t i = 0; 2 * i < samples_.size(); ++i) samples_[i] = samples_[2 * i];
-  samples_.resize((samples_.size() + 1) / 2);
+  // The first two stay: both sides of a jump at the touch.
+  for (std::size_t i = 1; 2 * i - 1 < samples_.size(); ++i) samples_[i] = samples_[2 * i - 1];
+  samples_.resize(samples_.size() / 2 + 1);
   stride_ *= 2;
 }
 
@@ -62,7 +70,7 @@ void LinkSampler::finish(LinkHistory& history) {
 }
 
 Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
-    : model_(model), stepper_(stepper), results_(results), first_(offsets(model)), linked_(stepper.system().links() > 0) {
+    : model_(model), stepper_(stepper), results_(results), first_(offsets(model)), linked_(stepper.system().contact_count() > 0) {
   for (const Structure& s : model.structures) {
     results_.structures.push_back({s.name, s.floors, {}, {}, {}, {}, {}});
     peaks_.emplace_back(s.size());
@@ -165,6 +173,8 @@ void Recorder::sample_links() {
     const bool ends_here = begun && !presses && rows.back().t_end >= step.end;
     LinkSampler& sampler = samplers_[i];
     if (presses || ends_here) {
+      if (step.force_middle != 0) sampler.pressed(0.5 * (step.begin + step.end), step.motion_middle, step.force_middle,
+                                                  contact.work() - work_of_second_half(step));
       const double force = presses ? stepper_.state().force[i] : step.force_end;
       sampler.pressed(step.end, step.motion_end, force, contact.work());
     }
@@ -176,18 +186,17 @@ void Recorder::sample_links() {
 
 void Recorder::sample_energy() {
   EnergyHistory& e = results_.energy;
-  const EnergySums& sums = stepper_.energy_sums();
-  const double kinetic = stepper_.kinetic_energy(), strain = stepper_.strain_energy(), impact = stepper_.contact_work();
-  const double error = sums.input - (kinetic + strain + sums.damping + impact);
-  e.time.push_back(stepper_.state().time);
-  e.input.push_back(sums.input);
-  e.kinetic.push_back(kinetic);
-  e.strain.push_back(strain);
-  e.damping.push_back(sums.damping);
-  e.hysteretic.push_back(0);
-  e.impact.push_back(impact);
+  const Energies now = stepper_.energies();
+  const double error = now.input - (now.kinetic + now.strain + now.damping + now.hysteretic + now.impact);
+  e.time.push_back(stepper_.time());
+  e.input.push_back(now.input);
+  e.kinetic.push_back(now.kinetic);
+  e.strain.push_back(now.strain);
+  e.damping.push_back(now.damping);
+  e.hysteretic.push_back(now.hysteretic);
+  e.impact.push_back(now.impact);
   e.error.push_back(error);
-  largest_input_ = std::max(largest_input_, std::abs(sums.input));
+  largest_input_ = std::max(largest_input_, std::abs(now.input));
   largest_imbalance_ = std::max(largest_imbalance_, std::abs(error));
 }
 

@@ -1,7 +1,5 @@
 #include <pounding/stepper.hpp>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -11,8 +9,11 @@
 namespace pounding {
 namespace {
 
-// The order of the scheme is two: a local error of tolerance^(3/2) gives a global error in proportion to the tolerance.
+// The order of generalized-alpha is two: a local error of tolerance^(3/2) gives a global error in proportion to the
+// tolerance.
 constexpr double local_share = 0.25;
+// The embedded scheme of ESDIRK4 is of order three, as an error in one step that is the global error of the fourth.
+constexpr double embedded_share = 0.25;
 
 // Sums and differences of the motion carry this much rounding, as part of the motion; no smaller error is asked for.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
@@ -21,154 +22,184 @@ constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 constexpr double smallest_contact_rate = 1e-3;
 constexpr double smallest_contact_penetration = 1e-4;
 
-// y += scale A x. For the few unknowns of oscillators plain loops beat the call of a matrix kernel.
-void add_product(Eigen::VectorXd& y, double scale, const Eigen::MatrixXd& a, const Eigen::VectorXd& x) {
-  constexpr Eigen::Index few = 8;
-  if (x.size() > few || y.size() > few) {
-    y.noalias() += scale * a * x;
-    return;
-  }
-  for (Eigen::Index j = 0; j < x.size(); ++j) {
-    const double factor = scale * x[j];
-    for (Eigen::Index i = 0; i < y.size(); ++i) y[i] += factor * a(i, j);
-  }
-}
-
-void set_product(Eigen::VectorXd& y, const Eigen::MatrixXd& a, const Eigen::VectorXd& x) {
-  y.setZero(a.rows());
-  add_product(y, 1, a, x);
-}
-
-double peak(const Eigen::VectorXd& x, const Group& group) {
-  return group.count > 0 ? x.segment(group.first, group.count).cwiseAbs().maxCoeff() : 0.0;
-}
-
 }  // namespace
 
-Stepper::Stepper(const System& system, const StepperOptions& options) : system_(system), options_(options) {
-  const double rho = options.spectral_radius;
-  if (!(rho >= 0 && rho <= 1)) throw std::invalid_argument("spectral_radius must lie in [0, 1]");
+Stepper::Stepper(const System& system, Base& base, const StepperOptions& options)
+    : system_(system), base_(base), options_(options), alpha_(GeneralizedAlpha::of(options.scheme.spectral_radius)) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) throw std::invalid_argument("tolerance must lie in (0, 1)");
   if (!(options.first_rung > 0)) throw std::invalid_argument("first_rung must be positive");
-  alpha_m_ = (2 - rho) / (1 + rho);
-  alpha_f_ = 1 / (1 + rho);
-  gamma_ = 0.5 + alpha_m_ - alpha_f_;
-  beta_ = 0.25 * (1 + alpha_m_ - alpha_f_) * (1 + alpha_m_ - alpha_f_);
-  allowed_ = std::max(local_share * options.tolerance * std::sqrt(options.tolerance), rounding);
+  const bool esdirk = options.scheme.kind == Scheme::Kind::esdirk4;
+  carries_ = !esdirk && options.scheme.spectral_radius != 1;
+  allowed_ = esdirk ? embedded_share * options.tolerance : local_share * options.tolerance * std::sqrt(options.tolerance);
+  allowed_ = std::max(allowed_, rounding);
 
-  const int n = system.size();
-  const Eigen::LLT<Eigen::MatrixXd> mass(system.mass);
-  if (mass.info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
-  mass_inverse_ = mass.solve(Eigen::MatrixXd::Identity(n, n));
-  rigid_flexibility_ = system.closing.transpose() * mass_inverse_ * system.closing;
-  entries_.resize(system.links());
-  for (int i = 0; i < system.links(); ++i)
-    for (int k = 0; k < n; ++k)
-      if (system.closing(k, i) != 0) entries_[i].push_back({k, system.closing(k, i)});
+  const int n = base.size(), m = system.links();
+  if (std::any_of(system.contacts.begin(), system.contacts.end(), [](const Contact* c) { return c->is_rigid(); })) {
+    rigid_response_ = Eigen::MatrixXd::Zero(n, system.contact_count());
+    for (int i = 0; i < system.contact_count(); ++i) {
+      base.add_forces(1, Eigen::VectorXd::Unit(m, i), rigid_response_.col(i));
+      base.accelerate(rigid_response_.col(i));
+      base.follow(rigid_response_.col(i));
+    }
+    base.gather(rigid_response_, rigid_flexibility_);
+  }
+  for (Instant* instant : {&now_, &before_, &trial_.end, &kept_.end}) {
+    instant->motion = Eigen::MatrixXd::Zero(n, columns);
+    instant->force = Eigen::VectorXd::Zero(m);
+    instant->closings = Eigen::MatrixXd::Zero(m, width());
+  }
+  for (Trial* trial : {&trial_, &kept_}) {
+    trial->a_middle = Eigen::VectorXd::Zero(n);
+    trial->force_middle = Eigen::VectorXd::Zero(m);
+    trial->middle.resize(m);
+    trial->size_u.assign(system.groups.size(), 0.0);
+    trial->size_v.assign(system.groups.size(), 0.0);
+  }
+  link_groups_.resize(m);
+  for (int i = 0; i < m; ++i)
+    for (SparseMatrix::InnerIterator it(system.closing, i); it; ++it)
+      for (int k = 0; k < static_cast<int>(system.groups.size()); ++k) {
+        const Group& group = system.groups[k];
+        std::vector<int>& joined = link_groups_[i];
+        if (it.row() >= group.first && it.row() < group.first + group.count && std::find(joined.begin(), joined.end(), k) == joined.end())
+          joined.push_back(k);
+      }
   displacement_scale_.assign(system.groups.size(), 0.0);
   velocity_scale_.assign(system.groups.size(), 0.0);
-  rate_scale_.assign(system.links(), 0.0);
-  penetration_scale_.assign(system.links(), 0.0);
-  free_.resize(system.links());
-  free_closing_.resize(system.links());
-  link_steps_.resize(system.links());
-  work_.resize(n);
+  rate_scale_.assign(m, 0.0);
+  penetration_scale_.assign(m, 0.0);
+  link_steps_.resize(m);
+  sums_.resize(4 * system.groups.size());
+  r_ = error_u_ = error_v_ = work_ = Eigen::VectorXd::Zero(n);
+  if (esdirk) stages_ = Eigen::MatrixXd::Zero(n, 3 * esdirk4::stages);
 }
 
-double Stepper::closing(int link, const Eigen::VectorXd& x) const {
-  double sum = 0;
-  for (const Entry& entry : entries_[link]) sum += entry.factor * x[entry.unknown];
-  return sum;
+LinkMotion Stepper::motion(int link, const Instant& instant) const {
+  const double closure = instant.closings(link, u);
+  const bool contact = link < system_.contact_count();
+  return {contact ? system_.contacts[link]->penetration(closure) : closure, instant.closings(link, v)};
 }
 
-LinkMotion Stepper::motion(int link, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const {
-  return {system_.contacts[link]->penetration(closing(link, u)), closing(link, v)};
+LinkForce Stepper::law(int link, const LinkMotion& motion) const {
+  const int contacts = system_.contact_count();
+  return link < contacts ? system_.contacts[link]->evaluate(motion) : system_.springs[link - contacts]->evaluate(motion);
 }
 
-void Stepper::accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& force,
-                         double ground, Eigen::VectorXd& a) const {
-  work_ = -ground * system_.load;
-  add_product(work_, -1, system_.damping, v);
-  add_product(work_, -1, system_.stiffness, u);
-  add_product(work_, -1, system_.closing, force);
-  set_product(a, mass_inverse_, work_);
+bool Stepper::works(int link) const {
+  return link >= system_.contact_count() || presses(system_.contacts[link]->phase());
 }
 
-void Stepper::balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double ground, Eigen::VectorXd& force,
-                      Eigen::VectorXd& a) const {
-  std::vector<int> held;
-  force.setZero(system_.links());
+bool Stepper::held(int link) const {
+  return link < system_.contact_count() && system_.contacts[link]->phase() == ContactPhase::resting;
+}
+
+void Stepper::products(Instant& x, int first, int count) const {
+  base_.stiffness_times(x.motion.middleCols(first, count), x.motion.middleCols(ku + first, count));
+  const int moving = std::max(first, static_cast<int>(v)), left = first + count - moving;
+  if (left > 0)
+    base_.damping_times(x.motion.middleCols(moving, left), x.motion.middleCols(ku + moving, left),
+                        x.motion.middleCols(cv + moving - v, left));
+}
+
+// Forces of the links from their motions. Held contacts take the forces that leave no closing acceleration; those that
+// hold the same bodies share them.
+void Stepper::balance(std::span<const LinkMotion> motions, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
+  std::vector<int> held_links;
+  bool any = false;
   for (int i = 0; i < system_.links(); ++i) {
-    const Contact& contact = *system_.contacts[i];
-    if (contact.phase() == ContactPhase::resting)
-      held.push_back(i);
-    else if (presses(contact.phase()))
-      force[i] = contact.evaluate(motion(i, u, v)).force;
+    force[i] = 0;
+    if (held(i))
+      held_links.push_back(i);
+    else if (works(i))
+      force[i] = law(i, motions[i]).force;
+    any = any || force[i] != 0;
   }
-  accelerate(u, v, force, ground, a);
-  if (held.empty()) return;
-  // Held contacts take the forces that leave no closing acceleration; those that hold the same bodies share them.
-  const int count = static_cast<int>(held.size());
+  if (any) base_.add_forces(-1, force, r);
+  base_.accelerate(r);
+  if (held_links.empty()) return;
+  base_.gather(r, work_closings_);
+  const int count = static_cast<int>(held_links.size());
   Eigen::MatrixXd g(count, count);
   Eigen::VectorXd relative(count);
   for (int i = 0; i < count; ++i) {
-    relative[i] = closing(held[i], a);
-    for (int j = 0; j < count; ++j) g(i, j) = rigid_flexibility_(held[i], held[j]);
+    relative[i] = work_closings_(held_links[i], 0);
+    for (int j = 0; j < count; ++j) g(i, j) = rigid_flexibility_(held_links[i], held_links[j]);
   }
   const Eigen::VectorXd forces = g.completeOrthogonalDecomposition().solve(relative);
-  for (int i = 0; i < count; ++i) force[held[i]] = forces[i];
-  accelerate(u, v, force, ground, a);
+  for (int i = 0; i < count; ++i) {
+    force[held_links[i]] = forces[i];
+    r -= forces[i] * rigid_response_.col(held_links[i]);
+  }
 }
 
+// The acceleration that balances the equations now, of a motion whose K u is known.
 void Stepper::balance_now() {
-  balance(now_.u, now_.v, system_.ground.acceleration(now_.time), now_.force, now_.a);
-  algorithmic_ = now_.a;
+  Eigen::MatrixXd& x = now_.motion;
+  base_.stiffness_times(x.col(v), x.col(kv));
+  base_.damping_times(x.col(v), x.col(kv), x.col(cv));
+  gather_now();
+  auto a_now = x.col(a);
+  a_now = -system_.ground.acceleration(now_.time) * base_.load() - x.col(ku) - x.col(cv);
+  now_motions_.resize(system_.links());
+  for (int i = 0; i < system_.links(); ++i) now_motions_[i] = motion(i, now_);
+  balance(now_motions_, now_.force, a_now);
+  base_.follow(a_now);
+  x.col(c) = x.col(a);
+  products(now_, a, width() - a);
+  gather_now();
+  state_fresh_ = false;
 }
 
-void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
+void Stepper::gather_now() { base_.gather(now_.motion.leftCols(width()), now_.closings); }
+
+void Stepper::start(double time, const Eigen::VectorXd& u0, const Eigen::VectorXd& v0) {
   now_.time = time;
-  now_.u = u;
-  now_.v = v;
-  now_.a = Eigen::VectorXd::Zero(system_.size());
-  now_.force = Eigen::VectorXd::Zero(system_.links());
+  now_.motion.setZero();
+  now_.motion.col(u) = base_.coordinates(u0);
+  now_.motion.col(v) = base_.coordinates(v0);
+  base_.follow(now_.motion.col(u));
+  base_.follow(now_.motion.col(v));
+  base_.stiffness_times(now_.motion.col(u), now_.motion.col(ku));
   balance_now();
   before_ = kept_.end = trial_.end = now_;
   kept_.h = 0;
-  kept_.a_middle = now_.a;
-  sums_ = {};
-  sums_.input = kinetic_energy() + strain_energy();
-  update_scales();
+  kept_.a_middle = now_.motion.col(a);
+  before_fresh_ = arrived_fresh_ = false;
+  input_work_ = damping_work_ = 0;
+  const Energies energies = this->energies();
+  stored_at_start_ = energies.kinetic + energies.strain;
+  measure(now_, kept_.size_u, kept_.size_v);
+  for (std::size_t k = 0; k < system_.groups.size(); ++k) {
+    displacement_scale_[k] = std::max(kept_.size_u[k], system_.groups[k].displacement_floor);
+    velocity_scale_[k] = std::max(kept_.size_v[k], system_.groups[k].velocity_floor);
+  }
 }
 
-double Stepper::rung_below(double h) const {
-  const double ratio = std::log2(options_.first_rung / (h * (1 + 1e-9)));
-  return std::ldexp(options_.first_rung, -std::max(0, static_cast<int>(std::ceil(ratio))));
+double Stepper::step_towards(double wanted, double left) const {
+  if (!base_.has_ladder()) {
+    // Sixteen lengths an octave, so that rounding in the error of a step does not show in the length of the next.
+    int exponent = 0;
+    const double mantissa = std::frexp(wanted * (1 + 1e-9), &exponent);
+    const double even = std::ldexp(std::floor(32 * mantissa) / 32, exponent);
+    return left / std::ceil(left / even * (1 - 1e-9));
+  }
+  const double ratio = std::log2(options_.first_rung / (wanted * (1 + 1e-9)));
+  const double rung = std::ldexp(options_.first_rung, -std::max(0, static_cast<int>(std::ceil(ratio))));
+  return left <= rung * (1 + 1e-9) ? left : rung;
 }
 
-const Stepper::Level& Stepper::level(double h) {
+void Stepper::set_shift(double h) {
+  Shift shift = options_.scheme.kind == Scheme::Kind::esdirk4
+                    ? Shift{1, esdirk4::shift * h, esdirk4::shift * esdirk4::shift * h * h}
+                    : Shift{alpha_.alpha_m, alpha_.alpha_f * alpha_.gamma * h, alpha_.alpha_f * alpha_.beta * h * h};
+  if (!base_.has_ladder()) return base_.shift(shift, std::nullopt);
   int exponent = 0;
   const double mantissa = std::frexp(options_.first_rung / h, &exponent);
-  const bool on_ladder = std::abs(mantissa - 0.5) < 1e-9;
-  if (on_ladder) {
-    const auto found = rungs_.find(exponent);
-    if (found != rungs_.end()) return found->second;
-  } else if (h == off_ladder_h_) {
-    return off_ladder_;
-  }
-  Level& built = on_ladder ? rungs_[exponent] : off_ladder_;
-  if (!on_ladder) off_ladder_h_ = h;
-  const double exact = on_ladder ? std::ldexp(options_.first_rung, 1 - exponent) : h;
-  const Eigen::MatrixXd matrix = alpha_m_ * system_.mass + alpha_f_ * gamma_ * exact * system_.damping +
-                                 alpha_f_ * beta_ * exact * exact * system_.stiffness;
-  built.inverse = matrix.inverse();
-  built.response.noalias() = built.inverse * system_.closing;
-  built.flexibility.noalias() = system_.closing.transpose() * built.response;
-  ++factorizations_;
-  return built;
+  if (std::abs(mantissa - 0.5) < 1e-9 && exponent >= 1) return base_.shift(shift, exponent - 1);
+  base_.shift(shift, std::nullopt);
 }
 
 bool Stepper::attempt(double h, std::optional<double> end) {
-  const Level& lev = level(h);
   Trial& t = trial_;
   landed_.clear();
   t.h = h;
@@ -176,154 +207,312 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   t.ground_begin = system_.ground.acceleration(now_.time);
   t.ground_middle = system_.ground.acceleration(now_.time + 0.5 * h);
   t.ground_end = system_.ground.acceleration_before(t.end.time);
+  active_.clear();
+  for (int i = 0; i < system_.links(); ++i)
+    if (works(i)) active_.push_back(i);
+  set_shift(h);
+  const bool solved = options_.scheme.kind == Scheme::Kind::esdirk4 ? attempt_esdirk(h) : attempt_alpha(h);
+  if (!solved) return false;
+  finish_error();
+  return std::isfinite(t.error);
+}
 
+bool Stepper::attempt_alpha(double h) {
+  Trial& t = trial_;
+  const int n = base_.size();
+  const auto [alpha_m, alpha_f, beta, gamma] = alpha_;
   // With a spectral radius below one the scheme carries the acceleration of a time (alpha_m - alpha_f) h earlier: it goes
   // along when the step changes, else each change would cost an order.
-  if (options_.spectral_radius == 1 || kept_.h == 0)
-    carried_ = algorithmic_;
-  else
-    carried_ = now_.a + (h / kept_.h) * (algorithmic_ - now_.a);
+  const double part = carries_ && kept_.h > 0 ? h / kept_.h : 1;
+  const Column carried = carries_ ? c : a, k_carried = carries_ ? kc : ka, c_carried = carries_ ? cc : ca;
 
-  // Predictors: the part of the end state that does not depend on the end acceleration.
-  t.end.u = now_.u + h * now_.v + (h * h * (0.5 - beta_)) * carried_;
-  t.end.v = now_.v + (h * (1 - gamma_)) * carried_;
+  const double *u0 = now_.at(u), *v0 = now_.at(v), *a0 = now_.at(a), *c0 = now_.at(carried);
+  const double *ku0 = now_.at(ku), *kv0 = now_.at(kv), *ka0 = now_.at(ka), *kc0 = now_.at(k_carried);
+  const double *cv0 = now_.at(cv), *ca0 = now_.at(ca), *cc0 = now_.at(c_carried);
+  const double by_c_in_u = h * h * (0.5 - beta), by_c_in_v = h * (1 - gamma);
+  const double ground = alpha_f * t.ground_end + (1 - alpha_f) * t.ground_begin;
 
-  work_ = -(alpha_f_ * t.ground_end + (1 - alpha_f_) * t.ground_begin) * system_.load;
-  t.u_middle = alpha_f_ * t.end.u + (1 - alpha_f_) * now_.u;
-  t.v_middle = alpha_f_ * t.end.v + (1 - alpha_f_) * now_.v;
-  add_product(work_, -1, system_.stiffness, t.u_middle);
-  add_product(work_, -1, system_.damping, t.v_middle);
-  add_product(work_, alpha_m_ - 1, system_.mass, carried_);
-  add_product(work_, alpha_f_ - 1, system_.closing, now_.force);
-  set_product(t.algorithmic, lev.inverse, work_);
+  for (int i = 0; i < n; ++i) work_[i] = a0[i] + part * (c0[i] - a0[i]);
+  base_.mass_times(work_, r_);
+  const double* p = base_.load().data();
+  for (int i = 0; i < n; ++i)
+    r_[i] = (alpha_m - 1) * r_[i] - ground * p[i] - ku0[i] - cv0[i] -
+            alpha_f * (h * kv0[i] + by_c_in_u * (ka0[i] + part * (kc0[i] - ka0[i])) +
+                       by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
+  if (!active_.empty()) base_.add_forces(alpha_f - 1, now_.force, r_);
+  if (!base_.solve(r_)) return false;
 
-  t.end.force.setZero(system_.links());
-  t.end.u += (h * h * beta_) * t.algorithmic;
-  t.end.v += (h * gamma_) * t.algorithmic;
-  if (!solve_links(lev.flexibility, h, t.end.u, t.end.v, t.algorithmic, t.end.force)) return false;
+  t.end.force.setZero();
   if (!active_.empty()) {
-    set_product(work_, lev.response, t.end.force);
-    t.algorithmic -= alpha_f_ * work_;
-    t.end.u -= (h * h * beta_ * alpha_f_) * work_;
-    t.end.v -= (h * gamma_ * alpha_f_) * work_;
+    base_.gather(r_, gathered_);
+    free_.resize(active_.size());
+    free_closing_.resize(static_cast<int>(active_.size()));
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      const int i = active_[k];
+      const double sa = now_.closings(i, a), s = carries_ ? sa + part * (now_.closings(i, c) - sa) : sa;
+      const double g = gathered_(i, 0);
+      const double closure = now_.closings(i, u) + h * now_.closings(i, v) + by_c_in_u * s + beta * h * h * g;
+      free_[k] = {i < system_.contact_count() ? system_.contacts[i]->penetration(closure) : closure,
+                  now_.closings(i, v) + by_c_in_v * s + gamma * h * g};
+      free_closing_[static_cast<int>(k)] = g;
+    }
+    if (!condense(beta * h * h, gamma * h, alpha_f, now_.force, r_)) return false;
   }
-  if (!t.end.u.allFinite() || !t.end.v.allFinite()) return false;
-  if (options_.spectral_radius == 1)
-    t.end.a = t.algorithmic;
-  else
-    accelerate(t.end.u, t.end.v, t.end.force, t.ground_end, t.end.a);
-  evaluate_middle(t);
-  estimate_error(t);
+
+  double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(carried);
+  for (int i = 0; i < n; ++i) {
+    const double s = a0[i] + part * (c0[i] - a0[i]), x = r_[i];
+    u1[i] = u0[i] + h * v0[i] + by_c_in_u * s + beta * h * h * x;
+    v1[i] = v0[i] + by_c_in_v * s + gamma * h * x;
+    a1[i] = x;
+  }
+  if (carries_) {
+    products(t.end, u, 2);
+    auto balanced = t.end.motion.col(a);
+    balanced = -t.ground_end * base_.load() - t.end.motion.col(ku) - t.end.motion.col(cv);
+    if (!active_.empty()) base_.add_forces(-1, t.end.force, balanced);
+    base_.accelerate(balanced);
+    base_.follow(balanced);
+    products(t.end, a, 2);
+  } else {
+    products(t.end, u, 3);
+  }
+  base_.gather(t.end.motion.leftCols(width()), t.end.closings);
+  evaluate_middle();
+
+  // The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at
+  // its ends and its middle. It sees forces that are not smooth, such as a dashpot that grows like d^(1/4) from the touch.
+  const double *am = t.a_middle.data(), *ae = t.end.at(a);
+  for (int i = 0; i < n; ++i) {
+    error_v_[i] = h / 6 * (a0[i] + 4 * am[i] + ae[i]) - (v1[i] - v0[i]);
+    error_u_[i] = h * h / 6 * (a0[i] + 2 * am[i]) - (u1[i] - u0[i] - h * v0[i]);
+  }
   return true;
 }
 
-void Stepper::evaluate_middle(Trial& t) {
-  const double h = t.h;
-  t.u_middle = 0.5 * (now_.u + t.end.u) + (h / 8) * (now_.v - t.end.v);
-  t.v_middle = 0.5 * (now_.v + t.end.v) + (h / 8) * (now_.a - t.end.a);
-  balance(t.u_middle, t.v_middle, t.ground_middle, t.force_middle, t.a_middle);
+bool Stepper::attempt_esdirk(double h) {
+  using namespace esdirk4;
+  Trial& t = trial_;
+  const int n = base_.size(), m = system_.links();
+  const double begin = now_.time;
+  const auto acceleration = [this](int j) { return stages_.col(3 * j); };
+  const auto k_times = [this](int j) { return stages_.col(3 * j + 1); };
+  const auto c_times = [this](int j) { return stages_.col(3 * j + 2); };
+  stages_.col(0) = now_.motion.col(Stepper::a);
+  stages_.col(1) = now_.motion.col(ka);
+  stages_.col(2) = now_.motion.col(ca);
+  stage_closings_.resize(m, stages);
+  if (m > 0) stage_closings_.col(0) = now_.closings.col(Stepper::a);
+  // Weights of the accelerations in the displacements of a stage: the square of the matrix of the scheme.
+  const auto twice = [](int i, int j) {
+    double sum = 0;
+    for (int k = j; k <= i; ++k) sum += esdirk4::a[i][k] * esdirk4::a[k][j];
+    return sum;
+  };
+  t.end.force = now_.force;
+  for (int i = 1; i < stages; ++i) {
+    const double ci = esdirk4::c[i];
+    const double ground = i + 1 == stages ? t.ground_end : system_.ground.acceleration(begin + ci * h);
+    r_ = -ground * base_.load() - now_.motion.col(ku) - now_.motion.col(cv) - ci * h * now_.motion.col(kv);
+    for (int j = 0; j < i; ++j) r_ -= h * h * twice(i, j) * k_times(j) + h * esdirk4::a[i][j] * c_times(j);
+    if (!base_.solve(r_)) return false;
+    if (!active_.empty()) {
+      base_.gather(r_, gathered_);
+      free_.resize(active_.size());
+      free_closing_.resize(static_cast<int>(active_.size()));
+      for (std::size_t k = 0; k < active_.size(); ++k) {
+        const int link = active_[k];
+        const double g = gathered_(link, 0);
+        double closure = now_.closings(link, u) + ci * h * now_.closings(link, v) + shift * shift * h * h * g;
+        double rate = now_.closings(link, v) + shift * h * g;
+        for (int j = 0; j < i; ++j) {
+          closure += h * h * twice(i, j) * stage_closings_(link, j);
+          rate += h * esdirk4::a[i][j] * stage_closings_(link, j);
+        }
+        free_[k] = {link < system_.contact_count() ? system_.contacts[link]->penetration(closure) : closure, rate};
+        free_closing_[static_cast<int>(k)] = g;
+      }
+      const Eigen::VectorXd guess = t.end.force;
+      t.end.force.setZero();
+      if (!condense(shift * shift * h * h, shift * h, 1, guess, r_)) return false;
+      base_.gather(r_, gathered_);
+      stage_closings_.col(i) = gathered_;
+    }
+    acceleration(i) = r_;
+    if (i + 1 == stages) break;
+    base_.stiffness_times(acceleration(i), k_times(i));
+    base_.damping_times(acceleration(i), k_times(i), c_times(i));
+  }
+  auto u1 = t.end.motion.col(u), v1 = t.end.motion.col(v);
+  u1 = now_.motion.col(u) + h * now_.motion.col(v);
+  v1 = now_.motion.col(v);
+  error_u_.setZero();
+  error_v_.setZero();
+  for (int j = 0; j < stages; ++j) {
+    double by_u = 0;
+    for (int i = j; i < stages; ++i) by_u += (esdirk4::a[stages - 1][i] - embedded[i]) * esdirk4::a[i][j];
+    u1 += h * h * twice(stages - 1, j) * acceleration(j);
+    v1 += h * esdirk4::a[stages - 1][j] * acceleration(j);
+    error_u_ += h * h * by_u * acceleration(j);
+    error_v_ += h * (esdirk4::a[stages - 1][j] - embedded[j]) * acceleration(j);
+  }
+  t.end.motion.col(Stepper::a) = acceleration(stages - 1);
+  static_cast<void>(n);
+  products(t.end, u, 3);
+  base_.gather(t.end.motion.leftCols(width()), t.end.closings);
+  evaluate_middle();
+  return true;
 }
 
-// The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at
-// its ends and its middle. It sees forces that are not smooth, such as a dashpot that grows like d^(1/4) from the touch.
-void Stepper::estimate_error(Trial& t) {
+// Motion of the links at the middle by cubic interpolation, and the accelerations that balance the equations there.
+void Stepper::evaluate_middle() {
+  Trial& t = trial_;
   const double h = t.h;
-  double worst = 0, widest_u = 0, widest_v = 0;
-  error_v_ = (h / 6) * (now_.a + 4 * t.a_middle + t.end.a) - (t.end.v - now_.v);
-  error_u_ = (h * h / 6) * (now_.a + 2 * t.a_middle) - (t.end.u - now_.u - h * now_.v);
-  for (std::size_t k = 0; k < system_.groups.size(); ++k) {
-    const Group& group = system_.groups[k];
-    const double scale_u = std::max(displacement_scale_[k], peak(t.end.u, group));
-    const double scale_v = std::max(velocity_scale_[k], peak(t.end.v, group));
-    widest_u = std::max(widest_u, scale_u);
-    widest_v = std::max(widest_v, scale_v);
-    worst = std::max({worst, peak(error_u_, group) / scale_u, peak(error_v_, group) / scale_v});
+  const Instant &x = now_, &y = t.end;
+  for (int i = 0; i < system_.links(); ++i) {
+    const double closure =
+        0.5 * (x.closings(i, u) + y.closings(i, u)) + h / 8 * (x.closings(i, v) - y.closings(i, v));
+    t.middle[i] = {i < system_.contact_count() ? system_.contacts[i]->penetration(closure) : closure,
+                   0.5 * (x.closings(i, v) + y.closings(i, v)) + h / 8 * (x.closings(i, a) - y.closings(i, a))};
   }
-  const double least_d = widest_u * std::max(smallest_contact_penetration, rounding / allowed_);
-  const double least_r = widest_v * std::max(smallest_contact_rate, rounding / allowed_);
-  for (const int i : active_) {
-    const LinkMotion end = motion(i, t.end.u, t.end.v);
-    const double scale_d = std::max({penetration_scale_[i], std::abs(end.penetration), least_d});
-    const double scale_r = std::max({rate_scale_[i], std::abs(end.rate), least_r});
-    worst = std::max({worst, std::abs(closing(i, error_u_)) / scale_d, std::abs(closing(i, error_v_)) / scale_r});
+  const int n = base_.size();
+  const double *ku0 = x.at(ku), *ku1 = y.at(ku), *kv0 = x.at(kv), *kv1 = y.at(kv);
+  const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);
+  const double* p = base_.load().data();
+  double* r = t.a_middle.data();
+  for (int i = 0; i < n; ++i)
+    r[i] = -t.ground_middle * p[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) -
+           h / 8 * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
+  balance(t.middle, t.force_middle, t.a_middle);
+}
+
+void Stepper::measure(const Instant& instant, std::vector<double>& size_u, std::vector<double>& size_v) {
+  const Eigen::VectorXd& w = base_.weights();
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  for (const Base::Segment& s : base_.segments())
+    for (int i = s.first; i < s.first + s.count; ++i) {
+      const double ui = instant.at(u)[i], vi = instant.at(v)[i];
+      sums_[4 * s.group + 2] += w[i] * ui * ui;
+      sums_[4 * s.group + 3] += w[i] * vi * vi;
+    }
+  base_.combine(sums_);
+  for (std::size_t k = 0; k < size_u.size(); ++k) {
+    size_u[k] = std::sqrt(sums_[4 * k + 2] / base_.group_masses()[k]);
+    size_v[k] = std::sqrt(sums_[4 * k + 3] / base_.group_masses()[k]);
+  }
+}
+
+// The errors against the motion, both as root mean squares weighed by the masses of a group, and those of the links that
+// press against the motion of their impact.
+void Stepper::finish_error() {
+  Trial& t = trial_;
+  const double* w = base_.weights().data();
+  const double *u1 = t.end.at(u), *v1 = t.end.at(v);
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  for (const Base::Segment& s : base_.segments()) {
+    double eu = 0, ev = 0, uu = 0, vv = 0;
+    for (int i = s.first; i < s.first + s.count; ++i) {
+      eu += w[i] * error_u_[i] * error_u_[i];
+      ev += w[i] * error_v_[i] * error_v_[i];
+      uu += w[i] * u1[i] * u1[i];
+      vv += w[i] * v1[i] * v1[i];
+    }
+    double* sums = sums_.data() + 4 * s.group;
+    sums[0] += eu, sums[1] += ev, sums[2] += uu, sums[3] += vv;
+  }
+  base_.combine(sums_);
+  double worst = 0;
+  troublesome_ = -1;
+  for (std::size_t k = 0; k < system_.groups.size(); ++k) {
+    const double* sums = sums_.data() + 4 * k;
+    const double each = 1 / base_.group_masses()[k];
+    t.size_u[k] = std::sqrt(sums[2] * each);
+    t.size_v[k] = std::sqrt(sums[3] * each);
+    const double scale_u = std::max(displacement_scale_[k], t.size_u[k]);
+    const double scale_v = std::max(velocity_scale_[k], t.size_v[k]);
+    worst = std::max({worst, std::sqrt(sums[0] * each) / scale_u, std::sqrt(sums[1] * each) / scale_v});
+    if (!std::isfinite(sums[0] + sums[1] + sums[2] + sums[3])) worst = std::numeric_limits<double>::infinity();
+  }
+  if (!active_.empty() && active_.front() < system_.contact_count()) {
+    work_errors_.resize(base_.size(), 2);
+    work_errors_.col(0) = error_u_;
+    work_errors_.col(1) = error_v_;
+    base_.gather(work_errors_, gathered_);
+    const double part_d = std::max(smallest_contact_penetration, rounding / allowed_);
+    const double part_r = std::max(smallest_contact_rate, rounding / allowed_);
+    for (const int i : active_) {
+      if (i >= system_.contact_count()) break;
+      const LinkMotion end = motion(i, t.end);
+      double wide_d = 0, wide_r = 0;  // of the bodies that the link joins
+      for (const int k : link_groups_[i]) {
+        wide_d += std::max(displacement_scale_[k], t.size_u[k]);
+        wide_r += std::max(velocity_scale_[k], t.size_v[k]);
+      }
+      const double scale_d = std::max({penetration_scale_[i], std::abs(end.penetration), part_d * wide_d});
+      const double scale_r = std::max({rate_scale_[i], std::abs(end.rate), part_r * wide_r});
+      const double error = std::max(std::abs(gathered_(i, 0)) / scale_d, std::abs(gathered_(i, 1)) / scale_r);
+      if (!(error <= worst)) {
+        worst = error;
+        troublesome_ = i;
+      }
+    }
   }
   t.error = worst / allowed_;
 }
 
-double Stepper::error_ratio() const { return trial_.error; }
-
 void Stepper::update_scales() {
   for (std::size_t k = 0; k < system_.groups.size(); ++k) {
-    const Group& group = system_.groups[k];
-    displacement_scale_[k] = std::max({displacement_scale_[k], peak(now_.u, group), group.displacement_floor});
-    velocity_scale_[k] = std::max({velocity_scale_[k], peak(now_.v, group), group.velocity_floor});
+    displacement_scale_[k] = std::max(displacement_scale_[k], kept_.size_u[k]);
+    velocity_scale_[k] = std::max(velocity_scale_[k], kept_.size_v[k]);
   }
 }
+
+double Stepper::largest_u() const { return *std::max_element(displacement_scale_.begin(), displacement_scale_.end()); }
+double Stepper::largest_v() const { return *std::max_element(velocity_scale_.begin(), velocity_scale_.end()); }
 
 bool Stepper::in_contact() const {
   return std::any_of(system_.contacts.begin(), system_.contacts.end(),
-                     [](const Contact* c) { return c->phase() != ContactPhase::open; });
-}
-
-double Stepper::kinetic_energy() const { return 0.5 * now_.v.dot(system_.mass * now_.v); }
-double Stepper::strain_energy() const { return 0.5 * now_.u.dot(system_.stiffness * now_.u); }
-
-double Stepper::contact_work() const {
-  double sum = 0;
-  for (const Contact* contact : system_.contacts) sum += contact->work();
-  return sum;
-}
-
-void Stepper::interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const {
-  const double h = kept_.end.time - before_.time;
-  if (!(h > 0)) {
-    u = now_.u;
-    v = now_.v;
-    return;
-  }
-  const double s = std::clamp((time - before_.time) / h, 0.0, 1.0), r = 1 - s;
-  const double begin = r * r * (1 + 2 * s), end = s * s * (1 + 2 * r), slope_begin = h * s * r * r,
-               slope_end = -h * s * s * r;
-  u = begin * before_.u + end * kept_.end.u + slope_begin * before_.v + slope_end * kept_.end.v;
-  v = begin * before_.v + end * kept_.end.v + slope_begin * before_.a + slope_end * kept_.end.a;
-}
-
-void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& a) const {
-  const double h = kept_.end.time - before_.time;
-  if (!(h > 0)) {
-    a = now_.a;
-    return;
-  }
-  const double s = std::clamp((time - before_.time) / h, 0.0, 1.0);
-  a = (1 - s) * (1 - 2 * s) * before_.a + 4 * s * (1 - s) * kept_.a_middle + s * (2 * s - 1) * kept_.end.a;
+                     [](const Contact* contact) { return contact->phase() != ContactPhase::open; });
 }
 
 void Stepper::accept() {
   const double h = trial_.h;
   std::swap(before_, now_);
   std::swap(kept_, trial_);
+  std::swap(state_before_, state_);
+  before_fresh_ = state_fresh_;
+  state_fresh_ = arrived_fresh_ = false;
 
-  const double ground[3] = {kept_.ground_begin, kept_.ground_middle, kept_.ground_end};
-  const Eigen::VectorXd* velocity[3] = {&before_.v, &kept_.v_middle, &kept_.end.v};
-  for (int k = 0; k < 3; ++k) {
-    const double weight = h / 6 * (k == 1 ? 4 : 1);
-    sums_.input -= weight * ground[k] * system_.load.dot(*velocity[k]);
-    set_product(work_, system_.damping, *velocity[k]);
-    sums_.damping += weight * velocity[k]->dot(work_);
+  const Instant &x = before_, &y = kept_.end;
+  const int n = base_.size();
+  const double* p = base_.load().data();
+  const double *v0 = x.at(v), *v1 = y.at(v), *a0 = x.at(a), *a1 = y.at(a);
+  const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);
+  double input = 0, damping = 0;
+  for (int i = 0; i < n; ++i) {
+    const double vm = 0.5 * (v0[i] + v1[i]) + h / 8 * (a0[i] - a1[i]);
+    const double cvm = 0.5 * (cv0[i] + cv1[i]) + h / 8 * (ca0[i] - ca1[i]);
+    input += p[i] * (kept_.ground_begin * v0[i] + 4 * kept_.ground_middle * vm + kept_.ground_end * v1[i]);
+    damping += v0[i] * cv0[i] + 4 * vm * cvm + v1[i] * cv1[i];
   }
+  input_work_ -= h / 6 * input;
+  damping_work_ += h / 6 * damping;
+  const int contacts = system_.contact_count();
   for (int i = 0; i < system_.links(); ++i) {
     LinkStep& step = link_steps_[i];
-    step = {before_.time,      kept_.end.time,
-            motion(i, before_.u, before_.v), motion(i, kept_.u_middle, kept_.v_middle), motion(i, kept_.end.u, kept_.end.v),
-            before_.force[i],  kept_.force_middle[i], kept_.end.force[i]};
+    step = {x.time,     y.time,     motion(i, x), kept_.middle[i], motion(i, y),
+            x.force[i], kept_.force_middle[i],    y.force[i]};
+    if (i >= contacts) {
+      system_.springs[i - contacts]->accept(step);
+      continue;
+    }
     system_.contacts[i]->accept(step);
     rate_scale_[i] = std::max(rate_scale_[i], std::abs(step.motion_end.rate));
     penetration_scale_[i] = std::max(penetration_scale_[i], std::abs(step.motion_end.penetration));
   }
   now_ = kept_.end;
-  algorithmic_ = kept_.algorithmic;
   update_scales();
-  const bool ground_jumps = system_.ground.acceleration(now_.time) != ground[2];
+  const bool ground_jumps = system_.ground.acceleration(now_.time) != kept_.ground_end;
   if (!landed_.empty())
     enter_phases();
   else if (ground_jumps)
@@ -332,7 +521,121 @@ void Stepper::accept() {
 
 void Stepper::cross_now() {
   before_ = kept_.end = now_;
+  before_fresh_ = arrived_fresh_ = false;
   enter_phases();
+}
+
+Energies Stepper::energies() const {
+  const Eigen::MatrixXd& x = now_.motion;
+  base_.mass_times(x.col(v), work_);
+  std::vector<double> sums{input_work_, damping_work_, 0.5 * work_.dot(x.col(v)), 0.5 * x.col(u).dot(x.col(ku))};
+  base_.combine(sums);
+  Energies e;
+  e.input = stored_at_start_ + sums[0];
+  e.damping = sums[1];
+  e.kinetic = sums[2];
+  e.strain = sums[3];
+  for (const Spring* spring : system_.springs) {
+    e.hysteretic += spring->lost();
+    e.strain += spring->stored_correction();
+  }
+  for (const Contact* contact : system_.contacts) e.impact += contact->work();
+  return e;
+}
+
+void Stepper::show(const Instant& instant, State& state) const {
+  state.time = instant.time;
+  base_.physical(instant.motion.col(u), state.u);
+  base_.physical(instant.motion.col(v), state.v);
+  base_.physical(instant.motion.col(a), state.a);
+  state.force = instant.force;
+}
+
+const State& Stepper::state() const {
+  if (!state_fresh_) show(now_, state_);
+  state_fresh_ = true;
+  return state_;
+}
+
+const State& Stepper::before() const {
+  if (!before_fresh_) show(before_, state_before_);
+  before_fresh_ = true;
+  return state_before_;
+}
+
+const State& Stepper::arrived() const {
+  if (!arrived_fresh_) show(kept_.end, state_arrived_);
+  arrived_fresh_ = true;
+  return state_arrived_;
+}
+
+void Stepper::interpolate(double time, Eigen::VectorXd& u_out, Eigen::VectorXd& v_out) const {
+  const State &x = before(), &y = arrived();
+  const double h = y.time - x.time;
+  if (!(h > 0)) {
+    u_out = state().u;
+    v_out = state().v;
+    return;
+  }
+  const double s = std::clamp((time - x.time) / h, 0.0, 1.0), r = 1 - s;
+  const double begin = r * r * (1 + 2 * s), end = s * s * (1 + 2 * r), slope_begin = h * s * r * r,
+               slope_end = -h * s * s * r;
+  u_out = begin * x.u + end * y.u + slope_begin * x.v + slope_end * y.v;
+  v_out = begin * x.v + end * y.v + slope_begin * x.a + slope_end * y.a;
+}
+
+void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& out) const {
+  const State &x = before(), &y = arrived();
+  const double h = y.time - x.time;
+  if (!(h > 0)) {
+    out = state().a;
+    return;
+  }
+  const double s = std::clamp((time - x.time) / h, 0.0, 1.0);
+  Eigen::VectorXd middle;
+  base_.follow(kept_.a_middle);
+  base_.physical(kept_.a_middle, middle);
+  out = (1 - s) * (1 - 2 * s) * x.a + 4 * s * (1 - s) * middle + s * (2 * s - 1) * y.a;
+}
+
+void Stepper::Instant::archive(Archive& archive) {
+  archive(time);
+  archive(motion);
+  archive(force);
+  archive(closings);
+}
+
+void Stepper::Trial::archive(Archive& archive) {
+  archive(h);
+  archive(end);
+  archive(a_middle);
+  archive(force_middle);
+  archive(middle);
+  archive(ground_begin);
+  archive(ground_middle);
+  archive(ground_end);
+  archive(error);
+  archive(size_u);
+  archive(size_v);
+}
+
+void Stepper::archive(Archive& archive) {
+  archive(now_);
+  archive(before_);
+  archive(kept_);
+  archive(link_steps_);
+  archive(input_work_);
+  archive(damping_work_);
+  archive(stored_at_start_);
+  archive(displacement_scale_);
+  archive(velocity_scale_);
+  archive(rate_scale_);
+  archive(penetration_scale_);
+  archive(iterations_);
+  archive(events_);
+  for (Contact* contact : system_.contacts) contact->archive(archive);
+  for (Spring* spring : system_.springs) spring->archive(archive);
+  state_fresh_ = before_fresh_ = arrived_fresh_ = false;
 }
 
 }  // namespace pounding

@@ -3,21 +3,23 @@
 /// contact changes phase inside it. Knows no PETSc: the TS type `pounding` drives it.
 
 #include <Eigen/Core>
-#include <map>
 #include <optional>
 #include <vector>
 
+#include <pounding/archive.hpp>
+#include <pounding/base.hpp>
+#include <pounding/scheme.hpp>
 #include <pounding/system.hpp>
 
 namespace pounding {
 
 struct StepperOptions {
-  double tolerance = 1e-4;       ///< relative, on displacements and forces
-  double spectral_radius = 1.0;  ///< rho at infinite frequency of generalized-alpha, 0 to 1
-  double first_rung = 0;         ///< longest step [s]; steps are this divided by powers of two, or end at an event
+  double tolerance = 1e-4;  ///< relative, on displacements and forces
+  Scheme scheme = {};
+  double first_rung = 0;  ///< longest step [s]; where steps form a ladder they are this divided by powers of two
 };
 
-/// Motion at one instant. `a` and `force` are those just after it.
+/// Motion at one instant, at the unknowns of the system. `a` and `force` are those just after it.
 struct State {
   double time = 0;
   Eigen::VectorXd u, v;   ///< relative to the ground [m], [m/s]
@@ -25,32 +27,36 @@ struct State {
   Eigen::VectorXd force;  ///< of every link [N]
 };
 
-/// What a kept step did to the energies; integrals by Simpson's rule on the step's own interpolation [J].
-struct EnergySums {
-  double input = 0;    ///< work of the ground motion, and the energy that was there at the start
-  double damping = 0;  ///< viscous, of the structures
+/// Energies at the last kept state [J]. input = kinetic + strain + damping + hysteretic + impact, but for the error.
+struct Energies {
+  double input = 0;       ///< work of the ground motion, and the energy that was there at the start
+  double kinetic = 0;     ///< of the motion relative to the ground
+  double strain = 0;      ///< stored in the structures
+  double damping = 0;     ///< dissipated by the damping of the structures
+  double hysteretic = 0;  ///< dissipated by yielding
+  double impact = 0;      ///< work done on the contacts: lost, and stored while they press
 };
 
-/// Generalized-alpha (Chung and Hulbert 1993) on the displacement form, the forces of all terms averaged between the
-/// ends of the step.
-///
-/// A step solves the linear frame once with a cached factor and then Newton on the few link forces with their exact
-/// slopes: u1 = u* - h^2 beta alpha_f A^-1 B F, A = alpha_m M + h gamma alpha_f C + h^2 beta alpha_f K.
+/// Steps of the chosen scheme with the link forces condensed out: the structures are solved once (a stage) with a matrix
+/// that does not change, then Newton on the few link forces with their exact slopes.
 ///
 /// attempt() is pure: a trial that is not accepted leaves no trace.
 class Stepper {
  public:
-  /// Throws std::invalid_argument when M is not positive definite or the options are out of range.
-  Stepper(const System& system, const StepperOptions& options);
+  /// `base` describes the same system. Throws std::invalid_argument when the options are out of range.
+  Stepper(const System& system, Base& base, const StepperOptions& options);
 
-  /// Starts from displacements and velocities with the exact initial acceleration.
+  /// Starts from displacements and velocities with the exact initial acceleration. Unknowns without mass follow the
+  /// others, whatever is given for them.
   void start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v);
 
   /// Solves a trial step of length h > 0. False when the link equations could not be solved.
   /// `end` is the time at its end when that is known better than by adding h.
   bool attempt(double h, std::optional<double> end = std::nullopt);
   /// Error of the trial in one step divided by what the tolerance allows; the trial is good when it is at most 1.
-  double error_ratio() const;
+  double error_ratio() const { return trial_.error; }
+  /// The error falls with this power of the step.
+  int error_order() const { return options_.scheme.error_order(); }
   /// Length of the shortest trial step at whose end a contact reaches the end of its phase, located by re-integrated
   /// steps, with that step as the present trial; nothing when no phase ends inside the trial.
   /// A length of zero means that a phase has already ended at the beginning.
@@ -60,35 +66,47 @@ class Stepper {
   /// Enters the phases that begin at the present state, without a step (after land() gave a length of zero).
   void cross_now();
 
-  const State& state() const { return now_; }
-  const State& before() const { return before_; }  ///< the state at the beginning of the last kept step
+  double time() const { return now_.time; }
+  /// The present state.
+  const State& state() const;
+  /// The state at the beginning of the last kept step.
+  const State& before() const;
   /// End of the last kept step as the step saw it: accelerations and forces before contacts changed phase.
-  const State& arrived() const { return kept_.end; }
+  const State& arrived() const;
   const std::vector<LinkStep>& link_steps() const { return link_steps_; }
-  const EnergySums& energy_sums() const { return sums_; }
-  double kinetic_energy() const;
-  double strain_energy() const;
-  double contact_work() const;
+  Energies energies() const;
   bool in_contact() const;
+  /// The link that pressed hardest, or would not be solved, in the last trial; -1 for none.
+  int troublesome_link() const { return troublesome_; }
 
   /// Displacement and velocity inside the last kept step: cubic Hermite interpolation.
   void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   /// Acceleration inside the last kept step: the parabola through both ends and the middle.
   void interpolate_acceleration(double time, Eigen::VectorXd& a) const;
 
-  /// The rung at most h (relative slack 1e-9).
-  double rung_below(double h) const;
+  /// The step to try when `wanted` would do and `left` remains until a corner of the ground motion or the end.
+  double step_towards(double wanted, double left) const;
   const StepperOptions& options() const { return options_; }
   const System& system() const { return system_; }
+  const Base& base() const { return base_; }
   long iterations() const { return iterations_; }
   long events() const { return events_; }
-  long factorizations() const { return factorizations_; }
+
+  /// The whole state between two steps, contacts and springs included: what is read goes on with the same bits.
+  void archive(Archive& archive);
 
  private:
-  struct Level {
-    Eigen::MatrixXd inverse;    // of A
-    Eigen::MatrixXd response;   // Z = A^-1 B
-    Eigen::MatrixXd flexibility;  // G = B^T Z
+  /// Columns of one matrix: motion in the coordinates of the base and its products with K and C. `c` is the acceleration
+  /// that the scheme carries, when it is not a.
+  enum Column { u, v, a, c, ku, kv, ka, kc, cv, ca, cc, columns };
+  struct Instant {
+    double time = 0;
+    Eigen::MatrixXd motion;     // [coordinate, Column]
+    Eigen::VectorXd force;      // of every link
+    Eigen::MatrixXd closings;   // [link, u v a]
+    const double* at(Column column) const { return motion.col(column).data(); }
+    double* at(Column column) { return motion.col(column).data(); }
+    void archive(Archive& archive);
   };
   /// A margin that is negative at the end of the trial.
   struct Ending {
@@ -99,29 +117,38 @@ class Stepper {
   };
   struct Trial {
     double h = 0;
-    State end;
-    Eigen::VectorXd u_middle, v_middle, a_middle;
-    Eigen::VectorXd algorithmic;  // acceleration of the scheme at the end
+    Instant end;
     Eigen::VectorXd force_middle;
+    mutable Eigen::VectorXd a_middle;  // unknowns without mass are completed when somebody asks
+    std::vector<LinkMotion> middle;                              // motion of every link
     double ground_begin = 0, ground_middle = 0, ground_end = 0;  // [m/s^2]
     double error = 0;
+    std::vector<double> size_u, size_v;  // of the motion at the end, by group
+    void archive(Archive& archive);
   };
 
-  const Level& level(double h);
-  bool solve_links(const Eigen::MatrixXd& flexibility, double h, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
-                   const Eigen::VectorXd& a, Eigen::VectorXd& force);
-  bool solve_one_link(int link, double flexibility, double h, double others, double& force);
-  bool solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eigen::VectorXd& force);
-  void evaluate_middle(Trial& trial);
-  void estimate_error(Trial& trial);
-  /// Link forces and accelerations that balance the equations in the present phases.
-  void balance(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double ground, Eigen::VectorXd& force,
-               Eigen::VectorXd& a) const;
+  int width() const { return carries_ ? 4 : 3; }  // columns of motion that have products
+  void set_shift(double h);
+  bool attempt_alpha(double h);
+  bool attempt_esdirk(double h);
+  /// The acceleration x that a stage has without the forces of active links becomes the one with them, which go to the end
+  /// of the trial. The free motions are those that x belongs to; an acceleration changes them by by_u and by_v times
+  /// itself, a force counts with `weight` in the equations of the stage.
+  bool condense(double by_u, double by_v, double weight, const Eigen::VectorXd& guess, Eigen::Ref<Eigen::VectorXd> x);
+  bool solve_one_link(int place, double by_u, double by_v, double weight, double others, double& force);
+  bool solve_many_links(double by_u, double by_v, double weight);
+  void products(Instant& instant, int first, int count) const;
+  void evaluate_middle();
+  void measure(const Instant& instant, std::vector<double>& size_u, std::vector<double>& size_v);
+  void finish_error();
+  /// r, the forces other than those of links, becomes the acceleration; forces of the links from their motions.
+  void balance(std::span<const LinkMotion> motions, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
   void balance_now();
-  void accelerate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& force, double ground,
-                  Eigen::VectorXd& a) const;
-  double closing(int link, const Eigen::VectorXd& x) const;
-  LinkMotion motion(int link, const Eigen::VectorXd& u, const Eigen::VectorXd& v) const;
+  void gather_now();
+  LinkMotion motion(int link, const Instant& instant) const;
+  LinkForce law(int link, const LinkMotion& motion) const;
+  bool works(int link) const;  // has a force that depends on the step
+  bool held(int link) const;
   double noise_of(int link, int margin) const;
   bool ended(int link, int margin, double value) const;
   std::vector<Ending> endings() const;
@@ -133,39 +160,48 @@ class Stepper {
   void bounce(const std::vector<int>& touching);
   void release_parting();
   void update_scales();
+  double largest_u() const;
+  double largest_v() const;
+  void show(const Instant& instant, State& state) const;
 
   const System& system_;
+  Base& base_;
   StepperOptions options_;
-  double alpha_m_, alpha_f_, beta_, gamma_;
+  GeneralizedAlpha alpha_;
+  bool carries_ = false;  // an acceleration of the scheme that is not the balanced one
   double allowed_;  // local error that the tolerance allows
 
-  struct Entry {
-    Eigen::Index unknown;
-    double factor;
-  };
-  std::vector<std::vector<Entry>> entries_;  // of the columns of B
-  Eigen::MatrixXd mass_inverse_;
+  Eigen::MatrixXd rigid_response_;     // M^-1 B of the contacts, when one of them is rigid
   Eigen::MatrixXd rigid_flexibility_;  // B^T M^-1 B
-  std::map<int, Level> rungs_;         // by power of two
-  Level off_ladder_;
-  double off_ladder_h_ = 0;
 
-  State now_, before_;
-  Eigen::VectorXd algorithmic_;  // acceleration that the scheme carries, for the length of the last step
-  Eigen::VectorXd carried_;      // and for that of the trial
+  Instant now_, before_;
   Trial trial_, kept_;
   std::vector<Ending> landed_;  // endings at the end of the trial
   std::vector<LinkStep> link_steps_;
-  EnergySums sums_;
+  double input_work_ = 0, damping_work_ = 0;  // of this process
+  double stored_at_start_ = 0;
 
   std::vector<double> displacement_scale_, velocity_scale_;  // by group
   std::vector<double> rate_scale_, penetration_scale_;       // by link, of the present impact
-  std::vector<int> active_;                                  // links that press
-  std::vector<LinkMotion> free_;                             // motion of the links without their forces
-  std::vector<double> free_closing_;                         // their closing acceleration without forces
+  int troublesome_ = -1;
+  long iterations_ = 0, events_ = 0;
+
+  std::vector<std::vector<int>> link_groups_;  // groups that a link joins
+
+  // Room to work in.
+  std::vector<int> active_;            // links whose force is sought
+  std::vector<LinkMotion> free_;       // their motion without their forces
+  Eigen::VectorXd free_closing_;       // and their closing acceleration
+  Eigen::MatrixXd flexibility_;        // G of the active links
+  Eigen::VectorXd active_force_;
+  Eigen::VectorXd r_, error_u_, error_v_;
+  Eigen::MatrixXd gathered_, stages_, stage_closings_, work_errors_;
+  std::vector<LinkMotion> now_motions_;
   mutable Eigen::VectorXd work_;
-  Eigen::VectorXd error_u_, error_v_;
-  long iterations_ = 0, events_ = 0, factorizations_ = 0;
+  mutable Eigen::MatrixXd work_closings_;
+  std::vector<double> sums_;
+  mutable State state_, state_before_, state_arrived_;
+  mutable bool state_fresh_ = false, before_fresh_ = false, arrived_fresh_ = false;
 };
 
 }  // namespace pounding

@@ -33,14 +33,13 @@ constexpr int reversal_or_touch = 0;
 // Rounding noise of a margin. A law's force is compared with zero; the force that holds a contact has the noise of a speed
 // lost in the longest step.
 double Stepper::noise_of(int link, int margin) const {
-  const double u = *std::max_element(displacement_scale_.begin(), displacement_scale_.end());
-  const double v = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
+  const double size_u = largest_u(), size_v = largest_v();
   switch (system_.contacts[link]->phase()) {
-    case ContactPhase::open: return noise * u;
-    case ContactPhase::approach: return noise * v;
-    case ContactPhase::restitution: return margin == 0 ? noise * u : margin == 2 ? noise * v : 0;
-    case ContactPhase::slack: return margin == 0 ? noise * u : 0;
-    case ContactPhase::resting: return noise * v / (rigid_flexibility_(link, link) * options_.first_rung);
+    case ContactPhase::open: return noise * size_u;
+    case ContactPhase::approach: return noise * size_v;
+    case ContactPhase::restitution: return margin == 0 ? noise * size_u : margin == 2 ? noise * size_v : 0;
+    case ContactPhase::slack: return margin == 0 ? noise * size_u : 0;
+    case ContactPhase::resting: return noise * size_v / (rigid_flexibility_(link, link) * options_.first_rung);
   }
   return 0;
 }
@@ -49,9 +48,9 @@ bool Stepper::ended(int link, int margin, double value) const { return value < 0
 
 std::vector<Stepper::Ending> Stepper::endings() const {
   std::vector<Ending> found;
-  for (int i = 0; i < system_.links(); ++i) {
+  for (int i = 0; i < system_.contact_count(); ++i) {
     const Contact& contact = *system_.contacts[i];
-    const LinkMotion begin = motion(i, now_.u, now_.v), end = motion(i, trial_.end.u, trial_.end.v);
+    const LinkMotion begin = motion(i, now_), end = motion(i, trial_.end);
     const Contact::Margins at_begin = contact.margins(begin, now_.force[i]);
     const Contact::Margins at_end = contact.margins(end, trial_.end.force[i]);
     for (int k = 0; k < Contact::max_margins; ++k) {
@@ -67,7 +66,7 @@ std::vector<Stepper::Ending> Stepper::endings() const {
 // of least opening.
 void Stepper::inner_touch(int link) {
   if (system_.contacts[link]->phase() != ContactPhase::open) return;
-  const LinkMotion begin = motion(link, now_.u, now_.v), end = motion(link, trial_.end.u, trial_.end.v);
+  const LinkMotion begin = motion(link, now_), end = motion(link, trial_.end);
   if (!(begin.rate > 0 && end.rate < 0 && begin.penetration <= 0 && end.penetration <= 0)) return;
   // Extremum of the cubic through both ends.
   const double h = trial_.h, slope = (end.penetration - begin.penetration) / h;
@@ -81,13 +80,13 @@ void Stepper::inner_touch(int link) {
   if (widest < -reach) return;
   const double whole = trial_.h, end_time = trial_.end.time;
   const bool touches = attempt(s * whole) && ended(link, reversal_or_touch,
-                                                   -motion(link, trial_.end.u, trial_.end.v).penetration);
+                                                   -motion(link, trial_.end).penetration);
   // The trial as it was, its end at the exact time of a corner of the ground motion included.
   if (!touches && !attempt(whole, end_time)) throw SolverError(lost_trial);
 }
 
 std::optional<double> Stepper::land() {
-  for (int i = 0; i < system_.links(); ++i) inner_touch(i);
+  for (int i = 0; i < system_.contact_count(); ++i) inner_touch(i);
   std::vector<Ending> open = endings();
   if (open.empty()) return std::nullopt;
   const std::vector<Ending> all = open;
@@ -127,7 +126,7 @@ std::optional<double> Stepper::land() {
 }
 
 double Stepper::margin_of_trial(const Ending& ending) const {
-  const LinkMotion end = motion(ending.link, trial_.end.u, trial_.end.v);
+  const LinkMotion end = motion(ending.link, trial_.end);
   return system_.contacts[ending.link]->margins(end, trial_.end.force[ending.link])[ending.margin];
 }
 
@@ -183,7 +182,7 @@ void Stepper::enter_phases() {
   std::vector<int> rigid;
   for (const Ending& ending : landed_) {
     Contact& contact = *system_.contacts[ending.link];
-    const LinkMotion here = motion(ending.link, now_.u, now_.v);
+    const LinkMotion here = motion(ending.link, now_);
     const bool touches = contact.phase() == ContactPhase::open;
     ++events_;
     if (touches && contact.is_rigid()) {
@@ -204,23 +203,24 @@ void Stepper::enter_phases() {
 // Newton's impact law, one contact after the other until no rigid contact closes: an impulse may make a neighbour close.
 // A touch too slow for the tolerance is held.
 void Stepper::bounce(const std::vector<int>& touching) {
-  const double speed = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
+  const double speed = largest_v();
   const double slowest = options_.tolerance * speed;
   const auto strike = [&](int i, double rate, bool held) {
     Contact& contact = *system_.contacts[i];
     const double restitution = held ? 0 : contact.restitution();
     const double impulse = (1 + restitution) * rate / rigid_flexibility_(i, i);
-    now_.v -= impulse * (mass_inverse_ * system_.closing.col(i));
+    now_.motion.col(v) -= impulse * rigid_response_.col(i);
+    gather_now();
     contact.jumped(now_.time, impulse, rate, -restitution * rate, held);
   };
-  const auto rate_of = [&](int i) { return closing(i, now_.v); };
+  const auto rate_of = [&](int i) { return now_.closings(i, v); };
   std::vector<int> links = touching;
   for (const int i : touching) {
     const double rate = rate_of(i);
     if (rate < -noise * speed) continue;  // an earlier impulse has parted them
     strike(i, std::max(0.0, rate), rate < slowest);
   }
-  for (int i = 0; i < system_.links(); ++i)
+  for (int i = 0; i < system_.contact_count(); ++i)
     if (system_.contacts[i]->phase() == ContactPhase::resting) links.push_back(i);
   for (int round = 0; round < most_rounds; ++round) {
     bool closing = false;
@@ -239,10 +239,10 @@ void Stepper::bounce(const std::vector<int>& touching) {
 
 // An impulse on one body may tear it from another that it rested on.
 void Stepper::release_parting() {
-  const double speed = *std::max_element(velocity_scale_.begin(), velocity_scale_.end());
-  for (int i = 0; i < system_.links(); ++i) {
+  const double speed = largest_v();
+  for (int i = 0; i < system_.contact_count(); ++i) {
     Contact& contact = *system_.contacts[i];
-    const LinkMotion here = motion(i, now_.u, now_.v);
+    const LinkMotion here = motion(i, now_);
     if (contact.phase() == ContactPhase::resting && here.rate < -noise * speed) contact.crossed(0, now_.time, here);
   }
 }

@@ -8,50 +8,64 @@
 #include <pounding/stepper.hpp>
 
 namespace pounding {
+namespace {
 
-bool Stepper::solve_links(const Eigen::MatrixXd& flexibility, double h, const Eigen::VectorXd& u,
-                          const Eigen::VectorXd& v, const Eigen::VectorXd& a, Eigen::VectorXd& force) {
-  active_.clear();
-  for (int i = 0; i < system_.links(); ++i) {
-    if (!presses(system_.contacts[i]->phase())) continue;
-    active_.push_back(i);
-    free_[i] = motion(i, u, v);
-    free_closing_[i] = closing(i, a);
-    force[i] = now_.force[i];
-  }
-  if (active_.empty()) return true;
-  if (active_.size() == 1) {
-    const int i = active_.front();
-    return solve_one_link(i, flexibility(i, i), h, 0.0, force[i]);
-  }
-  return solve_many_links(flexibility, h, force);
+// A force is the difference of terms of this size; its rounding follows them.
+double terms(const LinkForce& law, const LinkMotion& at) {
+  return std::abs(law.by_penetration * at.penetration) + std::abs(law.by_rate * at.rate);
+}
+
+constexpr double solved = 1e-14;  // of the terms of a force
+
+}  // namespace
+
+bool Stepper::condense(double by_u, double by_v, double weight, const Eigen::VectorXd& guess,
+                       Eigen::Ref<Eigen::VectorXd> x) {
+  const int count = static_cast<int>(active_.size());
+  if (!base_.flexibility(active_, flexibility_)) return false;
+  active_force_.resize(count);
+  for (int k = 0; k < count; ++k) active_force_[k] = guess[active_[k]];
+  if (!(count == 1 ? solve_one_link(0, by_u, by_v, weight, 0.0, active_force_[0])
+                   : solve_many_links(by_u, by_v, weight)))
+    return false;
+  for (int k = 0; k < count; ++k) trial_.end.force[active_[k]] = active_force_[k];
+  base_.add_response(-weight, active_, active_force_, x);
+  return true;
 }
 
 // A held contact takes the force that leaves no closing acceleration: from a rate of zero it stays at zero. Else the
-// force lies between zero and what the law would answer to the free motion; Newton inside that bracket.
-// `others` is what the other links take off, G F without this one.
-bool Stepper::solve_one_link(int link, double flexibility, double h, double others, double& force) {
-  const double by_u = alpha_f_ * beta_ * h * h * flexibility;
-  const double by_v = alpha_f_ * gamma_ * h * flexibility;
-  const double scale = others / flexibility;
-  const LinkMotion free{free_[link].penetration - by_u * scale, free_[link].rate - by_v * scale};
-  const Contact& contact = *system_.contacts[link];
-  if (contact.phase() == ContactPhase::resting) {
-    force = (free_closing_[link] / alpha_f_ - others) / flexibility;
+// force lies between zero and what the law would answer to the free motion; a spring that softens goes beyond that.
+// Newton inside the bracket. `others` is what the other links take off, G F without this one.
+bool Stepper::solve_one_link(int place, double by_u, double by_v, double weight, double others, double& force) {
+  const int link = active_[place];
+  const double flexibility = flexibility_(place, place);
+  const double relief_u = weight * by_u * flexibility, relief_v = weight * by_v * flexibility;
+  if (held(link)) {
+    force = (free_closing_[place] / weight - others) / flexibility;
     return true;
   }
-  const double unrelieved = contact.evaluate(free).force;
+  const double scale = others / flexibility;
+  const LinkMotion free{free_[place].penetration - relief_u * scale, free_[place].rate - relief_v * scale};
+  const auto residual_at = [&](double f) {
+    return law(link, {free.penetration - relief_u * f, free.rate - relief_v * f}).force - f;
+  };
+  const double unrelieved = law(link, free).force;
   double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
   if (low == high) {
     force = low;
     return true;
   }
+  if (link >= system_.contact_count()) {
+    double& far = unrelieved > 0 ? high : low;
+    for (int doubling = 0; doubling < 60 && residual_at(far) * unrelieved > 0; ++doubling) far *= 2;
+  }
   double trial = std::clamp(force, low, high);
   for (int iteration = 0; iteration < 200; ++iteration) {
     ++iterations_;
-    const LinkForce law = contact.evaluate({free.penetration - by_u * trial, free.rate - by_v * trial});
-    const double residual = law.force - trial;
-    if (std::abs(residual) <= 1e-14 * std::max(std::abs(trial), std::abs(law.force)) || residual == 0) {
+    const LinkMotion at{free.penetration - relief_u * trial, free.rate - relief_v * trial};
+    const LinkForce answer = law(link, at);
+    const double residual = answer.force - trial;
+    if (std::abs(residual) <= solved * std::max({std::abs(trial), std::abs(answer.force), terms(answer, at)})) {
       force = trial;
       return true;
     }
@@ -60,7 +74,7 @@ bool Stepper::solve_one_link(int link, double flexibility, double h, double othe
       force = trial;
       return true;
     }
-    const double slope = 1 + by_u * law.by_penetration + by_v * law.by_rate;
+    const double slope = 1 + relief_u * answer.by_penetration + relief_v * answer.by_rate;
     double next = trial + residual / slope;
     if (!(slope > 0) || !(next > low && next < high)) next = 0.5 * (low + high);
     if (next == trial) {
@@ -69,41 +83,39 @@ bool Stepper::solve_one_link(int link, double flexibility, double h, double othe
     }
     trial = next;
   }
+  troublesome_ = link;
   return false;
 }
 
-bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eigen::VectorXd& force) {
+bool Stepper::solve_many_links(double by_u, double by_v, double weight) {
   const int count = static_cast<int>(active_.size());
-  const double by_u = alpha_f_ * beta_ * h * h;
-  const double by_v = alpha_f_ * gamma_ * h;
-  Eigen::MatrixXd g(count, count);
-  Eigen::VectorXd f(count);
-  for (int i = 0; i < count; ++i) {
-    f[i] = force[active_[i]];
-    for (int j = 0; j < count; ++j) g(i, j) = flexibility(active_[i], active_[j]);
-  }
+  by_u *= weight;
+  by_v *= weight;
+  const Eigen::MatrixXd& g = flexibility_;
+  Eigen::VectorXd& f = active_force_;
   Eigen::VectorXd residual(count), relief(count), trial(count);
   Eigen::MatrixXd slopes(count, count);
-  const auto held = [&](int i) { return system_.contacts[active_[i]]->phase() == ContactPhase::resting; };
   // Held contacts between the same bodies leave their shares open.
   int held_count = 0;
-  for (int i = 0; i < count; ++i) held_count += held(i);
+  for (const int link : active_) held_count += held(link);
   const bool several_held = held_count > 1;
+  double scale = 0;
   const auto evaluate = [&](const Eigen::VectorXd& x, bool with_slopes) {
     ++iterations_;
+    scale = x.norm();
     relief.noalias() = g * x;
     for (int i = 0; i < count; ++i) {
-      const LinkMotion& free = free_[active_[i]];
-      const LinkMotion now{free.penetration - by_u * relief[i], free.rate - by_v * relief[i]};
-      if (held(i)) {
-        residual[i] = (free_closing_[active_[i]] / alpha_f_ - relief[i]) / g(i, i);
+      if (held(active_[i])) {
+        residual[i] = (free_closing_[i] / weight - relief[i]) / g(i, i);
         if (with_slopes) slopes.row(i) = g.row(i) / g(i, i);
         continue;
       }
-      const LinkForce law = system_.contacts[active_[i]]->evaluate(now);
-      residual[i] = law.force - x[i];
+      const LinkMotion now{free_[i].penetration - by_u * relief[i], free_[i].rate - by_v * relief[i]};
+      const LinkForce answer = law(active_[i], now);
+      residual[i] = answer.force - x[i];
+      scale = std::max(scale, terms(answer, now));
       if (!with_slopes) continue;
-      slopes.row(i) = (by_u * law.by_penetration + by_v * law.by_rate) * g.row(i);
+      slopes.row(i) = (by_u * answer.by_penetration + by_v * answer.by_rate) * g.row(i);
       slopes(i, i) += 1;
     }
     return residual.norm();
@@ -112,17 +124,15 @@ bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eig
   const auto sweep = [&](Eigen::VectorXd& x) {
     for (int i = 0; i < count; ++i) {
       const double others = g.row(i).dot(x) - g(i, i) * x[i];
-      if (!solve_one_link(active_[i], g(i, i), h, others, x[i])) return false;
+      if (!solve_one_link(i, by_u / weight, by_v / weight, weight, others, x[i])) return false;
     }
     return true;
   };
   for (int iteration = 0; iteration < 500; ++iteration) {
     const double size = evaluate(f, true);
     if (!std::isfinite(size)) return false;
-    if (size <= 1e-14 * f.norm() || size == 0) {
-      for (int i = 0; i < count; ++i) force[active_[i]] = f[i];
-      return true;
-    }
+    if (size <= solved * scale) return true;
+    const double here = scale;
     const Eigen::VectorXd direction =
         several_held ? Eigen::VectorXd(slopes.completeOrthogonalDecomposition().solve(residual))
                      : Eigen::VectorXd(slopes.partialPivLu().solve(residual));
@@ -132,15 +142,14 @@ bool Stepper::solve_many_links(const Eigen::MatrixXd& flexibility, double h, Eig
       trial = f + length * direction;
       better = evaluate(trial, false) < size;
     }
-    if (better) {
+    if (better)
       f = trial;
-    } else if (size <= 1e-12 * f.norm()) {  // rounding: Newton cannot do better
-      for (int i = 0; i < count; ++i) force[active_[i]] = f[i];
+    else if (size <= 100 * solved * here)  // rounding: Newton cannot do better
       return true;
-    } else if (!sweep(f)) {
+    else if (!sweep(f))
       return false;
-    }
   }
+  troublesome_ = active_.front();
   return false;
 }
 

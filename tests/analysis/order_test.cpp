@@ -10,11 +10,14 @@
 
 #include <pounding/gap_link.hpp>
 #include <pounding/laws/free_impact.hpp>
+#include <pounding/modal_base.hpp>
 #include <pounding/stepper.hpp>
 #include "support/runs.hpp"
 
 namespace pounding {
 namespace {
+
+SparseMatrix one(double value) { return Eigen::MatrixXd::Constant(1, 1, value).sparseView(); }
 
 struct Problem {
   System system;
@@ -26,11 +29,11 @@ struct Problem {
 // u'' + 2 z w u' + w^2 u = 0 from u = 1, v = 0: the initial acceleration is not zero.
 Problem damped_oscillator(double w, double z) {
   Problem p;
-  p.system.mass = Eigen::MatrixXd::Constant(1, 1, 2.0);
-  p.system.damping = Eigen::MatrixXd::Constant(1, 1, 2.0 * 2 * z * w);
-  p.system.stiffness = Eigen::MatrixXd::Constant(1, 1, 2.0 * w * w);
+  p.system.mass = one(2.0);
+  p.system.damping = one(2.0 * 2 * z * w);
+  p.system.stiffness = one(2.0 * w * w);
   p.system.load = Eigen::VectorXd::Zero(1);
-  p.system.closing = Eigen::MatrixXd::Zero(1, 0);
+  p.system.closing = SparseMatrix(1, 0);
   p.system.groups = {{0, 1, 1.0, 1.0}};
   p.u = Eigen::VectorXd::Constant(1, 1.0);
   p.v = Eigen::VectorXd::Zero(1);
@@ -47,10 +50,10 @@ double exact_oscillation(double w, double z, double t) {
 template <class Law>
 Problem ball_on_wall(const Law& law, double end) {
   Problem p;
-  p.system.mass = Eigen::MatrixXd::Constant(1, 1, 6e4);
-  p.system.damping = p.system.stiffness = Eigen::MatrixXd::Zero(1, 1);
+  p.system.mass = one(6e4);
+  p.system.damping = p.system.stiffness = SparseMatrix(1, 1);
   p.system.load = Eigen::VectorXd::Zero(1);
-  p.system.closing = Eigen::MatrixXd::Ones(1, 1);
+  p.system.closing = one(1);
   p.system.groups = {{0, 1, 1e-3, 1.0}};
   p.contact = std::make_unique<GapLink<Law>>(law, 0.01);
   p.system.contacts = {p.contact.get()};
@@ -84,7 +87,8 @@ TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
   std::vector<double> errors;
   for (const double h : {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512}) {
     Problem p = damped_oscillator(w, z);
-    Stepper stepper(p.system, {.tolerance = 1e-3, .spectral_radius = GetParam(), .first_rung = h});
+    ModalBase base(p.system);
+    Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = {.spectral_radius = GetParam()}, .first_rung = h});
     stepper.start(0, p.u, p.v);
     EXPECT_DOUBLE_EQ(stepper.state().a[0], -w * w) << "the initial acceleration balances the equations";
     march(stepper, p.end, h);
@@ -99,7 +103,8 @@ template <class Law>
 double error_after_impact(const Law& law, double parting, double speed, double h, double radius) {
   const double end = 0.15;
   Problem p = ball_on_wall(law, end);
-  Stepper stepper(p.system, {.tolerance = 1e-3, .spectral_radius = radius, .first_rung = h});
+  ModalBase base(p.system);
+  Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = {.spectral_radius = radius}, .first_rung = h});
   stepper.start(0, p.u, p.v);
   march(stepper, end, h);
   const double position = 0.01 - speed * (end - 0.01 - parting);
@@ -153,7 +158,8 @@ TEST(SpectralRadiusBelowOne, CostsNoMoreStepsThanOne) {
 
 TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
   Problem p = damped_oscillator(7.0, 0.05);
-  Stepper stepper(p.system, {.tolerance = 1e-3, .first_rung = 0.1});
+  ModalBase base(p.system);
+  Stepper stepper(p.system, base, {.tolerance = 1e-3, .first_rung = 0.1});
   stepper.start(0, p.u, p.v);
   ASSERT_TRUE(stepper.attempt(1e-2));
   const double coarse = stepper.error_ratio();
@@ -165,7 +171,8 @@ TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
 TEST(ErrorEstimate, IsTheErrorOfTheStep) {
   const double w = 7.0, z = 0.05, tolerance = 1e-3, h = 2e-3;
   Problem p = damped_oscillator(w, z);
-  Stepper stepper(p.system, {.tolerance = tolerance, .first_rung = h});
+  ModalBase base(p.system);
+  Stepper stepper(p.system, base, {.tolerance = tolerance, .first_rung = h});
   stepper.start(0, p.u, p.v);
   ASSERT_TRUE(stepper.attempt(h));
   const double estimated = stepper.error_ratio() * 0.25 * std::pow(tolerance, 1.5);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include <pounding/gap_link.hpp>
+#include <pounding/modal_base.hpp>
 #include <pounding/stepper.hpp>
 #include "support/runs.hpp"
 
@@ -26,7 +27,8 @@ TEST(TrialSteps, LeaveNoTrace) {
   const auto end_state = [](bool with_trials) {
     const Model model = test::model_of(test::two_oscillators("bilinear_hertz, stiffness: 2.75e9, restitution: 0.65", 1e-4));
     const System system = assemble(model);
-    Stepper stepper(system, {.tolerance = 1e-4, .first_rung = 1e-3});
+    ModalBase base(system);
+  Stepper stepper(system, base, {.tolerance = 1e-4, .first_rung = 1e-3});
     const auto [u, v] = initial_state(model);
     stepper.start(0, u, v);
     while (stepper.state().time < 1.3) {
@@ -59,7 +61,8 @@ TEST(TrialSteps, KeepTheirExactEndWhenBodiesPassClose) {
                                      "links: [{between: [a, w], gap: 20.001 mm, law: hertz, stiffness: 2.75e9}]\n"
                                      "analysis: {duration: 1}\n");
   const System system = assemble(model);
-  Stepper stepper(system, {.tolerance = 1e-4, .first_rung = 0.1});
+  ModalBase base(system);
+  Stepper stepper(system, base, {.tolerance = 1e-4, .first_rung = 0.1});
   const double w = 2 * M_PI / 0.5, begin = 0.12, h = 0.01, end = std::nextafter(begin + h, 1.0);
   stepper.start(begin, Eigen::VectorXd::Constant(1, 0.02 * std::sin(w * begin)),
                 Eigen::VectorXd::Constant(1, 0.02 * w * std::cos(w * begin)));

@@ -16,8 +16,6 @@
 namespace pounding::petsc {
 namespace {
 
-// The local error of the scheme falls with this power of the step.
-constexpr PetscInt local_order = 3;
 // Phases that end one after the other without time passing: more than this is a fault, not a contact.
 constexpr int most_crossings_at_one_time = 10000;
 // Time passes when a step is longer than this part of the time.
@@ -44,23 +42,23 @@ struct Aim {
 };
 
 Aim aim(TS ts, const Stepper& stepper, double wanted, bool ladder) {
-  const double now = stepper.state().time;
+  const double now = stepper.time();
   const double target = std::min<double>(stepper.system().ground.next_break(now), ts->max_time);
   const double left = target - now;
-  const double rung = ladder ? stepper.rung_below(wanted) : wanted;
-  if (left > wanted * (1 + longest_stretch)) return {rung, std::nullopt};
-  return {std::abs(left - rung) <= 1e-9 * rung ? rung : left, target};
+  const double step = ladder ? stepper.step_towards(wanted, left) : wanted;
+  if (left > wanted * (1 + longest_stretch) && left > step * (1 + 1e-9)) return {step, std::nullopt};
+  return {std::abs(left - step) <= 1e-9 * step ? step : left, target};
 }
 
 [[noreturn]] void give_up(const Stepper& stepper, double step, const char* reason) {
   throw SolverError(fmt::format(
       "the solve stopped at t = {:.9g} s with a step of {:.3g} s: {}. Try a larger tolerance, or look at the link that "
       "presses at this time",
-      stepper.state().time, step, reason));
+      stepper.time(), step, reason));
 }
 
 void check_step(const Stepper& stepper, double step) {
-  const double least = 1e-14 * std::max(1.0, std::abs(stepper.state().time)) * 1e-2;
+  const double least = 1e-14 * std::max(1.0, std::abs(stepper.time())) * 1e-2;
   if (!(step > least)) give_up(stepper, step, "no step is short enough for the tolerance");
 }
 
@@ -119,7 +117,7 @@ PetscErrorCode advance(TS ts) {
       stepper.cross_now();
       continue;
     }
-    if (landed && *landed < no_time * std::max(1.0, stepper.state().time))
+    if (landed && *landed < no_time * std::max(1.0, stepper.time()))
       cross(*landed);
     else
       data.crossings = 0;
@@ -131,7 +129,7 @@ PetscErrorCode advance(TS ts) {
     ts->time_step = fixed ? wanted : following;
     break;
   }
-  ts->ptime = stepper.state().time;
+  ts->ptime = stepper.time();
   PetscCall(copy(stepper.state().u, ts->vec_sol));
   PetscCall(copy(stepper.state().v, ts->vec_dot));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
@@ -160,7 +158,7 @@ PetscErrorCode step(TS ts) {
 
 PetscErrorCode evaluate_error(TS ts, NormType, PetscInt* order, PetscReal* ratio) {
   PetscFunctionBegin;
-  if (order) *order = local_order;
+  if (order) *order = data_of(ts).stepper->error_order();
   *ratio = data_of(ts).stepper->error_ratio();
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
@@ -200,9 +198,9 @@ PetscErrorCode view(TS ts, PetscViewer viewer) {
   PetscCall(PetscViewerASCIIPrintf(viewer, "  generalized-alpha, spectral radius %g\n", static_cast<double>(data.radius)));
   if (data.stepper)
     PetscCall(PetscViewerASCIIPrintf(
-        viewer, "  dense, %d unknowns, %d links, longest step %g s, tolerance %g, %ld factorizations, %ld events\n",
-        data.stepper->system().size(), data.stepper->system().links(), data.stepper->options().first_rung,
-        data.stepper->options().tolerance, data.stepper->factorizations(), data.stepper->events()));
+        viewer, "  %s\n  %d links, longest step %g s, tolerance %g, %ld events\n",
+        data.stepper->base().description().c_str(), data.stepper->system().links(), data.stepper->options().first_rung,
+        data.stepper->options().tolerance, data.stepper->events()));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
