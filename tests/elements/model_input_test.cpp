@@ -242,7 +242,7 @@ TEST(AnalysisInput, TakesWhatTheIntegratorCanDo) {
   refused(whole("analysis: {duration: 1, tolerance: 1 mm}"),
           R"(4:36: analysis.tolerance: takes a number such as "5 %"; "1 mm" is a length)");
   refused(whole("analysis: {duration: 1, integrator: newmark}"),
-          R"(4:37: analysis.integrator: unknown integrator "newmark". Allowed: generalized_alpha.)");
+          R"(4:37: analysis.integrator: unknown integrator "newmark". Allowed: generalized_alpha, esdirk4.)");
   refused(whole("analysis: {duration: 1, spectral_radius: 2}"),
           R"(4:42: analysis.spectral_radius: takes a number in [0, 1] such as "5 %"; "2" is outside)");
   refused(whole("analysis: {duration: 1, output_step: 0}"),
