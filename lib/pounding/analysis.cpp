@@ -135,7 +135,7 @@ Solve make_ts(const Model& model, int size) {
   const TS ts = solve.ts;
   check(TSSetOptionsPrefix(ts, "pounding_"));
   check(TSSetType(ts, petsc::ts_type));
-  check(petsc::set_spectral_radius(ts, model.analysis.spectral_radius));
+  check(petsc::set_choice(ts, {model.analysis.scheme, petsc::BaseKind::automatic}));
   check(VecCreateSeq(PETSC_COMM_SELF, size, solve.u.out()));
   check(VecDuplicate(solve.u, solve.v.out()));
   const auto [u, v] = initial_state(model);
@@ -171,14 +171,15 @@ Solve make_ts(const Model& model, int size) {
 
 StepperOptions stepper_options(TS ts, const Model& model) {
   StepperOptions options;
-  PetscReal tolerance = 0, radius = 1;
+  PetscReal tolerance = 0;
+  petsc::Choice choice;
   petsc::check(TSGetTolerances(ts, nullptr, nullptr, &tolerance, nullptr));
-  petsc::check(petsc::get_spectral_radius(ts, &radius));
+  petsc::check(petsc::get_choice(ts, &choice));
   if (!(tolerance >= least_tolerance && tolerance <= largest_tolerance))
     throw InputError(fmt::format("-pounding_ts_rtol {:g}: the tolerance lies in [{:g}, {:g}]", tolerance, least_tolerance,
                                  largest_tolerance));
   options.tolerance = tolerance;
-  options.scheme.spectral_radius = radius;
+  options.scheme = choice.scheme;
   options.first_rung = longest_step(model);
   return options;
 }

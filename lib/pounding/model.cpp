@@ -272,9 +272,14 @@ AnalysisSettings read_analysis(const Input& input, const Model& model) {
       const double longest = settings.duration > 0 ? settings.duration : std::numeric_limits<double>::infinity();
       settings.output_step = output_step->as_quantity(dimension::time, Bounds{.low = 0, .high = longest, .without_low = true});
     }
-    settings.spectral_radius = node->quantity_or("spectral_radius", dimension::none, 1, bounds::from_0_to_1);
+    if (const auto integrator = node->find("integrator"))
+      settings.scheme.kind = Scheme::kind_of(integrator->as_choice("integrator", Scheme::names));
+    if (const auto radius = node->find("spectral_radius")) {
+      if (settings.scheme.kind != Scheme::Kind::generalized_alpha)
+        radius->fail(fmt::format("belongs to generalized_alpha; leave it out with integrator: {}", settings.scheme.name()));
+      settings.scheme.spectral_radius = radius->as_quantity(dimension::none, bounds::from_0_to_1);
+    }
     settings.max_step = node->quantity_or("max_step", dimension::time, 0, bounds::positive);
-    if (const auto integrator = node->find("integrator")) integrator->as_choice("integrator", {"generalized_alpha"});
   }
   if (settings.duration == 0) settings.duration = model.ground.duration();
   if (settings.duration == 0) input.fail("the duration is missing; type analysis: {duration: 10 s}");

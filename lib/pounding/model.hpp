@@ -11,6 +11,7 @@
 #include <pounding/contact.hpp>
 #include <pounding/ground_motion.hpp>
 #include <pounding/input.hpp>
+#include <pounding/scheme.hpp>
 #include <pounding/system.hpp>
 
 namespace pounding {
@@ -57,7 +58,7 @@ struct AnalysisSettings {
   double duration = 0;           ///< [s]
   double tolerance = 1e-4;       ///< relative, on displacements and forces
   double output_step = 0;        ///< [s]
-  double spectral_radius = 1.0;  ///< of generalized-alpha
+  Scheme scheme;                 ///< of time stepping
   double max_step = 0;           ///< longest step [s]; 0 lets the model decide
 };
 

@@ -91,8 +91,9 @@ std::string resolved_yaml(const Model& model) {
   emit(out, "duration", model.analysis.duration);
   emit(out, "tolerance", model.analysis.tolerance);
   emit(out, "output_step", model.analysis.output_step);
-  out << YAML::Key << "integrator" << YAML::Value << "generalized_alpha";
-  emit(out, "spectral_radius", model.analysis.spectral_radius);
+  out << YAML::Key << "integrator" << YAML::Value << std::string(model.analysis.scheme.name());
+  if (model.analysis.scheme.kind == Scheme::Kind::generalized_alpha)
+    emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
   if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
   out << YAML::EndMap << YAML::EndMap;
   return std::string(out.c_str()) + "\n";

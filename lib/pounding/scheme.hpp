@@ -1,7 +1,9 @@
 #pragma once
 /// The time-stepping schemes: their coefficients and orders.
 
+#include <array>
 #include <stdexcept>
+#include <string_view>
 
 namespace pounding {
 
@@ -44,6 +46,11 @@ struct Scheme {
   enum class Kind { generalized_alpha, esdirk4 };
   Kind kind = Kind::generalized_alpha;
   double spectral_radius = 1.0;  ///< of generalized-alpha
+
+  /// Names in input files and options, in the order of Kind.
+  static constexpr std::array<std::string_view, 2> names{"generalized_alpha", "esdirk4"};
+  static Kind kind_of(std::string_view name) { return name == names[1] ? Kind::esdirk4 : Kind::generalized_alpha; }
+  std::string_view name() const { return names[static_cast<std::size_t>(kind)]; }
 
   int order() const { return kind == Kind::esdirk4 ? 4 : 2; }
   /// The error that is estimated in one step falls with this power of its length.

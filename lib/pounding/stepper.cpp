@@ -13,7 +13,7 @@ namespace {
 // tolerance.
 constexpr double local_share = 0.25;
 // The embedded scheme of ESDIRK4 is of order three, as an error in one step that is the global error of the fourth.
-constexpr double embedded_share = 0.25;
+constexpr double embedded_share = 0.05;
 
 // Sums and differences of the motion carry this much rounding, as part of the motion; no smaller error is asked for.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();

@@ -27,7 +27,7 @@ constexpr double longest_stretch = 1e-3;
 
 struct Data {
   Stepper* stepper = nullptr;
-  PetscReal radius = 1;
+  Choice choice;
   double step_apart = 0;    // last good step while no contact presses [s]
   double step_pressed = 0;  // and while one does
   int crossings = 0;        // without time passing
@@ -179,12 +179,27 @@ PetscErrorCode set_up(TS ts) {
 }
 
 PetscErrorCode set_from_options(TS ts, OptionItems PetscOptionsObject) {
+  static const char* const schemes[] = {"generalized_alpha", "esdirk4"};
+  static const char* const bases[] = {"automatic", "modal", "sparse"};
   PetscFunctionBegin;
-  PetscOptionsHeadBegin(PetscOptionsObject, "Generalized-alpha with condensed links");
-  PetscReal radius = data_of(ts).radius;
-  PetscCall(PetscOptionsReal("-ts_pounding_radius", "Spectral radius at infinite frequency", "set_spectral_radius",
-                             radius, &radius, nullptr));
-  PetscCall(set_spectral_radius(ts, radius));
+  PetscOptionsHeadBegin(PetscOptionsObject, "Steps with condensed links");
+  Choice choice = data_of(ts).choice;
+  PetscInt scheme = static_cast<PetscInt>(choice.scheme.kind), base = static_cast<PetscInt>(choice.base);
+  PetscReal radius = choice.scheme.spectral_radius;
+  PetscBool radius_given = PETSC_FALSE;
+  PetscCall(PetscOptionsEList("-ts_pounding_scheme", "Time-stepping scheme", "set_choice", schemes, 2, schemes[scheme],
+                              &scheme, nullptr));
+  PetscCall(PetscOptionsReal("-ts_pounding_radius", "Spectral radius at infinite frequency", "set_choice", radius, &radius,
+                             &radius_given));
+  PetscCall(PetscOptionsEList("-ts_pounding_base", "How structures are solved", "set_choice", bases, 3, bases[base], &base,
+                              nullptr));
+  choice.scheme.kind = static_cast<Scheme::Kind>(scheme);
+  choice.scheme.spectral_radius = radius;
+  choice.base = static_cast<BaseKind>(base);
+  PetscCheck(!radius_given || choice.scheme.kind == Scheme::Kind::generalized_alpha,
+             PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ARG_INCOMP,
+             "-ts_pounding_radius belongs to -ts_pounding_scheme generalized_alpha");
+  PetscCall(set_choice(ts, choice));
   PetscOptionsHeadEnd();
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
@@ -195,7 +210,10 @@ PetscErrorCode view(TS ts, PetscViewer viewer) {
   PetscBool ascii = PETSC_FALSE;
   PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(viewer), PETSCVIEWERASCII, &ascii));
   if (!ascii) PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-  PetscCall(PetscViewerASCIIPrintf(viewer, "  generalized-alpha, spectral radius %g\n", static_cast<double>(data.radius)));
+  PetscCall(PetscViewerASCIIPrintf(viewer, "  scheme %s", std::string(data.choice.scheme.name()).c_str()));
+  if (data.choice.scheme.kind == Scheme::Kind::generalized_alpha)
+    PetscCall(PetscViewerASCIIPrintf(viewer, ", spectral radius %g", data.choice.scheme.spectral_radius));
+  PetscCall(PetscViewerASCIIPrintf(viewer, "\n"));
   if (data.stepper)
     PetscCall(PetscViewerASCIIPrintf(
         viewer, "  %s\n  %d links, longest step %g s, tolerance %g, %ld events\n",
@@ -234,17 +252,18 @@ PetscErrorCode register_ts_pounding() {
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
-PetscErrorCode set_spectral_radius(TS ts, PetscReal radius) {
+PetscErrorCode set_choice(TS ts, const Choice& choice) {
   PetscFunctionBegin;
-  PetscCheck(radius >= 0 && radius <= 1, PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ARG_OUTOFRANGE,
-             "The spectral radius must lie in [0, 1], not %g", static_cast<double>(radius));
-  data_of(ts).radius = radius;
+  PetscCheck(choice.scheme.spectral_radius >= 0 && choice.scheme.spectral_radius <= 1,
+             PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ARG_OUTOFRANGE,
+             "The spectral radius must lie in [0, 1], not %g", choice.scheme.spectral_radius);
+  data_of(ts).choice = choice;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
-PetscErrorCode get_spectral_radius(TS ts, PetscReal* radius) {
+PetscErrorCode get_choice(TS ts, Choice* choice) {
   PetscFunctionBegin;
-  *radius = data_of(ts).radius;
+  *choice = data_of(ts).choice;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 

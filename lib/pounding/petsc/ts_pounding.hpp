@@ -12,9 +12,21 @@ inline constexpr const char* ts_type = "pounding";
 /// Makes the type known to TSSetType; may be called again.
 PetscErrorCode register_ts_pounding();
 
-/// Spectral radius at infinite frequency that `-ts_pounding_radius` or the caller chose, 0 to 1; 1 until then.
-PetscErrorCode set_spectral_radius(TS ts, PetscReal radius);
-PetscErrorCode get_spectral_radius(TS ts, PetscReal* radius);
+/// How the structures are solved without their links.
+enum class BaseKind {
+  automatic,  ///< modal while setting it up is cheap, else sparse
+  modal,      ///< all modes of every structure
+  sparse      ///< PETSc matrices and factors
+};
+
+/// What `-ts_pounding_scheme` (generalized_alpha, esdirk4), `-ts_pounding_radius` (spectral radius at infinite frequency,
+/// 0 to 1) and `-ts_pounding_base` (automatic, modal, sparse) or the caller chose.
+struct Choice {
+  Scheme scheme;
+  BaseKind base = BaseKind::automatic;
+};
+PetscErrorCode set_choice(TS ts, const Choice& choice);
+PetscErrorCode get_choice(TS ts, Choice* choice);
 
 /// The stepper that the TS drives; it must outlive the solve. The TS must hold its solution as TS2SetSolution does:
 /// displacements and velocities of the stepper's system, sequential vectors.
