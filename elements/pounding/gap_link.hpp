@@ -56,6 +56,7 @@ class GapLink final : public Contact {
   void accept(const LinkStep& step) override {
     if (phase_ == ContactPhase::open) return;
     log_.add(step);
+    follow_peak(step);
     laws::keep(law_, step.motion_end.penetration, step.motion_end.rate, impact_);
   }
 
@@ -105,6 +106,36 @@ class GapLink final : public Contact {
     if constexpr (laws::may_pull<Law>) return std::numeric_limits<double>::infinity();
     const double trace = 1e-9 * impact_.largest_penetration;
     return law_.contact(std::max(motion.penetration, trace), motion.rate, impact_).force;
+  }
+
+  // A force that rises at the beginning of a step and falls at its end has its peak inside: that of the law on the
+  // polynomial of degree five through the motion at both ends.
+  void follow_peak(const LinkStep& step) {
+    const auto rises = [&](const LinkMotion& motion, double acceleration) {
+      const LinkForce f = evaluate(motion);
+      return f.by_penetration * motion.rate + f.by_rate * acceleration > 0;
+    };
+    if (!rises(step.motion_begin, step.acceleration_begin) || rises(step.motion_end, step.acceleration_end)) return;
+    const auto force = [&](double s) { return evaluate(interpolate(step, s)).force; };
+    const double top = place_of_peak(force);
+    log_.follow_peak(step.begin + top * (step.end - step.begin), force(top));
+  }
+
+  // Golden section on [0, 1].
+  template <class Force>
+  static double place_of_peak(const Force& force) {
+    constexpr double golden = 0.6180339887498949;
+    double low = 0, high = 1, a = 1 - golden, b = golden, at_a = force(a), at_b = force(b);
+    while (high - low > 1e-7) {
+      if (at_a > at_b) {
+        high = b, b = a, at_b = at_a;
+        at_a = force(a = high - golden * (high - low));
+      } else {
+        low = a, a = b, at_a = at_b;
+        at_b = force(b = low + golden * (high - low));
+      }
+    }
+    return 0.5 * (low + high);
   }
 
   void separate(double time, const LinkMotion& motion) {

@@ -26,7 +26,6 @@ void ImpactLog::begin(double time, double closing_speed) {
   row.t_peak = time;
   rows_.push_back(row);
   open_ = true;
-  known_ = 0;
 }
 
 // A force that jumps at the touch has its value there as a first sample.
@@ -40,35 +39,15 @@ void ImpactLog::add(const LinkStep& step) {
   row.energy_lost += work;
   work_ += work;
   row.peak_penetration = std::max({row.peak_penetration, step.motion_begin.penetration, step.motion_end.penetration});
-  if (known_ == 0) follow_peak(step.begin, step.force_begin);
+  follow_peak(step.begin, step.force_begin);
   follow_peak(step.end, step.force_end);
 }
 
 void ImpactLog::follow_peak(double time, double force) {
   ImpactRow& row = rows_.back();
-  if (force > row.peak_force) {
-    row.peak_force = force;
-    row.t_peak = time;
-  }
-  for (int k = 0; k < 2; ++k) {
-    times_[k] = times_[k + 1];
-    forces_[k] = forces_[k + 1];
-  }
-  times_[2] = time;
-  forces_[2] = force;
-  if (++known_ < 3 || !(forces_[1] > forces_[0] && forces_[1] > forces_[2])) return;
-  const double left = times_[1] - times_[0], right = times_[2] - times_[1];
-  const double slope_left = (forces_[1] - forces_[0]) / left, slope_right = (forces_[2] - forces_[1]) / right;
-  const double curvature = (slope_right - slope_left) / (left + right);
-  const double slope = (slope_left * right + slope_right * left) / (left + right);
-  // A kink is no parabola: at the reversal of an approach-only damper the peak is a kept state already.
-  const bool smooth = std::abs(slope_left + slope_right) < 0.9 * (slope_left - slope_right) && left < 4 * right &&
-                      right < 4 * left;
-  if (!smooth) return;
-  const double top = forces_[1] - slope * slope / (4 * curvature);
-  if (top <= row.peak_force) return;
-  row.peak_force = top;
-  row.t_peak = times_[1] - slope / (2 * curvature);
+  if (!(force > row.peak_force)) return;
+  row.peak_force = force;
+  row.t_peak = time;
 }
 
 void ImpactLog::release(double time) { rows_.back().t_release = time; }
@@ -97,9 +76,6 @@ void ImpactLog::archive(Archive& archive) {
   archive(open_);
   archive(rows_);
   archive(work_);
-  archive(times_);
-  archive(forces_);
-  archive(known_);
 }
 
 }  // namespace pounding

@@ -13,8 +13,10 @@ class ImpactLog {
   explicit ImpactLog(int link) : link_(link) {}
 
   void begin(double time, double closing_speed);
-  /// Adds a kept step inside the impact: impulse, work and peaks. Integrals by Simpson's rule.
+  /// Adds a kept step inside the impact: impulse, work and the peaks at its ends. Integrals by Simpson's rule.
   void add(const LinkStep& step);
+  /// The force was this large at a time inside a step.
+  void follow_peak(double time, double force);
   /// The force fell to zero and may come back.
   void release(double time);
   /// The force is back.
@@ -30,15 +32,10 @@ class ImpactLog {
   void archive(Archive& archive);
 
  private:
-  void follow_peak(double time, double force);
-
   int link_;
   bool open_ = false;
   std::vector<ImpactRow> rows_;
   double work_ = 0;
-  // The last three kept forces, for the parabola through the largest.
-  double times_[3] = {}, forces_[3] = {};
-  int known_ = 0;
 };
 
 }  // namespace pounding

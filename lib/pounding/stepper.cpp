@@ -501,7 +501,7 @@ void Stepper::accept() {
   for (int i = 0; i < system_.links(); ++i) {
     LinkStep& step = link_steps_[i];
     step = {x.time,     y.time,     motion(i, x), kept_.middle[i], motion(i, y),
-            x.force[i], kept_.force_middle[i],    y.force[i]};
+            x.force[i], kept_.force_middle[i],    y.force[i], x.closings(i, a), y.closings(i, a)};
     if (i >= contacts) {
       system_.springs[i - contacts]->accept(step);
       continue;

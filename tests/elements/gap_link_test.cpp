@@ -254,6 +254,22 @@ TEST(GapLink, EvaluateAndMarginsMoveNothing) {
   EXPECT_LT(link.evaluate({0.004, 0.5}).force, before.force);
 }
 
+// Half a sine of penetration d = sin(t) pressed on k d + c d' = A sin(t + phi): one kept step over a sixth of it knows the peak.
+TEST(GapLink, PeakInsideAStepIsThatOfTheLawOnTheMotionBetweenItsEnds) {
+  GapLink<MyLaw> link = touched();
+  const double phi = std::atan2(link.evaluate({0, 1}).force, link.evaluate({1, 0}).force);
+  const double top = M_PI / 2 - phi, begin = top - 0.3, end = top + 0.2;
+  LinkStep step = step_between(begin, end, {std::sin(begin), std::cos(begin)}, {std::sin(end), std::cos(end)});
+  step.acceleration_begin = -std::sin(begin);
+  step.acceleration_end = -std::sin(end);
+  step.force_begin = link.evaluate(step.motion_begin).force;
+  step.force_end = link.evaluate(step.motion_end).force;
+  const double peak = link.evaluate({std::sin(top), std::cos(top)}).force;
+  link.accept(step);
+  EXPECT_NEAR(link.impacts()[0].peak_force, peak, 2e-6 * peak);
+  EXPECT_NEAR(link.impacts()[0].t_peak, top, 1e-4);
+}
+
 TEST(GapLink, StepsKeptWhileItIsOpenLeaveNoTrace) {
   GapLink<MyLaw> link(MyLaw{}, 0.1);
   LinkStep step = step_between(0, 1, {-0.1, 1}, {-0.05, 1});

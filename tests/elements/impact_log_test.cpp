@@ -45,20 +45,6 @@ TEST(ImpactLog, WorkIsExactWhenThePowerIsCubic) {
   EXPECT_NEAR(log.current().energy_lost, log.work(), 1e-15);
 }
 
-TEST(ImpactLog, PeakBetweenStepsIsThatOfTheParabola) {
-  const auto force = [](double t) { return 100 - 40 * (t - 0.83) * (t - 0.83); };
-  const ImpactLog log = logged(force, [](double) { return 0.0; }, std::array{0.0, 0.4, 0.9, 1.2});
-  EXPECT_NEAR(log.current().peak_force, 100, 1e-10);
-  EXPECT_NEAR(log.current().t_peak, 0.83, 1e-12);
-}
-
-TEST(ImpactLog, PeakAtAKinkIsTheKeptState) {
-  const auto force = [](double t) { return t < 1 ? 10 * t : 10 - 200 * (t - 1); };
-  const ImpactLog log = logged(force, [](double) { return 0.0; }, std::array{0.0, 0.9, 1.0, 1.04});
-  EXPECT_EQ(log.current().peak_force, 10);
-  EXPECT_EQ(log.current().t_peak, 1);
-}
-
 TEST(ImpactLog, ForceThatJumpsAtTheTouchHasItsPeakThere) {
   const ImpactLog log = logged([](double t) { return 50 - 3 * t; }, [](double) { return 0.0; }, std::array{2.0, 2.5, 3.0});
   EXPECT_EQ(log.current().peak_force, 44);
