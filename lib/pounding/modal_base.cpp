@@ -74,6 +74,10 @@ ModalBase::ModalBase(const System& system) : unknowns_(system.size()) {
       }
     factors_.resize(blocks_.size());
   }
+  if (n == unknowns_ && std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.shapes.size() == 1; })) {
+    single_.resize(n);
+    for (const Block& block : blocks_) single_[block.first] = block.shapes(0, 0);
+  }
   load_ = coordinates(Eigen::VectorXd::Zero(unknowns_));
   weights_ = Eigen::VectorXd::Ones(n);
   inverse_.resize(n);
@@ -283,18 +287,12 @@ Eigen::VectorXd ModalBase::coordinates(const Eigen::VectorXd& u) const {
 
 void ModalBase::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
   u.resize(unknowns_);
-  for (const Block& block : blocks_) {
-    const Eigen::Index rows = block.shapes.rows(), columns = block.shapes.cols();
-    if (rows > 4) {
-      u.segment(block.first, rows).noalias() = block.shapes * x.segment(block.coordinate, columns);
-      continue;
-    }
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      double sum = 0;
-      for (Eigen::Index j = 0; j < columns; ++j) sum += block.shapes(i, j) * x[block.coordinate + j];
-      u[block.first + i] = sum;
-    }
+  if (single_.size() > 0) {
+    for (Eigen::Index i = 0; i < single_.size(); ++i) u[i] = single_[i] * x[i];
+    return;
   }
+  for (const Block& block : blocks_)
+    u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
 }
 
 std::string ModalBase::description() const {

@@ -60,6 +60,7 @@ class ModalBase final : public Base {
   void add_block(const System& system, const Group& group);
 
   std::vector<Block> blocks_;
+  Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
   std::vector<std::vector<Part>> closing_;
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;

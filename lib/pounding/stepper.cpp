@@ -139,7 +139,8 @@ void Stepper::balance_now() {
   base_.damping_times(x.col(v), x.col(kv), x.col(cv));
   gather_now();
   auto a_now = x.col(a);
-  a_now = -system_.ground.acceleration(now_.time) * base_.load() - x.col(ku) - x.col(cv);
+  now_.ground = system_.ground.acceleration(now_.time);
+  a_now = -now_.ground * base_.load() - x.col(ku) - x.col(cv);
   now_motions_.resize(system_.links());
   for (int i = 0; i < system_.links(); ++i) now_motions_[i] = motion(i, now_);
   balance(now_motions_, now_.force, a_now);
@@ -148,12 +149,15 @@ void Stepper::balance_now() {
   products(now_, a, width() - a);
   gather_now();
   state_fresh_ = false;
+  changed_at_end_ = true;
 }
 
 void Stepper::gather_now() { base_.gather(now_.motion.leftCols(width()), now_.closings); }
 
 void Stepper::start(double time, const Eigen::VectorXd& u0, const Eigen::VectorXd& v0) {
+  const Energies before = started_ ? energies() : Energies{};
   now_.time = time;
+  next_break_ = system_.ground.next_break(time);
   now_.motion.setZero();
   now_.motion.col(u) = base_.coordinates(u0);
   now_.motion.col(v) = base_.coordinates(v0);
@@ -165,14 +169,14 @@ void Stepper::start(double time, const Eigen::VectorXd& u0, const Eigen::VectorX
   kept_.h = 0;
   kept_.a_middle = now_.motion.col(a);
   before_fresh_ = arrived_fresh_ = false;
-  input_work_ = damping_work_ = 0;
-  const Energies energies = this->energies();
-  stored_at_start_ = energies.kinetic + energies.strain;
+  const Energies after = energies();
+  given_ += after.kinetic + after.strain - before.kinetic - before.strain;
   measure(now_, kept_.size_u, kept_.size_v);
   for (std::size_t k = 0; k < system_.groups.size(); ++k) {
-    displacement_scale_[k] = std::max(kept_.size_u[k], system_.groups[k].displacement_floor);
-    velocity_scale_[k] = std::max(kept_.size_v[k], system_.groups[k].velocity_floor);
+    displacement_scale_[k] = std::max({displacement_scale_[k], kept_.size_u[k], system_.groups[k].displacement_floor});
+    velocity_scale_[k] = std::max({velocity_scale_[k], kept_.size_v[k], system_.groups[k].velocity_floor});
   }
+  started_ = true;
 }
 
 double Stepper::step_towards(double wanted, double left) const {
@@ -204,7 +208,7 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   landed_.clear();
   t.h = h;
   t.end.time = end.value_or(now_.time + h);
-  t.ground_begin = system_.ground.acceleration(now_.time);
+  t.ground_begin = now_.ground;
   t.ground_middle = system_.ground.acceleration(now_.time + 0.5 * h);
   t.ground_end = system_.ground.acceleration_before(t.end.time);
   active_.clear();
@@ -481,7 +485,7 @@ void Stepper::accept() {
   std::swap(kept_, trial_);
   std::swap(state_before_, state_);
   before_fresh_ = state_fresh_;
-  state_fresh_ = arrived_fresh_ = false;
+  state_fresh_ = arrived_fresh_ = changed_at_end_ = false;
 
   const Instant &x = before_, &y = kept_.end;
   const int n = base_.size();
@@ -512,7 +516,12 @@ void Stepper::accept() {
   }
   now_ = kept_.end;
   update_scales();
-  const bool ground_jumps = system_.ground.acceleration(now_.time) != kept_.ground_end;
+  now_.ground = kept_.ground_end;
+  if (now_.time >= next_break_) {
+    now_.ground = system_.ground.acceleration(now_.time);
+    next_break_ = system_.ground.next_break(now_.time);
+  }
+  const bool ground_jumps = now_.ground != kept_.ground_end;
   if (!landed_.empty())
     enter_phases();
   else if (ground_jumps)
@@ -531,7 +540,7 @@ Energies Stepper::energies() const {
   std::vector<double> sums{input_work_, damping_work_, 0.5 * work_.dot(x.col(v)), 0.5 * x.col(u).dot(x.col(ku))};
   base_.combine(sums);
   Energies e;
-  e.input = stored_at_start_ + sums[0];
+  e.input = given_ + sums[0];
   e.damping = sums[1];
   e.kinetic = sums[2];
   e.strain = sums[3];
@@ -564,6 +573,7 @@ const State& Stepper::before() const {
 }
 
 const State& Stepper::arrived() const {
+  if (!changed_at_end_) return state();
   if (!arrived_fresh_) show(kept_.end, state_arrived_);
   arrived_fresh_ = true;
   return state_arrived_;
@@ -600,6 +610,7 @@ void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& out) const 
 
 void Stepper::Instant::archive(Archive& archive) {
   archive(time);
+  archive(ground);
   archive(motion);
   archive(force);
   archive(closings);
@@ -626,13 +637,16 @@ void Stepper::archive(Archive& archive) {
   archive(link_steps_);
   archive(input_work_);
   archive(damping_work_);
-  archive(stored_at_start_);
+  archive(given_);
+  archive(started_);
   archive(displacement_scale_);
   archive(velocity_scale_);
   archive(rate_scale_);
   archive(penetration_scale_);
   archive(iterations_);
   archive(events_);
+  archive(changed_at_end_);
+  archive(next_break_);
   for (Contact* contact : system_.contacts) contact->archive(archive);
   for (Spring* spring : system_.springs) spring->archive(archive);
   state_fresh_ = before_fresh_ = arrived_fresh_ = false;

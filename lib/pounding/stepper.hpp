@@ -47,7 +47,8 @@ class Stepper {
   Stepper(const System& system, Base& base, const StepperOptions& options);
 
   /// Starts from displacements and velocities with the exact initial acceleration. Unknowns without mass follow the
-  /// others, whatever is given for them.
+  /// others, whatever is given for them. Once steps have been made it goes on from a motion that somebody changed; what
+  /// that adds to the energy counts as input.
   void start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v);
 
   /// Solves a trial step of length h > 0. False when the link equations could not be solved.
@@ -67,11 +68,17 @@ class Stepper {
   void cross_now();
 
   double time() const { return now_.time; }
+  /// The next time at which the ground motion has a corner or a jump; infinity for none.
+  double next_break() const { return next_break_; }
+  /// Acceleration of the ground just before and just after the end of the last kept step [m/s^2].
+  double ground_before() const { return kept_.ground_end; }
+  double ground_now() const { return now_.ground; }
   /// The present state.
   const State& state() const;
   /// The state at the beginning of the last kept step.
   const State& before() const;
-  /// End of the last kept step as the step saw it: accelerations and forces before contacts changed phase.
+  /// End of the last kept step as the step saw it: accelerations and forces before contacts changed phase. The same
+  /// object as state() when nothing changed there.
   const State& arrived() const;
   const std::vector<LinkStep>& link_steps() const { return link_steps_; }
   Energies energies() const;
@@ -101,6 +108,7 @@ class Stepper {
   enum Column { u, v, a, c, ku, kv, ka, kc, cv, ca, cc, columns };
   struct Instant {
     double time = 0;
+    double ground = 0;          // acceleration just after [m/s^2]
     Eigen::MatrixXd motion;     // [coordinate, Column]
     Eigen::VectorXd force;      // of every link
     Eigen::MatrixXd closings;   // [link, u v a]
@@ -179,7 +187,9 @@ class Stepper {
   std::vector<Ending> landed_;  // endings at the end of the trial
   std::vector<LinkStep> link_steps_;
   double input_work_ = 0, damping_work_ = 0;  // of this process
-  double stored_at_start_ = 0;
+  double given_ = 0;  // energy that was there at the start or came by a changed motion
+  bool started_ = false;
+  double next_break_ = 0;
 
   std::vector<double> displacement_scale_, velocity_scale_;  // by group
   std::vector<double> rate_scale_, penetration_scale_;       // by link, of the present impact
@@ -201,6 +211,7 @@ class Stepper {
   mutable Eigen::MatrixXd work_closings_;
   std::vector<double> sums_;
   mutable State state_, state_before_, state_arrived_;
+  bool changed_at_end_ = false;  // the present state is not the end of the last step
   mutable bool state_fresh_ = false, before_fresh_ = false, arrived_fresh_ = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <string>
 #include <vector>
 
 #include <pounding/contact.hpp>
@@ -38,6 +39,7 @@ struct System {
   Eigen::VectorXd load;    ///< p = M r [kg]
   SparseMatrix closing;    ///< B, one column a contact, then one a spring
   std::vector<Contact*> contacts;
+  std::vector<std::string> names;  ///< of the contacts, for messages; may be empty
   std::vector<Spring*> springs;
   std::vector<Group> groups;
   GroundMotion ground;

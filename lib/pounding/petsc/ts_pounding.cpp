@@ -31,7 +31,17 @@ struct Data {
   double step_apart = 0;    // last good step while no contact presses [s]
   double step_pressed = 0;  // and while one does
   int crossings = 0;        // without time passing
+  Archive snapshot;         // of the beginning of the step, while somebody may roll it back
+  bool keeps_step = false;  // though there is no event
+  bool lazy = false;        // vectors are written where PETSc looks at them
 };
+
+void archive(Data& data, Archive& archive) {
+  archive(data.step_apart);
+  archive(data.step_pressed);
+  archive(data.crossings);
+  data.stepper->archive(archive);
+}
 
 Data& data_of(TS ts) { return *static_cast<Data*>(ts->data); }
 
@@ -43,23 +53,29 @@ struct Aim {
 
 Aim aim(TS ts, const Stepper& stepper, double wanted, bool ladder) {
   const double now = stepper.time();
-  const double target = std::min<double>(stepper.system().ground.next_break(now), ts->max_time);
+  const double target = std::min<double>(stepper.next_break(), ts->max_time);
   const double left = target - now;
   const double step = ladder ? stepper.step_towards(wanted, left) : wanted;
   if (left > wanted * (1 + longest_stretch) && left > step * (1 + 1e-9)) return {step, std::nullopt};
   return {std::abs(left - step) <= 1e-9 * step ? step : left, target};
 }
 
-[[noreturn]] void give_up(const Stepper& stepper, double step, const char* reason) {
-  throw SolverError(fmt::format(
-      "the solve stopped at t = {:.9g} s with a step of {:.3g} s: {}. Try a larger tolerance, or look at the link that "
-      "presses at this time",
-      stepper.time(), step, reason));
+[[noreturn]] void give_up(const Stepper& stepper, double step, const std::string& reason) {
+  const int link = stepper.troublesome_link();
+  const std::vector<std::string>& names = stepper.system().names;
+  std::string place;
+  if (link >= 0) place = link < static_cast<int>(names.size()) ? " at link " + names[link] : fmt::format(" at link {}", link + 1);
+  throw SolverError(fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper.time(), place, step,
+                                reason));
 }
 
 void check_step(const Stepper& stepper, double step) {
   const double least = 1e-14 * std::max(1.0, std::abs(stepper.time())) * 1e-2;
-  if (!(step > least)) give_up(stepper, step, "no step is short enough for the tolerance");
+  if (!(step > least)) 
+    give_up(stepper, step,
+            fmt::format("no step is short enough for the tolerance {:g}. Check the unit of the stiffness of the link, or type a "
+                        "larger analysis.tolerance",
+                        stepper.options().tolerance));
 }
 
 PetscErrorCode copy(Vec from, Eigen::VectorXd& to) {
@@ -80,6 +96,14 @@ PetscErrorCode copy(const Eigen::VectorXd& from, Vec to) {
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
+PetscErrorCode write_vectors(TS ts) {
+  PetscFunctionBegin;
+  const State& state = data_of(ts).stepper->state();
+  PetscCall(copy(state.u, ts->vec_sol));
+  PetscCall(copy(state.v, ts->vec_dot));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
 // One kept step. `stepper` throws; the caller keeps exceptions out of PETSc.
 PetscErrorCode advance(TS ts) {
   PetscFunctionBegin;
@@ -89,14 +113,22 @@ PetscErrorCode advance(TS ts) {
   PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts->adapt), TSADAPTNONE, &fixed));
   double wanted = ts->time_step;
   const auto cross = [&](double step) {
-    if (++data.crossings > most_crossings_at_one_time) give_up(stepper, step, "a contact opens and closes without end");
+    if (++data.crossings > most_crossings_at_one_time)
+      give_up(stepper, step, "a contact opens and closes without end. Type another analysis.tolerance, or a gap that is not "
+                             "closed at rest");
+  };
+  PetscInt rejected = 0;
+  const auto reject = [&](double step) {
+    ts->reject++;
+    if (++rejected > ts->max_reject && ts->max_reject >= 0)
+      give_up(stepper, step, fmt::format("{} trial steps were rejected. Type a larger -pounding_ts_max_reject", rejected));
   };
   for (;;) {
     const Aim goal = aim(ts, stepper, wanted, !fixed);
     check_step(stepper, goal.step);
     if (!stepper.attempt(goal.step, goal.end)) {
+      reject(goal.step);
       wanted = goal.step / 4;
-      ts->reject++;
       continue;
     }
     PetscBool accepted = PETSC_FALSE;
@@ -104,8 +136,8 @@ PetscErrorCode advance(TS ts) {
     ts->time_step = goal.step;
     PetscCall(TSAdaptChoose(ts->adapt, ts, goal.step, nullptr, &next, &accepted));
     if (!accepted) {
+      reject(goal.step);
       wanted = std::min<double>(next, goal.step / 2);
-      ts->reject++;
       continue;
     }
     // A short step to a corner says nothing against the longer one that was wanted.
@@ -130,8 +162,9 @@ PetscErrorCode advance(TS ts) {
     break;
   }
   ts->ptime = stepper.time();
-  PetscCall(copy(stepper.state().u, ts->vec_sol));
-  PetscCall(copy(stepper.state().v, ts->vec_dot));
+  const bool last = ts->ptime >= ts->max_time || ts->steps + 1 >= ts->max_steps;
+  const bool looked_at = last || ts->numbermonitors > 0 || ts->event || ts->trajectory;
+  if (!data.lazy || looked_at) PetscCall(write_vectors(ts));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
@@ -148,11 +181,33 @@ PetscErrorCode step(TS ts) {
       PetscCall(copy(ts->vec_dot, v));
       data.stepper->start(ts->ptime, u, v);
     }
+    if (ts->event || data.keeps_step) {
+      data.snapshot.rewind_for_writing();
+      archive(data, data.snapshot);
+    }
     PetscCall(advance(ts));
   } catch (const std::exception& error) {
     failure = error.what();
   }
   if (!failure.empty()) PetscFunctionReturn(fail(failure));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+// Back to the beginning of the last step, contacts included.
+PetscErrorCode roll_back(TS ts) {
+  PetscFunctionBegin;
+  Data& data = data_of(ts);
+  PetscCheck(!data.snapshot.bytes().empty(), PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ORDER,
+             "Call set_rollback() before TSSolve() to keep the beginning of every step");
+  std::string failure;
+  try {
+    data.snapshot.rewind_for_reading();
+    archive(data, data.snapshot);
+  } catch (const std::exception& error) {
+    failure = error.what();
+  }
+  if (!failure.empty()) PetscFunctionReturn(fail(failure));
+  PetscCall(write_vectors(ts));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
@@ -235,11 +290,13 @@ PetscErrorCode create(TS ts) {
   ts->ops->step = step;
   ts->ops->evaluatewlte = evaluate_error;
   ts->ops->interpolate = interpolate;
+  ts->ops->rollback = roll_back;
   ts->ops->setfromoptions = set_from_options;
   ts->ops->view = view;
   ts->ops->destroy = destroy;
   ts->default_adapt_type = TSADAPTBASIC;
   ts->usessnes = PETSC_FALSE;
+  ts->max_reject = -1;
   ts->data = new Data;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
@@ -270,6 +327,18 @@ PetscErrorCode get_choice(TS ts, Choice* choice) {
 PetscErrorCode set_stepper(TS ts, Stepper* stepper) {
   PetscFunctionBegin;
   data_of(ts).stepper = stepper;
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode set_rollback(TS ts, PetscBool keep) {
+  PetscFunctionBegin;
+  data_of(ts).keeps_step = keep == PETSC_TRUE;
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode set_lazy_vectors(TS ts, PetscBool lazy) {
+  PetscFunctionBegin;
+  data_of(ts).lazy = lazy == PETSC_TRUE;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 

@@ -35,4 +35,11 @@ PetscErrorCode get_choice(TS ts, Choice* choice);
 /// Steps end where the ground motion has a corner and where a contact changes phase.
 PetscErrorCode set_stepper(TS ts, Stepper* stepper);
 
+/// Keeps the beginning of every step, contacts included, so that TSRollBack() works. A TS with events does so unasked.
+PetscErrorCode set_rollback(TS ts, PetscBool keep);
+
+/// The vectors of the TS are brought up to date only where PETSc itself looks at them (monitors, events, the end), for a
+/// caller whose callbacks ask the stepper.
+PetscErrorCode set_lazy_vectors(TS ts, PetscBool lazy);
+
 }  // namespace pounding::petsc
