@@ -1,0 +1,116 @@
+#pragma once
+/// The linear structures as sparse matrices with a factor for each length of step: for big frames and several processes.
+
+#include <petscsys.h>
+
+#include <memory>
+
+#include <pounding/base.hpp>
+#include <pounding/petsc/ts_pounding.hpp>
+
+namespace pounding::petsc {
+
+struct SparseOptions {
+  /// Of the options of every factor: `-pounding_lev_pc_factor_mat_solver_type mumps`; those of the conjugate gradients have
+  /// `off_` behind it. `-pounding_lev_memory` and `-pounding_lev_direct_below` set the two numbers below.
+  std::string prefix = "pounding_lev_";
+  double memory = 4096;    ///< that factors may take on one process; the least recently used go first [MB]
+  int direct_below = 300;  ///< with fewer unknowns on all processes every length of step is factored
+};
+
+/// Coordinates are the unknowns of the system themselves; each process has a row of consecutive ones.
+///
+/// With at least as many groups as processes each process has whole groups and solves them by itself, without a message.
+/// Otherwise the rows are cut evenly and one parallel factor (MUMPS) serves all.
+///
+/// Steps on the ladder have a factor each, and columns Z = A^-1 B of the links as they become active. A step off the ladder is
+/// solved by conjugate gradients with the factor of the nearest rung, or, where many links press, by a factor of its own. What
+/// a solve gives depends on its step alone, not on what was solved before it.
+///
+/// Every process holds the whole System; what is stored here is for the rows of this process.
+class SparseBase final : public Base {
+ public:
+  /// Collective. Throws std::invalid_argument for groups that do not follow one another over all unknowns, an entry that joins
+  /// two groups, a mass that is negative, an unknown without mass that nothing holds, and a link or a dashpot at an unknown
+  /// without mass; SolverError where a matrix is singular, with the unknown. `system` must outlive the base.
+  SparseBase(MPI_Comm comm, const System& system, const SparseOptions& options = {});
+  ~SparseBase() override;
+
+  void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
+  void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
+                     Eigen::Ref<Eigen::MatrixXd> y) const override;
+  void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const override;
+  void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override;
+  void follow(Eigen::Ref<Eigen::VectorXd> x) const override;
+  bool has_ladder() const override { return true; }
+  void shift(const Shift& shift, std::optional<int> rung) override;
+  bool solve(Eigen::Ref<Eigen::VectorXd> x) override;
+  bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) override;
+  void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
+                    Eigen::Ref<Eigen::VectorXd> y) const override;
+  void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& closings) const override;
+  void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override;
+  void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
+  void combine(std::span<double> sums) const override;
+  std::string description() const override;
+
+  /// Factors that are held, and what they take on this process [MB].
+  int levels() const;
+  double memory() const;
+  /// Of conjugate gradients so far, on this process.
+  long iterations() const;
+
+ private:
+  struct Matrices;
+  struct Level;
+  struct Subset;
+
+  bool agreed(bool mine) const;
+  std::vector<double> values(const Shift& shift) const;
+  Level& rung(int number, const Shift& shift);
+  void factor(Level& level) const;
+  void make_room(const Level* needed);
+  void drop_off();
+  bool ensure(Level& level, std::span<const int> links);
+  bool columns_by_factor(Level& level, int first, int count);
+  [[noreturn]] void name_singular(const SparseMatrix& matrix, const char* what) const;
+
+  MPI_Comm comm_, solving_comm_;  // all processes; those that share a factor
+  int rank_ = 0, processes_ = 1;
+  const System& system_;
+  SparseOptions options_;
+  std::vector<int> first_row_;  // of each process, and the number of all
+  std::unique_ptr<Matrices> matrices_;
+  std::unique_ptr<Subset> heavy_;             // consistent masses
+  mutable std::unique_ptr<Subset> massless_;  // factored when first asked for
+  bool any_massless_ = false;
+
+  // A link's column of B in one group, on this process.
+  struct Part {
+    int link = 0, slot = 0;  // slot: place among the parts of all links on all processes
+    std::vector<std::pair<int, double>> entries;
+  };
+  std::vector<Part> parts_;
+  std::vector<std::vector<int>> slots_;  // of each link
+  int slot_count_ = 0;
+  mutable std::vector<double> ends_;  // B^T x by slot and column
+
+  // The first rung that was asked for: all others follow from it by powers of two.
+  struct Ladder {
+    int rung = 0;
+    Shift shift;
+  };
+  std::optional<Ladder> ladder_;
+  std::vector<std::unique_ptr<Level>> rungs_;
+  std::unique_ptr<Level> off_;
+  Level* current_ = nullptr;
+  Level* last_rung_ = nullptr;
+  long clock_ = 0, finished_iterations_ = 0;
+  Eigen::VectorXd work_;
+};
+
+/// `automatic` is modal while setting that up is cheap. Collective on `comm` when it is sparse.
+std::unique_ptr<Base> make_base(const System& system, BaseKind kind, MPI_Comm comm = PETSC_COMM_WORLD);
+
+}  // namespace pounding::petsc

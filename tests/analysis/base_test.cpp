@@ -1,0 +1,406 @@
+// The sparse matrices against the modes of the same frames, on one process and on two.
+
+#include <gtest/gtest.h>
+
+#include <petscsys.h>
+
+#include <cmath>
+#include <memory>
+
+#include <pounding/frame.hpp>
+#include <pounding/gap_link.hpp>
+#include <pounding/modal_base.hpp>
+#include <pounding/petsc/sparse_base.hpp>
+#include <pounding/stepper.hpp>
+
+namespace pounding {
+namespace {
+
+using petsc::SparseBase;
+using petsc::SparseOptions;
+
+int processes() {
+  int count = 1;
+  MPI_Comm_size(PETSC_COMM_WORLD, &count);
+  return count;
+}
+
+// Two plane frames that face each other with a link at every common floor; rotations have no mass.
+struct Pair {
+  System system;
+  std::vector<std::unique_ptr<Contact>> contacts;
+
+  explicit Pair(bool consistent = false, int frames = 2, double gap = 5e-4) {
+    std::vector<AssembledFrame> parts;
+    std::vector<GridFrame> grids;
+    for (int k = 0; k < frames; ++k) {
+      GridFrame grid;
+      grid.storeys = 4 - k;
+      grid.bays_x = 2;
+      grid.storey_height = {3.2};
+      grid.bay_width_x = {6.0};
+      grid.column = {.area = 0.3, .inertia_y = (1 + 0.7 * k) * 5e-3};
+      grid.beam = {.area = 0.18, .inertia_y = (1 + 0.7 * k) * 2.5e-3};
+      grid.material = {.young = 25e9, .shear = 10e9, .density = consistent ? 2500.0 : 0.0};
+      grid.mass = consistent ? BeamMass::consistent : BeamMass::lumped;
+      grid.floor_mass = {72e3};
+      grids.push_back(grid);
+      parts.push_back(make_frame(grid).assemble());
+    }
+    int n = 0;
+    std::vector<Eigen::Triplet<double>> mass, stiffness, closing;
+    for (const AssembledFrame& part : parts) {
+      for (int j = 0; j < part.size(); ++j) {
+        for (SparseMatrix::InnerIterator it(part.mass, j); it; ++it) mass.emplace_back(n + it.row(), n + j, it.value());
+        for (SparseMatrix::InnerIterator it(part.stiffness, j); it; ++it)
+          stiffness.emplace_back(n + it.row(), n + j, it.value());
+      }
+      system.groups.push_back({n, part.size(), 1e-6, 1e-5, 0.3, 3e-3});
+      n += part.size();
+    }
+    system.mass.resize(n, n);
+    system.mass.setFromTriplets(mass.begin(), mass.end());
+    system.stiffness.resize(n, n);
+    system.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
+    system.damping.resize(n, n);
+    system.load.resize(n);
+    for (int k = 0; k < frames; ++k) system.load.segment(system.groups[k].first, parts[k].size()) = parts[k].load.col(0);
+    if (frames == 2) {
+      for (int floor = 1; floor <= 3; ++floor) {
+        const auto end = [&](int frame, int line, double sign) {
+          const Eigen::SparseVector<double> row = parts[frame].motion(grids[frame].node(floor, line), Dof::ux);
+          for (Eigen::SparseVector<double>::InnerIterator it(row); it; ++it)
+            closing.emplace_back(system.groups[frame].first + it.row(), floor - 1, sign * it.value());
+        };
+        end(0, 2, 1);
+        end(1, 0, -1);
+        contacts.push_back(std::make_unique<GapLink<laws::HertzDamped>>(
+            laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, gap, floor - 1));
+        system.contacts.push_back(contacts.back().get());
+      }
+    }
+    system.closing.resize(n, static_cast<int>(contacts.size()));
+    system.closing.setFromTriplets(closing.begin(), closing.end());
+    system.ground = GroundMotion(Harmonic{3.0, 0.6, 10.0});
+  }
+};
+
+// Smooth and never zero.
+Eigen::VectorXd some_vector(int size, double phase) {
+  Eigen::VectorXd x(size);
+  for (int i = 0; i < size; ++i) x[i] = 1 + 0.6 * std::sin(0.9 * i + phase);
+  return x;
+}
+
+double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
+}
+
+// Matrix of the whole system for a shift, the Rayleigh damping written out.
+Eigen::MatrixXd whole(const System& system, const Shift& s) {
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(system.size(), system.size());
+  const Eigen::MatrixXd m = system.mass, k = system.stiffness;
+  for (const Group& g : system.groups)
+    a.block(g.first, g.first, g.count, g.count) =
+        (s.mass + s.damping * g.by_mass) * m.block(g.first, g.first, g.count, g.count) +
+        (s.stiffness + s.damping * g.by_stiffness) * k.block(g.first, g.first, g.count, g.count);
+  return a + s.damping * Eigen::MatrixXd(system.damping);
+}
+
+Shift of_step(double h) { return {0.5, 0.25 * h, 0.125 * h * h}; }
+
+class SparseMatrices : public testing::TestWithParam<bool> {
+ protected:
+  Pair pair{GetParam()};
+  const System& system = pair.system;
+  int n = system.size();
+};
+
+TEST_P(SparseMatrices, MultiplyLikeDenseOnes) {
+  const SparseBase base(PETSC_COMM_WORLD, system);
+  Eigen::MatrixXd x(n, 5), local(base.size(), 5), kx(base.size(), 5), cx(base.size(), 5);
+  for (int j = 0; j < 5; ++j) local.col(j) = base.coordinates(x.col(j) = some_vector(n, j));
+  Eigen::VectorXd u;
+  for (const int columns : {1, 2, 3, 4, 5}) {
+    base.stiffness_times(local.leftCols(columns), kx.leftCols(columns));
+    base.damping_times(local.leftCols(columns), kx.leftCols(columns), cx.leftCols(columns));
+    for (int j = 0; j < columns; ++j) {
+      base.physical(kx.col(j), u);
+      EXPECT_LT(difference(u, whole(system, {0, 0, 1}) * x.col(j)), 1e-13);
+      base.physical(cx.col(j), u);
+      EXPECT_LT(difference(u, whole(system, {0, 1, 0}) * x.col(j)), 1e-13);
+    }
+  }
+  Eigen::VectorXd mx(base.size());
+  base.mass_times(local.col(1), mx);
+  base.physical(mx, u);
+  EXPECT_LT(difference(u, whole(system, {1, 0, 0}) * x.col(1)), 1e-13);
+}
+
+// On the ladder by a factor, off it by conjugate gradients; the condition number of these matrices is 1e5.
+TEST_P(SparseMatrices, SolveOnAndOffTheLadder) {
+  SparseBase base(PETSC_COMM_WORLD, system, {.direct_below = 0});
+  const Eigen::VectorXd b = some_vector(n, 1);
+  const auto residual = [&](const Shift& shift, std::optional<int> rung) {
+    base.shift(shift, rung);
+    Eigen::VectorXd x = base.coordinates(b), u;
+    EXPECT_TRUE(base.solve(x));
+    base.physical(x, u);
+    return difference(u, whole(system, shift).ldlt().solve(b));
+  };
+  EXPECT_LT(residual(of_step(0.01), 0), 1e-10);
+  EXPECT_EQ(base.iterations(), 0);
+  for (const double h : {0.0095, 0.0063, 0.0011, 3e-5}) EXPECT_LT(residual(of_step(h), std::nullopt), 1e-10) << h;
+  EXPECT_GT(base.iterations(), 4);
+  EXPECT_LT(base.iterations(), 200);
+  EXPECT_LT(residual(of_step(0.005), 1), 1e-10);
+}
+
+TEST_P(SparseMatrices, GiveTheSameFlexibilityAndResponseByEveryWay) {
+  if (GetParam()) GTEST_SKIP() << "the same code";
+  const Shift shift = of_step(0.006);
+  const std::vector<int> links{0, 2};
+  const Eigen::MatrixXd b = Eigen::MatrixXd(system.closing)(Eigen::all, links);
+  const Eigen::MatrixXd z = whole(system, shift).ldlt().solve(b);
+  const Eigen::MatrixXd expected = b.transpose() * z;
+  const Eigen::VectorXd f = Eigen::Vector2d(2, -3);
+  const auto expect_same = [&](SparseBase& base, const char* way) {
+    Eigen::MatrixXd g;
+    ASSERT_TRUE(base.flexibility(links, g)) << way;
+    EXPECT_LT((g - expected).norm(), 1e-10 * expected.norm()) << way;
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(base.size()), u;
+    base.add_response(-0.5, links, f, y);
+    base.physical(y, u);
+    EXPECT_LT(difference(u, -0.5 * z * f), 1e-10) << way;
+  };
+  SparseBase gradients(PETSC_COMM_WORLD, system, {.direct_below = 0}), direct(PETSC_COMM_WORLD, system);
+  for (SparseBase* base : {&gradients, &direct}) base->shift(of_step(0.01), 0);
+  gradients.shift(shift, std::nullopt);
+  expect_same(gradients, "conjugate gradients");
+  EXPECT_GT(gradients.iterations(), 0);
+  direct.shift(shift, std::nullopt);
+  expect_same(direct, "factor off the ladder");
+  EXPECT_EQ(direct.iterations(), 0);
+  direct.shift(shift, 3);
+  expect_same(direct, "factor on the ladder");
+}
+
+TEST_P(SparseMatrices, AccelerateAndFollowAsTheStiffnessAsks) {
+  const SparseBase base(PETSC_COMM_WORLD, system);
+  const Eigen::VectorXd masses = system.mass.diagonal();
+  const Eigen::MatrixXd k = system.stiffness;
+  Eigen::VectorXd r = base.coordinates(some_vector(n, 2)), u;
+  base.accelerate(r);
+  base.physical(r, u);
+  const Eigen::VectorXd back = system.mass * u;
+  for (int i = 0; i < n; ++i) {
+    if (masses[i] > 0) {
+      EXPECT_NEAR(back[i], some_vector(n, 2)[i], 1e-9);
+    } else {
+      EXPECT_EQ(u[i], 0);
+    }
+  }
+  Eigen::VectorXd x = base.coordinates(some_vector(n, 3));
+  base.follow(x);
+  base.physical(x, u);
+  const Eigen::VectorXd pull = k * u;
+  int followed = 0;
+  for (int i = 0; i < n; ++i)
+    if (masses[i] == 0) {
+      EXPECT_NEAR(pull[i], 0, 1e-10 * k.cwiseAbs().maxCoeff());
+      ++followed;
+    } else {
+      EXPECT_EQ(u[i], some_vector(n, 3)[i]);
+    }
+  EXPECT_EQ(followed > 0, !GetParam());
+}
+
+TEST_P(SparseMatrices, GatherAndPushAtTheEndsOfLinks) {
+  const SparseBase base(PETSC_COMM_WORLD, system);
+  const Eigen::VectorXd x = some_vector(n, 4);
+  Eigen::MatrixXd closings;
+  base.gather(base.coordinates(x), closings);
+  EXPECT_LT(difference(closings.col(0), system.closing.transpose() * x), 1e-14);
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(base.size()), u;
+  base.add_forces(-2, Eigen::Vector3d(1, 5, 0), y);
+  base.physical(y, u);
+  EXPECT_LT(difference(u, -2 * system.closing * Eigen::Vector3d(1, 5, 0)), 1e-15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Frames, SparseMatrices, testing::Bool(),
+                         [](const auto& test) { return test.param ? "consistent" : "lumped"; });
+
+// Without a second structure two processes share one factor.
+TEST(OneFrame, IsSharedByAllProcesses) {
+  const Pair pair(false, 1);
+  const System& system = pair.system;
+  SparseBase base(PETSC_COMM_WORLD, system, {.direct_below = 0});
+  const Eigen::VectorXd b = some_vector(system.size(), 1);
+  base.shift(of_step(0.01), 0);
+  for (const auto& [h, rung] : {std::pair(0.01, std::optional<int>(0)), {0.007, std::nullopt}}) {
+    base.shift(of_step(h), rung);
+    Eigen::VectorXd x = base.coordinates(b), u;
+    ASSERT_TRUE(base.solve(x));
+    base.physical(x, u);
+    EXPECT_LT(difference(u, whole(system, of_step(h)).ldlt().solve(b)), 1e-10);
+  }
+  EXPECT_NE(base.description().find(processes() > 1 ? "mumps" : "petsc"), std::string::npos) << base.description();
+  Eigen::VectorXd x = base.coordinates(b), u;
+  base.follow(x);
+  base.physical(x, u);
+  const Eigen::VectorXd pull = system.stiffness * u;
+  for (int i = 0; i < system.size(); ++i)
+    if (system.mass.coeff(i, i) == 0) {
+      EXPECT_NEAR(pull[i], 0, 1e-10 * system.stiffness.coeffs().cwiseAbs().maxCoeff());
+    }
+}
+
+// What a trial gives must not depend on the trials before it.
+TEST(OffTheLadder, ASolveDependsOnItsStepAlone) {
+  const Pair pair;
+  const System& system = pair.system;
+  const auto solved = [&](bool others) {
+    SparseBase base(PETSC_COMM_WORLD, system, {.direct_below = 0});
+    Eigen::MatrixXd g;
+    base.shift(of_step(0.01), 0);
+    if (others)
+      for (const double h : {0.0071, 0.002, 0.0063}) {
+        base.shift(of_step(h), std::nullopt);
+        EXPECT_TRUE(base.flexibility(std::vector{1}, g));
+      }
+    base.shift(of_step(0.0063), std::nullopt);
+    Eigen::VectorXd x = base.coordinates(some_vector(system.size(), 1)), u;
+    EXPECT_TRUE(base.solve(x));
+    EXPECT_TRUE(base.flexibility(std::vector{0, 1}, g));
+    base.add_response(1, std::vector{0, 1}, Eigen::Vector2d(1e3, 2e3), x);
+    base.physical(x, u);
+    return u;
+  };
+  EXPECT_EQ((solved(true) - solved(false)).lpNorm<Eigen::Infinity>(), 0);
+}
+
+// Lengths that end at a corner of the ground motion differ in their last digits.
+TEST(OffTheLadder, ARungButForRoundingNeedsNoFactorOfItsOwn) {
+  const Pair pair;
+  SparseBase base(PETSC_COMM_WORLD, pair.system, {.direct_below = 0});
+  const Eigen::VectorXd b = some_vector(pair.system.size(), 1);
+  for (const double part : {1.0, 1 + 3e-10, 1 - 2e-10, 1.0}) {
+    base.shift(of_step(0.005 * part), 1);
+    Eigen::VectorXd x = base.coordinates(b), u;
+    ASSERT_TRUE(base.solve(x));
+    base.physical(x, u);
+    EXPECT_LT(difference(u, whole(pair.system, of_step(0.005 * part)).ldlt().solve(b)), 1e-11) << part;
+  }
+  EXPECT_EQ(base.levels(), 1);
+  EXPECT_EQ(base.factorizations(), 1);
+  EXPECT_GT(base.iterations(), 0);
+  EXPECT_LE(base.iterations(), 8);
+}
+
+TEST(Memory, IsKeptByDroppingTheLeastRecentlyUsedRung) {
+  const Pair pair;
+  SparseBase roomy(PETSC_COMM_WORLD, pair.system);
+  for (int k = 0; k < 6; ++k) roomy.shift(of_step(0.01 / (1 << k)), k);
+  EXPECT_EQ(roomy.levels(), 6);
+  SparseBase tight(PETSC_COMM_WORLD, pair.system, {.memory = 0.6 * roomy.memory()});
+  for (int k = 0; k < 6; ++k) tight.shift(of_step(0.01 / (1 << k)), k);
+  EXPECT_GE(tight.levels(), 2);
+  EXPECT_LE(tight.levels(), 3);
+  EXPECT_LE(tight.memory(), 0.6 * roomy.memory());
+  const long before = tight.factorizations();
+  tight.shift(of_step(0.01 / 32), 5);
+  EXPECT_EQ(tight.factorizations(), before);
+  tight.shift(of_step(0.01), 0);
+  EXPECT_EQ(tight.factorizations(), before + 1);
+}
+
+TEST(SparseBase, RefusesWhatCannotMove) {
+  const auto text_of = [](Pair& pair, bool follow = false) {
+    try {
+      const SparseBase base(PETSC_COMM_WORLD, pair.system);
+      Eigen::VectorXd x = Eigen::VectorXd::Ones(base.size());
+      if (follow) base.follow(x);
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Pair on_rotation;
+  on_rotation.system.closing.coeffRef(2, 1) = 1;
+  EXPECT_EQ(text_of(on_rotation), "link 1 acts on unknown 2, which has no mass");
+  Pair loose;
+  loose.system.stiffness.coeffRef(5, 5) = 0;
+  EXPECT_EQ(text_of(loose), "the stiffness leaves unknown 5, which has no mass, loose");
+  Pair joined;
+  joined.system.stiffness.coeffRef(0, joined.system.size() - 1) = 1;
+  EXPECT_NE(text_of(joined).find("of two groups"), std::string::npos);
+  Pair mechanism;  // rotations 2 and 5 turn freely together
+  for (const int i : {2, 5})
+    for (SparseMatrix::InnerIterator it(mechanism.system.stiffness, i); it; ++it) {
+      it.valueRef() = 0;
+      mechanism.system.stiffness.coeffRef(i, it.row()) = 0;
+    }
+  for (const auto& [i, j, value] : {std::tuple(2, 2, 1e8), {5, 5, 1e8}, {2, 5, -1e8}, {5, 2, -1e8}})
+    mechanism.system.stiffness.coeffRef(i, j) = value;
+  const std::string text = text_of(mechanism, true);
+  EXPECT_NE(text.find("the stiffness at the unknowns without mass is singular"), std::string::npos) << text;
+  EXPECT_TRUE(text.find("unknown 2 ") != std::string::npos || text.find("unknown 5 ") != std::string::npos) << text;
+}
+
+struct Trajectory {
+  State end;
+  std::vector<double> peaks;
+  int impacts = 0, lands = 0;
+};
+
+// Steps of the ladder's first rung, landings in between.
+Trajectory march(Pair& pair, Base& base, Scheme scheme, double until) {
+  constexpr double h = 2e-3;
+  Stepper stepper(pair.system, base, {.tolerance = 1e-4, .scheme = scheme, .first_rung = h});
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(pair.system.size());
+  stepper.start(0, zero, zero);
+  Trajectory run;
+  for (int step = 0; stepper.time() < until - 1e-9 && step < 100000; ++step) {
+    const double left = std::min(until, h * (std::floor(stepper.time() / h + 1e-6) + 1)) - stepper.time();
+    if (!stepper.attempt(std::abs(left - h) < 1e-12 ? h : left)) break;
+    const std::optional<double> landed = stepper.land();
+    run.lands += landed.has_value();
+    if (landed && *landed == 0)
+      stepper.cross_now();
+    else
+      stepper.accept();
+  }
+  run.end = stepper.state();
+  for (const auto& contact : pair.contacts)
+    for (const ImpactRow& row : contact->impacts()) {
+      run.peaks.push_back(row.peak_force);
+      ++run.impacts;
+    }
+  return run;
+}
+
+// On two processes the modes are those of one: the same trajectory in parallel and alone.
+TEST(TwoFrames, MoveAlikeInModesAndInSparseMatrices) {
+  for (const Scheme scheme : {Scheme{}, Scheme{.spectral_radius = 0.8}, Scheme{.kind = Scheme::Kind::esdirk4}}) {
+    Pair of_modes, of_factors, of_gradients;
+    ModalBase modal(of_modes.system);
+    SparseBase direct(PETSC_COMM_WORLD, of_factors.system);
+    SparseBase gradients(PETSC_COMM_WORLD, of_gradients.system, {.direct_below = 0});
+    const Trajectory expected = march(of_modes, modal, scheme, 1.0);
+    EXPECT_GT(expected.impacts, 3);
+    for (const auto& [pair, base] : {std::pair<Pair*, SparseBase*>(&of_factors, &direct), {&of_gradients, &gradients}}) {
+      const Trajectory run = march(*pair, *base, scheme, 1.0);
+      EXPECT_EQ(run.impacts, expected.impacts);
+      EXPECT_EQ(run.end.time, expected.end.time);
+      EXPECT_LT(difference(run.end.u, expected.end.u), 1e-9) << base->description();
+      EXPECT_LT(difference(run.end.v, expected.end.v), 1e-8) << base->description();
+      ASSERT_EQ(run.peaks.size(), expected.peaks.size());
+      for (std::size_t i = 0; i < run.peaks.size(); ++i) EXPECT_NEAR(run.peaks[i], expected.peaks[i], 1e-8 * expected.peaks[i]);
+    }
+    EXPECT_EQ(direct.iterations(), 0);
+    EXPECT_GT(gradients.iterations(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace pounding
