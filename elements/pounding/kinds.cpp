@@ -24,9 +24,19 @@ Structure read_body(const Input& body) {
   return make_body(body.at("mass", "100 t").as_quantity(dimension::mass, bounds::positive));
 }
 
-// The damping is read with that of every other structure.
-Structure read_oscillator(const Input& body) {
-  only_keys(body, {"mass", "period", "stiffness"});
+void read_yielding(const Input& body, Structure& s) {
+  const std::optional<Input> force = body.find("yield_force"), hardening = body.find("hardening");
+  if (hardening && !force)
+    hardening->fail_at_key("belongs to storeys that yield; type yield_force: 2 MN beside it, or leave it out");
+  if (!force) return;
+  const int storeys = s.size();
+  const auto forces = force->as_quantities(storeys, dimension::force, bounds::positive);
+  const auto ratios = hardening ? hardening->as_quantities(storeys, dimension::none, bounds::from_0_below_1)
+                                : std::vector<double>(storeys, 0.0);
+  let_storeys_yield(s, forces, ratios);
+}
+
+Structure read_linear_oscillator(const Input& body) {
   const double mass = body.at("mass", "100 t").as_quantity(dimension::mass, bounds::positive);
   const std::optional<Input> period = body.find("period"), stiffness = body.find("stiffness");
   if (period && stiffness) stiffness->fail_at_key("give the period or the stiffness, not both");
@@ -37,15 +47,25 @@ Structure read_oscillator(const Input& body) {
   return make_oscillator(mass, mass * w * w, 0);
 }
 
+// The damping is read with that of every other structure.
+Structure read_oscillator(const Input& body) {
+  only_keys(body, {"mass", "period", "stiffness", "yield_force", "hardening"});
+  Structure s = read_linear_oscillator(body);
+  read_yielding(body, s);
+  return s;
+}
+
 Structure read_shear_building(const Input& body) {
-  only_keys(body, {"storeys", "mass", "stiffness", "height"});
+  only_keys(body, {"storeys", "mass", "stiffness", "height", "yield_force", "hardening"});
   const int storeys = static_cast<int>(body.at("storeys", "5").as_integer(1, 1000));
   const auto masses = body.at("mass", "250 t").as_quantities(storeys, dimension::mass, bounds::positive);
   const auto stiffnesses =
       body.at("stiffness", "350 MN/m").as_quantities(storeys, dimension::stiffness, bounds::positive);
   std::vector<double> heights;
   if (const auto height = body.find("height")) heights = height->as_quantities(storeys, dimension::length, bounds::positive);
-  return make_shear_building(masses, stiffnesses, heights);
+  Structure s = make_shear_building(masses, stiffnesses, heights);
+  read_yielding(body, s);
+  return s;
 }
 
 Structure read_wall(const Input& body) {

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <pounding/bilinear_spring.hpp>
+
 namespace pounding {
 namespace {
 
@@ -63,6 +65,17 @@ Structure make_shear_building(const std::vector<double>& masses, const std::vect
   s.heights = heights;
   label_floors(s);
   return s;
+}
+
+void let_storeys_yield(Structure& s, const std::vector<double>& yield_forces, const std::vector<double>& hardening) {
+  const std::size_t storeys = s.storey_stiffness.size();
+  if (yield_forces.size() != storeys || hardening.size() != storeys)
+    throw std::invalid_argument("one yield force and one hardening a storey");
+  s.yielding.clear();
+  for (std::size_t i = 0; i < storeys; ++i)
+    s.yielding.emplace_back(yield_forces[i], hardening[i],
+                            std::make_unique<BilinearSpring>(BilinearSpring::Parameters{
+                                .stiffness = s.storey_stiffness[i], .yield_force = yield_forces[i], .hardening = hardening[i]}));
 }
 
 Structure make_wall() {

@@ -18,6 +18,11 @@ Structure make_oscillator(double mass, double stiffness, double damping_ratio);
 Structure make_shear_building(const std::vector<double>& masses, const std::vector<double>& stiffnesses,
                               const std::vector<double>& heights = {});
 
+/// Lets every storey of a structure yield bilinearly at the force given for it, from the ground up [N]; its stiffness after
+/// that is `hardening` in [0, 1) times the initial one. The damping stays that of the initial stiffness.
+/// Throws std::invalid_argument when a number is out of range or the storeys are counted wrong.
+void let_storeys_yield(Structure& structure, const std::vector<double>& yield_forces, const std::vector<double>& hardening);
+
 /// Rigid, moves with the ground.
 Structure make_wall();
 

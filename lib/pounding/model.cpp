@@ -85,6 +85,17 @@ void read_damping(const Input& node, Structure& s) {
   s.damping_note = fmt::format("modal, {:.4g} % in every mode", 100 * ratio);
 }
 
+// What yielded before the start would have to be known.
+void refuse_initial_yield(const Input& displacement, const Structure& s) {
+  for (std::size_t i = 0; i < s.yielding.size(); ++i) {
+    const double drift = s.initial_displacement[i] - (i > 0 ? s.initial_displacement[i - 1] : 0);
+    const double yield = s.yielding[i].yield_force / s.storey_stiffness[i];
+    if (std::abs(drift) > yield)
+      displacement.fail(fmt::format("strains storey {} by {}, and it yields at {}; take less, or an initial_velocity", i + 1,
+                                    format_quantity(drift, dimension::length), format_quantity(yield, dimension::length)));
+  }
+}
+
 Structure read_structure(const std::string& name, const Input& place, const Kinds& kinds) {
   std::vector<std::string_view> words, keys{"damping", "initial_velocity", "initial_displacement"};
   for (const StructureKind& kind : kinds.structures) words.push_back(kind.word);
@@ -122,6 +133,7 @@ Structure read_structure(const std::string& name, const Input& place, const Kind
   if (s.is_rigid() && displacement) displacement->fail_at_key("a wall moves with the ground; leave it out");
   if (velocity) s.initial_velocity = from_the_ground_up(*velocity, s.size(), dimension::velocity);
   if (displacement) s.initial_displacement = from_the_ground_up(*displacement, s.size(), dimension::length);
+  if (displacement) refuse_initial_yield(*displacement, s);
   return s;
 }
 
@@ -318,6 +330,13 @@ Model read_model(const Input& input, const Kinds& kinds) {
   return model;
 }
 
+YieldingStorey::YieldingStorey(double force, double ratio, std::unique_ptr<Spring> undeformed)
+    : yield_force(force), hardening(ratio), spring(std::move(undeformed)) {
+  Archive archive;
+  spring->archive(archive);
+  fresh = archive.bytes();
+}
+
 std::vector<int> offsets(const Model& model) {
   std::vector<int> first;
   int count = 0;
@@ -380,6 +399,18 @@ System assemble(const Model& model, bool with_links) {
     if (link.left_floor >= 0) closing.emplace_back(first[link.left] + link.left_floor, column, 1);
     if (link.right_floor >= 0) closing.emplace_back(first[link.right] + link.right_floor, column, -1);
     system.contacts.push_back(link.contact.get());
+    system.names.push_back(link.name);
+  }
+  for (std::size_t i = 0; i < model.structures.size(); ++i) {
+    const std::vector<YieldingStorey>& storeys = model.structures[i].yielding;
+    for (std::size_t storey = 0; storey < storeys.size(); ++storey) {
+      const int column = system.links(), floor = first[i] + static_cast<int>(storey);
+      closing.emplace_back(floor, column, 1);
+      if (storey > 0) closing.emplace_back(floor - 1, column, -1);
+      Archive fresh(storeys[storey].fresh);
+      storeys[storey].spring->archive(fresh);
+      system.springs.push_back(storeys[storey].spring.get());
+    }
   }
   system.closing = sparse(closing, n, system.links());
   return system;

@@ -16,6 +16,17 @@
 
 namespace pounding {
 
+/// What makes a storey yield, on top of its stiffness.
+struct YieldingStorey {
+  double yield_force = 0;  ///< [N]
+  double hardening = 0;    ///< stiffness after the yield over that before it
+  std::unique_ptr<Spring> spring;
+  std::vector<std::byte> fresh;  ///< archive of the spring as it was given
+
+  /// Takes a spring that has not been deformed.
+  YieldingStorey(double force, double ratio, std::unique_ptr<Spring> undeformed);
+};
+
 /// One structure; displacements relative to the ground, one degree of freedom a floor. A wall has no floor at all.
 struct Structure {
   std::string name;
@@ -23,6 +34,7 @@ struct Structure {
   std::vector<std::string> floors;  ///< labels from the ground up
   Eigen::MatrixXd mass, damping, stiffness;
   std::vector<double> storey_stiffness;  ///< [N/m] from the ground up; empty for a body
+  std::vector<YieldingStorey> yielding;  ///< one a storey from the ground up; empty when they stay elastic
   std::vector<double> heights;           ///< of the storeys from the ground up [m]; empty when not given
   Eigen::VectorXd initial_displacement, initial_velocity;
   std::string damping_note;  ///< how the damping matrix was made, one line
@@ -99,8 +111,8 @@ struct Kinds {
 /// Reads and checks a whole model. Throws InputError with file, line and column.
 Model read_model(const Input& input, const Kinds& kinds);
 
-/// The equations of motion. The contacts stay the model's.
-/// `with_links` false leaves the links out.
+/// The equations of motion. The contacts and springs stay the model's; the springs start undeformed, whatever an earlier
+/// run has left in them. `with_links` false leaves the links out.
 System assemble(const Model& model, bool with_links = true);
 
 /// First unknown of each structure in the assembled system.

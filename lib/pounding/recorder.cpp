@@ -16,6 +16,16 @@ double work_of_second_half(const LinkStep& step) {
   return (step.end - step.begin) / 24 * (5 * end + 8 * middle - begin);
 }
 
+// The force of a spring at an instant of the last kept step. It follows the deformation rather than time: on each branch
+// of a bilinear spring that is exact, however long the step.
+double spring_force(const LinkStep& step, double time, double deformation) {
+  const bool early = time < 0.5 * (step.begin + step.end);
+  const double u0 = early ? step.motion_begin.penetration : step.motion_middle.penetration;
+  const double u1 = early ? step.motion_middle.penetration : step.motion_end.penetration;
+  const double f0 = early ? step.force_begin : step.force_middle, f1 = early ? step.force_middle : step.force_end;
+  return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
+}
+
 }  // namespace
 
 void Peak::follow(double value) { largest_ = std::max(largest_, std::abs(value)); }
@@ -107,6 +117,8 @@ void Recorder::sample(double time, const Eigen::VectorXd& u, const Eigen::Vector
                       double ground) {
   results_.time.push_back(time);
   results_.ground_acceleration.push_back(ground);
+  const bool inside = time < stepper_.time();
+  std::size_t spring = 0;
   for (std::size_t k = 0; k < model_.structures.size(); ++k) {
     const Structure& s = model_.structures[k];
     StructureHistory& history = results_.structures[k];
@@ -118,7 +130,12 @@ void Recorder::sample(double time, const Eigen::VectorXd& u, const Eigen::Vector
       history.acceleration.push_back(a[dof] + ground);
       if (s.storey_stiffness.empty()) continue;
       history.drift.push_back(drift);
-      history.storey_shear.push_back(s.storey_stiffness[i] * drift);
+      double shear = s.storey_stiffness[i] * drift;
+      if (!s.yielding.empty()) {
+        const LinkStep& step = stepper_.link_steps()[stepper_.system().contact_count() + spring++];
+        shear += inside ? spring_force(step, time, drift) : s.yielding[i].spring->evaluate({.penetration = drift}).force;
+      }
+      history.storey_shear.push_back(shear);
     }
   }
 }

@@ -31,6 +31,15 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
     emit_list(out, "mass", {masses.begin(), masses.end()});
     if (!s.storey_stiffness.empty()) {
       emit_list(out, "stiffness", s.storey_stiffness);
+      if (!s.yielding.empty()) {
+        std::vector<double> forces, hardening;
+        for (const YieldingStorey& storey : s.yielding) {
+          forces.push_back(storey.yield_force);
+          hardening.push_back(storey.hardening);
+        }
+        emit_list(out, "yield_force", forces);
+        emit_list(out, "hardening", hardening);
+      }
       const Eigen::VectorXd w = eigenmodes(s.mass, s.stiffness).frequencies;
       std::vector<double> periods;
       for (const double each : w) periods.push_back(2 * M_PI / each);
