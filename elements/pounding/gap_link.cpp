@@ -35,21 +35,14 @@ void RigidGapLink::crossed(int, double time, const LinkMotion& motion) {
   log_.end(time, motion.rate);
 }
 
-void RigidGapLink::jumped(double time, double impulse, double rate_before, double rate_after, bool held) {
-  if (phase_ == ContactPhase::resting) {
-    log_.push(impulse, rate_before, rate_after);
-    if (!held) {
-      phase_ = ContactPhase::open;
-      log_.end(time, rate_after);
-    }
-    return;
+void RigidGapLink::jumped(double time, const Jump& jump, bool held) {
+  if (phase_ == ContactPhase::open) log_.begin(time, std::max(0.0, jump.rate_before));
+  log_.push(jump.impulse, jump.work);
+  if (!held) {
+    if (phase_ == ContactPhase::resting) drift_ = std::max(0.0, jump.penetration);
+    log_.end(time, jump.rate_after);
   }
-  log_.begin(time, rate_before);
-  log_.push(impulse, rate_before, rate_after);
-  if (held)
-    phase_ = ContactPhase::resting;
-  else
-    log_.end(time, rate_after);
+  phase_ = held ? ContactPhase::resting : ContactPhase::open;
 }
 
 std::unique_ptr<Contact> make_gap_link(const laws::AnyLaw& law, double gap, int link) {

@@ -45,12 +45,18 @@ class GapLink final : public Contact {
     constexpr double never = std::numeric_limits<double>::infinity();
     switch (phase_) {
       case ContactPhase::open: return {-motion.penetration, never, never};
-      case ContactPhase::approach: return {motion.rate, never, never};
-      case ContactPhase::restitution: return {motion.penetration, cut_force(motion), -motion.rate};
-      case ContactPhase::slack: return {motion.penetration, -cut_force(motion), never};
+      case ContactPhase::approach: return {motion.rate, motion.penetration, never};
+      case ContactPhase::restitution: return {motion.penetration, cut(motion), -motion.rate};
+      case ContactPhase::slack: return {motion.penetration, -cut(motion), never};
       case ContactPhase::resting: break;
     }
     return {never, never, never};
+  }
+
+  double force_margin_noise(const LinkMotion& motion, const LinkMotion& rounding) const noexcept override {
+    const laws::Response r = law_.contact(traced(motion), motion.rate, impact_);
+    const double all = terms(r, motion);
+    return all > 0 ? (std::abs(r.by_penetration) * rounding.penetration + std::abs(r.by_rate) * rounding.rate) / all : 0;
   }
 
   void accept(const LinkStep& step) override {
@@ -64,10 +70,13 @@ class GapLink final : public Contact {
     switch (phase_) {
       case ContactPhase::open:
         phase_ = ContactPhase::approach;
-        impact_ = laws::touch(law_, motion.rate);
-        log_.begin(time, motion.rate);
+        impact_ = laws::touch(law_, std::max(0.0, motion.rate));
+        log_.begin(time, std::max(0.0, motion.rate));
         return;
-      case ContactPhase::approach: phase_ = ContactPhase::restitution; return;
+      case ContactPhase::approach:
+        if (margin == 1) return separate(time, motion);
+        phase_ = ContactPhase::restitution;
+        return;
       case ContactPhase::restitution:
         if (margin == 0) return separate(time, motion);
         if (margin == 2) {
@@ -100,12 +109,20 @@ class GapLink final : public Contact {
   }
 
  private:
-  // The force as the law writes it. Just past the separation it is asked at a trace of penetration, so that a release
-  // shortly before it is not missed, nor the sign of a law that continues to negative penetrations taken for a new press.
-  double cut_force(const LinkMotion& motion) const noexcept {
+  // The force as the law writes it, as part of its terms: near the separation all of them vanish, but its sign is as clear
+  // as elsewhere. Just past the separation it is asked at a trace of penetration, so that a release shortly before it is not
+  // missed, nor the sign of a law that continues to negative penetrations taken for a new press.
+  double cut(const LinkMotion& motion) const noexcept {
     if constexpr (laws::may_pull<Law>) return std::numeric_limits<double>::infinity();
-    const double trace = 1e-9 * impact_.largest_penetration;
-    return law_.contact(std::max(motion.penetration, trace), motion.rate, impact_).force;
+    const laws::Response r = law_.contact(traced(motion), motion.rate, impact_);
+    const double all = terms(r, motion);
+    return all > 0 ? r.force / all : 0;
+  }
+  double traced(const LinkMotion& motion) const noexcept {
+    return std::max(motion.penetration, 1e-9 * impact_.largest_penetration);
+  }
+  double terms(const laws::Response& r, const LinkMotion& motion) const noexcept {
+    return std::abs(r.by_penetration * traced(motion)) + std::abs(r.by_rate * motion.rate);
   }
 
   // A force that rises at the beginning of a step and falls at its end has its peak inside: that of the law on the
@@ -164,7 +181,7 @@ class RigidGapLink final : public Contact {
   void crossed(int margin, double time, const LinkMotion& motion) override;
   bool is_rigid() const noexcept override { return true; }
   double restitution() const noexcept override { return restitution_; }
-  void jumped(double time, double impulse, double rate_before, double rate_after, bool held) override;
+  void jumped(double time, const Jump& jump, bool held) override;
   double work() const noexcept override { return log_.work(); }
   std::span<const ImpactRow> impacts() const noexcept override { return log_.rows(); }
   void archive(Archive& archive) override;

@@ -64,9 +64,8 @@ void ImpactLog::end(double time, double rate) {
   open_ = false;
 }
 
-void ImpactLog::push(double impulse, double rate_before, double rate_after) {
+void ImpactLog::push(double impulse, double work) {
   ImpactRow& row = rows_.back();
-  const double work = 0.5 * impulse * (rate_before + rate_after);
   row.impulse += impulse;
   row.energy_lost += work;
   work_ += work;

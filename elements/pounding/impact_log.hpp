@@ -22,8 +22,8 @@ class ImpactLog {
   /// The force is back.
   void engage();
   void end(double time, double rate);
-  /// Adds an impulse without duration, from Newton's impact law.
-  void push(double impulse, double rate_before, double rate_after);
+  /// Adds an impulse without duration and the work that it took.
+  void push(double impulse, double work);
 
   bool open() const { return open_; }
   const ImpactRow& current() const { return rows_.back(); }

@@ -45,6 +45,15 @@ constexpr LinkMotion interpolate(const LinkStep& step, double s) noexcept {
           (v0 + s * (a0 + s * (3 * c3 + s * (4 * c4 + s * 5 * c5)))) / h};
 }
 
+/// What happened to a rigid contact when velocities jumped. Several impulses at one instant, handed back and forth in a row
+/// of bodies, count as one.
+struct Jump {
+  double impulse = 0;                      ///< [N s]
+  double work = 0;                         ///< taken from the bodies [J]
+  double rate_before = 0, rate_after = 0;  ///< > 0 closes [m/s]
+  double penetration = 0;                  ///< zero but for rounding [m]
+};
+
 enum class ContactPhase : std::uint8_t {
   open,         ///< apart
   approach,     ///< pressed, still closing
@@ -74,6 +83,8 @@ class Contact {
   /// Pure: values that are positive while the present phase lasts; unused ones are infinite.
   /// `force` is the link force of the state (only a resting contact needs it).
   virtual Margins margins(const LinkMotion& motion, double force) const noexcept = 0;
+  /// Pure: what the rounding of the motion makes of a margin that follows the sign of a force.
+  virtual double force_margin_noise(const LinkMotion& /*motion*/, const LinkMotion& /*rounding*/) const noexcept { return 0; }
   /// A step was kept. Moves histories and peaks.
   virtual void accept(const LinkStep& step) = 0;
   /// The margin with this index reached zero at a kept state: enter the next phase.
@@ -82,8 +93,8 @@ class Contact {
   /// A rigid contact answers a touch with a velocity jump: the rate after is -restitution times the rate before.
   virtual bool is_rigid() const noexcept { return false; }
   virtual double restitution() const noexcept { return 1; }
-  /// The jump was applied at a kept state. `held` when the bounce was too slow to resolve and the contact now rests.
-  virtual void jumped(double /*time*/, double /*impulse*/, double /*rate_before*/, double /*rate_after*/, bool /*held*/) {}
+  /// The jump was applied at a kept state. `held` when the bodies rest on each other after it.
+  virtual void jumped(double /*time*/, const Jump& /*jump*/, bool /*held*/) {}
 
   /// Work done on the link so far, stored and lost [J].
   virtual double work() const noexcept = 0;

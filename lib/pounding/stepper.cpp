@@ -481,9 +481,15 @@ bool Stepper::in_contact() const {
 
 void Stepper::accept() {
   const double h = trial_.h;
-  std::swap(before_, now_);
-  std::swap(kept_, trial_);
-  std::swap(state_before_, state_);
+  before_.swap(now_);
+  kept_.swap(trial_);
+  if (state_fresh_) {
+    std::swap(state_before_.time, state_.time);
+    state_before_.u.swap(state_.u);
+    state_before_.v.swap(state_.v);
+    state_before_.a.swap(state_.a);
+    state_before_.force.swap(state_.force);
+  }
   before_fresh_ = state_fresh_;
   state_fresh_ = arrived_fresh_ = changed_at_end_ = false;
 
@@ -523,7 +529,7 @@ void Stepper::accept() {
   }
   const bool ground_jumps = now_.ground != kept_.ground_end;
   if (!landed_.empty())
-    enter_phases();
+    enter_phases(false);
   else if (ground_jumps)
     balance_now();
 }
@@ -531,7 +537,7 @@ void Stepper::accept() {
 void Stepper::cross_now() {
   before_ = kept_.end = now_;
   before_fresh_ = arrived_fresh_ = false;
-  enter_phases();
+  enter_phases(true);
 }
 
 Energies Stepper::energies() const {
@@ -606,6 +612,28 @@ void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& out) const 
   base_.follow(kept_.a_middle);
   base_.physical(kept_.a_middle, middle);
   out = (1 - s) * (1 - 2 * s) * x.a + 4 * s * (1 - s) * middle + s * (2 * s - 1) * y.a;
+}
+
+void Stepper::Instant::swap(Instant& other) {
+  std::swap(time, other.time);
+  std::swap(ground, other.ground);
+  motion.swap(other.motion);
+  force.swap(other.force);
+  closings.swap(other.closings);
+}
+
+void Stepper::Trial::swap(Trial& other) {
+  std::swap(h, other.h);
+  end.swap(other.end);
+  a_middle.swap(other.a_middle);
+  force_middle.swap(other.force_middle);
+  middle.swap(other.middle);
+  std::swap(ground_begin, other.ground_begin);
+  std::swap(ground_middle, other.ground_middle);
+  std::swap(ground_end, other.ground_end);
+  std::swap(error, other.error);
+  size_u.swap(other.size_u);
+  size_v.swap(other.size_v);
 }
 
 void Stepper::Instant::archive(Archive& archive) {

@@ -114,6 +114,7 @@ class Stepper {
     Eigen::MatrixXd closings;   // [link, u v a]
     const double* at(Column column) const { return motion.col(column).data(); }
     double* at(Column column) { return motion.col(column).data(); }
+    void swap(Instant& other);
     void archive(Archive& archive);
   };
   /// A margin that is negative at the end of the trial.
@@ -132,6 +133,7 @@ class Stepper {
     double ground_begin = 0, ground_middle = 0, ground_end = 0;  // [m/s^2]
     double error = 0;
     std::vector<double> size_u, size_v;  // of the motion at the end, by group
+    void swap(Trial& other);
     void archive(Archive& archive);
   };
 
@@ -157,16 +159,17 @@ class Stepper {
   LinkForce law(int link, const LinkMotion& motion) const;
   bool works(int link) const;  // has a force that depends on the step
   bool held(int link) const;
-  double noise_of(int link, int margin) const;
-  bool ended(int link, int margin, double value) const;
+  double noise_of(int link, int margin, const LinkMotion& motion) const;
+  bool ended(int link, int margin, double value, const LinkMotion& motion) const;
   std::vector<Ending> endings() const;
   void inner_touch(int link);
   bool begins_inside(Ending& ending, double longest);
   bool locate(const Ending& ending, double longest);
   double margin_of_trial(const Ending& ending) const;
-  void enter_phases();
-  void bounce(const std::vector<int>& touching);
-  void release_parting();
+  void enter_phases(bool without_step);
+  void bounce(const std::vector<int>& touching, bool without_step);
+  Eigen::VectorXd slowest_rates(const std::vector<int>& closed) const;
+  void settle();
   void update_scales();
   double largest_u() const;
   double largest_v() const;

@@ -1,5 +1,6 @@
 /// Locating the instants at which contacts change phase, and what happens there.
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +12,8 @@ namespace {
 
 // Rounding noise of the motion, as part of its own scale.
 constexpr double noise = 1e-12;
+// Rounding of a law's force, as part of its terms.
+constexpr double cut_noise = 1e-10;
 // A margin counts as zero when it has fallen to this part of the change that it makes over the trial.
 constexpr double landed_part = 1e-12;
 // Margins that are this close to zero at a landing end there too: nearly simultaneous contacts are handled in one go.
@@ -19,8 +22,12 @@ constexpr double grouped_part = 1e-9;
 // Where in a trial to look for the time at which a phase lasts that seems to end where it begins.
 constexpr double shortest_look = 1e-9;
 
-// Impulses that go back and forth in a row of rigid bodies.
-constexpr int most_rounds = 1000;
+// Impulses that go back and forth in a row of rigid bodies; what is left then is lost.
+constexpr int most_rounds = 10000;
+// A hop must be this much higher than the noise of the motion to be found in a step over it, and longer than this part of
+// the time for time to pass.
+constexpr double least_hop = 4;
+constexpr double shortest_hop = 1e-13;
 
 // A trial that was thrown away half solved must not be kept.
 constexpr const char* lost_trial =
@@ -28,23 +35,64 @@ constexpr const char* lost_trial =
 
 constexpr int reversal_or_touch = 0;
 
+// Impulses between bodies that touch plastically, all at once: none pulls, no contact goes on to close, and one that parts
+// takes no impulse. This is the least of f G f/2 - f rate over f >= 0; active sets (Lawson and Hanson 1974, chapter 23).
+Eigen::VectorXd plastic_impulses(const Eigen::MatrixXd& g, const Eigen::VectorXd& rate, double negligible) {
+  const int count = static_cast<int>(rate.size());
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(count);
+  std::vector<int> pressed;
+  // Each pass lowers the least; passes end of themselves but for rounding.
+  for (int pass = 0; pass < 10 * count; ++pass) {
+    const Eigen::VectorXd left = rate - g * f;
+    int worst = -1;
+    for (int i = 0; i < count; ++i)
+      if (left[i] > negligible && (worst < 0 || left[i] > left[worst]) &&
+          std::find(pressed.begin(), pressed.end(), i) == pressed.end())
+        worst = i;
+    if (worst < 0) return f;
+    pressed.push_back(worst);
+    while (!pressed.empty()) {
+      const Eigen::VectorXd wanted = Eigen::MatrixXd(g(pressed, pressed)).completeOrthogonalDecomposition().solve(rate(pressed));
+      double part = 1;
+      for (std::size_t k = 0; k < pressed.size(); ++k)
+        if (wanted[k] < 0) part = std::min(part, f[pressed[k]] / (f[pressed[k]] - wanted[k]));
+      std::vector<int> stay;
+      for (std::size_t k = 0; k < pressed.size(); ++k) {
+        double& own = f[pressed[k]];
+        own += part * (wanted[k] - own);
+        if (part < 1 && wanted[k] < 0 && own <= 1e-14 * std::abs(wanted[k]))
+          own = 0;
+        else
+          stay.push_back(pressed[k]);
+      }
+      if (stay.size() == pressed.size()) break;
+      pressed = stay;
+    }
+  }
+  return f;
+}
+
 }  // namespace
 
-// Rounding noise of a margin. A law's force is compared with zero; the force that holds a contact has the noise of a speed
-// lost in the longest step.
-double Stepper::noise_of(int link, int margin) const {
+// Rounding noise of a margin at this motion. The force that holds a contact has the noise of a speed lost in the longest step.
+double Stepper::noise_of(int link, int margin, const LinkMotion& at) const {
   const double size_u = largest_u(), size_v = largest_v();
+  const auto cut = [&] {
+    return cut_noise + system_.contacts[link]->force_margin_noise(at, {noise * size_u, noise * size_v});
+  };
   switch (system_.contacts[link]->phase()) {
     case ContactPhase::open: return noise * size_u;
-    case ContactPhase::approach: return noise * size_v;
-    case ContactPhase::restitution: return margin == 0 ? noise * size_u : margin == 2 ? noise * size_v : 0;
-    case ContactPhase::slack: return margin == 0 ? noise * size_u : 0;
+    case ContactPhase::approach: return margin == 0 ? noise * size_v : noise * size_u;
+    case ContactPhase::restitution: return margin == 0 ? noise * size_u : margin == 2 ? noise * size_v : cut();
+    case ContactPhase::slack: return margin == 0 ? noise * size_u : cut();
     case ContactPhase::resting: return noise * size_v / (rigid_flexibility_(link, link) * options_.first_rung);
   }
   return 0;
 }
 
-bool Stepper::ended(int link, int margin, double value) const { return value < 0 && value < -noise_of(link, margin); }
+bool Stepper::ended(int link, int margin, double value, const LinkMotion& at) const {
+  return value < 0 && value < -noise_of(link, margin, at);
+}
 
 std::vector<Stepper::Ending> Stepper::endings() const {
   std::vector<Ending> found;
@@ -54,7 +102,7 @@ std::vector<Stepper::Ending> Stepper::endings() const {
     const Contact::Margins at_begin = contact.margins(begin, now_.force[i]);
     const Contact::Margins at_end = contact.margins(end, trial_.end.force[i]);
     for (int k = 0; k < Contact::max_margins; ++k) {
-      if (!ended(i, k, at_end[k])) continue;
+      if (!ended(i, k, at_end[k], end)) continue;
       const double guess = at_begin[k] <= 0 ? 0 : trial_.h * at_begin[k] / (at_begin[k] - at_end[k]);
       found.push_back({i, k, 0, at_begin[k], at_end[k], guess});
     }
@@ -80,7 +128,7 @@ void Stepper::inner_touch(int link) {
   if (widest < -reach) return;
   const double whole = trial_.h, end_time = trial_.end.time;
   const bool touches = attempt(s * whole) && ended(link, reversal_or_touch,
-                                                   -motion(link, trial_.end).penetration);
+                                                   -motion(link, trial_.end).penetration, motion(link, trial_.end));
   // The trial as it was, its end at the exact time of a corner of the ground motion included.
   if (!touches && !attempt(whole, end_time)) throw SolverError(lost_trial);
 }
@@ -93,7 +141,7 @@ std::optional<double> Stepper::land() {
   while (!open.empty()) {
     Ending first =
         *std::min_element(open.begin(), open.end(), [](const Ending& a, const Ending& b) { return a.guess < b.guess; });
-    const double noise_here = noise_of(first.link, first.margin), longest = trial_.h;
+    const double noise_here = noise_of(first.link, first.margin, motion(first.link, now_)), longest = trial_.h;
     const bool at_zero = first.at_begin <= noise_here;
     const bool doubtful = at_zero || first.at_begin <= grouped_part * std::abs(first.at_end);
     if (doubtful && !begins_inside(first, longest) && at_zero) {
@@ -136,7 +184,7 @@ bool Stepper::begins_inside(Ending& ending, double longest) {
   for (double h = longest / 2; h > shortest_look * longest; h /= 4) {
     if (!attempt(h)) continue;
     const double margin = margin_of_trial(ending);
-    if (ended(ending.link, ending.margin, -margin)) {  // clearly positive
+    if (ended(ending.link, ending.margin, -margin, motion(ending.link, trial_.end))) {  // clearly positive
       ending.from = h;
       ending.at_begin = margin;
       ending.guess = 0.5 * (h + longest);
@@ -148,7 +196,7 @@ bool Stepper::begins_inside(Ending& ending, double longest) {
 
 // Anderson and Bjorck's regula falsi on the length of the step; every value is a re-integrated step.
 bool Stepper::locate(const Ending& ending, double longest) {
-  const double noise_here = noise_of(ending.link, ending.margin), change = ending.at_begin - ending.at_end;
+  const double noise_here = noise_of(ending.link, ending.margin, motion(ending.link, trial_.end)), change = ending.at_begin - ending.at_end;
   // Below the noise, so that the landing itself is not taken for an end of the next phase.
   const double landed = noise_here > 0 ? std::min(landed_part * change, 0.1 * noise_here) : landed_part * change;
   double low = ending.from, at_low = ending.at_begin, high = longest, at_high = ending.at_end;
@@ -178,7 +226,7 @@ bool Stepper::locate(const Ending& ending, double longest) {
   return true;
 }
 
-void Stepper::enter_phases() {
+void Stepper::enter_phases(bool without_step) {
   std::vector<int> rigid;
   for (const Ending& ending : landed_) {
     Contact& contact = *system_.contacts[ending.link];
@@ -196,54 +244,92 @@ void Stepper::enter_phases() {
     contact.crossed(ending.margin, now_.time, here);
   }
   landed_.clear();
-  if (!rigid.empty()) bounce(rigid);
+  if (!rigid.empty()) {
+    bounce(rigid, without_step);
+    gather_now();
+  }
+  settle();
   balance_now();
 }
 
-// Newton's impact law, one contact after the other until no rigid contact closes: an impulse may make a neighbour close.
-// A touch too slow for the tolerance is held.
-void Stepper::bounce(const std::vector<int>& touching) {
-  const double speed = largest_v();
-  const double slowest = options_.tolerance * speed;
-  const auto strike = [&](int i, double rate, bool held) {
-    Contact& contact = *system_.contacts[i];
-    const double restitution = held ? 0 : contact.restitution();
-    const double impulse = (1 + restitution) * rate / rigid_flexibility_(i, i);
-    now_.motion.col(v) -= impulse * rigid_response_.col(i);
-    gather_now();
-    contact.jumped(now_.time, impulse, rate, -restitution * rate, held);
-  };
-  const auto rate_of = [&](int i) { return now_.closings(i, v); };
-  std::vector<int> links = touching;
-  for (const int i : touching) {
-    const double rate = rate_of(i);
-    if (rate < -noise * speed) continue;  // an earlier impulse has parted them
-    strike(i, std::max(0.0, rate), rate < slowest);
-  }
-  for (int i = 0; i < system_.contact_count(); ++i)
-    if (system_.contacts[i]->phase() == ContactPhase::resting) links.push_back(i);
-  for (int round = 0; round < most_rounds; ++round) {
-    bool closing = false;
-    for (const int i : links) {
-      const double rate = rate_of(i);
-      if (rate <= noise * speed) continue;
-      closing = true;
-      strike(i, rate, rate < slowest);
-    }
-    if (closing) continue;
-    release_parting();
-    return;
-  }
-  throw SolverError("rigid bodies hand an impulse back and forth without end; give one of their links a compliant law");
-}
-
-// An impulse on one body may tear it from another that it rested on.
-void Stepper::release_parting() {
-  const double speed = largest_v();
+// A jump of the velocities may end the phase of any compliant contact that presses on the same bodies.
+void Stepper::settle() {
   for (int i = 0; i < system_.contact_count(); ++i) {
     Contact& contact = *system_.contacts[i];
     const LinkMotion here = motion(i, now_);
-    if (contact.phase() == ContactPhase::resting && here.rate < -noise * speed) contact.crossed(0, now_.time, here);
+    // From a reversal to a release, or to the separation, there are two changes at most.
+    for (int change = 0; change < 2; ++change) {
+      if (contact.phase() == ContactPhase::open || held(i)) break;
+      const Contact::Margins margins = contact.margins(here, now_.force[i]);
+      for (int k = 0; k < Contact::max_margins; ++k) {
+        if (!ended(i, k, margins[k], here)) continue;
+        contact.crossed(k, now_.time, here);
+        break;
+      }
+    }
+  }
+}
+
+// Closing rates below which a bounce is not worth resolving, or cannot be: bodies that are pressed together hop ever lower
+// and faster, and a hop lower than the noise of the motion is over before a step can see it.
+Eigen::VectorXd Stepper::slowest_rates(const std::vector<int>& closed) const {
+  Eigen::VectorXd slowest = Eigen::VectorXd::Constant(static_cast<int>(closed.size()), options_.tolerance * largest_v());
+  for (std::size_t k = 0; k < closed.size(); ++k) {
+    const double press = now_.closings(closed[k], a), e = system_.contacts[closed[k]]->restitution();
+    if (!(press > 0)) continue;
+    const double lowest = std::sqrt(2 * press * least_hop * noise * largest_u());
+    const double briefest = 0.5 * press * shortest_hop * std::max(1.0, now_.time);
+    slowest[static_cast<int>(k)] = std::max({slowest[static_cast<int>(k)], lowest / e, briefest / e});
+  }
+  return slowest;
+}
+
+// Newton's impact law, one contact after the other until none closes faster than is worth resolving: an impulse may make a
+// neighbour close. What is left is taken by all of them at once, plastically, and holds them.
+void Stepper::bounce(const std::vector<int>& touching, bool without_step) {
+  const double still = noise * largest_v();
+  std::vector<int> closed = touching;
+  for (int i = 0; i < system_.contact_count(); ++i) {
+    const Contact& contact = *system_.contacts[i];
+    const LinkMotion here = motion(i, now_);
+    if (!contact.is_rigid() || std::find(touching.begin(), touching.end(), i) != touching.end()) continue;
+    if (held(i) || contact.margins(here, 0)[reversal_or_touch] <= noise_of(i, reversal_or_touch, here))
+      closed.push_back(i);
+  }
+  const int count = static_cast<int>(closed.size());
+  const Eigen::MatrixXd g = rigid_flexibility_(closed, closed);
+  const Eigen::VectorXd before = now_.closings.col(v)(closed), slowest = slowest_rates(closed);
+  Eigen::VectorXd rate = before, impulse = Eigen::VectorXd::Zero(count), work = impulse;
+  const auto strike = [&](int k, double after) {
+    const double push = (rate[k] - after) / g(k, k);
+    impulse[k] += push;
+    work[k] += 0.5 * push * (rate[k] + after);
+    rate -= push * g.col(k);
+  };
+  // A touch of bodies that part is the end of a hop that no step could see.
+  if (without_step)
+    for (std::size_t k = 0; k < touching.size(); ++k)
+      if (rate[k] < -still) strike(static_cast<int>(k), 0);
+  bool struck = true;
+  for (int round = 0; round < most_rounds && struck; ++round) {
+    struck = false;
+    for (int k = 0; k < count; ++k) {
+      if (rate[k] <= slowest[k]) continue;
+      strike(k, -system_.contacts[closed[k]]->restitution() * rate[k]);
+      struck = true;
+    }
+  }
+  const Eigen::VectorXd last = plastic_impulses(g, rate, still), after = rate - g * last;
+  work += 0.5 * last.cwiseProduct(rate + after);
+  impulse += last;
+  for (int k = 0; k < count; ++k) {
+    const int i = closed[k];
+    Contact& contact = *system_.contacts[i];
+    const bool stays = after[k] >= -still, touches = k < static_cast<int>(touching.size());
+    // Without an impulse: a touch at rest is held, a rest may end, and all else goes on.
+    if (impulse[k] == 0 && !(touches && stays) && !(held(i) && !stays)) continue;
+    now_.motion.col(v) -= impulse[k] * rigid_response_.col(i);
+    contact.jumped(now_.time, {std::max(0.0, impulse[k]), work[k], before[k], after[k], motion(i, now_).penetration}, stays);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -63,6 +65,33 @@ TEST(MirroredOscillators, EqualOneOscillatorAgainstAWallOfHalfTheGap) {
     EXPECT_NEAR(a[i], -b[i], 1e-13);
   }
 }
+
+// Seen from the other side: the structures in the other order and every direction reversed.
+class MirroredProblem : public testing::TestWithParam<const char*> {};
+
+TEST_P(MirroredProblem, HasTheMirroredSolution) {
+  const auto problem = [](double direction) {
+    const std::string left = fmt::format("  left: {{oscillator: {{mass: 100 t, period: 0.8, damping: 5 %}}, initial_velocity: {}}}\n",
+                                         0.2 * direction),
+                      right = "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n";
+    return run_text(fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: 0.6, duration: 1.5}}}}\n", 3.0 * direction) +
+                    "structures:\n" + (direction > 0 ? left + right : right + left) + "links: [{between: " +
+                    (direction > 0 ? "[left, right]" : "[right, left]") + ", gap: 20 mm, law: " + GetParam() +
+                    "}]\nanalysis: {duration: 1.5, tolerance: 1e-4}\n");
+  };
+  const Outcome one = problem(1), other = problem(-1);
+  ASSERT_EQ(one.results.impacts.size(), other.results.impacts.size());
+  ASSERT_GT(one.results.impacts.size(), 1u);
+  for (std::size_t i = 0; i < one.results.impacts.size(); ++i)
+    EXPECT_NEAR(one.results.impacts[i].t_start, other.results.impacts[i].t_start, 1e-12);
+  for (int k = 0; k < 2; ++k) {
+    const auto &a = one.results.structures[k].displacement, &b = other.results.structures[1 - k].displacement;
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], -b[i], 1e-12);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryLaw, MirroredProblem, testing::ValuesIn(test::every_law), test::law_name);
 
 TEST(IdenticalOscillators, NeverTouchAtZeroGap) {
   const Outcome run = run_text("ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"

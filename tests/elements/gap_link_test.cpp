@@ -315,7 +315,7 @@ TEST(RigidGapLink, BouncesWithoutForceAndWithoutDuration) {
   EXPECT_TRUE(link.is_rigid());
   EXPECT_EQ(link.restitution(), 0.5);
   EXPECT_DOUBLE_EQ(link.margins({-0.02, 1}, 0)[0], 0.02);
-  link.jumped(2, 300, 2, -1, false);
+  link.jumped(2, {.impulse = 300, .work = 150, .rate_before = 2, .rate_after = -1}, false);
   EXPECT_EQ(link.phase(), ContactPhase::open);
   expect_same(link.evaluate({0.01, 1}), {0, 0, 0});
   ASSERT_EQ(link.impacts().size(), 1u);
@@ -332,7 +332,7 @@ TEST(RigidGapLink, BouncesWithoutForceAndWithoutDuration) {
 
 TEST(RigidGapLink, IsHeldAfterItsLastBounceAndReleasedWhenTheForcePulls) {
   RigidGapLink link(0.5, 0.1);
-  link.jumped(2, 300, 1e-6, 0, true);
+  link.jumped(2, {.impulse = 300, .work = 150e-6, .rate_before = 1e-6}, true);
   EXPECT_EQ(link.phase(), ContactPhase::resting);
   EXPECT_GT(link.margins({0, 0}, 40)[0], 0) << "pressed together";
   EXPECT_LT(link.margins({0, 0}, -40)[0], 0) << "pulled apart";
@@ -349,13 +349,13 @@ TEST(RigidGapLink, IsHeldAfterItsLastBounceAndReleasedWhenTheForcePulls) {
   EXPECT_EQ(link.phase(), ContactPhase::open);
   EXPECT_EQ(link.impacts()[0].t_end, 5);
   EXPECT_DOUBLE_EQ(link.impacts()[0].impulse, 300 + 40 * 3);
-  EXPECT_EQ(link.work(), 0.5 * 300 * 1e-6);
+  EXPECT_EQ(link.work(), 150e-6);
 }
 
 TEST(RigidGapLink, HitWhileItRestsPartsAgain) {
   RigidGapLink link(0.5, 0.1);
-  link.jumped(2, 300, 1e-6, 0, true);
-  link.jumped(3, 50, 1, -0.5, false);
+  link.jumped(2, {.impulse = 300, .work = 150e-6, .rate_before = 1e-6}, true);
+  link.jumped(3, {.impulse = 50, .work = 12.5, .rate_before = 1, .rate_after = -0.5}, false);
   EXPECT_EQ(link.phase(), ContactPhase::open);
   ASSERT_EQ(link.impacts().size(), 1u);
   EXPECT_EQ(link.impacts()[0].t_end, 3);
