@@ -7,9 +7,10 @@
 
 #include <fmt/chrono.h>
 
+#include <pounding/checkpoint.hpp>
 #include <pounding/damping.hpp>
-#include <pounding/modal_base.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/sparse_base.hpp>
 #include <pounding/petsc/ts_pounding.hpp>
 #include <pounding/petsc/version.hpp>
 #include <pounding/recorder.hpp>
@@ -47,18 +48,70 @@ double longest_step(const Model& model) {
   return longest;
 }
 
+void archive_structures(std::vector<StructureSummary>& structures, Archive& archive) {
+  std::size_t count = structures.size();
+  archive(count);
+  structures.resize(count);
+  for (StructureSummary& s : structures) {
+    archive(s.name);
+    archive(s.peak_displacement);
+    archive(s.peak_drift);
+    archive(s.peak_acceleration);
+  }
+}
+
 // What the post-step of the TS works on.
 struct Watch {
+  TS ts;
   Stepper& stepper;
   Recorder& recorder;
   const Model& model;
   const RunOptions& options;
   Results& results;
   Summary& summary;
-  Clock::time_point start = Clock::now(), last_report = start, last_write = start;
-  double write_cost = 0;
+  Checkpoint origin;  // without a state
+  Clock::time_point start;
+  Clock::time_point last_report = start, last_write = start;
+  double earlier_seconds = 0;  // before the run went on
+  double write_cost = 0, written_time = 0;
   int steps_to_look = steps_per_look;
+  bool stopped = false;  // between two steps, with the state saved
   std::exception_ptr failure = nullptr;
+
+  // Everything that moves between two steps but the histories, from the solver's statistics the run times only.
+  void archive(Archive& archive) {
+    results.solver.wall_seconds = earlier_seconds + seconds_since(start);
+    archive(results.solver);
+    petsc::check(petsc::archive(ts, archive));
+    recorder.archive(archive);
+    archive_structures(summary.without_pounding, archive);
+  }
+
+  // Keeps the present state, between two steps, for the file; there is none to keep when TSAdapt hides a part of it.
+  void save() {
+    if (options.output.empty()) return;
+    Archive state;
+    try {
+      archive(state);
+    } catch (const SolverError&) {
+      return;
+    }
+    results.checkpoint = origin;
+    results.checkpoint->state = state.bytes();
+  }
+
+  void go_on(const StoppedRun& run) {
+    read_histories(run, results);
+    try {
+      Archive state(run.checkpoint.state);
+      archive(state);
+      state.expect_end();
+    } catch (const std::exception& error) {
+      throw InputError(fmt::format("{}: the run cannot go on: {}", run.file, error.what()));
+    }
+    earlier_seconds = results.solver.wall_seconds;
+    results.checkpoint = run.checkpoint;
+  }
 
   // The summary of what there is so far.
   void conclude(const std::string& status) {
@@ -74,18 +127,37 @@ struct Watch {
     conclude(status);
     recorder.with_present_state([&] { write_results(results, options.output); });
     last_write = Clock::now();
+    written_time = stepper.time();
     const double cost = std::chrono::duration<double>(last_write - begin).count();
     write_cost = cost;
     results.solver.wall_output += cost;
   }
 
+  void write_running() {
+    save();
+    write("running");
+  }
+
+  bool write_is_due() const {
+    const CheckpointSettings& wanted = model.checkpoint;
+    const double since = seconds_since(last_write);
+    if (since <= write_cost / output_share) return false;
+    if (!wanted.asked()) return since > seconds_between_writes;
+    return (wanted.every > 0 && since >= wanted.every) ||
+           (wanted.every_simulated > 0 && stepper.time() - written_time >= wanted.every_simulated);
+  }
+
   void look() {
-    if (options.stop && options.stop()) throw SolverError(fmt::format("stopped by the user at t = {:.6g} s", stepper.time()));
+    if (options.stop && options.stop()) {
+      save();
+      stopped = true;
+      throw SolverError(fmt::format("stopped by the user at t = {:.6g} s", stepper.time()));
+    }
     if (options.progress && seconds_since(last_report) > seconds_between_reports) {
       last_report = Clock::now();
       options.progress(stepper.time(), model.analysis.duration, recorder.impacts());
     }
-    if (seconds_since(last_write) > std::max(seconds_between_writes, write_cost / output_share)) write("running");
+    if (write_is_due()) write_running();
   }
 };
 
@@ -119,11 +191,34 @@ struct Solve {
   petsc::Handle<Vec> u, v;
 };
 
-// Options that draw or print at the end are read there; every other one has been read by now.
-void refuse_unread_options() {
-  for (const std::string& option : petsc::Environment::unread_options())
-    if (option.find("view") == std::string::npos)
-      throw InputError(fmt::format("nothing reads the option {}; pounding run --help names some that exist", option));
+// Options that draw or print at the end are read there, those of factors when the first is made; every other one has been
+// read by now.
+void refuse_unread_options(bool factors_too) {
+  for (const std::string& option : petsc::Environment::unread_options()) {
+    if (option.find("view") != std::string::npos) continue;
+    if (!factors_too && option.rfind("-pounding_lev_", 0) == 0) continue;
+    throw InputError(fmt::format("nothing reads the option {}; pounding run --help names some that exist", option));
+  }
+}
+
+// PETSc reads these for any TS; here they would change nothing.
+void refuse_idle_options() {
+  struct Idle {
+    const char *name, *reason;
+  };
+  constexpr Idle idle[] = {
+      {"ts_atol", "errors are relative to the motion; set -pounding_ts_rtol"},
+      {"ts_max_snes_failures", "no SNES takes part"},
+      {"ts_exact_final_time", "the run ends at its duration exactly"},
+      {"ts_time_span", "type analysis: {output_step: ...}"},
+      {"ts_init_time", "a run starts at zero"},
+      {"ts_adapt_wnormtype", "errors are root mean squares weighed by the masses"},
+  };
+  for (const Idle& option : idle) {
+    PetscBool given = PETSC_FALSE;
+    petsc::check(PetscOptionsHasName(nullptr, "pounding_", (std::string("-") + option.name).c_str(), &given));
+    if (given) throw InputError(fmt::format("-pounding_{} would change nothing: {}", option.name, option.reason));
+  }
 }
 
 // A TS with the run's settings as defaults; the command line (-pounding_ts_...) has the last word.
@@ -161,7 +256,8 @@ Solve make_ts(const Model& model, int size) {
   } catch (const SolverError& error) {
     throw InputError(fmt::format("a -pounding_ option is wrong: {}", error.what()));
   }
-  refuse_unread_options();
+  refuse_idle_options();
+  refuse_unread_options(false);
   PetscBool ours = PETSC_FALSE;
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts), petsc::ts_type, &ours));
   if (!ours)
@@ -193,6 +289,12 @@ std::string early_end(TS ts, const Stepper& stepper, const Model& model) {
                      TSConvergedReasons[reason]);
 }
 
+bool cut_by_most_steps(TS ts) {
+  TSConvergedReason reason = TS_CONVERGED_ITERATING;
+  petsc::check(TSGetConvergedReason(ts, &reason));
+  return reason == TS_CONVERGED_ITS;
+}
+
 void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
   PetscInt steps = 0, rejected = 0;
   petsc::check(TSGetStepNumber(ts, &steps));
@@ -215,7 +317,7 @@ Results heading(const Model& model, const RunOptions& options) {
 }
 
 Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
-                 std::vector<StructureSummary> without_pounding) {
+                 std::vector<StructureSummary> without_pounding, const StoppedRun* earlier = nullptr) {
   const Clock::time_point start = Clock::now();
   Outcome outcome;
   Results& results = outcome.results;
@@ -224,18 +326,29 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
 
   const System system = assemble(model, with_links);
   Solve solve = make_ts(model, system.size());
-  ModalBase base(system);
-  Stepper stepper(system, base, stepper_options(solve.ts, model));
+  petsc::Choice choice;
+  petsc::check(petsc::get_choice(solve.ts, &choice));
+  const std::unique_ptr<Base> base = petsc::make_base(system, choice.base, PETSC_COMM_SELF);
+  Stepper stepper(system, *base, stepper_options(solve.ts, model));
   petsc::check(petsc::set_stepper(solve.ts, &stepper));
+  petsc::check(petsc::set_lazy_vectors(solve.ts, PETSC_TRUE));
   const auto [u, v] = initial_state(model);
   stepper.start(0, u, v);
+  PetscReal first = 0;
+  petsc::check(TSGetTimeStep(solve.ts, &first));
+  stepper.attempt(stepper.step_towards(first, model.analysis.duration));  // makes the first factor, which reads its options
+  refuse_unread_options(true);
   Recorder recorder(model, stepper, results);
-  recorder.begin();
-  Watch watch{stepper, recorder, model, options, results, outcome.summary};
+  Watch watch{solve.ts, stepper, recorder, model, options, results, outcome.summary,
+              checkpoint_of(model, petsc::Environment::given_options()), start};
+  if (earlier)
+    watch.go_on(*earlier);
+  else
+    recorder.begin();
   petsc::check(TSSetApplicationContext(solve.ts, &watch));
   petsc::check(TSSetPostStep(solve.ts, after_step));
-  watch.write("running");
-  results.solver.wall_setup = seconds_since(start);
+  results.solver.wall_setup += seconds_since(start);
+  watch.write_running();
 
   std::string failure;
   try {
@@ -243,10 +356,16 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   } catch (const SolverError& error) {
     failure = watch.failure ? text_of(watch.failure) : error.what();
   }
-  if (failure.empty()) failure = early_end(solve.ts, stepper, model);
+  bool resumable = watch.stopped;
+  if (failure.empty()) {
+    failure = early_end(solve.ts, stepper, model);
+    resumable = !failure.empty() && cut_by_most_steps(solve.ts);
+    if (resumable) watch.save();
+  }
+  if (!resumable) results.checkpoint.reset();
   recorder.end();
   fill_statistics(solve.ts, stepper, results.solver);
-  results.solver.wall_seconds = seconds_since(start);
+  results.solver.wall_seconds = watch.earlier_seconds + seconds_since(start);
   results.solver.wall_solve = results.solver.wall_seconds - results.solver.wall_setup - results.solver.wall_output;
   watch.conclude(failure.empty() ? "done" : "failed: " + failure);
   watch.write(results.status);
@@ -260,6 +379,11 @@ Outcome run(const Model& model, const RunOptions& options) {
   for (const Link& link : model.links)
     if (!link.contact->impacts().empty() || link.contact->phase() != ContactPhase::open)
       throw std::logic_error("this model has been run; read it again");
+  if (!options.resume.empty()) {
+    const StoppedRun earlier = read_stopped_run(options.resume);
+    check_same_run(earlier, model, petsc::Environment::given_options());
+    return run_once(model, options, true, {}, &earlier);
+  }
   std::vector<StructureSummary> without;
   if (model.compare_no_pounding) {
     // What is wrong with the options or the place is found before the first of the two runs.

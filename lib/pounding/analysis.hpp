@@ -13,12 +13,15 @@
 namespace pounding {
 
 struct RunOptions {
-  std::string output;   ///< results file, rewritten while the run goes on; empty for none
-  std::string command;  ///< as the user typed it, for the results file
+  std::string output = {};   ///< results file, rewritten while the run goes on; empty for none
+  std::string command = {};  ///< as the user typed it, for the results file
   /// Called now and then with the simulated time [s], the duration [s] and the number of impacts so far.
-  std::function<void(double, double, int)> progress;
+  std::function<void(double, double, int)> progress = {};
   /// Asked as often; the run ends as a failed one, with what was computed in the file, when it answers true.
-  std::function<bool()> stop;
+  std::function<bool()> stop = {};
+  /// Results file of a run of this model that was killed, stopped, or cut by -pounding_ts_max_steps: the run goes on from
+  /// its last checkpoint, and gives the bits of a run that was never stopped.
+  std::string resume = {};
 };
 
 struct Outcome {
@@ -37,8 +40,10 @@ class FailedRun : public SolverError {
 };
 
 /// Runs a model once: its contacts keep the history of their impacts. PETSc must be running (petsc::Environment).
+/// With an output, whatever ends it early but a failed solve leaves a file that `resume` takes.
 /// Throws FailedRun when the solve fails or is stopped, after the results so far were written with the reason; InputError
-/// for a place that cannot be written and for PETSc options that are wrong or that nothing reads; std::logic_error for a
+/// for a place that cannot be written, for PETSc options that are wrong or that nothing reads, and for a run that cannot be
+/// continued (read_stopped_run, check_same_run); std::logic_error for a
 /// model that was run before.
 Outcome run(const Model& model, const RunOptions& options = {});
 

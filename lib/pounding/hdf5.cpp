@@ -155,4 +155,62 @@ void table(hid_t parent, const char* name, const char* long_name, hid_t row_type
   attribute(made, "field_long_names", field_long_names);
 }
 
+void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values) {
+  describe(chunked(parent, name, H5T_NATIVE_UINT8, {values.size()}, values.data()), {name, "byte", long_name});
+}
+
+void open_file(const std::string& path, const std::function<void(hid_t file)>& read) {
+  const Quiet quiet;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file");
+  read(file);
+}
+
+bool has(hid_t file, const char* path) { return H5Lexists(file, path, H5P_DEFAULT) > 0; }
+
+namespace {
+
+Handle open_dataset(hid_t file, const char* path) {
+  return {H5Dopen2(file, path, H5P_DEFAULT), H5Dclose, std::string("open dataset ") + path};
+}
+
+// One text of any length, which HDF5 allocates.
+template <class Read>
+std::string owned_text(Read&& read, const char* name) {
+  char* pointer = nullptr;
+  checked(read(&pointer), std::string("read ") + name);
+  const std::string value = pointer ? pointer : "";
+  H5free_memory(pointer);
+  return value;
+}
+
+template <class Value>
+void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& values) {
+  const Handle dataset = open_dataset(file, path);
+  const Handle space(H5Dget_space(dataset), H5Sclose, std::string("size dataset ") + path);
+  values.resize(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), std::string("size dataset ") + path)));
+  if (!values.empty())
+    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("read dataset ") + path);
+}
+
+}  // namespace
+
+std::string read_attribute(hid_t object, const char* name) {
+  const Handle made(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, std::string("open attribute ") + name);
+  return owned_text([&](char** pointer) { return H5Aread(made, text_type(), pointer); }, name);
+}
+
+std::string read_text(hid_t file, const char* path) {
+  const Handle dataset = open_dataset(file, path);
+  return owned_text([&](char** pointer) { return H5Dread(dataset, text_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointer); },
+                    path);
+}
+
+void read_array(hid_t file, const char* path, std::vector<double>& values) {
+  read_all(file, path, H5T_NATIVE_DOUBLE, values);
+}
+
+void read_bytes(hid_t file, const char* path, std::vector<std::byte>& values) {
+  read_all(file, path, H5T_NATIVE_UINT8, values);
+}
+
 }  // namespace pounding::hdf5

@@ -1,6 +1,6 @@
 #pragma once
-/// What results.cpp needs of HDF5's C interface: identifiers that close themselves, errors as exceptions with HDF5's
-/// own text, and datasets that say their units. Every function throws std::runtime_error when HDF5 fails.
+/// What results.cpp and checkpoint.cpp need of HDF5's C interface: identifiers that close themselves, errors as exceptions
+/// with HDF5's own text, and datasets that say their units. Every function throws std::runtime_error when HDF5 fails.
 
 #include <hdf5.h>
 
@@ -63,5 +63,16 @@ void scalar(hid_t parent, const Label& label, double value);
 /// A chunked table of `rows` rows of a compound type. Units and meanings: one a field, in their order.
 void table(hid_t parent, const char* name, const char* long_name, hid_t row_type, std::size_t rows, const void* data,
            const std::vector<std::string>& units, const std::vector<std::string>& field_long_names);
+/// Bytes that mean something to the program only.
+void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values);
+
+/// Hands a file of the disk to `read`.
+void open_file(const std::string& path, const std::function<void(hid_t file)>& read);
+bool has(hid_t file, const char* path);
+std::string read_attribute(hid_t object, const char* name);
+std::string read_text(hid_t file, const char* path);
+/// Every value of an array, row-major.
+void read_array(hid_t file, const char* path, std::vector<double>& values);
+void read_bytes(hid_t file, const char* path, std::vector<std::byte>& values);
 
 }  // namespace pounding::hdf5

@@ -305,12 +305,21 @@ AnalysisSettings read_analysis(const Input& input, const Model& model) {
   return settings;
 }
 
+CheckpointSettings read_checkpoints(const Input& node) {
+  if (!node.is_map() || node.entries().empty())
+    node.fail("takes how often; type checkpoint: {every: 60 s} for run time, {every_simulated: 1 s} for simulated time");
+  node.only_keys({"every", "every_simulated"});
+  return {node.quantity_or("every", dimension::time, 0, bounds::positive),
+          node.quantity_or("every_simulated", dimension::time, 0, bounds::positive)};
+}
+
 }  // namespace
 
 Model read_model(const Input& input, const Kinds& kinds) {
-  input.only_keys({"title", "ground_motion", "structures", "links", "analysis", "compare"});
+  input.only_keys({"title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare"});
   Model model;
   model.source_text = input.text();
+  model.source_file = input.file();
   if (const auto title = input.find("title")) model.title = title->as_text();
   if (const auto motion = input.find("ground_motion")) model.ground = read_ground_motion(*motion);
   const Input structures = input.at("structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}");
@@ -323,6 +332,7 @@ Model read_model(const Input& input, const Kinds& kinds) {
     for (const Input& link : links->items()) read_link(link, model, kinds);
   }
   model.analysis = read_analysis(input, model);
+  if (const auto checkpoint = input.find("checkpoint")) model.checkpoint = read_checkpoints(*checkpoint);
   if (const auto compare = input.find("compare")) {
     compare->as_choice("comparison", {"no_pounding"});
     model.compare_no_pounding = true;

@@ -74,14 +74,24 @@ struct AnalysisSettings {
   double max_step = 0;           ///< longest step [s]; 0 lets the model decide
 };
 
+/// How often a run at least leaves a state to go on from; the results file is rewritten then. Zero: not asked for.
+struct CheckpointSettings {
+  double every = 0;            ///< of run time [s]
+  double every_simulated = 0;  ///< of simulated time [s]
+
+  bool asked() const { return every > 0 || every_simulated > 0; }
+};
+
 struct Model {
   std::string title;
   GroundMotion ground;
   std::vector<Structure> structures;
   std::vector<Link> links;
   AnalysisSettings analysis;
+  CheckpointSettings checkpoint;
   bool compare_no_pounding = false;
   std::string source_text;  ///< the input as given
+  std::string source_file;  ///< as the user named it; relative paths in the input start from its folder
 };
 
 /// How a structure of one kind is read: `body` is the node under the word, `place` the node of the structure.

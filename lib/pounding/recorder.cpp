@@ -1,8 +1,10 @@
 #include <pounding/recorder.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace pounding {
 namespace {
@@ -24,6 +26,22 @@ double spring_force(const LinkStep& step, double time, double deformation) {
   const double u1 = early ? step.motion_middle.penetration : step.motion_end.penetration;
   const double f0 = early ? step.force_begin : step.force_middle, f1 = early ? step.force_middle : step.force_end;
   return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
+}
+
+std::array<std::vector<double>*, 5> columns(LinkHistory& h) {
+  return {&h.time, &h.penetration, &h.velocity, &h.force, &h.energy};
+}
+
+std::array<std::vector<double>*, 8> columns(EnergyHistory& e) {
+  return {&e.time, &e.input, &e.kinetic, &e.strain, &e.damping, &e.hysteretic, &e.impact, &e.error};
+}
+
+template <class History>
+void archive_length(Archive& archive, History& history) {
+  std::size_t length = history.time.size();
+  archive(length);
+  if (length > history.time.size()) throw std::runtime_error("a history is shorter than it was");
+  for (auto* values : columns(history)) values->resize(length);
 }
 
 }  // namespace
@@ -77,6 +95,13 @@ void LinkSampler::finish(LinkHistory& history) {
   samples_.clear();
   stride_ = 1;
   skipped_ = 0;
+}
+
+void LinkSampler::archive(Archive& archive) {
+  archive(samples_);
+  archive(last_);
+  archive(stride_);
+  archive(skipped_);
 }
 
 Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
@@ -164,7 +189,7 @@ void Recorder::step() {
 void Recorder::follow_peaks() {
   const State &begin = stepper_.before(), &end = stepper_.arrived(), &now = stepper_.state();
   const double h = end.time - begin.time;
-  const double ground = model_.ground.acceleration_before(end.time);
+  const double ground = stepper_.ground_before();
   for (std::size_t k = 0; k < peaks_.size(); ++k)
     for (std::size_t i = 0; i < peaks_[k].size(); ++i) {
       FloorPeaks& peaks = peaks_[k][i];
@@ -234,9 +259,18 @@ void Recorder::with_present_state(const std::function<void()>& write) {
   write();
   for (std::size_t i = 0; i < samplers_.size(); ++i) {
     LinkHistory& history = results_.links[i];
-    for (auto* values : {&history.time, &history.penetration, &history.velocity, &history.force, &history.energy})
-      values->resize(finished[i]);
+    for (auto* values : columns(history)) values->resize(finished[i]);
   }
+}
+
+void Recorder::archive(Archive& archive) {
+  archive(outputs_);
+  archive(peaks_);
+  archive(samplers_);
+  archive(largest_input_);
+  archive(largest_imbalance_);
+  for (LinkHistory& history : results_.links) archive_length(archive, history);
+  archive_length(archive, results_.energy);
 }
 
 int Recorder::impacts() const {

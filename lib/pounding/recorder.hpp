@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include <pounding/archive.hpp>
 #include <pounding/model.hpp>
 #include <pounding/results.hpp>
 #include <pounding/stepper.hpp>
@@ -33,6 +34,7 @@ class LinkSampler {
   void finish(LinkHistory& history);
   /// Copies the samples of an impact that is not over, for a file that is written meanwhile.
   void show(LinkHistory& history) const;
+  void archive(Archive& archive);
 
  private:
   struct Sample {
@@ -55,6 +57,9 @@ class Recorder {
   void end();
   /// Calls `write` with the results as they are now, impacts that are not over included.
   void with_present_state(const std::function<void()>& write);
+  /// What goes on from one step to the next beside the histories, and how long those of links and energies are without
+  /// what is shown of the present state: reading cuts the histories of a file there.
+  void archive(Archive& archive);
 
   int impacts() const;
   /// Peaks and energies so far.

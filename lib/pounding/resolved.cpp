@@ -104,7 +104,14 @@ std::string resolved_yaml(const Model& model) {
   if (model.analysis.scheme.kind == Scheme::Kind::generalized_alpha)
     emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
   if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
-  out << YAML::EndMap << YAML::EndMap;
+  out << YAML::EndMap;
+  if (model.checkpoint.asked()) {
+    out << YAML::Key << "checkpoint" << YAML::Value << YAML::BeginMap;
+    if (model.checkpoint.every > 0) emit(out, "every", model.checkpoint.every);
+    if (model.checkpoint.every_simulated > 0) emit(out, "every_simulated", model.checkpoint.every_simulated);
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
   return std::string(out.c_str()) + "\n";
 }
 

@@ -8,7 +8,10 @@
 #include <stdexcept>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "pounding/error.hpp"
+#include "pounding/fingerprint.hpp"
 #include "pounding/hdf5.hpp"
 #include "pounding/replace_file.hpp"
 
@@ -174,6 +177,49 @@ void write_solver(hid_t file, const SolverStatistics& solver) {
   scalar(place, {"wall_output", "s", "wall time of recording and writing"}, solver.wall_output);
 }
 
+void write_checkpoint(hid_t file, const Results& results) {
+  const Checkpoint& checkpoint = *results.checkpoint;
+  const Handle place = group(file, "checkpoint");
+  attribute(place, "ground", checkpoint.ground);
+  attribute(place, "histories", fingerprint_of_histories(results));
+  attribute(place, "fingerprint", fingerprint(checkpoint, results.model_yaml, results.resolved_yaml));
+  text(place, "model_file", "input file, absolute", checkpoint.model_file);
+  text(place, "options", "PETSc options that the result depends on", fmt::format("{}", fmt::join(checkpoint.options, "\n")));
+  hdf5::bytes(place, "state", "state of the program that wrote it", checkpoint.state);
+}
+
+// Names every history once, for reading, writing and comparing.
+template <class AnyResults, class Visit>
+void visit_all(AnyResults& results, Visit&& visit) {
+  visit("time", results.time);
+  visit("ground/acceleration", results.ground_acceleration);
+  for (auto& s : results.structures) {
+    const std::string place = "structures/" + s.name + '/';
+    visit(place + "displacement", s.displacement);
+    visit(place + "velocity", s.velocity);
+    visit(place + "acceleration", s.acceleration);
+    visit(place + "drift", s.drift);
+    visit(place + "storey_shear", s.storey_shear);
+  }
+  for (auto& link : results.links) {
+    const std::string place = "links/" + link.name + '/';
+    visit(place + "time", link.time);
+    visit(place + "penetration", link.penetration);
+    visit(place + "velocity", link.velocity);
+    visit(place + "force", link.force);
+    visit(place + "energy", link.energy);
+  }
+  auto& energy = results.energy;
+  visit("energy/time", energy.time);
+  visit("energy/input", energy.input);
+  visit("energy/kinetic", energy.kinetic);
+  visit("energy/strain", energy.strain);
+  visit("energy/damping", energy.damping);
+  visit("energy/hysteretic", energy.hysteretic);
+  visit("energy/impact", energy.impact);
+  visit("energy/error", energy.error);
+}
+
 void write_all(hid_t file, const Results& results) {
   attribute(file, "program", results.program);
   attribute(file, "version", results.version);
@@ -200,9 +246,21 @@ void write_all(hid_t file, const Results& results) {
   write_energy(file, results.energy);
   text(file, "summary", "summary as JSON", results.summary_json);
   write_solver(file, results.solver);
+  if (results.checkpoint) write_checkpoint(file, results);
 }
 
 }  // namespace
+
+void visit_histories(Results& results,
+                     const std::function<void(const std::string& place, std::vector<double>& values)>& visit) {
+  visit_all(results, visit);
+}
+
+std::string fingerprint_of_histories(const Results& results) {
+  Fingerprint fingerprint;
+  visit_all(results, [&](const std::string&, const std::vector<double>& values) { fingerprint.add(values); });
+  return fingerprint.text();
+}
 
 void write_results(const Results& results, const std::string& path) {
   check_names(results.structures, "structure");

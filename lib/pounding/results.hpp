@@ -1,9 +1,12 @@
 #pragma once
 /// What a run leaves behind, in memory and in one HDF5 file that h5py reads without help (DESIGN of the file: README).
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <pounding/checkpoint.hpp>
 #include <pounding/impact_row.hpp>
 
 namespace pounding {
@@ -61,6 +64,7 @@ struct Results {
   std::vector<double> ground_acceleration;  ///< at the output times [m/s^2]
   SolverStatistics solver;
   std::string summary_json;  ///< the object that --json prints
+  std::optional<Checkpoint> checkpoint;  ///< of a run that can go on
 };
 
 /// Writes the whole file beside its place and moves it there in one step: whoever opens `path`, also after a kill at
@@ -69,5 +73,11 @@ struct Results {
 /// Throws InputError when the place cannot be written or a name is not possible, std::invalid_argument when the lengths
 /// of the histories do not fit together, std::runtime_error with HDF5's own text when HDF5 fails.
 void write_results(const Results& results, const std::string& path);
+
+/// Calls `visit` with the place in the file and the values of every history of a number in time, those of the links and of
+/// the energy included.
+void visit_histories(Results& results,
+                     const std::function<void(const std::string& place, std::vector<double>& values)>& visit);
+std::string fingerprint_of_histories(const Results& results);
 
 }  // namespace pounding

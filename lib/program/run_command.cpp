@@ -1,6 +1,7 @@
 #include <csignal>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <pounding/analysis.hpp>
+#include <pounding/checkpoint.hpp>
 #include <pounding/input.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/structures.hpp>
@@ -22,7 +24,7 @@ namespace {
 constexpr double suspicious_imbalance = 100;
 
 struct Words {
-  std::string model, output, picture;
+  std::string model, output, picture, resume;
   bool json = false, plot = false, quiet = false;
 };
 
@@ -73,11 +75,21 @@ std::string describe(const Model& model) {
   return text;
 }
 
-// Words that CLI11 does not know are PETSc's when they carry its prefix, each with its value.
-std::vector<std::string> petsc_words(const CLI::App& command) {
-  std::vector<std::string> words = command.remaining();
+// Words that CLI11 does not know: MODEL, then PETSc's options, which carry its prefix, each with its value.
+struct Rest {
+  std::string model;
+  std::vector<std::string> options;
+};
+
+Rest rest_of(const CLI::App& command) {
+  Rest rest;
+  rest.options = command.remaining();
+  if (!rest.options.empty() && rest.options[0][0] != '-') {
+    rest.model = rest.options[0];
+    rest.options.erase(rest.options.begin());
+  }
   bool value = false;
-  for (const std::string& word : words) {
+  for (const std::string& word : rest.options) {
     const bool option = word.rfind("-pounding_", 0) == 0 || word == "-log_view";
     if (!option && !value)
       throw InputError(fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
@@ -85,17 +97,45 @@ std::vector<std::string> petsc_words(const CLI::App& command) {
                                    word));
     value = option;
   }
-  return words;
+  return rest;
+}
+
+// Options of the run's beginning hold for the rest of it without being typed again.
+void add_earlier_options(const std::vector<std::string>& earlier, std::vector<std::string>& options) {
+  const std::vector<std::string> typed = options;
+  for (const std::string& option : earlier) {
+    const std::size_t space = option.find(' ');
+    const std::string name = option.substr(0, space);
+    if (std::find(typed.begin(), typed.end(), name) != typed.end()) continue;
+    options.push_back(name);
+    if (space != std::string::npos) options.push_back(option.substr(space + 1));
+  }
+}
+
+Model read_again(const StoppedRun& run) {
+  const std::string& file = run.checkpoint.model_file;
+  return read_model(Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file), kinds());
 }
 
 void run_model(const Words& words, const CLI::App& command) {
-  const std::vector<std::string> options = petsc_words(command);
-  const Model model = read(words.model);
+  auto [model_file, options] = rest_of(command);
+  const bool resume = !words.resume.empty();
+  if (model_file.empty() && !resume) throw InputError("MODEL is required; type pounding run MODEL.yaml");
+  StoppedRun earlier;
+  if (resume) {
+    earlier = read_stopped_run(words.resume);
+    add_earlier_options(earlier.checkpoint.options, options);
+  }
+  const Model model = model_file.empty() ? read_again(earlier) : read(model_file);
   RunOptions run_options;
   const bool plot = words.plot || !words.picture.empty();
-  const bool keep = !words.output.empty() || plot;
-  if (keep) run_options.output = words.output.empty() ? with_ending(words.model, ".h5") : words.output;
-  run_options.command = fmt::format("pounding run {}{}{}", words.model, options.empty() ? "" : " ", fmt::join(options, " "));
+  const bool keep = !words.output.empty() || plot || resume;
+  if (keep) run_options.output = resume ? words.resume : with_ending(model_file, ".h5");
+  if (!words.output.empty()) run_options.output = words.output;
+  run_options.resume = words.resume;
+  run_options.command = fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file,
+                                    resume ? " --resume " : "", words.resume, options.empty() ? "" : " ",
+                                    fmt::join(options, " "));
   const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet;
   if (terminal) run_options.progress = show_progress;
   if (!words.json && !words.quiet) std::fputs((describe(model) + "\n").c_str(), stdout);
@@ -110,7 +150,8 @@ void run_model(const Words& words, const CLI::App& command) {
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
     if (words.json) std::puts(to_json(failed.outcome().summary).c_str());
-    throw;
+    if (!failed.outcome().results.checkpoint) throw;
+    throw SolverError(fmt::format("{}\nTo go on: pounding run --resume {}", failed.what(), run_options.output));
   } catch (...) {
     if (terminal) clear_progress();
     throw;
@@ -139,8 +180,10 @@ void run_model(const Words& words, const CLI::App& command) {
 
 void add_run(CLI::App& app) {
   const auto words = std::make_shared<Words>();
-  CLI::App* run_command = app.add_subcommand("run", "Run a model through time");
-  run_command->add_option("MODEL", words->model, "Input file (YAML)")->required();
+  CLI::App* run_command = app.add_subcommand("run", "Run MODEL, an input file (YAML), through time");
+  run_command->add_option("--resume", words->resume,
+                          "Results file of a run that was killed, stopped or cut: goes on in it with the model that it holds; "
+                          "MODEL and the PETSc options of the beginning need not be named again");
   run_command->add_option("-o,--output", words->output, "Results file (HDF5)");
   run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file");
   run_command->add_option("--picture", words->picture, "Name of the picture");

@@ -1,7 +1,10 @@
 #include <pounding/petsc/environment.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 
 namespace pounding::petsc {
 namespace {
@@ -70,6 +73,26 @@ std::vector<std::string> Environment::unread_options() {
     if (std::strncmp(names[i], "pounding_", 9) == 0) unread.push_back(std::string("-") + names[i]);
   check(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
   return unread;
+}
+
+std::vector<std::string> Environment::given_options() {
+  char* text = nullptr;
+  check(PetscOptionsGetAll(nullptr, &text));
+  std::istringstream all(text);
+  check(PetscFree(text));
+  std::vector<std::string> given;
+  bool ours = false;
+  for (std::string word; all >> word;) {
+    const bool name = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
+    if (name) ours = word.rfind("-pounding_", 0) == 0;
+    if (!ours) continue;
+    if (name)
+      given.push_back(word);
+    else
+      given.back() += ' ' + word;
+  }
+  std::sort(given.begin(), given.end());
+  return given;
 }
 
 void check(PetscErrorCode code) {

@@ -23,6 +23,8 @@ class Environment {
 
   /// Options with the prefix `-pounding_` that nothing has read.
   static std::vector<std::string> unread_options();
+  /// Options with the prefix `-pounding_` and their values as PETSc has them now, sorted: "-pounding_ts_rtol 1e-6".
+  static std::vector<std::string> given_options();
 
  private:
   bool started_ = false;

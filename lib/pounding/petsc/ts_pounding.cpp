@@ -149,6 +149,12 @@ PetscErrorCode advance(TS ts) {
       stepper.cross_now();
       continue;
     }
+    // A long trial may step over a whole press and see nothing of it, and end inside it when it is shortened.
+    if (landed && !fixed && !(stepper.error_ratio() <= 1)) {
+      wanted = *landed / 2;
+      ts->reject++;
+      continue;
+    }
     if (landed && *landed < no_time * std::max(1.0, stepper.time()))
       cross(*landed);
     else
@@ -339,6 +345,29 @@ PetscErrorCode set_rollback(TS ts, PetscBool keep) {
 PetscErrorCode set_lazy_vectors(TS ts, PetscBool lazy) {
   PetscFunctionBegin;
   data_of(ts).lazy = lazy == PETSC_TRUE;
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+PetscErrorCode archive(TS ts, Archive& state) {
+  PetscFunctionBegin;
+  PetscBool plain = PETSC_FALSE;
+  PetscCall(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(ts->adapt), &plain, TSADAPTBASIC, TSADAPTNONE, ""));
+  if (!plain) PetscFunctionReturn(fail("only the adapt types basic and none can go on from a saved state"));
+  std::string failure;
+  try {
+    state(ts->ptime);
+    state(ts->time_step);
+    state(ts->steps);
+    state(ts->reject);
+    state(ts->adapt->timestepjustdecreased);
+    archive(data_of(ts), state);
+  } catch (const std::exception& error) {
+    failure = error.what();
+  }
+  if (!failure.empty()) PetscFunctionReturn(fail(failure));
+  if (!state.reading()) PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+  PetscCall(write_vectors(ts));
+  ts->steprestart = PETSC_FALSE;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 

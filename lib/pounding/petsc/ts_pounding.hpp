@@ -42,4 +42,8 @@ PetscErrorCode set_rollback(TS ts, PetscBool keep);
 /// caller whose callbacks ask the stepper.
 PetscErrorCode set_lazy_vectors(TS ts, PetscBool lazy);
 
+/// What the TS and its stepper keep from one step to the next: after it was read, TSSolve goes on with the same bits. Fails
+/// for a TSAdapt that has a memory of its own: only `basic` and `none` have not.
+PetscErrorCode archive(TS ts, Archive& state);
+
 }  // namespace pounding::petsc

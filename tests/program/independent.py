@@ -1,0 +1,717 @@
+"""A second integrator for rows of bodies and oscillators, to judge the program by: every impact is located and counted.
+
+Nothing here comes from the program. Forces, formulas and damping follow the published laws; where the exact damping has no
+closed form (kuwabara_kono, adams_impact, limited_damper) it is found here by integrating free impacts. The motion is
+advanced by scipy's DOP853 (order 8, relative tolerance 1e-11) from one instant where a force changes its formula to the
+next: touch, reversal, release, corner, separation, jump of the ground. So the integrated functions are smooth.
+
+SI units. Penetration d > 0 is overlap, rate > 0 closes, force > 0 pushes apart. Displacements are relative to the ground.
+"""
+import math
+import time
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+import numpy as np
+from scipy.integrate import DOP853
+from scipy.optimize import brentq, minimize_scalar
+
+RELATIVE_TOLERANCE = 1e-11
+#: Where a damping formula divides by the closing speed, a slower touch counts as this fast [m/s]: the program's convention.
+SLOWEST_CLOSING_SPEED = 1e-6
+#: Points of a step at which signs are looked at. Steps in free flight are at most a twentieth of the shortest period.
+LOOKS = 6
+
+
+# ---- damping that gives a restitution e ---------------------------------------------------------------------------------
+
+
+def hunt_crossley_exact(e):
+    """a of F = k d^n (1 + a d'/v): root of a (1 + e) = ln[(1 + a)/(1 - a e)]."""
+    if e == 1:
+        return 0.0
+    return brentq(lambda a: a * (1 + e) - math.log1p(a) + math.log1p(-a * e), 0.2 * (1 - e), (1 - 1e-15) / e, xtol=1e-15)
+
+
+def _phase(z):
+    """arccos(z)/sqrt(1 - z^2), continued beyond z = 1."""
+    if abs(z - 1) < 1e-9:
+        return 1.0
+    return math.acos(z) / math.sqrt(1 - z * z) if z < 1 else math.acosh(z) / math.sqrt(z * z - 1)
+
+
+def approach_only_exact(e):
+    """z of a linear oscillator damped in the approach alone: e = exp(-z arccos z/sqrt(1 - z^2))."""
+    return 0.0 if e == 1 else brentq(lambda z: z * _phase(z) + math.log(e), 0, 2 / e, xtol=1e-15)
+
+
+def cut_exact(e):
+    """z of a linear oscillator released where its force is zero: e = exp(-2 z arccos z/sqrt(1 - z^2))."""
+    return approach_only_exact(math.sqrt(e))
+
+
+def anagnostopoulos(e):
+    return -math.log(e) / math.hypot(math.pi, math.log(e))
+
+
+#: a of F = k d^n (1 + a d'/v) by formula.
+HERTZ_DAMPING = {
+    "exact": hunt_crossley_exact,
+    "lankarani_nikravesh": lambda e: 3 * (1 - e * e) / 4,
+    "hunt_crossley": lambda e: 3 * (1 - e) / 2,
+    "ye_2009": lambda e: 8 * (1 - e) / (5 * e),
+    "hu_guo": lambda e: 3 * (1 - e) / (2 * e),
+    "gonthier": lambda e: (1 - e * e) / e,
+    "herbert_mcwhannell": lambda e: 6 * (1 - e) / ((2 * e - 1) ** 2 + 3),
+    "lee_wang": lambda e: 3 * (1 - e) / 4,
+    "zhiying_qishao": lambda e: 3 * (1 - e * e) * math.exp(2 * (1 - e)) / 4,
+    "gharib_hurmuzlu": lambda e: 1 / e,
+}
+LINEAR_DAMPING = {"exact": hunt_crossley_exact, "ye_2009_linear": lambda e: 3 * (1 - e) / (2 * e)}
+#: zeta of c = 2 zeta sqrt(k m) by formula.
+VISCOUS_RATIO = {"exact": anagnostopoulos, "anagnostopoulos": anagnostopoulos}
+CUT_RATIO = {"exact": cut_exact, "anagnostopoulos": anagnostopoulos}
+APPROACH_RATIO = {
+    "exact": approach_only_exact,
+    "mahmoud_jankowski_2011": lambda e: (1 - e * e) / (e * (e * (math.pi - 2) + 2)),
+    "simple": lambda e: (1 - e * e) / (math.pi * e),
+}
+JANKOWSKI_RATIO = {
+    "exact": lambda e: math.sqrt(5) / 2 * approach_only_exact(e),
+    "jankowski_2005": lambda e: math.sqrt(5) * (1 - e * e) / (2 * math.pi * e),
+    "jankowski_2006": lambda e: 9 * math.sqrt(5) / 2 * (1 - e * e) / (e * (e * (9 * math.pi - 16) + 16)),
+}
+#: alpha of the viscous Hertz law, n = 1.5. In stretched time it is a linear oscillator of ratio alpha/sqrt(5).
+VISCOUS_HERTZ = {
+    "exact": lambda e: math.sqrt(5) * cut_exact(e),
+    "antypov_elliott": lambda e: math.sqrt(5) * anagnostopoulos(e),
+}
+
+
+def _twice(ratios):
+    """c/sqrt(k m) = 2 zeta."""
+    return {formula: lambda e, ratio=ratio: 2 * ratio(e) for formula, ratio in ratios.items()}
+
+
+#: The damping number by law and formula: a, or c/sqrt(k m).
+FORMULAS = {
+    "kelvin_voigt": _twice(VISCOUS_RATIO),
+    "kelvin_voigt_no_tension": _twice(CUT_RATIO),
+    "komodromos": _twice(CUT_RATIO),
+    "modified_linear_viscoelastic": _twice(APPROACH_RATIO),
+    "jankowski": _twice(JANKOWSKI_RATIO),
+    "viscous_hertz": VISCOUS_HERTZ,
+    "modified_kelvin": LINEAR_DAMPING,
+    "hertz_damped": HERTZ_DAMPING,
+}
+#: The parameter that gives the damping directly, and what it is multiplied by to be the damping number.
+GIVEN = {
+    "kelvin_voigt": ("damping_ratio", 2),
+    "kelvin_voigt_no_tension": ("damping_ratio", 2),
+    "komodromos": ("damping_ratio", 2),
+    "modified_linear_viscoelastic": ("damping_ratio", 2),
+    "jankowski": ("damping_ratio", 2),
+    "viscous_hertz": ("damping_ratio", 1),
+    "modified_kelvin": ("damping_factor", 1),
+    "hertz_damped": ("damping_factor", 1),
+    "kuwabara_kono": ("dissipation_time", 1),
+    "adams_impact": ("damping_coefficient", 1),
+    "limited_damper": ("damping_coefficient", 1),
+}
+
+
+def bilinear_curve(k, v, m, loss, yield_ratio=0.1):
+    """K1, K2 [N/m] and d_y [m] of the bilinear law designed for the penetration of a Hertz spring at v."""
+    d_m = (5 * m * v * v / (4 * k)) ** 0.4
+    k_eff, d_e = k * math.sqrt(d_m), loss * k * d_m**2.5 / 2.5
+    return k_eff + d_e / (yield_ratio * d_m**2), k_eff - d_e / ((1 - yield_ratio) * d_m**2), yield_ratio * d_m
+
+
+def bilinear_work(curve, d):
+    """Work of the first loading to d [J]."""
+    k1, k2, d_y = curve
+    return 0.5 * k1 * d * d if d <= d_y else 0.5 * k1 * d_y**2 + k1 * d_y * (d - d_y) + 0.5 * k2 * (d - d_y) ** 2
+
+
+@lru_cache(maxsize=None)
+def bilinear_exact(e):
+    """loss = dE (n + 1)/(k d_m^(n+1)) with which the law gives e at its design speed, for k = m = v = 1."""
+
+    def miss(loss):
+        curve = bilinear_curve(1, 1, 1, loss)
+        high = 1.0
+        while bilinear_work(curve, high) < 0.5:
+            high *= 2
+        d = brentq(lambda d: bilinear_work(curve, d) - 0.5, 0, high, xtol=1e-16)
+        k1, k2, d_y = curve
+        return 1 - 2 * (k1 - k2) * d_y * (d - d_y) - e * e
+
+    return 0.0 if e == 1 else brentq(miss, 0, 2.25 * (1 - 1e-12), xtol=1e-15)
+
+
+def free_restitution(law, k, m, v):
+    """Restitution of one free impact, by integration."""
+    row = Row([(m, 0.0, 0.0, 0.0, v)], [Link(0, None, 0.0, law)])
+    law.stiffness, law.mass = k, m
+    reach = (5 * m * v * v / (4 * k)) ** 0.4 / v
+    time = 0.0
+    while time < 1e4:
+        time += 40 * reach
+        row.run(time)
+        if row.links[0].impacts and math.isfinite(row.links[0].impacts[0].end):
+            return row.links[0].impacts[0].separation / v
+    raise RuntimeError("the free impact does not end")
+
+
+@lru_cache(maxsize=None)
+def universal(name, e):
+    """c* of limited_damper or A* of kuwabara_kono: the coefficient that gives e for k = m = v = 1, where D = 1."""
+    if e == 1:
+        return 0.0
+
+    def miss(log_c):
+        return free_restitution(Law(name, {GIVEN[name][0]: math.exp(log_c)}), 1.0, 1.0, 1.0) - e
+
+    low, high = math.log(1e-3), math.log(1.0)
+    while miss(high) > 0:
+        low, high = high, high + 1
+    return math.exp(brentq(miss, low, high, xtol=1e-12, rtol=1e-13))
+
+
+def adams_exact(e, k, m, v, depth, near=None):
+    """c of adams_impact at one closing speed. near [N s/m]: a guess."""
+    if e == 1:
+        return 0.0
+    d_c = (m * v * v / k) ** 0.4
+    scaled = depth / d_c
+
+    def miss(log_c):
+        law = Law("adams_impact", {"damping_coefficient": math.exp(log_c), "depth": scaled})
+        return free_restitution(law, 1.0, 1.0, 1.0) - e
+
+    middle = math.log(near * d_c / (m * v)) if near else math.log(0.5 * (1 - e) / e * max(1.0, scaled**2))
+    low, high, width = middle, middle, 0.3
+    while miss(low) < 0:
+        low -= width
+        width *= 2
+    width = 0.3
+    while miss(high) > 0:
+        high += width
+        width *= 2
+    return math.exp(brentq(miss, low, high, xtol=1e-11, rtol=1e-13)) * m * v / d_c
+
+
+# ---- forces -------------------------------------------------------------------------------------------------------------
+
+
+def _power(d, n):
+    """d^n, continued oddly below zero so that a trial step past the separation meets no corner; bounded in wild trials."""
+    return math.copysign(min(abs(d), 1e3) ** n, d)
+
+
+class Law:
+    """One contact law in one link, on the branch that the last located instant left it on.
+
+    margins(d, rate) are positive while the branch lasts; cross(i, ...) enters the branch behind margin i; force(d, rate)
+    is smooth on a branch. `parameters` are those of a link in an input file.
+    """
+
+    def __init__(self, name, parameters):
+        self.name, self.parameters = name, parameters
+        self.stiffness, self.mass = parameters.get("stiffness"), None
+        self.coefficient = self.speed = None
+        self.signs = []
+        self.slip, self.branch, self.curve = 0.0, "stick", None
+
+    rigid = property(lambda self: self.name == "stereomechanical")
+    ends_at_release = property(lambda self: self.name == "komodromos")
+
+    def touch(self, speed):
+        """An impact begins at this closing speed [m/s]."""
+        p, k, m = self.parameters, self.stiffness, self.mass
+        self.speed = max(p.get("impact_velocity", speed), SLOWEST_CLOSING_SPEED)
+        e, formula = p.get("restitution"), p.get("formula", "exact")
+        v, root = self.speed, math.sqrt(k * m)
+        key, factor = GIVEN.get(self.name, (None, 0))
+        if self.name in FORMULAS:
+            number = factor * p[key] if key in p else FORMULAS[self.name][formula](e)
+            self.coefficient = number / v if key == "damping_factor" else number * root
+        elif key in p:
+            self.coefficient = factor * p[key]
+        elif self.name == "kuwabara_kono":
+            self.coefficient = universal(self.name, e) * (m * v * v / k) ** 0.4 / v
+        elif self.name == "limited_damper":
+            self.coefficient = universal(self.name, e) * m * v / (m * v * v / k) ** 0.4
+        elif self.name == "adams_impact":
+            self.coefficient = adams_exact(e, k, m, v, p["depth"], self.coefficient)
+        elif self.name == "bilinear_hertz":
+            loss = bilinear_exact(e) if formula == "exact" else 1 - e * e
+            self.curve, self.slip, self.branch = bilinear_curve(k, v, m, loss), 0.0, "stick"
+        trace = 1e-9 * max(speed, SLOWEST_CLOSING_SPEED)
+        self.signs = [1] * len(self._switches(0.0, speed))
+        self.signs = [1 if s >= 0 else -1 for s in self._switches(0.0, max(speed, trace))]
+
+    def _switches(self, d, rate):
+        """Values whose signs choose the formula."""
+        k, c = self.stiffness, self.coefficient
+        name = self.name
+        if name in ("kelvin_voigt_no_tension", "komodromos"):
+            return (k * d + c * rate,)
+        if name in ("modified_linear_viscoelastic", "jankowski"):
+            return (rate,)
+        if name in ("modified_kelvin", "hertz_damped"):
+            return (1 + c * rate,)
+        if name == "viscous_hertz":  # over d^(1/4)
+            return (k * _power(d, 1.25) + c * rate,)
+        if name == "kuwabara_kono":  # over d^(1/2)
+            return (k * d + 1.5 * c * k * rate,)
+        if name == "limited_damper":
+            spring = k * _power(d, 1.5)
+            return (spring - c * rate, spring + c * rate)
+        if name == "adams_impact":
+            depth = self.parameters["depth"]
+            if self.signs and self.signs[-1] < 0:  # beyond the depth
+                return (k * _power(d, 1.5) + c * rate, depth - d)
+            # Over d^(3/2): the spring is the stronger one in the end.
+            return (k + c * math.sqrt(abs(d)) / depth**2 * (3 - 2 * d / depth) * rate, depth - d)
+        return ()
+
+    def margins(self, d, rate):
+        if self.name == "bilinear_hertz":
+            if self.branch == "stick":
+                return (self.curve[2] - (d - self.slip), d - self.slip)
+            return (rate,) if self.branch == "up" else (-rate,)
+        return tuple(s * g for s, g in zip(self.signs, self._switches(d, rate)))
+
+    def cross(self, i, d, rate):
+        if self.name != "bilinear_hertz":
+            self.signs[i] = -self.signs[i]
+        elif self.branch == "stick":
+            self.branch = "up" if i == 0 else "down"
+        else:
+            self.slip = d - self.curve[2] if self.branch == "up" else d
+            self.branch = "stick"
+
+    @property
+    def released(self):
+        """The formula pulls, and is cut."""
+        if self.name in ("kelvin_voigt", "modified_linear_viscoelastic", "jankowski", "limited_damper"):
+            return False
+        return bool(self.signs) and self.signs[0] < 0
+
+    def force(self, d, rate):
+        k, c, name = self.stiffness, self.coefficient, self.name
+        if self.released:
+            return 0.0
+        if name == "linear_spring":
+            return k * d
+        if name == "hertz":
+            return k * _power(d, 1.5)
+        if name in ("kelvin_voigt", "kelvin_voigt_no_tension", "komodromos"):
+            return k * d + c * rate
+        if name == "modified_linear_viscoelastic":
+            return k * d + (c * rate if self.signs[0] > 0 else 0.0)
+        if name == "jankowski":
+            return k * _power(d, 1.5) + (c * _power(d, 0.25) * rate if self.signs[0] > 0 else 0.0)
+        if name == "modified_kelvin":
+            return k * d * (1 + c * rate)
+        if name == "hertz_damped":
+            return k * _power(d, 1.5) * (1 + c * rate)
+        if name == "viscous_hertz":
+            return k * _power(d, 1.5) + c * _power(d, 0.25) * rate
+        if name == "kuwabara_kono":
+            return k * _power(d, 1.5) + 1.5 * c * k * _power(d, 0.5) * rate
+        if name == "limited_damper":
+            spring = k * _power(d, 1.5)
+            return 2 * spring if self.signs[0] < 0 else 0.0 if self.signs[1] < 0 else spring + c * rate
+        if name == "adams_impact":
+            s = d / self.parameters["depth"]
+            step = s * s * (3 - 2 * s) if self.signs[1] > 0 else 1.0
+            return k * _power(d, 1.5) + c * step * rate
+        k1, k2, d_y = self.curve
+        return k2 * d + (k1 - k2) * (d - self.slip if self.branch == "stick" else d_y if self.branch == "up" else 0.0)
+
+
+# ---- rows ---------------------------------------------------------------------------------------------------------------
+
+
+class TooLong(Exception):
+    """The run was given up for its length."""
+
+
+@dataclass
+class Impact:
+    start: float                #: touch [s]
+    approach: float             #: closing speed at the touch [m/s]
+    deceleration: float         #: opening acceleration of the two bodies just before the touch [m/s^2]
+    end: float = math.nan       #: separation [s]; nan while pressed
+    separation: float = math.nan  #: opening speed there [m/s]
+    return_acceleration: float = math.nan   #: closing acceleration just after the separation [m/s^2]
+    peak: float = 0.0           #: largest force [N]; nan for a rigid impact
+
+
+@dataclass
+class Link:
+    """left and right are indices of masses; None is a wall."""
+    left: int | None
+    right: int | None
+    gap: float
+    law: Law
+    pressed: bool = False
+    impacts: list = field(default_factory=list)
+    #: (time, distance) of approaches that turn without a touch and of partings that turn without a separation [s, m]
+    near_misses: list = field(default_factory=list)
+
+
+class Row:
+    """Masses (mass, stiffness, damping, displacement, velocity) and links, on a ground that accelerates.
+
+    ground(t) [m/s^2] must be smooth between `corners` [s].
+    """
+
+    def __init__(self, masses, links, ground=None, corners=(), longest_step=math.inf):
+        self.m, self.k, self.c, u, v = (np.array(column, float) for column in zip(*masses))
+        self.links, self.ground, self.corners = links, ground or (lambda t: 0.0), sorted(corners)
+        self.y, self.t, self.n = np.concatenate([u, v]), 0.0, len(masses)
+        periods = [2 * math.pi * math.sqrt(m / k) for m, k in zip(self.m, self.k) if k > 0]
+        self.longest_step = min([longest_step] + [p / 20 for p in periods])
+        self.stopped = None  #: why the run ended early
+        self.slowest_rigid = 0.0  #: rigid touches at most this fast end the run [m/s]
+        self.reach = 0.0  #: largest displacement so far [m]
+        self.deadline = math.inf  #: time.monotonic() at which to give up with TooLong
+        for link in links:
+            ends = [i for i in (link.left, link.right) if i is not None]
+            link.law.mass = 1 / sum(1 / self.m[i] for i in ends)
+
+    def motion(self, link, y):
+        n, i, j = self.n, link.left, link.right
+        d = (y[i] if i is not None else 0.0) - (y[j] if j is not None else 0.0) - link.gap
+        rate = (y[n + i] if i is not None else 0.0) - (y[n + j] if j is not None else 0.0)
+        return float(d), float(rate)
+
+    def slope(self, t, y):
+        n = self.n
+        u, v = y[:n], y[n:]
+        f = -self.k * u - self.c * v - self.m * self.ground(min(max(t, self.begin), self.finish))
+        for link in self.links:
+            if link.pressed:
+                force = link.law.force(*self.motion(link, y))
+                if link.left is not None:
+                    f[link.left] -= force
+                if link.right is not None:
+                    f[link.right] += force
+        return np.concatenate([v, f / self.m])
+
+    def margins(self, y):
+        """What ends the present branches: (link, index, value); index -1 is the gap."""
+        found = []
+        for link in self.links:
+            d, rate = self.motion(link, y)
+            found.append((link, -1, d if link.pressed else -d))
+            if link.pressed:
+                found += [(link, i, value) for i, value in enumerate(link.law.margins(d, rate))]
+        return found
+
+    def run(self, end):
+        """To the time `end`, or until `stopped`."""
+        stops = [t for t in self.corners if self.t < t < end] + [end]
+        for stop in stops:
+            self.begin, self.finish = self.t + 1e-15 * stop, stop - 1e-15 * stop
+            still = 0
+            while self.t < stop and not self.stopped:
+                before = self.t
+                self._smooth(stop)
+                still = still + 1 if self.t == before else 0
+                if still > 200:
+                    self.stopped = "events without end"
+            self.t = max(self.t, stop) if not self.stopped else self.t
+
+    def _smooth(self, stop):
+        """From here to the next change of a branch, or to `stop`."""
+        scale = np.concatenate([np.full(self.n, 1e-14), np.full(self.n, 1e-13)])
+        solver = DOP853(self.slope, self.t, self.y, stop, rtol=RELATIVE_TOLERANCE, atol=scale, max_step=self.longest_step)
+        self._watch_force(lambda t: self.y, [self.t])
+        while solver.status == "running":
+            if time.monotonic() > self.deadline:
+                raise TooLong
+            with np.errstate(over="ignore", invalid="ignore"):  # of steps that are tried and refused
+                message = solver.step()
+            if solver.status == "failed":
+                raise RuntimeError(message)
+            path = solver.dense_output()
+            times = np.linspace(solver.t_old, solver.t, LOOKS + 1)
+            first = self._first_change(path, times)
+            self.reach = max(self.reach, float(np.max(np.abs(solver.y[: self.n]))))
+            if first:
+                t, link, index = first
+                self._watch_force(path, [*times[times < t], t])
+                self.t, self.y = t, path(t)
+                self._change(link, index)
+                return
+            self._watch_force(path, times)
+        self.t, self.y = solver.t, solver.y
+
+    def _first_change(self, path, times):
+        """The earliest (time, link, index) of a margin that falls below zero in a step."""
+        values = [self.margins(path(t)) for t in times]
+        first = None
+        for j, (link, index, _) in enumerate(values[0]):
+            series = [v[j][2] for v in values]
+            crossing = self._crossing(path, times, series, link, index, j)
+            if crossing is not None and (first is None or crossing < first[0]):
+                first = (crossing, link, index)
+        return first
+
+    def _crossing(self, path, times, series, link, index, j):
+        def margin(t):
+            return self.margins(path(t))[j][2]
+
+        for a in range(len(times) - 1):
+            low, high = times[a], times[a + 1]
+            if series[a + 1] < 0:
+                if series[a] > 0:
+                    return brentq(margin, low, high, xtol=1e-15 * max(1.0, high)) if margin(low) > 0 else low
+                # It begins at zero: either it falls at once, or it rises first and falls in this piece.
+                for part in np.geomspace(1e-6, 0.9, 12):
+                    inside = low + part * (high - low)
+                    if margin(inside) > 0:
+                        return brentq(margin, inside, high, xtol=1e-15 * max(1.0, high))
+                return low
+            if index == -1:
+                # Closing at one look, opening at the next: the nearest point between them may overlap. Or the reverse.
+                sign = -1 if link.pressed else 1
+                rates = [sign * self.motion(link, path(t))[1] for t in (low, high)]
+                if rates[0] > 0 > rates[1]:
+                    turn = brentq(lambda t: self.motion(link, path(t))[1], low, high, xtol=1e-15 * max(1.0, high))
+                    if margin(turn) < 0:
+                        return brentq(margin, low, turn, xtol=1e-15 * max(1.0, high)) if margin(low) > 0 else low
+                    link.near_misses.append((turn, margin(turn)))
+        return None
+
+    def _watch_force(self, path, times):
+        """Follows the largest force of each impact; the largest look is refined when the impact is over."""
+        for link in self.links:
+            if not link.pressed:
+                continue
+            impact = link.impacts[-1]
+
+            def force(t):
+                return link.law.force(*self.motion(link, path(t)))
+
+            forces = [force(t) for t in times]
+            best = int(np.argmax(forces))
+            if forces[best] < 0.9 * impact.peak:
+                continue  # the largest force lies at most a look away from the largest look
+            impact.peak = max(impact.peak, forces[best])
+            low, high = times[max(best - 1, 0)], times[min(best + 1, len(times) - 1)]
+            if high > low:
+                found = minimize_scalar(lambda t: -force(t), bounds=(low, high), method="bounded",
+                                        options={"xatol": 1e-6 * (high - low)})
+                impact.peak = max(impact.peak, -found.fun)
+
+    def _change(self, link, index):
+        d, rate = self.motion(link, self.y)
+        if index >= 0:
+            link.law.cross(index, d, rate)
+            if link.law.ends_at_release and link.law.released:
+                link.gap += d
+                self._separate(link, rate)
+        elif link.pressed:
+            self._separate(link, rate)
+        else:
+            self._touch(link, rate)
+
+    def _separate(self, link, rate):
+        link.pressed = False
+        impact = link.impacts[-1]
+        impact.end, impact.separation, impact.return_acceleration = self.t, -rate, -self._opening_acceleration(link)
+
+    def _opening_acceleration(self, link):
+        acceleration = self.slope(self.t, self.y)[self.n:]
+        return float(sum(sign * acceleration[i] for sign, i in ((-1, link.left), (1, link.right)) if i is not None))
+
+    def _touch(self, link, rate):
+        rate = max(rate, 0.0)
+        impact = Impact(self.t, rate, self._opening_acceleration(link))
+        if not link.law.rigid:
+            link.law.touch(rate)
+            link.pressed = True
+            link.impacts.append(impact)
+            return
+        if rate <= self.slowest_rigid:
+            self.stopped = "a rigid touch too slow to be told from rest"
+            return
+        for other in self.links:
+            shared = {link.left, link.right} & {other.left, other.right} - {None}
+            d, closing = self.motion(other, self.y)
+            if other is not link and other.law.rigid and shared and abs(d) < 1e-12 and closing > 0:
+                self.stopped = "two rigid touches at one instant, whose order decides"
+                return
+        e = link.law.parameters["restitution"]
+        impulse = link.law.mass * (1 + e) * rate
+        if link.left is not None:
+            self.y[self.n + link.left] -= impulse / self.m[link.left]
+        if link.right is not None:
+            self.y[self.n + link.right] += impulse / self.m[link.right]
+        impact.end, impact.separation, impact.peak = self.t, e * rate, math.nan
+        link.impacts.append(impact)
+
+
+# ---- cases of the stress run --------------------------------------------------------------------------------------------
+
+
+def ground_of(motion):
+    """ground(t), its corners and its longest step for the ground motion of a case (None is a still ground)."""
+    if not motion:
+        return None, (), math.inf
+    if motion["kind"] == "harmonic":
+        a, period, end = motion["amplitude"], motion["period"], motion["duration"]
+        return lambda t: a * math.sin(2 * math.pi * t / period) if t < end else 0.0, (end,), period / 20
+    a, begin, length = motion["amplitude"], motion["start"], motion["duration"]
+    shape = {"rectangle": lambda s: 1.0, "half_sine": lambda s: math.sin(math.pi * s),
+             "sine": lambda s: math.sin(2 * math.pi * s)}[motion["shape"]]
+    return (lambda t: a * shape((t - begin) / length) if begin <= t < begin + length else 0.0,
+            (begin, begin + length), length / 20)
+
+
+def row_of(case):
+    """A Row for a case of stress.py."""
+    masses, index = [], {}
+    for s in case["structures"]:
+        if s["kind"] == "wall":
+            index[s["name"]] = None
+            continue
+        index[s["name"]] = len(masses)
+        k = s["mass"] * (2 * math.pi / s["period"]) ** 2 if s["kind"] == "oscillator" else 0.0
+        masses.append((s["mass"], k, 2 * s.get("damping", 0.0) * math.sqrt(k * s["mass"]), 0.0, s["velocity"]))
+    links = [Link(index[l["left"]], index[l["right"]], l["gap"], Law(l["law"], l)) for l in case["links"]]
+    ground, corners, longest = ground_of(case.get("ground"))
+    return Row(masses, links, ground, corners, min(longest, case["duration"] / 50))
+
+
+# ---- judging the program ------------------------------------------------------------------------------------------------
+
+#: Peak forces and separation speeds may differ by this many tolerances of the largest force and approach of their link.
+ALLOWED = 10
+#: An approach grazes when a displacement by this many tolerances of the largest one could undo it.
+GRAZING = 10
+#: A disturbance of the input that is multiplied by more than this cannot be followed to ALLOWED tolerances.
+LARGEST_GAIN = 10
+DISTURBANCE, DISTURBED = 1e-8, ("mass", "velocity", "gap", "amplitude")
+
+
+@dataclass
+class Verdict:
+    """agreed: whole | cut at grazing | cut at growth | no. The latter two compare the impacts before `until` [s] only."""
+    agreed: str
+    until: float
+    compared: int
+    impacts: int
+    why: str = ""
+
+
+def grazing_time(row, tolerance, end):
+    """When first a touch, a miss or a separation could be undone by GRAZING tolerances of the displacements."""
+    reach = GRAZING * tolerance * row.reach
+    times = [row.t if row.stopped else math.inf]
+    for link in row.links:
+        times += [t for t, distance in link.near_misses if distance < reach]
+        for impact in link.impacts:
+            if impact.approach**2 < 2 * reach * abs(impact.deceleration) or impact.approach * (end - impact.start) < reach:
+                times.append(impact.start)
+            if impact.separation**2 < 2 * reach * abs(impact.return_acceleration):
+                times.append(impact.end)
+    return min(times)
+
+
+def disturbed(case, quantity, size):
+    """The same case with a quantity changed by this part of itself, in alternating directions along the row."""
+    sign = [1]
+
+    def changed(values):
+        sign[0] = -sign[0]
+        return values | ({quantity: values[quantity] * (1 + sign[0] * size)} if quantity in values else {})
+
+    return case | {
+        "structures": [changed(s) for s in case["structures"]],
+        "links": [changed(l) for l in case["links"]],
+        "ground": changed(case["ground"]) if case["ground"] else None,
+    }
+
+
+def measure(row):
+    """(start, end, values) of each impact by link; values are the peak force, or of a rigid one the impulse, and the
+    separation speed."""
+    return [[(i.start, i.end, (link.law.mass * (i.approach + i.separation) if link.law.rigid else i.peak, i.separation))
+             for i in link.impacts] for link in row.links]
+
+
+def largest_of(link, impacts):
+    """What errors of the values are parts of: the largest force or impulse, and the largest closing speed."""
+    return (max((values[0] for *_, values in impacts), default=0.0),
+            max((impact.approach for impact in link.impacts[:len(impacts)]), default=0.0))
+
+
+def growth_time(row, other):
+    """When first a peak has changed by more than LARGEST_GAIN times the disturbance, or the impacts are not the same."""
+    times = [r.t if r.stopped else math.inf for r in (row, other)]
+    for link, mine, theirs in zip(row.links, measure(row), measure(other)):
+        largest = largest_of(link, mine)
+        for (start, _, values), (_, _, changed) in zip(mine, theirs):
+            if any(abs(v - c) > LARGEST_GAIN * DISTURBANCE * l for v, c, l in zip(values, changed, largest)):
+                times.append(start)
+        if len(mine) != len(theirs):
+            longer = max(mine, theirs, key=len)
+            times.append(longer[min(len(mine), len(theirs))][0])
+    return min(times)
+
+
+def difference(row, program, tolerance, until):
+    """(what differs before `until`, impacts compared). program: arrays of the rows of each link in the results."""
+    before = until * (1 - ALLOWED * tolerance)
+    compared = 0
+    for index, (link, mine, theirs) in enumerate(zip(row.links, measure(row), program)):
+        mine = [m for m in mine if m[0] < before]
+        theirs = [t for t in theirs if t["t_start"] < before]
+        name = f"link {index} ({link.law.name})"
+        if len(mine) != len(theirs):
+            return f"{name}: {len(theirs)} impacts, {len(mine)} expected before {before:.9g} s", compared
+        largest = largest_of(link, mine)
+        for number, ((start, end, values), row_there) in enumerate(zip(mine, theirs)):
+            if not end < before and math.isfinite(until):
+                continue  # its peak may lie behind the cut
+            for value, key, scale in zip(values, ("impulse" if link.law.rigid else "peak_force", "v_separation"), largest):
+                found = row_there[key]
+                if math.isnan(value) and math.isnan(found):
+                    continue  # pressed until the end of the run
+                if not abs(found - value) <= ALLOWED * tolerance * scale:
+                    return (f"{name}, impact {number} at {start:.9g}: {key} {found:.12g}, {value:.12g} expected, off by "
+                            f"{abs(found - value) / scale / tolerance if scale else math.inf:.3g} tolerances"), compared
+            compared += 1
+    return "", compared
+
+
+def judge(case, program, seconds=math.inf):
+    """Compares the impacts that the program found with those of this integrator. Throws TooLong after `seconds`."""
+    deadline, tolerance, end = time.monotonic() + seconds, case["tolerance"], case["duration"]
+
+    def integrated(case):
+        row = row_of(case)
+        row.deadline = deadline
+        row.run(end)
+        return row
+
+    row = integrated(case)
+    impacts = sum(len(rows) for rows in program)
+    if not row.stopped:
+        wrong, compared = difference(row, program, tolerance, math.inf)
+        if not wrong:
+            return Verdict("whole", end, compared, impacts)
+    grazes = grazing_time(row, tolerance, end)
+    wrong, compared = difference(row, program, tolerance, grazes)
+    if not wrong:
+        return Verdict("cut at grazing", grazes, compared, impacts)
+    grows = min(growth_time(row, integrated(disturbed(case, quantity, DISTURBANCE))) for quantity in DISTURBED)
+    grows = min(grazes, grows)
+    later, compared = difference(row, program, tolerance, grows)
+    return Verdict("no" if later else "cut at growth", grows, compared, impacts, later or wrong)

@@ -1,0 +1,157 @@
+"""A small stress run, a few cases against the independent integrator, and the proof that both notice what is wrong."""
+
+import importlib.util
+import tempfile
+import unittest
+
+import numpy as np
+
+import stress
+from support import PROGRAM
+
+SEED, CASES, JUDGED = 2015, 60, 6
+WITHOUT_SCIPY = importlib.util.find_spec("scipy") is None
+
+#: Two free bodies that meet once, at 1 m/s.
+MEETING = {
+    "family": "free",
+    "structures": [{"name": "b0", "kind": "body", "mass": 1e5, "velocity": 1.0},
+                   {"name": "b1", "kind": "body", "mass": 2e5, "velocity": 0.0}],
+    "links": [{"left": "b0", "right": "b1", "gap": 0.01, "law": "hertz_damped", "stiffness": 2.75e9, "restitution": 0.65}],
+    "ground": None,
+    "duration": 0.5,
+    "tolerance": 1e-5,
+}
+
+
+def run_of(case):
+    with tempfile.TemporaryDirectory() as folder:
+        run, message = stress.program_run(PROGRAM, case, folder)
+    if message:
+        raise AssertionError(message)
+    return run
+
+
+class RandomRows(unittest.TestCase):
+    def test_end_close_their_energy_and_let_nobody_through(self):
+        for number in range(CASES):
+            with self.subTest(number=number):
+                outcome = stress.examine((PROGRAM, SEED, number))
+                self.assertEqual(outcome["faults"], [], outcome["text"])
+
+    def test_cover_every_law_and_every_kind_of_contact(self):
+        cases = [stress.case_of(SEED, number) for number in range(2000)]
+        self.assertEqual({l["law"] for case in cases for l in case["links"]}, set(stress.LAWS))
+        self.assertEqual({case["family"] for case in cases}, {family.__name__ for family in stress.FAMILIES})
+        masses = [[s["mass"] for s in case["structures"] if s["kind"] != "wall"] for case in cases]
+        self.assertGreater(max(max(m) / min(m) for m in masses), 500)
+        for laws in (stress.LINEAR, stress.HERTZ):
+            stiffness = [l["stiffness"] for case in cases for l in case["links"] if l["law"] in laws]
+            self.assertGreater(max(stiffness) / min(stiffness), 5e5)
+
+
+class TheChecks(unittest.TestCase):
+    def setUp(self):
+        self.run_ = run_of(MEETING)
+        self.row, self.history = self.run_.rows[0][0], self.run_.histories[0]
+
+    def finds(self, words):
+        self.assertIn(words, "\n".join(stress.faults_of(self.run_)))
+
+    def test_accept_what_is_right(self):
+        self.assertEqual(list(stress.faults_of(self.run_)), [])
+
+    def test_find_a_run_that_fails(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run, message = stress.program_run(PROGRAM, MEETING | {"tolerance": -1}, folder)
+        self.assertIsNone(run)
+        self.assertIn("exit code 2", message)
+
+    def test_find_an_energy_that_does_not_close(self):
+        self.run_.imbalance = 1.1e-4
+        self.finds("the energies do not close")
+
+    def test_find_an_impact_that_ends_before_it_begins(self):
+        self.run_.rows[0]["t_end"] = self.row["t_start"] - 1e-9
+        self.finds("ends before it begins")
+
+    def test_find_a_missed_restitution(self):
+        self.run_.rows[0]["restitution"] = 0.651
+        self.finds("where 0.65 was asked")
+
+    def test_find_a_penetration_beyond_the_approach(self):
+        self.run_.rows[0]["peak_penetration"] *= 1.5
+        self.finds("the approach brought")
+
+    def test_find_a_pull(self):
+        self.history["force"][np.argmax(self.history["force"])] *= -1
+        self.finds("it pulls")
+
+    def test_find_an_overlap_without_an_impact(self):
+        self.history["penetration"][0] = 1e-6
+        self.finds("outside every impact")
+
+    def test_find_a_lost_impulse(self):
+        self.run_.rows[0]["impulse"] *= 0.99
+        self.finds("where its links give")
+
+    def test_find_bodies_that_stick(self):
+        self.run_.rows[0]["t_end"] = np.nan
+        self.finds("across an opening")
+
+
+@unittest.skipIf(WITHOUT_SCIPY, "scipy is not installed")
+class TheIndependentIntegrator(unittest.TestCase):
+    def test_agrees_on_random_rows(self):
+        judged = number = 0
+        while judged < JUDGED:
+            _, verdict, text, message = stress.compare_one((PROGRAM, SEED, number))
+            number += 1
+            if verdict is None and message is None:
+                continue  # too long for a test
+            judged += 1
+            with self.subTest(number=number - 1):
+                self.assertIsNone(message, text)
+                self.assertNotEqual(verdict.agreed, "no", f"{verdict.why}\n{text}")
+
+    def test_gives_the_published_two_oscillators(self):
+        """First impact of two oscillators by hertz_damped: DOP853 confirmed by fixed-step Runge-Kutta at 2e-7 s."""
+        from independent import row_of
+        oscillators = [{"name": "a", "kind": "oscillator", "mass": 1e5, "period": 0.8, "damping": 0.05, "velocity": 0.0},
+                       {"name": "b", "kind": "oscillator", "mass": 1.5e5, "period": 0.4, "damping": 0.05, "velocity": 0.0}]
+        link = {"left": "a", "right": "b", "gap": 0.02, "law": "hertz_damped", "stiffness": 2.75e9, "restitution": 0.65}
+        row = row_of({"structures": oscillators, "links": [link], "duration": 3.0,
+                      "ground": {"kind": "harmonic", "amplitude": 3.0, "period": 0.6, "duration": 3.0}})
+        row.run(3.0)
+        impacts = row.links[0].impacts
+        self.assertEqual(len(impacts), 5)
+        self.assertAlmostEqual(impacts[0].start, 0.548291, delta=1e-6)
+        self.assertAlmostEqual(impacts[0].approach, 0.987919, delta=1e-6)
+        self.assertAlmostEqual(impacts[0].peak / 4556463.9, 1, delta=1e-6)
+        self.assertAlmostEqual(impacts[0].separation, 0.595075, delta=1e-6)
+
+    def test_gives_the_asked_restitution_by_every_exact_formula(self):
+        from independent import Law, free_restitution
+        for law in (*stress.LINEAR, *stress.HERTZ):
+            if law in ("linear_spring", "hertz"):
+                continue
+            with self.subTest(law=law):
+                found = free_restitution(Law(law, {"restitution": 0.65, "depth": 2e-3}), 2.75e9, 6e4, 0.8)
+                self.assertAlmostEqual(found, 0.65, delta=1e-8)
+
+    def test_notices_another_damping_mass_stiffness_and_gap(self):
+        from independent import judge
+        case = MEETING | {"tolerance": stress.FINE}
+        rows = run_of(case).rows
+        self.assertEqual(judge(case, rows).agreed, "whole")
+        for structure, link in (({}, {"restitution": 0.6501}), ({"mass": 1.001e5}, {}), ({}, {"stiffness": 2.7503e9})):
+            other = case | {"links": [case["links"][0] | link],
+                            "structures": [case["structures"][0] | structure, case["structures"][1]]}
+            with self.subTest(structure=structure, link=link):
+                self.assertEqual(judge(other, rows).agreed, "no")
+        missed = case | {"links": [case["links"][0] | {"gap": 1.0}]}
+        self.assertEqual(judge(missed, rows).agreed, "no")
+
+
+if __name__ == "__main__":
+    unittest.main()
