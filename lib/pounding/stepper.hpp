@@ -163,6 +163,8 @@ class Stepper {
   bool ended(int link, int margin, double value, const LinkMotion& motion) const;
   std::vector<Ending> endings() const;
   void inner_touch(int link);
+  std::optional<double> corner(int link) const;
+  void stop_at_corner(int link);
   bool begins_inside(Ending& ending, double longest);
   bool locate(const Ending& ending, double longest);
   double margin_of_trial(const Ending& ending) const;

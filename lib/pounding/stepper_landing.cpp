@@ -72,6 +72,10 @@ Eigen::VectorXd plastic_impulses(const Eigen::MatrixXd& g, const Eigen::VectorXd
   return f;
 }
 
+// The corner of a spring this near an end of a step, as part of its length, lies at that end.
+constexpr double corner_part = 1e-3;
+constexpr int most_corner_trials = 8;
+
 }  // namespace
 
 // Rounding noise of a margin at this motion. The force that holds a contact has the noise of a speed lost in the longest step.
@@ -133,7 +137,51 @@ void Stepper::inner_touch(int link) {
   if (!touches && !attempt(whole, end_time)) throw SolverError(lost_trial);
 }
 
+// Where in the trial, from 0 to 1, a spring begins to yield, or turns while it does: by the cubic through both ends.
+std::optional<double> Stepper::corner(int link) const {
+  const Spring& spring = *system_.springs[link - system_.contact_count()];
+  const LinkMotion begin = motion(link, now_), end = motion(link, trial_.end);
+  const double h = trial_.h, mean = (end.penetration - begin.penetration) / h;
+  const double a = 3 * (begin.rate + end.rate - 2 * mean), b = 2 * (3 * mean - 2 * begin.rate - end.rate);
+  const auto yields = [&](double s) {
+    const double u = begin.penetration + h * s * (begin.rate + s * (b / 2 + s * a / 3));
+    return spring.evaluate({u, 0}).by_penetration != 0;
+  };
+  double turn = 1;
+  if (begin.rate * end.rate < 0) {
+    const double root = std::sqrt(std::max(0.0, b * b - 4 * a * begin.rate));
+    turn = std::clamp(2 * begin.rate / (-b + std::copysign(root, begin.rate)), 0.0, 1.0);
+  }
+  const auto onset = [&](double low, double high) {
+    while (high - low > 1e-6) (yields(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+    return high;
+  };
+  const auto inside = [](double s) { return s > corner_part && s < 1 - corner_part; };
+  if (yields(turn)) {
+    const double s = onset(0, turn);
+    if (inside(s)) return s;
+    if (inside(turn)) return turn;
+  } else if (turn < 1 && yields(1)) {
+    const double s = onset(turn, 1);
+    if (inside(s)) return s;
+  }
+  return std::nullopt;
+}
+
+// The force of a spring has corners; a step that ends there keeps its order.
+void Stepper::stop_at_corner(int link) {
+  const double whole = trial_.h, end_time = trial_.end.time;
+  for (int trials = 0; trials < most_corner_trials; ++trials) {
+    const std::optional<double> s = corner(link);
+    if (!s) return;
+    if (attempt(*s * trial_.h)) continue;
+    if (!attempt(whole, end_time)) throw SolverError(lost_trial);
+    return;
+  }
+}
+
 std::optional<double> Stepper::land() {
+  for (int i = system_.contact_count(); i < system_.links(); ++i) stop_at_corner(i);
   for (int i = 0; i < system_.contact_count(); ++i) inner_touch(i);
   std::vector<Ending> open = endings();
   if (open.empty()) return std::nullopt;
