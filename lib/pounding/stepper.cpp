@@ -14,6 +14,8 @@ namespace {
 constexpr double local_share = 0.25;
 // The embedded scheme of ESDIRK4 is of order three, as an error in one step that is the global error of the fourth.
 constexpr double embedded_share = 0.05;
+// Where a link presses, that of Simpson's rule counts as well.
+constexpr double simpson_part = 3;
 
 // Sums and differences of the motion carry this much rounding, as part of the motion; no smaller error is asked for.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
@@ -284,20 +286,33 @@ bool Stepper::attempt_alpha(double h) {
   base_.gather(t.end.motion.leftCols(width()), t.end.closings);
   evaluate_middle();
 
-  // The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at
-  // its ends and its middle. It sees forces that are not smooth, such as a dashpot that grows like d^(1/4) from the touch.
-  const double *am = t.a_middle.data(), *ae = t.end.at(a);
-  for (int i = 0; i < n; ++i) {
-    error_v_[i] = h / 6 * (a0[i] + 4 * am[i] + ae[i]) - (v1[i] - v0[i]);
-    error_u_[i] = h * h / 6 * (a0[i] + 2 * am[i]) - (u1[i] - u0[i] - h * v0[i]);
-  }
+  error_u_.setZero();
+  error_v_.setZero();
+  add_simpson_error(1);
   return true;
+}
+
+// The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at its
+// ends and its middle. It sees forces that are not smooth, such as a dashpot that grows like d^(1/4) from the touch.
+// The larger of this, times `part`, and the error that is there already stays.
+void Stepper::add_simpson_error(double part) {
+  const Trial& t = trial_;
+  const double h = t.h;
+  const double *u0 = now_.at(u), *v0 = now_.at(v), *a0 = now_.at(a);
+  const double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(a), *am = t.a_middle.data();
+  const int n = base_.size();
+  for (int i = 0; i < n; ++i) {
+    const double ev = part * (h / 6 * (a0[i] + 4 * am[i] + a1[i]) - (v1[i] - v0[i]));
+    const double eu = part * (h * h / 6 * (a0[i] + 2 * am[i]) - (u1[i] - u0[i] - h * v0[i]));
+    if (std::abs(ev) > std::abs(error_v_[i])) error_v_[i] = ev;
+    if (std::abs(eu) > std::abs(error_u_[i])) error_u_[i] = eu;
+  }
 }
 
 bool Stepper::attempt_esdirk(double h) {
   using namespace esdirk4;
   Trial& t = trial_;
-  const int n = base_.size(), m = system_.links();
+  const int m = system_.links();
   const double begin = now_.time;
   const auto acceleration = [this](int j) { return stages_.col(3 * j); };
   const auto k_times = [this](int j) { return stages_.col(3 * j + 1); };
@@ -361,10 +376,10 @@ bool Stepper::attempt_esdirk(double h) {
     error_v_ += h * (esdirk4::a[stages - 1][j] - embedded[j]) * acceleration(j);
   }
   t.end.motion.col(Stepper::a) = acceleration(stages - 1);
-  static_cast<void>(n);
   products(t.end, u, 3);
   base_.gather(t.end.motion.leftCols(width()), t.end.closings);
   evaluate_middle();
+  if (!active_.empty()) add_simpson_error(simpson_part);
   return true;
 }
 

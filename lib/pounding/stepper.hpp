@@ -150,6 +150,7 @@ class Stepper {
   void products(Instant& instant, int first, int count) const;
   void evaluate_middle();
   void measure(const Instant& instant, std::vector<double>& size_u, std::vector<double>& size_v);
+  void add_simpson_error(double part);
   void finish_error();
   /// r, the forces other than those of links, becomes the acceleration; forces of the links from their motions.
   void balance(std::span<const LinkMotion> motions, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
