@@ -221,6 +221,7 @@ struct Solve {
     check(TSSetTolerances(ts, 0, nullptr, stepper.options().tolerance, nullptr));
     check(TSSetTimeStep(ts, step));
     check(petsc::set_stepper(ts, &stepper));
+    check(petsc::set_lazy_vectors(ts, PETSC_TRUE));
   }
   TSAdapt adapt() {
     TSAdapt adapt = nullptr;

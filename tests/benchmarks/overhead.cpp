@@ -78,6 +78,7 @@ Result run(double gap, double end, double longest, bool fixed) {
   check(TSSetTolerances(ts, 0, nullptr, 1e-4, nullptr));
   check(TSSetTimeStep(ts, fixed ? longest : longest / 64));
   check(petsc::set_stepper(ts, &stepper));
+  check(petsc::set_lazy_vectors(ts, PETSC_TRUE));
   TSAdapt adapt = nullptr;
   check(TSGetAdapt(ts, &adapt));
   if (fixed)

@@ -421,7 +421,7 @@ def faults_of_bodies(run):
             sign = (l["right"] == name) - (l["left"] == name)
             given += sign * float(np.sum(rows["impulse"]))
             scale += abs(sign) * float(np.sum(np.abs(rows["impulse"])))
-        if not abs(gained - given) <= SPREAD * run.tolerance * (scale + 1e-12 * s["mass"] * run.speed):
+        if not abs(gained - given) <= SPREAD * run.tolerance * scale + 1e-12 * s["mass"] * run.speed:
             yield f"{name}: gains {gained:.9g} N s where its links give {given:.9g}, until {times[-1]:.6g} s"
 
 

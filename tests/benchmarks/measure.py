@@ -1,0 +1,86 @@
+"""What the benchmarks share: running a program, its error against a reference, and the time at an error."""
+import json
+import math
+import os
+import subprocess
+import time
+from pathlib import Path
+
+import numpy as np
+
+FOLDER = Path(__file__).parent
+ERRORS = (1e-3, 1e-4, 1e-6)
+ONE_THREAD = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+
+def reference(name):
+    return json.loads((FOLDER / "reference" / f"{name}.json").read_text())
+
+
+def run_json(command, timeout=3600):
+    """The JSON object that a program prints, with `process_seconds`; or `failed` with the reason."""
+    start = time.perf_counter()
+    try:
+        done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env=ONE_THREAD, timeout=timeout)
+    except subprocess.TimeoutExpired:
+        return {"failed": f"stopped after {timeout} s"}
+    seconds = time.perf_counter() - start
+    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
+    if done.returncode or not lines:
+        return {"failed": (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]}
+    return json.loads(lines[-1]) | {"process_seconds": seconds}
+
+
+def displacement_error(u, truth):
+    """Largest difference over the largest displacement [-]."""
+    return float(np.abs(np.asarray(u) - np.asarray(truth)).max() / np.abs(truth).max())
+
+
+def peak_error(peaks, truth):
+    """Largest relative error of the impacts' peak forces; 1 when impacts are missing or too many."""
+    if len(peaks) != len(truth):
+        return 1.0
+    return max((abs(p / t - 1) if t else float(p != 0) for p, t in zip(peaks, truth)), default=0.0)
+
+
+def at_error(points, error, key="seconds"):
+    """Time at which a work-precision curve reaches `error`: {"seconds", "bound", "best"}.
+
+    points: {"error", key} each. A straight line in logarithms between the last point that misses and the first that reaches;
+    `bound` says that already the cheapest measured point reaches it, so that the time is an upper bound. When none does,
+    seconds is None and best is the most accurate point.
+    """
+    before = None
+    for point in sorted(points, key=lambda p: p[key]):
+        if point["error"] <= error:
+            if before is None:
+                return {"seconds": point[key], "bound": True}
+            part = math.log(before["error"] / error) / math.log(before["error"] / max(point["error"], 1e-300))
+            return {"seconds": before[key] * (point[key] / before[key]) ** part, "bound": False}
+        if before is None or point["error"] <= before["error"]:
+            before = point
+    return {"seconds": None, "best": before}
+
+
+def factor(peer, ours):
+    """(number, text, sense): OpenSees' time over pounding's; sense "=", ">" (a lower bound), "<" (an upper bound) or "?".
+
+    OpenSees that misses the error counts with its best run, which only bounds the ratio from below; so does a pounding curve
+    whose cheapest point already reaches the error. An OpenSees curve of that kind bounds it from above.
+    """
+    if ours["seconds"] is None or (peer["seconds"] is None and not peer.get("best")):
+        return None, "-", "?"
+    missed = peer["seconds"] is None
+    value = (peer["best"]["seconds"] if missed else peer["seconds"]) / ours["seconds"]
+    above, below = missed or ours["bound"], not missed and peer["bound"]
+    sense = "?" if above and below else ">" if above else "<" if below else "="
+    return value, {"=": "", ">": "more than ", "<": "at most ", "?": "about "}[sense] + f"{value:.3g}", sense
+
+
+def verdict(value, sense, wanted):
+    """yes, no, or open where the ratio is only bounded on the wrong side."""
+    if value is None:
+        return "-"
+    if value >= wanted:
+        return "yes" if sense in "=>" else "open"
+    return "no" if sense in "=<" else "open"

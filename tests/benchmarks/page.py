@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""Rewrites the measured part of tests/benchmarks/README.md and its plots from build/benchmarks/*.json (run.py calls it)."""
+import json
+import re
+import sys
+from pathlib import Path
+
+import problem
+from measure import ERRORS, FOLDER, at_error, factor, verdict
+from plots import draw
+
+PROCESS_WANTED = 0.2  # whole `pounding run` at 1e-4 [s]
+FRAME_ERROR, FRAME_WANTED = 1e-3, 100
+SPACE_WANTED = {"4536": 100, "19440": 500}
+
+
+def good(points):
+    return [p for p in points if "failed" not in p]
+
+
+def best(curves, error, key="seconds"):
+    """(integrator, what at_error gives) of the quickest pounding curve that reaches the error."""
+    found = [(name, at_error(good(points), error, key)) for name, points in curves.items()]
+    reached = [f for f in found if f[1]["seconds"] is not None]
+    return min(reached, key=lambda f: f[1]["seconds"], default=(None, {"seconds": None, "best": None}))
+
+
+def seconds(value):
+    if value is None:
+        return "-"
+    return f"{value:.3g} s" if value >= 0.1 else f"{1e3 * value:.3g} ms"
+
+
+def timed(at):
+    if at["seconds"] is not None:
+        return ("at most " if at["bound"] else "") + seconds(at["seconds"])
+    if not at.get("best"):
+        return "not reached"
+    return f"not reached: {at['best']['error']:.1e} in {seconds(at['best']['seconds'])}"
+
+
+def table(head, rows):
+    return "\n".join("| " + " | ".join(str(c) for c in row) + " |" for row in [head, ["---"] * len(head), *rows])
+
+
+def oscillators(laws):
+    text = []
+    for error in ERRORS:
+        rows = []
+        for law, curves in laws.items():
+            peer = at_error(good(curves["opensees"]), error)
+            name, ours = best(curves["pounding"], error)
+            process = best(curves["pounding"], error, "process_seconds")[1]["seconds"]
+            value, shown, sense = factor(peer, ours)
+            row = [f"`{law}`", timed(peer), timed(ours), name or "-", shown]
+            if error == 1e-4:
+                row += [problem.WANTED[law], verdict(value, sense, problem.WANTED[law]), seconds(process),
+                        "-" if process is None else "yes" if process < PROCESS_WANTED else "no"]
+            else:
+                row += [seconds(process)]
+            rows.append(row)
+        head = ["law", "OpenSees", "pounding", "integrator", "ratio"]
+        head += ["wanted", "reached", "whole process", f"under {PROCESS_WANTED} s"] if error == 1e-4 else ["whole process"]
+        text.append(f"Error {error:.0e}:\n\n{table(head, rows)}")
+    return "\n\n".join(text)
+
+
+def failures(laws):
+    rows = [[f"`{law}`", ", ".join(f"{p['step']:g} s" for p in curves["opensees"] if "failed" in p) or "none",
+             ", ".join(f"{p['step']:g} s" for p in curves["opensees"] if p.get("peak_error") == 1.0) or "none"]
+            for law, curves in laws.items()]
+    return table(["law", "Newton fails at steps of", "impacts lost or invented at"], rows)
+
+
+def plane(laws):
+    rows = []
+    for law, curves in laws.items():
+        peer = at_error(good(curves["opensees"]), FRAME_ERROR)
+        name, ours = best(curves["pounding"], FRAME_ERROR)
+        value, shown, sense = factor(peer, ours)
+        failed = ", ".join(f"{p['step']:g} s" for p in curves["opensees"] if "failed" in p) or "none"
+        rows.append([f"`{law}`", timed(peer), failed, timed(ours) if curves["pounding"] else "not measured", name or "-", shown,
+                     FRAME_WANTED, verdict(value, sense, FRAME_WANTED)])
+    return table(["law", "OpenSees", "Newton fails at steps of", "pounding", "integrator", "ratio", "wanted", "reached"], rows)
+
+
+def space(rows):
+    text = []
+    for size in dict.fromkeys(r["size"] for r in rows):
+        peers = [r for r in rows if r["size"] == size and r["program"] == "opensees" and "seconds_per_step" in r]
+        ours = next((r for r in rows if r["size"] == size and r["program"] == "pounding"), None)
+        lines = []
+        for r in rows:
+            if r["size"] == size and r["program"] == "opensees":
+                lines.append([r["system"], r["algorithm"], seconds(r.get("seconds_per_step")),
+                              f"{r['iterations_per_step']:.1f}" if "seconds_per_step" in r else
+                              r.get("failed", f"Newton failed at {r.get('failed_at', 0):.3f} s")])
+        part = f"{size} equations, seconds of a step:\n\n" + table(["system", "algorithm", "a step", "iterations"], lines)
+        if ours and "seconds_per_step" in ours and peers:
+            least = min(r["seconds_per_step"] for r in peers)
+            value = least / ours["seconds_per_step"]
+            part += (f"\n\npounding, {ours['unknowns']} unknowns: {seconds(ours['seconds_per_step'])} a step, "
+                     f"{seconds(ours['seconds_per_solve'])} a back-solve, {ours['memory_mb']:.0f} MB; {value:.3g} times less than "
+                     f"OpenSees' quickest ({SPACE_WANTED[size]} wanted: {verdict(value, '=', SPACE_WANTED[size])}).")
+        elif ours:
+            part += f"\n\npounding: {ours.get('failed')}"
+        else:
+            part += "\n\npounding: not measured, the program `frames` was not built."
+        text.append(part)
+    return "\n\n".join(text)
+
+
+def page(out):
+    measured = {name: json.loads((out / f"{name}.json").read_text()) for name in ("machine", "two_oscillators", "frames")}
+    about, pairs, frames = (measured[name] for name in ("machine", "two_oscillators", "frames"))
+    draw(pairs["laws"], frames, FOLDER / "plots")
+    quick = [name for name, part in (("two oscillators", pairs), ("frames", frames)) if part["quick"]]
+    short = f" Shortened runs (`--quick`) of {' and '.join(quick)}." if quick else ""
+    refused = "".join(f"\n\nLeft out: `{name}` ({why})" for name, why in pairs["refused"].items())
+    busy = ""
+    if max(about["load_before"], about["load_after"]) > about["cores"]:
+        busy = " Other work shared the cores: the ratios are rough."
+    parts = [
+        f"Measured {about['date']}: {about['cpu']}, {about['cores']} cores, {about['system']}; OpenSees {about['opensees']}; "
+        f"load average {about['load_before']:.1f} before, {about['load_after']:.1f} after.{short}{busy}{refused}",
+        "### Two oscillators\n\n" + oscillators(pairs["laws"]), failures(pairs["laws"]),
+        "![Error against time, six laws](plots/two_oscillators.png)\n\n![Ratio of times](plots/ratio.png)",
+        f"### Plane frames, error {FRAME_ERROR:.0e}\n\n" + plane(frames["plane"]),
+        "![Error against time, plane frames](plots/plane_frames.png)",
+        "### 3D frames in contact\n\n" + space(frames["space"]), "![Cost of a step](plots/space_frames.png)"]
+    if "overhead" in about:
+        parts.append(f"### Overhead of a step\n\n```\n{about['overhead']}\n```")
+    return "\n\n".join(parts)
+
+
+def main(out):
+    file = FOLDER / "README.md"
+    block = re.compile(r"(<!-- begin results -->\n).*?(<!-- end results -->)", re.DOTALL)
+    text = page(out)
+    file.write_text(block.sub(lambda m: f"{m[1]}{text}\n{m[2]}", file.read_text()))
+    print(f"{file} and {FOLDER / 'plots'} written")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
