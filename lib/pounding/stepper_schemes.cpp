@@ -1,0 +1,175 @@
+/// A trial step by each scheme, and its error.
+
+#include <cmath>
+
+#include <pounding/stepper.hpp>
+
+namespace pounding {
+namespace {
+
+// Where a link presses, the error by Simpson's rule counts beside that of the embedded scheme.
+constexpr double simpson_part = 3;
+
+}  // namespace
+
+bool Stepper::attempt_alpha(double h) {
+  Trial& t = trial_;
+  const int n = base_.size();
+  const auto [alpha_m, alpha_f, beta, gamma] = alpha_;
+  // With a spectral radius below one the scheme carries the acceleration of a time (alpha_m - alpha_f) h earlier: it goes
+  // along when the step changes, else each change would cost an order.
+  const double part = carries_ && kept_.h > 0 ? h / kept_.h : 1;
+  const Column carried = carries_ ? c : a, k_carried = carries_ ? kc : ka, c_carried = carries_ ? cc : ca;
+
+  const double *u0 = now_.at(u), *v0 = now_.at(v), *a0 = now_.at(a), *c0 = now_.at(carried);
+  const double *ku0 = now_.at(ku), *kv0 = now_.at(kv), *ka0 = now_.at(ka), *kc0 = now_.at(k_carried);
+  const double *cv0 = now_.at(cv), *ca0 = now_.at(ca), *cc0 = now_.at(c_carried);
+  const double by_c_in_u = h * h * (0.5 - beta), by_c_in_v = h * (1 - gamma);
+  const double ground = alpha_f * t.ground_end + (1 - alpha_f) * t.ground_begin;
+
+  for (int i = 0; i < n; ++i) work_[i] = a0[i] + part * (c0[i] - a0[i]);
+  base_.mass_times(work_, r_);
+  const double* p = base_.load().data();
+  for (int i = 0; i < n; ++i)
+    r_[i] = (alpha_m - 1) * r_[i] - ground * p[i] - ku0[i] - cv0[i] -
+            alpha_f * (h * kv0[i] + by_c_in_u * (ka0[i] + part * (kc0[i] - ka0[i])) +
+                       by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
+  if (!active_.empty()) base_.add_forces(alpha_f - 1, now_.force, r_);
+  if (!base_.solve(r_)) return false;
+
+  t.end.force.setZero();
+  if (!active_.empty()) {
+    base_.gather(r_, gathered_);
+    free_.resize(active_.size());
+    free_closing_.resize(static_cast<int>(active_.size()));
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      const int i = active_[k];
+      const double sa = now_.closings(i, a), s = carries_ ? sa + part * (now_.closings(i, c) - sa) : sa;
+      const double g = gathered_(i, 0);
+      const double closure = now_.closings(i, u) + h * now_.closings(i, v) + by_c_in_u * s + beta * h * h * g;
+      free_[k] = {i < system_.contact_count() ? system_.contacts[i]->penetration(closure) : closure,
+                  now_.closings(i, v) + by_c_in_v * s + gamma * h * g};
+      free_closing_[static_cast<int>(k)] = g;
+    }
+    if (!condense(beta * h * h, gamma * h, alpha_f, now_.force, r_)) return false;
+  }
+
+  double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(carried);
+  for (int i = 0; i < n; ++i) {
+    const double s = a0[i] + part * (c0[i] - a0[i]), x = r_[i];
+    u1[i] = u0[i] + h * v0[i] + by_c_in_u * s + beta * h * h * x;
+    v1[i] = v0[i] + by_c_in_v * s + gamma * h * x;
+    a1[i] = x;
+  }
+  if (carries_) {
+    products(t.end, u, 2);
+    auto balanced = t.end.motion.col(a);
+    balanced = -t.ground_end * base_.load() - t.end.motion.col(ku) - t.end.motion.col(cv);
+    if (!active_.empty()) base_.add_forces(-1, t.end.force, balanced);
+    base_.accelerate(balanced);
+    base_.follow(balanced);
+    products(t.end, a, 2);
+  } else {
+    products(t.end, u, 3);
+  }
+  base_.gather(t.end.motion.leftCols(width()), t.end.closings);
+  evaluate_middle();
+
+  error_u_.setZero();
+  error_v_.setZero();
+  add_simpson_error(1);
+  return true;
+}
+
+// The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at its
+// ends and its middle. It sees forces that are not smooth, such as a dashpot that grows like d^(1/4) from the touch.
+// The larger of this, times `part`, and the error that is there already stays.
+void Stepper::add_simpson_error(double part) {
+  const Trial& t = trial_;
+  const double h = t.h;
+  const double *u0 = now_.at(u), *v0 = now_.at(v), *a0 = now_.at(a);
+  const double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(a), *am = t.a_middle.data();
+  const int n = base_.size();
+  for (int i = 0; i < n; ++i) {
+    const double ev = part * (h / 6 * (a0[i] + 4 * am[i] + a1[i]) - (v1[i] - v0[i]));
+    const double eu = part * (h * h / 6 * (a0[i] + 2 * am[i]) - (u1[i] - u0[i] - h * v0[i]));
+    if (std::abs(ev) > std::abs(error_v_[i])) error_v_[i] = ev;
+    if (std::abs(eu) > std::abs(error_u_[i])) error_u_[i] = eu;
+  }
+}
+
+bool Stepper::attempt_esdirk(double h) {
+  using namespace esdirk4;
+  Trial& t = trial_;
+  const int m = system_.links();
+  const double begin = now_.time;
+  const auto acceleration = [this](int j) { return stages_.col(3 * j); };
+  const auto k_times = [this](int j) { return stages_.col(3 * j + 1); };
+  const auto c_times = [this](int j) { return stages_.col(3 * j + 2); };
+  stages_.col(0) = now_.motion.col(Stepper::a);
+  stages_.col(1) = now_.motion.col(ka);
+  stages_.col(2) = now_.motion.col(ca);
+  stage_closings_.resize(m, stages);
+  if (m > 0) stage_closings_.col(0) = now_.closings.col(Stepper::a);
+  // Weights of the accelerations in the displacements of a stage: the square of the matrix of the scheme.
+  const auto twice = [](int i, int j) {
+    double sum = 0;
+    for (int k = j; k <= i; ++k) sum += esdirk4::a[i][k] * esdirk4::a[k][j];
+    return sum;
+  };
+  t.end.force = now_.force;
+  for (int i = 1; i < stages; ++i) {
+    const double ci = esdirk4::c[i];
+    const double ground = i + 1 == stages ? t.ground_end : system_.ground.acceleration(begin + ci * h);
+    r_ = -ground * base_.load() - now_.motion.col(ku) - now_.motion.col(cv) - ci * h * now_.motion.col(kv);
+    for (int j = 0; j < i; ++j) r_ -= h * h * twice(i, j) * k_times(j) + h * esdirk4::a[i][j] * c_times(j);
+    if (!base_.solve(r_)) return false;
+    if (!active_.empty()) {
+      base_.gather(r_, gathered_);
+      free_.resize(active_.size());
+      free_closing_.resize(static_cast<int>(active_.size()));
+      for (std::size_t k = 0; k < active_.size(); ++k) {
+        const int link = active_[k];
+        const double g = gathered_(link, 0);
+        double closure = now_.closings(link, u) + ci * h * now_.closings(link, v) + shift * shift * h * h * g;
+        double rate = now_.closings(link, v) + shift * h * g;
+        for (int j = 0; j < i; ++j) {
+          closure += h * h * twice(i, j) * stage_closings_(link, j);
+          rate += h * esdirk4::a[i][j] * stage_closings_(link, j);
+        }
+        free_[k] = {link < system_.contact_count() ? system_.contacts[link]->penetration(closure) : closure, rate};
+        free_closing_[static_cast<int>(k)] = g;
+      }
+      const Eigen::VectorXd guess = t.end.force;
+      t.end.force.setZero();
+      if (!condense(shift * shift * h * h, shift * h, 1, guess, r_)) return false;
+      base_.gather(r_, gathered_);
+      stage_closings_.col(i) = gathered_;
+    }
+    acceleration(i) = r_;
+    if (i + 1 == stages) break;
+    base_.stiffness_times(acceleration(i), k_times(i));
+    base_.damping_times(acceleration(i), k_times(i), c_times(i));
+  }
+  auto u1 = t.end.motion.col(u), v1 = t.end.motion.col(v);
+  u1 = now_.motion.col(u) + h * now_.motion.col(v);
+  v1 = now_.motion.col(v);
+  error_u_.setZero();
+  error_v_.setZero();
+  for (int j = 0; j < stages; ++j) {
+    double by_u = 0;
+    for (int i = j; i < stages; ++i) by_u += (esdirk4::a[stages - 1][i] - embedded[i]) * esdirk4::a[i][j];
+    u1 += h * h * twice(stages - 1, j) * acceleration(j);
+    v1 += h * esdirk4::a[stages - 1][j] * acceleration(j);
+    error_u_ += h * h * by_u * acceleration(j);
+    error_v_ += h * (esdirk4::a[stages - 1][j] - embedded[j]) * acceleration(j);
+  }
+  t.end.motion.col(Stepper::a) = acceleration(stages - 1);
+  products(t.end, u, 3);
+  base_.gather(t.end.motion.leftCols(width()), t.end.closings);
+  evaluate_middle();
+  if (!active_.empty()) add_simpson_error(simpson_part);
+  return true;
+}
+
+}  // namespace pounding
