@@ -22,17 +22,12 @@ LinkForce BilinearSpring::evaluate(const LinkMotion& motion) const noexcept {
 }
 
 void BilinearSpring::accept(const LinkStep& step) {
-  const double h = step.end - step.begin;
-  const auto [x0, v0] = step.motion_begin;
-  const auto [x1, v1] = step.motion_end;
-  if (v0 * v1 < 0) {
-    // The cubic is x0 + h s (v0 + s (b/2 + s a/3)); its slope v0 + b s + a s^2 changes sign once in (0, 1).
-    const double mean = (x1 - x0) / h, a = 3 * (v0 + v1 - 2 * mean), b = 2 * (3 * mean - 2 * v0 - v1);
-    const double root = std::sqrt(std::max(0.0, b * b - 4 * a * v0));
-    const double s = 2 * v0 / (-b + std::copysign(root, v0));
-    if (s > 0 && s < 1) follow(x0 + h * s * (v0 + s * (b / 2 + s * a / 3)));
+  if (step.motion_begin.rate * step.motion_end.rate < 0) {
+    const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
+    const double s = between.turn();
+    if (s > 0 && s < 1) follow(between.at(s));
   }
-  follow(x1);
+  follow(step.motion_end.penetration);
 }
 
 // The work of the yielding part on its slip is lost.

@@ -48,18 +48,6 @@ double longest_step(const Model& model) {
   return longest;
 }
 
-void archive_structures(std::vector<StructureSummary>& structures, Archive& archive) {
-  std::size_t count = structures.size();
-  archive(count);
-  structures.resize(count);
-  for (StructureSummary& s : structures) {
-    archive(s.name);
-    archive(s.peak_displacement);
-    archive(s.peak_drift);
-    archive(s.peak_acceleration);
-  }
-}
-
 // What the post-step of the TS works on.
 struct Watch {
   TS ts;
@@ -84,7 +72,7 @@ struct Watch {
     archive(results.solver);
     petsc::check(petsc::archive(ts, archive));
     recorder.archive(archive);
-    archive_structures(summary.without_pounding, archive);
+    archive(summary.without_pounding);
   }
 
   // Keeps the present state, between two steps, for the file; there is none to keep when TSAdapt hides a part of it.

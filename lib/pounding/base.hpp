@@ -20,7 +20,7 @@ struct Shift {
 };
 
 /// A base works in coordinates of its own, in which vectors have size() entries on this process; physical() leads back
-/// to the unknowns of the system. All processes call every function that is not const-trivial together.
+/// to the unknowns of the system. But for what is handed out by reference, all processes call every function together.
 ///
 /// Unknowns without mass have no inertia to balance: they follow the others as the stiffness asks, at all times.
 class Base {

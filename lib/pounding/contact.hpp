@@ -2,7 +2,9 @@
 /// A unilateral link as the integrator sees it: pure forces, margins that tell when the present phase ends, and history
 /// that moves at kept states only.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -44,6 +46,27 @@ constexpr LinkMotion interpolate(const LinkStep& step, double s) noexcept {
   return {d0 + s * (v0 + s * (a0 / 2 + s * (c3 + s * (c4 + s * c5)))),
           (v0 + s * (a0 + s * (3 * c3 + s * (4 * c4 + s * 5 * c5)))) / h};
 }
+
+/// Penetration inside a step, s from 0 to 1: the cubic through the motions at its ends, for steps that are not kept yet.
+class CubicPenetration {
+ public:
+  CubicPenetration(const LinkMotion& begin, const LinkMotion& end, double h) noexcept : begin_(begin), h_(h) {
+    const double mean = (end.penetration - begin.penetration) / h;
+    a_ = 3 * (begin.rate + end.rate - 2 * mean);
+    b_ = 2 * (3 * mean - 2 * begin.rate - end.rate);
+  }
+
+  double at(double s) const noexcept { return begin_.penetration + h_ * s * (begin_.rate + s * (b_ / 2 + s * a_ / 3)); }
+  /// Where the rate, which has different signs at the ends, passes through zero.
+  double turn() const noexcept {
+    const double root = std::sqrt(std::max(0.0, b_ * b_ - 4 * a_ * begin_.rate));
+    return 2 * begin_.rate / (-b_ + std::copysign(root, begin_.rate));
+  }
+
+ private:
+  LinkMotion begin_;
+  double h_, a_, b_;  // the rate is begin.rate + b s + a s^2
+};
 
 /// What happened to a rigid contact when velocities jumped. Several impulses at one instant, handed back and forth in a row
 /// of bodies, count as one.

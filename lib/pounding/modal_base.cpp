@@ -78,7 +78,7 @@ ModalBase::ModalBase(const System& system) : unknowns_(system.size()) {
     single_.resize(n);
     for (const Block& block : blocks_) single_[block.first] = block.shapes(0, 0);
   }
-  load_ = coordinates(Eigen::VectorXd::Zero(unknowns_));
+  load_.resize(n);
   weights_ = Eigen::VectorXd::Ones(n);
   inverse_.resize(n);
   for (const Block& block : blocks_)

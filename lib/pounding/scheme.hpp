@@ -40,6 +40,14 @@ inline constexpr double a[stages][stages] = {
 /// Weights of the embedded scheme of order 3.
 inline constexpr double embedded[stages] = {4586570599.0 / 29645900160, 0, 178811875.0 / 945068544,
                                             814220225.0 / 1159782912, -3700637.0 / 11593932, 61727.0 / 225920};
+/// Weights of the accelerations in the displacements of a stage: the square of a.
+inline constexpr auto squared = [] {
+  std::array<std::array<double, stages>, stages> s{};
+  for (int i = 0; i < stages; ++i)
+    for (int j = 0; j <= i; ++j)
+      for (int k = j; k <= i; ++k) s[i][j] += a[i][k] * a[k][j];
+  return s;
+}();
 }  // namespace esdirk4
 
 struct Scheme {
@@ -52,7 +60,6 @@ struct Scheme {
   static Kind kind_of(std::string_view name) { return name == names[1] ? Kind::esdirk4 : Kind::generalized_alpha; }
   std::string_view name() const { return names[static_cast<std::size_t>(kind)]; }
 
-  int order() const { return kind == Kind::esdirk4 ? 4 : 2; }
   /// The error that is estimated in one step falls with this power of its length.
   int error_order() const { return kind == Kind::esdirk4 ? 4 : 3; }
 };

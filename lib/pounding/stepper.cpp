@@ -74,10 +74,12 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
   if (esdirk) stages_ = Eigen::MatrixXd::Zero(n, 3 * esdirk4::stages);
 }
 
+double Stepper::deformation(int link, double closure) const {
+  return link < system_.contact_count() ? system_.contacts[link]->penetration(closure) : closure;
+}
+
 LinkMotion Stepper::motion(int link, const Instant& instant) const {
-  const double closure = instant.closings(link, u);
-  const bool contact = link < system_.contact_count();
-  return {contact ? system_.contacts[link]->penetration(closure) : closure, instant.closings(link, v)};
+  return {deformation(link, instant.closings(link, u)), instant.closings(link, v)};
 }
 
 LinkForce Stepper::law(int link, const LinkMotion& motion) const {
@@ -229,7 +231,7 @@ void Stepper::evaluate_middle() {
   for (int i = 0; i < system_.links(); ++i) {
     const double closure =
         0.5 * (x.closings(i, u) + y.closings(i, u)) + h / 8 * (x.closings(i, v) - y.closings(i, v));
-    t.middle[i] = {i < system_.contact_count() ? system_.contacts[i]->penetration(closure) : closure,
+    t.middle[i] = {deformation(i, closure),
                    0.5 * (x.closings(i, v) + y.closings(i, v)) + h / 8 * (x.closings(i, a) - y.closings(i, a))};
   }
   const int n = base_.size();

@@ -70,9 +70,8 @@ class Stepper {
   double time() const { return now_.time; }
   /// The next time at which the ground motion has a corner or a jump; infinity for none.
   double next_break() const { return next_break_; }
-  /// Acceleration of the ground just before and just after the end of the last kept step [m/s^2].
+  /// Acceleration of the ground just before the end of the last kept step [m/s^2].
   double ground_before() const { return kept_.ground_end; }
-  double ground_now() const { return now_.ground; }
   /// The present state.
   const State& state() const;
   /// The state at the beginning of the last kept step.
@@ -83,7 +82,7 @@ class Stepper {
   const std::vector<LinkStep>& link_steps() const { return link_steps_; }
   Energies energies() const;
   bool in_contact() const;
-  /// The link that pressed hardest, or would not be solved, in the last trial; -1 for none.
+  /// The link whose error was the largest of all, or that would not be solved, in the last trial; -1 for none.
   int troublesome_link() const { return troublesome_; }
 
   /// Displacement and velocity inside the last kept step: cubic Hermite interpolation.
@@ -156,6 +155,8 @@ class Stepper {
   void balance(std::span<const LinkMotion> motions, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
   void balance_now();
   void gather_now();
+  /// Penetration of a contact, or deformation of a spring, whose ends have closed by `closure`.
+  double deformation(int link, double closure) const;
   LinkMotion motion(int link, const Instant& instant) const;
   LinkForce law(int link, const LinkMotion& motion) const;
   bool works(int link) const;  // has a force that depends on the step

@@ -120,16 +120,11 @@ void Stepper::inner_touch(int link) {
   if (system_.contacts[link]->phase() != ContactPhase::open) return;
   const LinkMotion begin = motion(link, now_), end = motion(link, trial_.end);
   if (!(begin.rate > 0 && end.rate < 0 && begin.penetration <= 0 && end.penetration <= 0)) return;
-  // Extremum of the cubic through both ends.
-  const double h = trial_.h, slope = (end.penetration - begin.penetration) / h;
-  const double a = 3 * (begin.rate + end.rate - 2 * slope), b = 2 * (3 * slope - 2 * begin.rate - end.rate);
-  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * begin.rate));
-  const double s = -2 * begin.rate / (b - root);
+  const CubicPenetration between(begin, end, trial_.h);
+  const double s = between.turn();
   if (!(s > 0 && s < 1)) return;
-  const double widest =
-      begin.penetration + h * s * (begin.rate + s * (b / 2 + s * a / 3));
-  const double reach = 0.25 * h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
-  if (widest < -reach) return;
+  const double reach = 0.25 * trial_.h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
+  if (between.at(s) < -reach) return;
   const double whole = trial_.h, end_time = trial_.end.time;
   const bool touches = attempt(s * whole) && ended(link, reversal_or_touch,
                                                    -motion(link, trial_.end).penetration, motion(link, trial_.end));
@@ -141,17 +136,9 @@ void Stepper::inner_touch(int link) {
 std::optional<double> Stepper::corner(int link) const {
   const Spring& spring = *system_.springs[link - system_.contact_count()];
   const LinkMotion begin = motion(link, now_), end = motion(link, trial_.end);
-  const double h = trial_.h, mean = (end.penetration - begin.penetration) / h;
-  const double a = 3 * (begin.rate + end.rate - 2 * mean), b = 2 * (3 * mean - 2 * begin.rate - end.rate);
-  const auto yields = [&](double s) {
-    const double u = begin.penetration + h * s * (begin.rate + s * (b / 2 + s * a / 3));
-    return spring.evaluate({u, 0}).by_penetration != 0;
-  };
-  double turn = 1;
-  if (begin.rate * end.rate < 0) {
-    const double root = std::sqrt(std::max(0.0, b * b - 4 * a * begin.rate));
-    turn = std::clamp(2 * begin.rate / (-b + std::copysign(root, begin.rate)), 0.0, 1.0);
-  }
+  const CubicPenetration between(begin, end, trial_.h);
+  const auto yields = [&](double s) { return spring.evaluate({between.at(s), 0}).by_penetration != 0; };
+  const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
   const auto onset = [&](double low, double high) {
     while (high - low > 1e-6) (yields(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
     return high;

@@ -47,8 +47,7 @@ bool Stepper::attempt_alpha(double h) {
       const double sa = now_.closings(i, a), s = carries_ ? sa + part * (now_.closings(i, c) - sa) : sa;
       const double g = gathered_(i, 0);
       const double closure = now_.closings(i, u) + h * now_.closings(i, v) + by_c_in_u * s + beta * h * h * g;
-      free_[k] = {i < system_.contact_count() ? system_.contacts[i]->penetration(closure) : closure,
-                  now_.closings(i, v) + by_c_in_v * s + gamma * h * g};
+      free_[k] = {deformation(i, closure), now_.closings(i, v) + by_c_in_v * s + gamma * h * g};
       free_closing_[static_cast<int>(k)] = g;
     }
     if (!condense(beta * h * h, gamma * h, alpha_f, now_.force, r_)) return false;
@@ -111,18 +110,12 @@ bool Stepper::attempt_esdirk(double h) {
   stages_.col(2) = now_.motion.col(ca);
   stage_closings_.resize(m, stages);
   if (m > 0) stage_closings_.col(0) = now_.closings.col(Stepper::a);
-  // Weights of the accelerations in the displacements of a stage: the square of the matrix of the scheme.
-  const auto twice = [](int i, int j) {
-    double sum = 0;
-    for (int k = j; k <= i; ++k) sum += esdirk4::a[i][k] * esdirk4::a[k][j];
-    return sum;
-  };
   t.end.force = now_.force;
   for (int i = 1; i < stages; ++i) {
     const double ci = esdirk4::c[i];
     const double ground = i + 1 == stages ? t.ground_end : system_.ground.acceleration(begin + ci * h);
     r_ = -ground * base_.load() - now_.motion.col(ku) - now_.motion.col(cv) - ci * h * now_.motion.col(kv);
-    for (int j = 0; j < i; ++j) r_ -= h * h * twice(i, j) * k_times(j) + h * esdirk4::a[i][j] * c_times(j);
+    for (int j = 0; j < i; ++j) r_ -= h * h * squared[i][j] * k_times(j) + h * esdirk4::a[i][j] * c_times(j);
     if (!base_.solve(r_)) return false;
     if (!active_.empty()) {
       base_.gather(r_, gathered_);
@@ -134,10 +127,10 @@ bool Stepper::attempt_esdirk(double h) {
         double closure = now_.closings(link, u) + ci * h * now_.closings(link, v) + shift * shift * h * h * g;
         double rate = now_.closings(link, v) + shift * h * g;
         for (int j = 0; j < i; ++j) {
-          closure += h * h * twice(i, j) * stage_closings_(link, j);
+          closure += h * h * squared[i][j] * stage_closings_(link, j);
           rate += h * esdirk4::a[i][j] * stage_closings_(link, j);
         }
-        free_[k] = {link < system_.contact_count() ? system_.contacts[link]->penetration(closure) : closure, rate};
+        free_[k] = {deformation(link, closure), rate};
         free_closing_[static_cast<int>(k)] = g;
       }
       const Eigen::VectorXd guess = t.end.force;
@@ -159,7 +152,7 @@ bool Stepper::attempt_esdirk(double h) {
   for (int j = 0; j < stages; ++j) {
     double by_u = 0;
     for (int i = j; i < stages; ++i) by_u += (esdirk4::a[stages - 1][i] - embedded[i]) * esdirk4::a[i][j];
-    u1 += h * h * twice(stages - 1, j) * acceleration(j);
+    u1 += h * h * squared[stages - 1][j] * acceleration(j);
     v1 += h * esdirk4::a[stages - 1][j] * acceleration(j);
     error_u_ += h * h * by_u * acceleration(j);
     error_v_ += h * (esdirk4::a[stages - 1][j] - embedded[j]) * acceleration(j);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <pounding/archive.hpp>
 #include <pounding/results.hpp>
 
 namespace pounding {
@@ -19,6 +20,13 @@ struct LinkSummary {
 struct StructureSummary {
   std::string name;
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
+
+  void archive(Archive& archive) {
+    archive(name);
+    archive(peak_displacement);
+    archive(peak_drift);
+    archive(peak_acceleration);
+  }
 };
 
 /// At the end of the run [J]; `error` is the largest imbalance of the run as part of the largest input.

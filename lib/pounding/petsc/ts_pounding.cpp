@@ -71,7 +71,7 @@ Aim aim(TS ts, const Stepper& stepper, double wanted, bool ladder) {
 
 void check_step(const Stepper& stepper, double step) {
   const double least = 1e-14 * std::max(1.0, std::abs(stepper.time())) * 1e-2;
-  if (!(step > least)) 
+  if (!(step > least))
     give_up(stepper, step,
             fmt::format("no step is short enough for the tolerance {:g}. Check the unit of the stiffness of the link, or type a "
                         "larger analysis.tolerance",
@@ -151,8 +151,8 @@ PetscErrorCode advance(TS ts) {
     }
     // A long trial may step over a whole press and see nothing of it, and end inside it when it is shortened.
     if (landed && !fixed && !(stepper.error_ratio() <= 1)) {
+      reject(*landed);
       wanted = *landed / 2;
-      ts->reject++;
       continue;
     }
     if (landed && *landed < no_time * std::max(1.0, stepper.time()))
@@ -240,7 +240,7 @@ PetscErrorCode set_up(TS ts) {
 }
 
 PetscErrorCode set_from_options(TS ts, OptionItems PetscOptionsObject) {
-  static const char* const schemes[] = {"generalized_alpha", "esdirk4"};
+  static const char* const schemes[] = {Scheme::names[0].data(), Scheme::names[1].data()};
   static const char* const bases[] = {"automatic", "modal", "sparse"};
   PetscFunctionBegin;
   PetscOptionsHeadBegin(PetscOptionsObject, "Steps with condensed links");
