@@ -1,11 +1,13 @@
 #include <pounding/beam.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace pounding {
 namespace {
@@ -71,15 +73,35 @@ Matrix4d bending_geometric(double phi, double l) {
   return g / ((1 + phi) * (1 + phi) * l);
 }
 
-// A bar's two by two, and both bendings, at their places. About y a positive rotation lowers the far end: t = -ry.
+// The deflection at x = along l of a beam without load between its ends.
+Eigen::RowVector4d bending_shape(double along, double phi, double l) {
+  const double s = along, s2 = s * s, s3 = s2 * s;
+  return Eigen::RowVector4d(1 - 3 * s2 + 2 * s3 + phi * (1 - s), l * (s - 2 * s2 + s3 + phi / 2 * (s - s2)),
+                            3 * s2 - 2 * s3 + phi * s, l * (s3 - s2 + phi / 2 * (s2 - s))) /
+         (1 + phi);
+}
+
+// About y a positive rotation lowers the far end: t = -ry.
+Eigen::RowVector4d turned() { return {1, -1, 1, -1}; }
+
+// A bar's two by two, and both bendings, at their places.
 Matrix12 placed(const Matrix2d& along, const Matrix2d& around, Matrix4d about_y, const Matrix4d& about_z) {
-  const Eigen::Vector4d sign(1, -1, 1, -1);
-  about_y = sign.asDiagonal() * about_y * sign.asDiagonal();
+  about_y = turned().asDiagonal() * about_y * turned().asDiagonal();
   Matrix12 all = Matrix12::Zero();
   all(axial, axial) = along;
   all(twist, twist) = around;
   all(bending_y, bending_y) = about_y;
   all(bending_z, bending_z) = about_z;
+  return all;
+}
+
+// Along, and across by the axial force alone.
+Matrix12 truss_stiffness(double along, double across) {
+  Matrix12 all = Matrix12::Zero();
+  for (const auto& [at, stiffness] : {std::pair(0, along), {1, across}, {2, across}}) {
+    all(at, at) = all(at + 6, at + 6) = stiffness;
+    all(at, at + 6) = all(at + 6, at) = -stiffness;
+  }
   return all;
 }
 
@@ -110,6 +132,9 @@ Matrix12 release(const Matrix12& stiffness, const BeamOptions& options) {
   Eigen::FullPivLU<Eigen::MatrixXd> lu(block);
   lu.setThreshold(1e-12);
   require(lu.isInvertible(), mechanism);
+  // Only an axial force can do this.
+  require(block.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > 0,
+          "it buckles between its released ends under its axial force");
   follow(released, released).setZero();
   follow(released, kept) = -(scale.asDiagonal() * lu.solve(scale.asDiagonal() * stiffness(released, kept)));
   return follow;
@@ -123,6 +148,12 @@ void check(const Section& s, const Material& m) {
   require(s.shear_area_y > 0 && s.shear_area_z > 0, "shear areas must be positive, infinite without shear deformation");
   const bool shears = std::isfinite(s.shear_area_y) || std::isfinite(s.shear_area_z);
   require(m.shear > 0 || !shears, "a finite shear area needs a shear modulus");
+}
+
+void check_truss(double area, const Material& m) {
+  for (const double value : {area, m.young})
+    require(value > 0 && std::isfinite(value), "area and young must be positive and finite");
+  require(m.density >= 0 && std::isfinite(m.density), "density must be finite and not negative");
 }
 
 }  // namespace
@@ -167,39 +198,90 @@ Matrix3d beam_axes(const Vector3d& direction, const std::optional<Vector3d>& ref
 
 Beam::Beam(const Vector3d& start_node, const Vector3d& end_node, const Section& section, const Material& material,
            const BeamOptions& options)
-    : mass_per_length_(material.density * section.area), mass_kind_(options.mass) {
-  check(section, material);
+    : Beam(start_node, end_node, section, material, options, false) {}
+
+Beam Beam::truss(const Vector3d& start_node, const Vector3d& end_node, double area, const Material& material) {
+  return Beam(start_node, end_node, {.area = area}, material, {}, true);
+}
+
+Beam::Beam(const Vector3d& start_node, const Vector3d& end_node, const Section& section, const Material& material,
+           const BeamOptions& options, bool is_truss)
+    : section_(section), material_(material), options_(options), is_truss_(is_truss) {
+  is_truss ? check_truss(section.area, material) : check(section, material);
   const Vector3d along = end_node + options.end_offset - start_node - options.start_offset;
   length_ = along.norm();
   require(std::isfinite(length_), "its ends must have finite coordinates");
   // Below this the ends differ by the rounding of their coordinates.
   require(length_ > 1e-9 * (1 + start_node.norm() + end_node.norm()), "its two ends are at one point");
-  require(std::isfinite(options.axial_force), "the axial force must be finite");
   axes_ = beam_axes(along, options.reference);
-
-  Matrix12 stiffness = beam_stiffness(section, material, length_);
-  if (options.axial_force != 0) stiffness += options.axial_force * beam_geometric_stiffness(section, material, length_);
-  const Matrix12 follow = release(stiffness, options);
-  local_stiffness_ = symmetric(follow.transpose() * stiffness * follow);
-  local_mass_ = symmetric(follow.transpose() * beam_mass(section, material, length_) * follow);
-
   to_local_.setZero();
   for (const int node : {0, 6}) {
     to_local_.block<3, 3>(node, node) = to_local_.block<3, 3>(node + 3, node + 3) = axes_;
     to_local_.block<3, 3>(node, node + 3) = -axes_ * cross(node == 0 ? options.start_offset : options.end_offset);
   }
+  set_axial_force(options.axial_force);
+}
+
+void Beam::set_axial_force(double force) {
+  require(std::isfinite(force), "the axial force must be finite");
+  Matrix12 stiffness = is_truss_ ? truss_stiffness(material_.young * section_.area / length_, force / length_)
+                                 : beam_stiffness(section_, material_, length_);
+  if (force != 0 && !is_truss_) stiffness += force * beam_geometric_stiffness(section_, material_, length_);
+  follow_ = release(stiffness, options_);
+  local_stiffness_ = symmetric(follow_.transpose() * stiffness * follow_);
+  options_.axial_force = force;
 }
 
 Matrix12 Beam::stiffness() const { return symmetric(to_local_.transpose() * local_stiffness_ * to_local_); }
 
 Matrix12 Beam::mass() const {
-  if (mass_kind_ == BeamMass::consistent) return symmetric(to_local_.transpose() * local_mass_ * to_local_);
+  if (options_.mass == BeamMass::consistent) {
+    const Matrix12 to_ends = follow_ * to_local_;
+    return symmetric(to_ends.transpose() * beam_mass(section_, material_, length_) * to_ends);
+  }
   Vector12 diagonal = Vector12::Zero();
   diagonal.segment<3>(0).setConstant(total_mass() / 2);
   diagonal.segment<3>(6).setConstant(total_mass() / 2);
   return diagonal.asDiagonal();
 }
 
-Vector12 Beam::end_forces(const Vector12& displacements) const { return local_stiffness_ * (to_local_ * displacements); }
+Vector12 Beam::held_end_forces(const Vector3d& per_length) const {
+  const Vector3d local = axes_ * per_length;
+  Vector12 held = Vector12::Zero();
+  held.segment<3>(0) = held.segment<3>(6) = -0.5 * length_ * local;
+  if (is_truss_) return held;
+  // Both halves of a uniform load shear the beam alike, so its end moments do not know of the shear deformation.
+  const double arm = length_ * length_ / 12;
+  held[4] = arm * local.z();
+  held[5] = -arm * local.y();
+  held[10] = -held[4];
+  held[11] = -held[5];
+  return follow_.transpose() * held;
+}
+
+Vector12 Beam::held_end_forces_of_weight() const {
+  if (options_.mass == BeamMass::lumped) return Vector12::Zero();
+  return held_end_forces({0, 0, -material_.density * section_.area});
+}
+
+Eigen::Matrix<double, 3, 12> Beam::shape_at(double along) const {
+  require(along >= 0 && along <= 1, "a point on a member lies at 0 to 1 of its length");
+  Eigen::Matrix<double, 3, 12> shape = Eigen::Matrix<double, 3, 12>::Zero();
+  shape(0, 0) = 1 - along;
+  shape(0, 6) = along;
+  if (is_truss_) {
+    shape(1, 1) = shape(2, 2) = 1 - along;
+    shape(1, 7) = shape(2, 8) = along;
+    return shape;
+  }
+  shape(1, bending_z) = bending_shape(along, phi_z(section_, material_, length_), length_);
+  shape(2, bending_y) = bending_shape(along, phi_y(section_, material_, length_), length_).cwiseProduct(turned());
+  return shape * follow_;
+}
+
+Eigen::Matrix<double, 3, 12> Beam::motion_at(double along) const { return axes_.transpose() * shape_at(along) * to_local_; }
+
+// Betti: what a force does to the held ends is what the ends' displacements do to its point.
+Eigen::Matrix<double, 12, 3> Beam::held_end_forces_at(double along) const { return -shape_at(along).transpose() * axes_; }
 
 }  // namespace pounding

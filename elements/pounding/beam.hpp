@@ -75,30 +75,61 @@ Eigen::Matrix3d beam_axes(const Eigen::Vector3d& direction, const std::optional<
 class Beam {
  public:
   /// Throws std::invalid_argument: no length, a section or material that cannot carry (area, inertia_y and young must be
-  /// positive, nothing negative), releases that leave a mechanism.
+  /// positive, nothing negative), releases that leave a mechanism, an axial force under which the released ends buckle.
   Beam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section, const Material& material,
        const BeamOptions& options = {});
+  /// A bar that carries axial force only, hinged at both ends even in twist, its mass lumped. Under tension it holds its
+  /// ends across as a string does, N/L. Area and young must be positive.
+  static Beam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area, const Material& material);
+
+  bool is_truss() const { return is_truss_; }
+  /// See BeamOptions; throws std::invalid_argument as the constructor does.
+  void set_axial_force(double force);
+  double axial_force() const { return options_.axial_force; }
 
   /// Between the ends of the offsets [m].
   double length() const { return length_; }
   const Eigen::Matrix3d& axes() const { return axes_; }
   /// Of the part between the offsets [kg].
-  double total_mass() const { return mass_per_length_ * length_; }
+  double total_mass() const { return material_.density * section_.area * length_; }
 
   /// With the geometric stiffness of the axial force and the releases condensed.
   Matrix12 stiffness() const;
   Matrix12 mass() const;
   /// Forces [N] and moments [N m] on the two ends of the member in local axes, from the displacements of its nodes in
   /// global axes.
-  Vector12 end_forces(const Vector12& displacements) const;
+  Vector12 end_forces(const Vector12& displacements) const { return end_force_matrix() * displacements; }
+  Matrix12 end_force_matrix() const { return local_stiffness_ * to_local_; }
+
+  // Loads between the ends; the shape functions are exact for a member without axial force.
+
+  /// Forces and moments on the two ends, local axes, of a load per length (global axes [N/m]) with the nodes held.
+  Vector12 held_end_forces(const Eigen::Vector3d& per_length) const;
+  /// The same of its own weight per unit of gravity [kg], [kg m]: of a consistent mass; a lumped one hangs at the nodes.
+  Vector12 held_end_forces_of_weight() const;
+  /// Displacements of the point of the axis at `along` in [0, 1], global axes, from those of the nodes, the member
+  /// without load between its ends.
+  Eigen::Matrix<double, 3, 12> motion_at(double along) const;
+  /// Forces and moments on the two ends, local axes, of a unit force along global x, y, z at that point, the nodes held.
+  Eigen::Matrix<double, 12, 3> held_end_forces_at(double along) const;
+  /// Forces on the nodes, global axes, that are equivalent to forces on the ends, local axes.
+  Vector12 at_nodes(const Vector12& on_ends) const { return to_local_.transpose() * on_ends; }
 
  private:
-  double length_, mass_per_length_;
+  Beam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section, const Material& material,
+       const BeamOptions& options, bool is_truss);
+
+  Eigen::Matrix<double, 3, 12> shape_at(double along) const;
+
+  Section section_;
+  Material material_;
+  BeamOptions options_;
+  bool is_truss_;
+  double length_;
   Eigen::Matrix3d axes_;
+  Matrix12 follow_;           // displacements of all ends from those that are not released
   Matrix12 local_stiffness_;  // releases condensed
-  Matrix12 local_mass_;             // consistent, releases condensed
   Matrix12 to_local_;         // displacements of the nodes, global -> of the member's ends, local
-  BeamMass mass_kind_;
 };
 
 }  // namespace pounding

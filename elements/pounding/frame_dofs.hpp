@@ -1,0 +1,28 @@
+#pragma once
+/// Shared by the sources of Frame: where a displacement stands, and how a rigid body carries it.
+
+#include <Eigen/Core>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pounding/frame.hpp>
+
+namespace pounding::frame_dofs {
+
+[[noreturn]] void refuse(const std::string& text);
+
+/// Place of a displacement among those of a node, -1 if the node has it not.
+int place(int dimension, Dof dof);
+
+inline bool is_rotation(Dof dof) { return dof >= Dof::rx; }
+
+/// The displacement of a point by those of a rigid body's node, u + r x arm, as (displacement of the node, factor).
+std::vector<std::pair<Dof, double>> on_rigid_body(Dof dof, const Eigen::Vector3d& arm);
+
+/// Refuses a node that is not among so many.
+void require_node(int node, int nodes);
+/// Refuses a displacement that a node of this name has not in a plane frame; returns its place.
+int require_place(int dimension, const std::string& node_name, Dof dof);
+
+}  // namespace pounding::frame_dofs

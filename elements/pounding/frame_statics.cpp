@@ -1,0 +1,141 @@
+#include <pounding/frame.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <pounding/frame_dofs.hpp>
+#include <pounding/static_solver.hpp>
+#include <pounding/units.hpp>
+
+namespace pounding {
+
+using Eigen::SparseMatrix;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using namespace frame_dofs;
+
+namespace {
+
+SparseMatrix<double> sparse(const Eigen::MatrixXd& dense) { return dense.sparseView(1, 0); }
+
+}  // namespace
+
+// Names the node that a mode moves most; a rotation only where no node moves.
+void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFrame& frame) const {
+  int at[2] = {-1, -1};  // largest translation, largest rotation
+  for (int j = 0; j < frame.size(); ++j) {
+    int& largest = at[is_rotation(frame.unknowns[j].second)];
+    // A little more, so that among equals the first is named.
+    if (largest < 0 || std::abs(mode[j]) > 1.000001 * std::abs(mode[largest])) largest = j;
+  }
+  double size = 0;
+  for (const Vector3d& position : positions_) size = std::max(size, (position - positions_.front()).norm());
+  const bool turns = at[0] < 0 || (at[1] >= 0 && std::abs(mode[at[0]]) < 1e-6 * size * std::abs(mode[at[1]]));
+  const auto [node, dof] = frame.unknowns[at[turns]];
+  const std::string where = node_text(node) + name(dof) + ": ";
+
+  const auto pressed = std::min_element(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
+    return a.beam.axial_force() < b.beam.axial_force();
+  });
+  if (!buckles || pressed == members_.end() || !(pressed->beam.axial_force() < 0))
+    refuse(where + "nothing holds the frame against this displacement; fix it, brace it or connect it");
+  refuse(where + "the frame buckles here under its axial forces, the largest compression of which is " +
+         fmt::format("{:.4g}", -pressed->beam.axial_force()) + " N in member " + member_name(static_cast<int>(pressed - members_.begin())));
+}
+
+VectorXd Frame::rest(const AssembledFrame& assembled) const {
+  const StaticSolver solver(assembled.stiffness);
+  if (!solver.holds()) refuse_to_hold(solver.mode(), solver.buckles(), assembled);
+  return solver.solve(assembled.load_at_rest);
+}
+
+void Frame::add_p_delta(bool gravity) {
+  Frame trial = *this;
+  VectorXd force = VectorXd::Zero(members());
+  for (int round = 0; round < 100; ++round) {
+    for (int member = 0; member < members(); ++member) trial.set_axial_force(member, force[member]);
+    const AssembledFrame assembled = trial.assemble(gravity);
+    const VectorXd q = trial.rest(assembled);
+    const VectorXd before = force;
+    for (int member = 0; member < members(); ++member) {
+      const Vector12 ends = trial.end_forces(member, assembled, q) + trial.held_end_forces(member, gravity);
+      force[member] = (ends[6] - ends[0]) / 2;  // the mean where it varies along the member
+    }
+    if (members() == 0 || (force - before).cwiseAbs().maxCoeff() <= 1e-10 * force.cwiseAbs().maxCoeff()) {
+      *this = std::move(trial);
+      return;
+    }
+  }
+  refuse("the axial forces of P-Delta do not settle: under its own loads the frame is about to buckle");
+}
+
+// The displacements of both nodes of a member, in the order of Vector12, by the unknowns: 12 x n.
+SparseMatrix<double, Eigen::RowMajor> Frame::member_motion(int member, const AssembledFrame& frame) const {
+  const Member& m = of(member);
+  Entries entries;
+  for (const auto& [node, first] : {std::pair(m.start, 0), {m.end, 6}})
+    for (const Dof dof : dofs_of(dimension_)) {
+      using Terms = SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+      for (Terms it(frame.transform, index(node, dof)); it; ++it)
+        entries.emplace_back(first + static_cast<int>(dof), it.col(), it.value());
+    }
+  SparseMatrix<double, Eigen::RowMajor> rows(12, frame.size());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+Vector12 Frame::end_forces(int member, const AssembledFrame& assembled, const VectorXd& q) const {
+  return of(member).beam.end_forces(member_motion(member, assembled) * q);
+}
+
+SparseMatrix<double> Frame::end_force_rows(int member, const AssembledFrame& assembled) const {
+  return sparse(of(member).beam.end_force_matrix()) * SparseMatrix<double>(member_motion(member, assembled));
+}
+
+Vector12 Frame::held_end_forces(int member, bool gravity) const {
+  const Member& m = of(member);
+  Vector12 held = m.beam.held_end_forces(m.load);
+  if (gravity) held += standard_gravity * m.beam.held_end_forces_of_weight();
+  return held;
+}
+
+Frame::PointOnMember Frame::point_on_member(int member, double along, const AssembledFrame& assembled) const {
+  const Beam& beam = of(member).beam;
+  if (!(along >= 0 && along <= 1))
+    refuse("member " + member_name(member) + ": a point on it lies at 0 to 1 of its length, not at " + std::to_string(along));
+  const SparseMatrix<double> motion = sparse(beam.motion_at(along)) * SparseMatrix<double>(member_motion(member, assembled));
+  const SparseMatrix<double, Eigen::RowMajor> rows = motion;
+  PointOnMember point;
+  for (int axis = 0; axis < 3; ++axis) point.motion[axis] = rows.row(axis).transpose();
+  point.held_ends = beam.held_end_forces_at(along);
+  return point;
+}
+
+Frame::SupportMotion Frame::support_motion(const std::vector<int>& nodes, const AssembledFrame& assembled) const {
+  const int all = static_cast<int>(positions_.size()) * dofs();
+  Eigen::MatrixX3d supports = Eigen::MatrixX3d::Zero(all, 3);  // displacements that these supports enforce
+  Eigen::MatrixX3d pulls = Eigen::MatrixX3d::Zero(all, 3);     // forces of their springs on nodes that stay
+  for (const int node : nodes) {
+    bool supports_something = false;
+    for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz}) {
+      if (place(dimension_, dof) < 0) continue;
+      const int at = index(node, dof), axis = static_cast<int>(dof);
+      if (fixed_.contains(at)) supports(at, axis) = 1, supports_something = true;
+      for (const auto& [of, stiffness] : ground_springs_)
+        if (of == at) pulls(at, axis) += stiffness, supports_something = true;
+    }
+    if (!supports_something) refuse(node_text(node) + "it is no support: neither fixed nor on a spring to the ground");
+  }
+  const SparseMatrix<double> t = assembled.transform;
+  const Eigen::MatrixX3d enforced = assembled.supported * supports;
+  const StaticSolver solver(assembled.stiffness);
+  if (!solver.holds()) refuse_to_hold(solver.mode(), solver.buckles(), assembled);
+  SupportMotion motion;
+  motion.influence = solver.solve(t.transpose() * (pulls - gathered(springs_, &Beam::stiffness) * enforced));
+  motion.load = t.transpose() * (gathered(masses_, &Beam::mass) * (t * motion.influence + enforced));
+  return motion;
+}
+
+}  // namespace pounding
