@@ -1,0 +1,423 @@
+#include <pounding/corotational.hpp>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace pounding {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Matrix3x12 = Eigen::Matrix<double, 3, 12>;
+using Row12 = Eigen::Matrix<double, 1, 12>;
+
+[[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
+
+Matrix3d cross(const Vector3d& v) {
+  Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+/// The maps I + first cross(t) + second cross(t)^2 of a rotation vector t; slopes are derivatives by |t|, over |t|.
+struct RotationMap {
+  double first, first_slope, second, second_slope;
+
+  Matrix3d matrix(const Vector3d& t) const {
+    const Matrix3d c = cross(t);
+    return Matrix3d::Identity() + first * c + second * c * c;
+  }
+  /// Of matrix(t) v by t, v held.
+  Matrix3d derivative(const Vector3d& t, const Vector3d& v) const {
+    const Vector3d once = t.cross(v), twice = t.cross(once);
+    return -first * cross(v) + first_slope * once * t.transpose() + second_slope * twice * t.transpose() +
+           second * (t.dot(v) * Matrix3d::Identity() + t * v.transpose() - 2 * v * t.transpose());
+  }
+};
+
+// Below this angle the closed forms lose digits by cancellation and six terms of the series are exact to rounding.
+constexpr double small_angle_squared = 0.09;
+
+// Sums of c_k x^k and of its derivative by t over t, where x = t^2.
+std::pair<double, double> series(double x, const std::array<double, 6>& c) {
+  double sum = 0, slope = 0;
+  for (int k = 5; k >= 0; --k) {
+    sum = sum * x + c[k];
+    if (k > 0) slope = slope * x + 2 * k * c[k];
+  }
+  return {sum, slope};
+}
+
+/// (1 - cos t)/t^2 and (t - sin t)/t^3.
+RotationMap spin_coefficients(double x) {
+  if (x < small_angle_squared) {
+    const auto [a, da] = series(x, {1.0 / 2, -1.0 / 24, 1.0 / 720, -1.0 / 40320, 1.0 / 3628800, -1.0 / 479001600});
+    const auto [b, db] = series(x, {1.0 / 6, -1.0 / 120, 1.0 / 5040, -1.0 / 362880, 1.0 / 39916800, -1.0 / 6227020800});
+    return {a, da, b, db};
+  }
+  const double t = std::sqrt(x), sinc = std::sin(t) / t, a = (1 - std::cos(t)) / x, b = (1 - sinc) / x;
+  return {a, (sinc - 2 * a) / x, b, (a - 3 * b) / x};
+}
+
+/// The transpose of the map from the rate of a rotation vector to the spin (axes fixed in space).
+RotationMap spin_transposed(const Vector3d& t) {
+  RotationMap map = spin_coefficients(t.squaredNorm());
+  map.first = -map.first;
+  map.first_slope = -map.first_slope;
+  return map;
+}
+
+/// The transpose of the map from the spin to the rate of the rotation vector.
+RotationMap inverse_spin_transposed(const Vector3d& t) {
+  const double x = t.squaredNorm();
+  if (x < small_angle_squared) {
+    const auto [c, dc] = series(
+        x, {1.0 / 12, 1.0 / 720, 1.0 / 30240, 1.0 / 1209600, 1.0 / 47900160, 691.0 / 1307674368000.0});
+    return {0.5, 0, c, dc};
+  }
+  const double angle = std::sqrt(x), s = std::sin(angle / 2), cot = std::cos(angle / 2) / s;
+  return {0.5, 0, (1 - angle / 2 * cot) / x, (-2 / x + 1 / (4 * s * s) + cot / (2 * angle)) / x};
+}
+
+/// v turned, less v: exact also for small angles.
+Vector3d turned_by(const Vector3d& t, const Vector3d& v) {
+  const RotationMap map = spin_coefficients(t.squaredNorm());
+  const Vector3d once = t.cross(v);
+  return once + map.first * t.cross(once) + map.second * t.cross(t.cross(once));
+}
+
+Matrix3d rotation(const Vector3d& t) {
+  const RotationMap map = spin_coefficients(t.squaredNorm());
+  const Matrix3d c = cross(t);
+  return Matrix3d::Identity() + (1 - map.second * t.squaredNorm()) * c + map.first * c * c;
+}
+
+Vector3d rotation_vector(const Matrix3d& r) {
+  Eigen::Quaterniond q(r);
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  const double s = q.vec().norm();
+  return (s < 1e-12 ? 2.0 : 2 * std::atan2(s, q.w()) / s) * q.vec();
+}
+
+}  // namespace
+
+CorotationalBeam::CorotationalBeam(const Vector3d& start_node, const Vector3d& end_node, const Section& section,
+                                   const Material& material, const BeamOptions& options, int dimension)
+    : is_plane_(dimension == 2), start_offset_(options.start_offset), end_offset_(options.end_offset),
+      undeformed_(end_node + options.end_offset - start_node - options.start_offset) {
+  if (options.axial_force != 0) refuse("a corotational member finds its own axial force; leave it out");
+  const Beam beam(start_node, end_node, section, material, options);
+  length_ = beam.length();
+  axes_ = beam.axes().transpose();
+  // Beam has the releases condensed; displacements of the nodes that deform it locally, one by one.
+  constexpr std::array deformations{3, 4, 5, 6, 9, 10, 11};
+  for (int j = 0; j < 7; ++j) {
+    Vector12 local = Vector12::Unit(deformations[j]), global;
+    for (int node : {0, 6}) {
+      const Vector3d turn = axes_ * local.segment<3>(node + 3);
+      global.segment<3>(node) = axes_ * local.segment<3>(node) - turn.cross(node == 0 ? start_offset_ : end_offset_);
+      global.segment<3>(node + 3) = turn;
+    }
+    stiffness_.col(j) = beam.end_forces(global)(deformations);
+  }
+  stiffness_ = (0.5 * (stiffness_ + stiffness_.transpose())).eval();
+}
+
+CorotationalBeam::Chord CorotationalBeam::chord(const Vector12& u) const {
+  Chord c;
+  const Vector3d at_start = turned_by(u.segment<3>(3), start_offset_), at_end = turned_by(u.segment<3>(9), end_offset_);
+  c.arm_start = start_offset_ + at_start;
+  c.arm_end = end_offset_ + at_end;
+  const Vector3d change = u.segment<3>(6) + at_end - u.segment<3>(0) - at_start, now = undeformed_ + change;
+  c.length = now.norm();
+  c.direction = now / c.length;
+  // Not as a difference of two lengths, which would lose the digits of a small one.
+  c.elongation = change.dot(undeformed_ + now) / (c.length + length_);
+  return c;
+}
+
+CorotationalBeam::Vector7 CorotationalBeam::plane_deformation(const Vector12& u, const Chord& chord) const {
+  const Vector3d from = axes_.col(0), &to = chord.direction;
+  const double turn = std::atan2(from.z() * to.x() - from.x() * to.z(), from.dot(to));
+  const double sense = axes_(1, 1);  // local y is global y or against it
+  Vector7 d = Vector7::Zero();
+  d[1] = sense * std::remainder(u[4] - turn, 2 * std::numbers::pi);
+  d[3] = chord.elongation;
+  d[5] = sense * std::remainder(u[10] - turn, 2 * std::numbers::pi);
+  return d;
+}
+
+CorotationalBeam::Response CorotationalBeam::plane_ends(const Vector12& u, const Chord& chord, bool with_tangent) const {
+  const Vector7 d = plane_deformation(u, chord), s = stiffness_ * d;
+  const double l = chord.length, sense = axes_(1, 1), normal_force = s[3], moments = sense * (s[1] + s[5]);
+  const Vector3d &e = chord.direction, n(e.z(), 0, -e.x());  // where a positive ry moves the tip of e
+
+  Eigen::Matrix<double, 7, 12> b = Eigen::Matrix<double, 7, 12>::Zero();
+  for (const int row : {1, 5}) {
+    b.block<1, 3>(row, 0) = sense / l * n.transpose();
+    b.block<1, 3>(row, 6) = -sense / l * n.transpose();
+  }
+  b(1, 4) = b(5, 10) = sense;
+  b.block<1, 3>(3, 0) = -e.transpose();
+  b.block<1, 3>(3, 6) = e.transpose();
+
+  Response out;
+  out.energy = 0.5 * d.dot(s);
+  out.force = b.transpose() * s;
+  if (!with_tangent) return out;
+  const Matrix3d curved =
+      normal_force / l * n * n.transpose() + moments / (l * l) * (e * n.transpose() + n * e.transpose());
+  out.tangent = b.transpose() * stiffness_ * b;
+  for (const int i : {0, 6})
+    for (const int j : {0, 6}) out.tangent.block<3, 3>(i, j) += i == j ? curved : Matrix3d(-curved);
+  return out;
+}
+
+// Everything in the turned axes; d and s are rotations of the start, elongation, rotations of the end.
+CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const Chord& chord, bool with_tangent) const {
+  const double l = chord.length;
+  const std::array node{rotation(u.segment<3>(3)), rotation(u.segment<3>(9))};
+  const Vector3d mean_y = 0.5 * (node[0] + node[1]) * axes_.col(1);
+  Matrix3d e;
+  e.col(0) = chord.direction;
+  e.col(2) = e.col(0).cross(mean_y).normalized();
+  e.col(1) = e.col(2).cross(e.col(0));
+
+  std::array<Vector3d, 2> y, turn;
+  for (int i : {0, 1}) {
+    const Matrix3d local = e.transpose() * node[i] * axes_;
+    y[i] = local.col(1);
+    turn[i] = rotation_vector(local);
+  }
+  Vector7 d;
+  d << turn[0], chord.elongation, turn[1];
+  const Vector7 s = stiffness_ * d;
+  const std::array bend{Vector3d(s.head<3>()), Vector3d(s.tail<3>())};
+  const std::array inverse{inverse_spin_transposed(turn[0]), inverse_spin_transposed(turn[1])};
+
+  // Spin of the axes by the motion of the ends: e stays on the chord, and mean_y in the plane of x and y.
+  const double q1 = 0.5 * (y[0][0] + y[1][0]), q2 = 0.5 * (y[0][1] + y[1][1]), slant = q1 / q2;
+  Matrix3x12 axes_spin = Matrix3x12::Zero();
+  for (int i : {0, 1}) {
+    const double sign = i == 0 ? 1 : -1;
+    axes_spin(0, 6 * i + 2) = sign * slant / l;
+    axes_spin(1, 6 * i + 2) = sign / l;
+    axes_spin(2, 6 * i + 1) = -sign / l;
+    axes_spin(0, 6 * i + 3) = 0.5 * y[i][1] / q2;
+    axes_spin(0, 6 * i + 4) = -0.5 * y[i][0] / q2;
+  }
+  Row12 lengthening = Row12::Zero();
+  lengthening[0] = -1;
+  lengthening[6] = 1;
+  std::array<Matrix3x12, 2> spin;  // of the ends against the axes
+  std::array<Vector3d, 2> moment;
+  Eigen::Matrix<double, 7, 12> b;
+  b.row(3) = lengthening;
+  for (int i : {0, 1}) {
+    spin[i] = -axes_spin;
+    spin[i].block<3, 3>(0, 6 * i + 3) += Matrix3d::Identity();
+    const Matrix3d to_moment = inverse[i].matrix(turn[i]);
+    moment[i] = to_moment * bend[i];
+    b.middleRows<3>(4 * i) = to_moment.transpose() * spin[i];
+  }
+
+  Response out;
+  out.energy = 0.5 * d.dot(s);
+  out.force = b.transpose() * s;
+  if (with_tangent) {
+    const double normal_force = s[3];
+    const Vector3d sum = moment[0] + moment[1];
+    Matrix12& k = out.tangent;
+    k = b.transpose() * stiffness_ * b;
+    for (int i : {0, 1})
+      k += spin[i].transpose() * inverse[i].derivative(turn[i], bend[i]) * b.middleRows<3>(4 * i);
+    for (int direction : {1, 2})
+      for (int i : {0, 6})
+        for (int j : {0, 6}) k(i + direction, j + direction) += (i == j ? 1 : -1) * normal_force / l;
+    const Vector12 by_moments = out.force - lengthening.transpose() * normal_force;
+    for (int i : {0, 3, 6, 9}) k.middleRows<3>(i) -= cross(by_moments.segment<3>(i)) * axes_spin;
+
+    // Change of axes_spin^T sum, sum held.
+    std::array<Matrix3x12, 2> of_y;
+    for (int i : {0, 1}) of_y[i] = -cross(y[i]) * spin[i];
+    const Row12 of_q2 = 0.5 * (of_y[0].row(1) + of_y[1].row(1));
+    const Row12 of_slant = (0.5 * (of_y[0].row(0) + of_y[1].row(0)) - slant * of_q2) / q2;
+    for (int i : {0, 1}) {
+      const double sign = i == 0 ? 1 : -1;
+      k.row(6 * i + 1) -= sign * sum[2] / (l * l) * lengthening;
+      k.row(6 * i + 2) -= sign * (sum[0] / l * of_slant - (slant * sum[0] + sum[1]) / (l * l) * lengthening);
+      k.row(6 * i + 3) -= 0.5 * sum[0] / q2 * (of_y[i].row(1) - y[i][1] / q2 * of_q2);
+      k.row(6 * i + 4) += 0.5 * sum[0] / q2 * (of_y[i].row(0) - y[i][0] / q2 * of_q2);
+    }
+    for (int i : {0, 3, 6, 9}) k.middleRows<3>(i) = (e * k.middleRows<3>(i)).eval();
+    for (int i : {0, 3, 6, 9}) k.middleCols<3>(i) = (k.middleCols<3>(i) * e.transpose()).eval();
+  }
+  for (int i : {0, 3, 6, 9}) out.force.segment<3>(i) = (e * out.force.segment<3>(i)).eval();
+  return out;
+}
+
+CorotationalBeam::Response CorotationalBeam::evaluate(const Vector12& u, bool with_tangent) const {
+  const Chord c = chord(u);
+  Response out = is_plane_ ? plane_ends(u, c, with_tangent) : space_ends(u, c, with_tangent);
+
+  // From the ends to the nodes, and from spins to rotation vectors.
+  Matrix12 to_ends = Matrix12::Identity();
+  std::array<Matrix3d, 2> curved;
+  for (int i : {0, 1}) {
+    const Vector3d& arm = i == 0 ? c.arm_start : c.arm_end;
+    const Vector3d turn = u.segment<3>(6 * i + 3), force = out.force.segment<3>(6 * i);
+    const Vector3d moment = out.force.segment<3>(6 * i + 3) + arm.cross(force);
+    // In a plane the spin is the rate of the only rotation.
+    const RotationMap map = is_plane_ ? RotationMap{0, 0, 0, 0} : spin_transposed(turn);
+    const Matrix3d to_moment = map.matrix(turn);
+    out.force.segment<3>(6 * i + 3) = to_moment * moment;
+    if (!with_tangent) continue;
+    curved[i] = to_moment * cross(force) * cross(arm) * to_moment.transpose() + map.derivative(turn, moment);
+    to_ends.block<3, 3>(6 * i, 6 * i + 3) = -cross(arm) * to_moment.transpose();
+    to_ends.block<3, 3>(6 * i + 3, 6 * i + 3) = to_moment.transpose();
+  }
+  if (!with_tangent) return out;
+  out.tangent = (to_ends.transpose() * out.tangent * to_ends).eval();
+  for (int i : {0, 1}) out.tangent.block<3, 3>(6 * i + 3, 6 * i + 3) += curved[i];
+  // A Hessian: what is not symmetric is rounding.
+  out.tangent = (0.5 * (out.tangent + out.tangent.transpose())).eval();
+  return out;
+}
+
+Vector12 CorotationalBeam::end_forces(const Vector12& u) const {
+  const Chord c = chord(u);
+  const Response ends = is_plane_ ? plane_ends(u, c, false) : space_ends(u, c, false);
+  Matrix3d e;
+  e.col(0) = c.direction;
+  const Vector3d mean_y =
+      is_plane_ ? Vector3d(axes_.col(1)) : Vector3d((rotation(u.segment<3>(3)) + rotation(u.segment<3>(9))) * axes_.col(1));
+  e.col(2) = e.col(0).cross(mean_y).normalized();
+  e.col(1) = e.col(2).cross(e.col(0));
+  Vector12 local;
+  for (int i : {0, 3, 6, 9}) local.segment<3>(i) = e.transpose() * ends.force.segment<3>(i);
+  return local;
+}
+
+CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std::vector<CorotationalMember>& members)
+    : linear_(assembled.stiffness), rest_(assembled.stiffness) {
+  const int nodes = static_cast<int>(assembled.positions.size());
+  constexpr std::array plane{0, 2, 4};
+  constexpr std::array space{0, 1, 2, 3, 4, 5};
+  const std::span<const int> dofs =
+      assembled.dimension == 2 ? std::span<const int>(plane) : std::span<const int>(space);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const CorotationalMember& m : members) {
+    const std::string where = "member " + std::to_string(members_.size()) + " (nodes " + std::to_string(m.start) + " and " +
+                              std::to_string(m.end) + "): ";
+    for (const int node : {m.start, m.end})
+      if (node < 0 || node >= nodes)
+        refuse(where + "there is no node " + std::to_string(node) + " among " + std::to_string(nodes));
+    try {
+      members_.push_back({CorotationalBeam(assembled.positions[m.start], assembled.positions[m.end], m.section, m.material,
+                                           m.options, assembled.dimension), {}, Matrix12::Zero()});
+    } catch (const std::invalid_argument& error) {
+      refuse(where + error.what());
+    }
+    Member& member = members_.back();
+    for (const int end : {0, 1})
+      for (std::size_t at = 0; at < dofs.size(); ++at) {
+        const int row = (end == 0 ? m.start : m.end) * static_cast<int>(dofs.size()) + static_cast<int>(at);
+        using Transform = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+        for (Transform::InnerIterator it(assembled.transform, row); it; ++it)
+          member.rows.emplace_back(6 * end + dofs[at], static_cast<int>(it.col()), it.value());
+      }
+    member.linear = member.beam.evaluate(Vector12::Zero(), true).tangent;
+    for (const auto& a : member.rows)
+      for (const auto& b : member.rows)
+        entries.emplace_back(a.col(), b.col(), a.value() * member.linear(a.row(), b.row()) * b.value());
+  }
+  Eigen::SparseMatrix<double> turning(size(), size());
+  turning.setFromTriplets(entries.begin(), entries.end());
+  rest_ -= turning;
+  for (int j = 0; j < size(); ++j)
+    if (rest_.coeff(j, j) < -1e-9 * turning.coeff(j, j))
+      refuse("node " + std::to_string(assembled.unknowns[j].first) +
+             ": the corotational members are stiffer than the assembled frame; give those that were added to it, once each");
+}
+
+void CorotationalFrame::require_size(const Eigen::VectorXd& q, const char* what) const {
+  if (q.size() != size())
+    refuse(std::string(what) + " has " + std::to_string(q.size()) + " entries; the frame has " + std::to_string(size()) +
+           " unknowns");
+}
+
+Vector12 CorotationalFrame::displacements(const Member& member, const Eigen::VectorXd& q) {
+  Vector12 u = Vector12::Zero();
+  for (const auto& row : member.rows) u[row.row()] += row.value() * q[row.col()];
+  return u;
+}
+
+double CorotationalFrame::energy(const Eigen::VectorXd& q) const {
+  require_size(q, "q");
+  double sum = 0.5 * q.dot(rest_ * q);
+  for (const Member& member : members_) sum += member.beam.evaluate(displacements(member, q), false).energy;
+  return sum;
+}
+
+Eigen::VectorXd CorotationalFrame::force(const Eigen::VectorXd& q) const {
+  require_size(q, "q");
+  Eigen::VectorXd sum = rest_ * q;
+  for (const Member& member : members_) {
+    const Vector12 f = member.beam.evaluate(displacements(member, q), false).force;
+    for (const auto& row : member.rows) sum[row.col()] += row.value() * f[row.row()];
+  }
+  return sum;
+}
+
+Eigen::SparseMatrix<double> CorotationalFrame::tangent(const Eigen::VectorXd& q) const {
+  return linear_ + excess_tangent(q);
+}
+
+double CorotationalFrame::excess_energy(const Eigen::VectorXd& q) const {
+  require_size(q, "q");
+  double sum = 0;
+  for (const Member& member : members_) {
+    const Vector12 u = displacements(member, q);
+    sum += member.beam.evaluate(u, false).energy - 0.5 * u.dot(member.linear * u);
+  }
+  return sum;
+}
+
+Eigen::VectorXd CorotationalFrame::excess_force(const Eigen::VectorXd& q) const {
+  require_size(q, "q");
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(size());
+  for (const Member& member : members_) {
+    const Vector12 u = displacements(member, q), f = member.beam.evaluate(u, false).force - member.linear * u;
+    for (const auto& row : member.rows) sum[row.col()] += row.value() * f[row.row()];
+  }
+  return sum;
+}
+
+Eigen::SparseMatrix<double> CorotationalFrame::excess_tangent(const Eigen::VectorXd& q) const {
+  require_size(q, "q");
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Member& member : members_) {
+    const Matrix12 k = member.beam.evaluate(displacements(member, q), true).tangent - member.linear;
+    for (const auto& a : member.rows)
+      for (const auto& b : member.rows)
+        entries.emplace_back(a.col(), b.col(), a.value() * k(a.row(), b.row()) * b.value());
+  }
+  Eigen::SparseMatrix<double> sum(size(), size());
+  sum.setFromTriplets(entries.begin(), entries.end());
+  return sum;
+}
+
+Vector12 CorotationalFrame::end_forces(int member, const Eigen::VectorXd& q) const {
+  if (member < 0 || member >= members())
+    refuse("there is no member " + std::to_string(member) + " among " + std::to_string(members()));
+  require_size(q, "q");
+  return members_[member].beam.end_forces(displacements(members_[member], q));
+}
+
+}  // namespace pounding
