@@ -80,7 +80,8 @@ class Beam {
        const BeamOptions& options = {});
   /// A bar that carries axial force only, hinged at both ends even in twist, its mass lumped. Under tension it holds its
   /// ends across as a string does, N/L. Area and young must be positive.
-  static Beam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area, const Material& material);
+  static Beam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
+                    const Material& material);
 
   bool is_truss() const { return is_truss_; }
   /// See BeamOptions; throws std::invalid_argument as the constructor does.

@@ -50,10 +50,8 @@ void require_node(int node, int nodes) {
   if (node < 0 || node >= nodes) refuse("there is no node " + std::to_string(node) + " among " + std::to_string(nodes));
 }
 
-int require_place(int dimension, const std::string& node_name, Dof dof) {
-  const int at = place(dimension, dof);
-  if (at < 0) refuse("node " + node_name + ": a plane frame has no " + name(dof));
-  return at;
+void refuse_out_of_plane(const std::string& node_name, Dof dof) {
+  refuse("node " + node_name + ": a plane frame has no " + name(dof));
 }
 
 }  // namespace frame_dofs
@@ -68,8 +66,9 @@ int Frame::checked(int node) const {
 }
 
 int Frame::index(int node, Dof dof) const {
-  checked(node);
-  return node * dofs() + require_place(dimension_, node_name(node), dof);
+  const int at = place(dimension_, dof);
+  if (at < 0) refuse_out_of_plane(node_name(node), dof);
+  return checked(node) * dofs() + at;
 }
 
 const Frame::Member& Frame::of(int member) const {
@@ -87,7 +86,11 @@ std::string Frame::node_name(int node) const {
 
 std::string Frame::member_name(int member) const {
   const Member& m = of(member);
-  return m.name.empty() ? std::to_string(member) + " (nodes " + node_name(m.start) + " and " + node_name(m.end) + ")" : m.name;
+  return m.name.empty() ? std::to_string(member) + nodes_text(m.start, m.end) : m.name;
+}
+
+std::string Frame::nodes_text(int start, int end) const {
+  return " (nodes " + node_name(start) + " and " + node_name(end) + ")";
 }
 
 std::string Frame::node_text(int node) const { return "node " + node_name(node) + ": "; }
@@ -117,7 +120,7 @@ void Frame::fix(int node) {
 
 int Frame::add_member(int start, int end, const Section& section, const Material& material, const BeamOptions& options) {
   const Vector3d &from = position(start), &to = position(end);
-  const std::string where = "member " + std::to_string(members()) + " (nodes " + node_name(start) + " and " + node_name(end) + "): ";
+  const std::string where = "member " + std::to_string(members()) + nodes_text(start, end) + ": ";
   if (dimension_ == 3 && !(section.torsion > 0 && section.inertia_z > 0 && material.shear > 0))
     refuse(where + "in space torsion, inertia_z and shear must be positive");
   if (dimension_ == 2) {
@@ -143,7 +146,7 @@ int Frame::add_truss(int start, int end, double area, const Material& material) 
   try {
     members_.push_back({start, end, Beam::truss(from, to, area, material), "", Vector3d::Zero()});
   } catch (const std::invalid_argument& error) {
-    refuse("truss " + std::to_string(members()) + " (nodes " + node_name(start) + " and " + node_name(end) + "): " + error.what());
+    refuse("truss " + std::to_string(members()) + nodes_text(start, end) + ": " + error.what());
   }
   connected_.insert({start, end});
   trussed_.insert({start, end});

@@ -175,7 +175,7 @@ class Frame {
   int dofs() const { return dimension_ == 2 ? 3 : 6; }
   const Member& of(int member) const;
   Member& of(int member) { return const_cast<Member&>(std::as_const(*this).of(member)); }
-  int add(int start, int end, const std::string& where, Beam beam);
+  std::string nodes_text(int start, int end) const;
   std::string node_text(int node) const;
   std::string label(int at) const;  // of a displacement
   void require_not_negative(double value, int node, const char* what) const;

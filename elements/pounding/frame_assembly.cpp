@@ -49,8 +49,9 @@ void require_regular(const SparseMatrix<double>& mass, const AssembledFrame& fra
   const Eigen::VectorXd pivots = factor.permutationPinv() * factor.vectorD();
   for (int j = 0; j < mass.rows(); ++j)
     if (!(pivots[j] > 1e-12 * padded.coeff(j, j)))
-      refuse("node " + frame.node_names[frame.unknowns[j].first] + ": the masses leave a motion with " + name(frame.unknowns[j].second) +
-             " without inertia; put the mass of a rigid part at its master, spread it, or give the master a rotational one");
+      refuse("node " + frame.node_names[frame.unknowns[j].first] + ": the masses leave a motion with " +
+             name(frame.unknowns[j].second) + " without inertia; put the mass of a rigid part at its master, spread it, " +
+             "or give the master a rotational one");
 }
 
 }  // namespace
@@ -60,7 +61,9 @@ Eigen::SparseVector<double> AssembledFrame::motion(int node, Dof dof, const Vect
   Eigen::SparseVector<double> sum(size());
   for (const auto& [of_node, factor] : on_rigid_body(dof, arm)) {
     if (factor == 0) continue;
-    const int row = node * static_cast<int>(dofs_of(dimension).size()) + require_place(dimension, node_names[node], of_node);
+    const int at = place(dimension, of_node);
+    if (at < 0) refuse_out_of_plane(node_names[node], of_node);
+    const int row = node * static_cast<int>(dofs_of(dimension).size()) + at;
     sum += factor * Eigen::SparseVector<double>(transform.row(row).transpose());
   }
   return sum;

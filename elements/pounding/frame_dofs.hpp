@@ -22,7 +22,6 @@ std::vector<std::pair<Dof, double>> on_rigid_body(Dof dof, const Eigen::Vector3d
 
 /// Refuses a node that is not among so many.
 void require_node(int node, int nodes);
-/// Refuses a displacement that a node of this name has not in a plane frame; returns its place.
-int require_place(int dimension, const std::string& node_name, Dof dof);
+[[noreturn]] void refuse_out_of_plane(const std::string& node_name, Dof dof);
 
 }  // namespace pounding::frame_dofs

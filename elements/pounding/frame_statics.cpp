@@ -41,8 +41,9 @@ void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFr
   });
   if (!buckles || pressed == members_.end() || !(pressed->beam.axial_force() < 0))
     refuse(where + "nothing holds the frame against this displacement; fix it, brace it or connect it");
-  refuse(where + "the frame buckles here under its axial forces, the largest compression of which is " +
-         fmt::format("{:.4g}", -pressed->beam.axial_force()) + " N in member " + member_name(static_cast<int>(pressed - members_.begin())));
+  const int member = static_cast<int>(pressed - members_.begin());
+  refuse(fmt::format("{}the frame buckles here under its axial forces, the largest compression of which is {:.4g} N in "
+                     "member {}", where, -pressed->beam.axial_force(), member_name(member)));
 }
 
 VectorXd Frame::rest(const AssembledFrame& assembled) const {
@@ -104,8 +105,9 @@ Vector12 Frame::held_end_forces(int member, bool gravity) const {
 Frame::PointOnMember Frame::point_on_member(int member, double along, const AssembledFrame& assembled) const {
   const Beam& beam = of(member).beam;
   if (!(along >= 0 && along <= 1))
-    refuse("member " + member_name(member) + ": a point on it lies at 0 to 1 of its length, not at " + std::to_string(along));
-  const SparseMatrix<double> motion = sparse(beam.motion_at(along)) * SparseMatrix<double>(member_motion(member, assembled));
+    refuse(fmt::format("member {}: a point on it lies at 0 to 1 of its length, not at {}", member_name(member), along));
+  const SparseMatrix<double> of_nodes = member_motion(member, assembled);
+  const SparseMatrix<double> motion = sparse(beam.motion_at(along)) * of_nodes;
   const SparseMatrix<double, Eigen::RowMajor> rows = motion;
   PointOnMember point;
   for (int axis = 0; axis < 3; ++axis) point.motion[axis] = rows.row(axis).transpose();
