@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -119,7 +120,7 @@ Frame::SupportMotion Frame::support_motion(const std::vector<int>& nodes, const 
   const int all = static_cast<int>(positions_.size()) * dofs();
   Eigen::MatrixX3d supports = Eigen::MatrixX3d::Zero(all, 3);  // displacements that these supports enforce
   Eigen::MatrixX3d pulls = Eigen::MatrixX3d::Zero(all, 3);     // forces of their springs on nodes that stay
-  for (const int node : nodes) {
+  for (const int node : std::set<int>(nodes.begin(), nodes.end())) {
     bool supports_something = false;
     for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz}) {
       if (place(dimension_, dof) < 0) continue;

@@ -328,6 +328,7 @@ TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
   frame.add_mass(1, 8);
   const AssembledFrame f = frame.assemble();
   EXPECT_NEAR(frame.support_motion({0}, f).influence(0, 0), 0.75, 1e-15);
+  EXPECT_NEAR(frame.support_motion({0, 0}, f).influence(0, 0), 0.75, 1e-15);  // named twice
   EXPECT_NEAR(frame.support_motion({1}, f).load(0, 0), 2, 1e-14);
 
   frame.add_node({2, 0, 0}, "tip");
