@@ -32,9 +32,9 @@ class Base {
 
   virtual ~Base() = default;
 
-  int size() const { return static_cast<int>(load_.size()); }
-  /// p.
-  const Eigen::VectorXd& load() const { return load_; }
+  int size() const { return static_cast<int>(load_.rows()); }
+  /// P, one column a ground motion.
+  const Eigen::MatrixXd& load() const { return load_; }
   /// What the square of a coordinate counts in the sum m u^2 of its group, zero without mass [kg]; those of a modal
   /// coordinate are one.
   const Eigen::VectorXd& weights() const { return weights_; }
@@ -71,6 +71,9 @@ class Base {
   /// y += factor B f.
   virtual void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
 
+  /// Columns of observed^T x, the same on every process.
+  virtual void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const = 0;
+
   /// Coordinates of a displacement or velocity that is given at the unknowns of the system.
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const = 0;
   /// All unknowns of the system, on every process.
@@ -84,7 +87,8 @@ class Base {
   long factorizations() const { return factorizations_; }
 
  protected:
-  Eigen::VectorXd load_, weights_;
+  Eigen::MatrixXd load_;
+  Eigen::VectorXd weights_;
   std::vector<double> group_masses_;
   std::vector<Segment> segments_;
   long factorizations_ = 0;

@@ -41,9 +41,12 @@ void check(const Samples& samples) {
     throw std::invalid_argument("ground motion: samples that claim to be uniform are not evenly spaced");
 }
 
-double end_of(const Pulse& pulse) { return pulse.start + pulse.duration; }
+template <class Closed>
+double end_of(const Closed& motion) {
+  return motion.start + motion.duration;
+}
 
-double inside(const Harmonic& motion, double t) { return motion.amplitude * std::sin(two_pi * t / motion.period); }
+double inside(const Harmonic& motion, double t) { return motion.amplitude * std::sin(two_pi * (t - motion.start) / motion.period); }
 
 double inside(const Pulse& pulse, double t) {
   const double part = (t - pulse.start) / pulse.duration;
@@ -53,6 +56,37 @@ double inside(const Pulse& pulse, double t) {
     case Pulse::Shape::rectangle: return pulse.amplitude;
   }
   return 0;
+}
+
+struct Moved {
+  double velocity = 0, displacement = 0;
+};
+
+// By a = amplitude sin(w s) from rest at s = 0.
+Moved moved_by_sine(double amplitude, double w, double s) {
+  const double half = std::sin(0.5 * w * s);
+  return {2 * amplitude / w * half * half, amplitude / w * (s - std::sin(w * s) / w)};
+}
+
+// s after the start.
+Moved moved_inside(const Harmonic& motion, double s) { return moved_by_sine(motion.amplitude, two_pi / motion.period, s); }
+
+Moved moved_inside(const Pulse& pulse, double s) {
+  switch (pulse.shape) {
+    case Pulse::Shape::half_sine: return moved_by_sine(pulse.amplitude, std::numbers::pi / pulse.duration, s);
+    case Pulse::Shape::sine: return moved_by_sine(pulse.amplitude, two_pi / pulse.duration, s);
+    case Pulse::Shape::rectangle: return {pulse.amplitude * s, 0.5 * pulse.amplitude * s * s};
+  }
+  return {};
+}
+
+template <class Closed>
+Moved moved(const Closed& motion, double t) {
+  const double s = t - motion.start;
+  if (!(s > 0)) return {};
+  if (s <= motion.duration) return moved_inside(motion, s);
+  const Moved end = moved_inside(motion, motion.duration);
+  return {end.velocity, end.displacement + end.velocity * (s - motion.duration)};
 }
 
 const char* name_of(Pulse::Shape shape) {
@@ -85,9 +119,10 @@ GroundMotion::GroundMotion(Harmonic motion) : motion_(motion) {
   require_finite(motion.amplitude, "amplitude");
   require_positive(motion.period, "period");
   require_positive(motion.duration, "duration");
+  require_finite(motion.start, "start");
   const bool reaches_amplitude = motion.duration >= motion.period / 4;
-  peak_ = std::abs(reaches_amplitude ? motion.amplitude : inside(motion, motion.duration));
-  duration_ = motion.duration;
+  peak_ = std::abs(reaches_amplitude ? motion.amplitude : inside(motion, end_of(motion)));
+  duration_ = end_of(motion);
   source_ = fmt::format("harmonic, {} at {:g} s for {:g} s",
                         format_quantity(motion.amplitude, dimension::acceleration), motion.period, motion.duration);
 }
@@ -109,21 +144,38 @@ GroundMotion::GroundMotion(Samples motion, std::string source) : source_(std::mo
   if (motion.uniform)
     per_step_ = static_cast<double>(motion.times.size() - 1) / (motion.times.back() - motion.times.front());
   if (source_.empty()) source_ = fmt::format("{} samples", motion.times.size());
-  motion_ = std::make_shared<const Samples>(std::move(motion));
+  motion_ = std::make_shared<const Record>(std::move(motion));
+}
+
+GroundMotion::Record::Record(Samples samples) : Samples(std::move(samples)) {
+  velocities.reserve(times.size());
+  displacements.reserve(times.size());
+  long double v = 0, d = 0;  // long records add up many small parts
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (i > 0) {
+      const long double h = static_cast<long double>(times[i]) - times[i - 1], a = accelerations[i - 1], b = accelerations[i];
+      d += h * (v + h / 6 * (2 * a + b));
+      v += h / 2 * (a + b);
+    }
+    velocities.push_back(static_cast<double>(v));
+    displacements.push_back(static_cast<double>(d));
+  }
+}
+
+// The number of the sample before t, which lies between the first and the last.
+std::size_t GroundMotion::interval(const Samples& samples, double t) const noexcept {
+  const std::vector<double>& times = samples.times;
+  if (per_step_ == 0) return static_cast<std::size_t>(std::upper_bound(times.begin() + 1, times.end() - 1, t) - times.begin()) - 1;
+  const std::size_t last = times.size() - 2;
+  const std::size_t i = std::min(static_cast<std::size_t>((t - times.front()) * per_step_), last);
+  // Rounding may have put t into the neighbouring interval.
+  if (t < times[i]) return i - 1;
+  return i < last && t >= times[i + 1] ? i + 1 : i;
 }
 
 double GroundMotion::sampled(const Samples& samples, double t) const noexcept {
   const std::vector<double>& times = samples.times;
-  std::size_t i = 0;  // the interval that holds t
-  if (per_step_ > 0) {
-    const std::size_t last = times.size() - 2;
-    i = std::min(static_cast<std::size_t>((t - times.front()) * per_step_), last);
-    // Rounding may have put t into the neighbouring interval.
-    if (t < times[i]) --i;
-    else if (i < last && t >= times[i + 1]) ++i;
-  } else {
-    i = static_cast<std::size_t>(std::upper_bound(times.begin() + 1, times.end() - 1, t) - times.begin()) - 1;
-  }
+  const std::size_t i = interval(samples, t);
   const double part = (t - times[i]) / (times[i + 1] - times[i]);
   const std::vector<double>& a = samples.accelerations;
   // At part = 1 this form gives a[i + 1] to the last bit, which a[i] + part (a[i + 1] - a[i]) need not.
@@ -133,7 +185,7 @@ double GroundMotion::sampled(const Samples& samples, double t) const noexcept {
 double GroundMotion::acceleration(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
-                 [t](const Harmonic& motion) { return t >= 0 && t < motion.duration ? inside(motion, t) : 0; },
+                 [t](const Harmonic& motion) { return t >= motion.start && t < end_of(motion) ? inside(motion, t) : 0; },
                  [t](const Pulse& pulse) { return t >= pulse.start && t < end_of(pulse) ? inside(pulse, t) : 0; },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
@@ -145,7 +197,7 @@ double GroundMotion::acceleration(double t) const noexcept {
 double GroundMotion::acceleration_before(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
-                 [t](const Harmonic& motion) { return t > 0 && t <= motion.duration ? inside(motion, t) : 0; },
+                 [t](const Harmonic& motion) { return t > motion.start && t <= end_of(motion) ? inside(motion, t) : 0; },
                  [t](const Pulse& pulse) { return t > pulse.start && t <= end_of(pulse) ? inside(pulse, t) : 0; },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
@@ -154,11 +206,60 @@ double GroundMotion::acceleration_before(double t) const noexcept {
       motion_);
 }
 
+// A straight line from sample i on: its integrals are those up to the sample and a parabola, a cubic.
+double GroundMotion::velocity(double t) const noexcept {
+  return std::visit(
+      Overloaded{[](const Still&) { return 0.0; },
+                 [t](const auto& closed) { return moved(closed, t).velocity; },
+                 [this, t](const SharedSamples& shared) {
+                   const Record& r = *shared;
+                   if (!(t > r.times.front())) return 0.0;
+                   if (t >= r.times.back()) return r.velocities.back();
+                   const std::size_t i = interval(r, t);
+                   const double h = r.times[i + 1] - r.times[i], s = t - r.times[i], a = r.accelerations[i];
+                   return r.velocities[i] + s * (a + 0.5 * s / h * (r.accelerations[i + 1] - a));
+                 }},
+      motion_);
+}
+
+double GroundMotion::displacement(double t) const noexcept {
+  return std::visit(
+      Overloaded{[](const Still&) { return 0.0; },
+                 [t](const auto& closed) { return moved(closed, t).displacement; },
+                 [this, t](const SharedSamples& shared) {
+                   const Record& r = *shared;
+                   if (!(t > r.times.front())) return 0.0;
+                   if (t >= r.times.back()) return r.displacements.back() + r.velocities.back() * (t - r.times.back());
+                   const std::size_t i = interval(r, t);
+                   const double h = r.times[i + 1] - r.times[i], s = t - r.times[i], a = r.accelerations[i];
+                   return r.displacements[i] + s * (r.velocities[i] + s * (0.5 * a + s / (6 * h) * (r.accelerations[i + 1] - a)));
+                 }},
+      motion_);
+}
+
+GroundMotion GroundMotion::delayed(double delay) const {
+  require_finite(delay, "delay");
+  if (delay == 0) return *this;
+  const auto later = [&](auto closed) {
+    closed.start += delay;
+    return GroundMotion(closed);
+  };
+  GroundMotion out = std::visit(Overloaded{[](const Still&) { return GroundMotion(); }, later,
+                                           [&](const SharedSamples& shared) {
+                                             Samples samples = *shared;
+                                             for (double& time : samples.times) time += delay;
+                                             return GroundMotion(std::move(samples));
+                                           }},
+                                motion_);
+  if (!is_still()) out.source_ = fmt::format("{}, {:g} s later", source_, delay);
+  return out;
+}
+
 double GroundMotion::next_break(double t) const noexcept {
   const auto next_of_two = [t](double begin, double end) { return t < begin ? begin : t < end ? end : infinity; };
   return std::visit(
       Overloaded{[](const Still&) { return infinity; },
-                 [&](const Harmonic& motion) { return next_of_two(0, motion.duration); },
+                 [&](const Harmonic& motion) { return next_of_two(motion.start, end_of(motion)); },
                  [&](const Pulse& pulse) { return next_of_two(pulse.start, end_of(pulse)); },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;

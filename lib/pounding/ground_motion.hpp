@@ -1,5 +1,6 @@
 #pragma once
-/// Acceleration of the ground as a function of time: closed form, or samples with straight lines between them.
+/// Motion of the ground as a function of time: an acceleration in closed form, or samples with straight lines between them,
+/// and its exact integrals.
 
 #include <cstdint>
 #include <memory>
@@ -12,11 +13,12 @@ namespace pounding {
 /// No motion: collisions that start from an initial velocity.
 struct Still {};
 
-/// a = A sin(2 pi t/T) for 0 <= t < duration, zero after it.
+/// a = A sin(2 pi (t - start)/T) for start <= t < start + duration, zero before and after.
 struct Harmonic {
   double amplitude;  ///< A [m/s^2]
   double period;     ///< T [s]
   double duration;   ///< [s]
+  double start = 0;  ///< [s]
 };
 
 /// One pulse that starts at `start`: half sine, full sine, or rectangle.
@@ -53,6 +55,10 @@ class GroundMotion {
   double acceleration(double t) const noexcept;
   /// The value just before t: differs from acceleration(t) only at a jump.
   double acceleration_before(double t) const noexcept;
+  /// Exact integrals of the acceleration from rest at its beginning [m/s], [m]. When it is over, the ground goes on with the
+  /// velocity that it has then.
+  double velocity(double t) const noexcept;
+  double displacement(double t) const noexcept;
   /// The first time after t at which the acceleration or its slope jumps; infinity when there is none.
   /// An integrator that ends its steps at exactly this time sees a smooth right-hand side inside every step.
   double next_break(double t) const noexcept;
@@ -66,12 +72,20 @@ class GroundMotion {
   double shortest_period() const noexcept;
   /// The samples; null for a closed form.
   const Samples* samples() const noexcept;
+  /// The same motion so much later [s]; breaks and integrals move along.
+  GroundMotion delayed(double delay) const;
   bool is_still() const noexcept { return std::holds_alternative<Still>(motion_); }
   /// What it is and where it came from, one line for reports.
   const std::string& source() const noexcept { return source_; }
 
  private:
-  using SharedSamples = std::shared_ptr<const Samples>;
+  // With the integrals up to each sample.
+  struct Record : Samples {
+    explicit Record(Samples samples);
+    std::vector<double> velocities, displacements;
+  };
+  using SharedSamples = std::shared_ptr<const Record>;
+  std::size_t interval(const Samples& samples, double t) const noexcept;
   double sampled(const Samples& samples, double t) const noexcept;
 
   std::variant<Still, Harmonic, Pulse, SharedSamples> motion_;

@@ -78,12 +78,15 @@ ModalBase::ModalBase(const System& system) : unknowns_(system.size()) {
     single_.resize(n);
     for (const Block& block : blocks_) single_[block.first] = block.shapes(0, 0);
   }
-  load_.resize(n);
+  load_.resize(n, system.load.cols());
   weights_ = Eigen::VectorXd::Ones(n);
   inverse_.resize(n);
   for (const Block& block : blocks_)
-    load_.segment(block.coordinate, block.shapes.cols()) =
-        block.shapes.transpose() * system.load.segment(block.first, block.shapes.rows());
+    for (Eigen::Index j = 0; j < load_.cols(); ++j)
+      load_.col(j).segment(block.coordinate, block.shapes.cols()) =
+          block.shapes.transpose() * system.load.col(j).segment(block.first, block.shapes.rows());
+  observed_ = static_cast<int>(system.observed.cols());
+  for (const Block& block : blocks_) add_view(system.observed, block);
   closing_.resize(system.links());
   for (int i = 0; i < system.links(); ++i) {
     const Eigen::VectorXd column(system.closing.col(i));
@@ -152,6 +155,20 @@ void ModalBase::add_block(const System& system, const Group& group) {
   group_masses_.push_back(mass.diagonal().sum());
   segments_.push_back({block.coordinate, count, static_cast<int>(&group - system.groups.data())});
   blocks_.push_back(std::move(block));
+}
+
+void ModalBase::add_view(const SparseMatrix& observed, const Block& block) {
+  View view{block.coordinate, {}, {}};
+  const auto inside = [&](Eigen::Index row) { return row >= block.first && row < block.first + block.shapes.rows(); };
+  for (int j = 0; j < observed_; ++j)
+    for (SparseMatrix::InnerIterator it(observed, j); it; ++it)
+      if (inside(it.row()) && (view.rows.empty() || view.rows.back() != j)) view.rows.push_back(j);
+  if (view.rows.empty()) return;
+  view.factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(view.rows.size()), block.shapes.cols());
+  for (std::size_t i = 0; i < view.rows.size(); ++i)
+    for (SparseMatrix::InnerIterator it(observed, view.rows[i]); it; ++it)
+      if (inside(it.row())) view.factors.row(static_cast<Eigen::Index>(i)) += it.value() * block.shapes.row(it.row() - block.first);
+  views_.push_back(std::move(view));
 }
 
 void ModalBase::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const {
@@ -276,6 +293,15 @@ void ModalBase::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<E
       for (Eigen::Index k = 0; k < n; ++k) y[part.first + k] += scale * part.values[k];
     }
   }
+}
+
+void ModalBase::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
+  values.setZero(observed_, x.cols());
+  for (const View& view : views_)
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
+      for (Eigen::Index mode = 0; mode < view.factors.cols(); ++mode)
+        for (std::size_t i = 0; i < view.rows.size(); ++i)
+          values(view.rows[i], j) += view.factors(static_cast<Eigen::Index>(i), mode) * x(view.first + mode, j);
 }
 
 Eigen::VectorXd ModalBase::coordinates(const Eigen::VectorXd& u) const {

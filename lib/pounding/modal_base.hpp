@@ -38,6 +38,7 @@ class ModalBase final : public Base {
                     Eigen::Ref<Eigen::VectorXd> y) const override;
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& closings) const override;
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
+  void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
   Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override;
   void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
   std::string description() const override;
@@ -57,11 +58,21 @@ class ModalBase final : public Base {
     Eigen::VectorXd values;
   };
 
+  // What is observed of one group: values[rows[i]] counts factors.row(i) times the modes from `first` on.
+  struct View {
+    int first = 0;
+    std::vector<int> rows;
+    Eigen::MatrixXd factors;
+  };
+
   void add_block(const System& system, const Group& group);
+  void add_view(const SparseMatrix& observed, const Block& block);
 
   std::vector<Block> blocks_;
   Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
   std::vector<std::vector<Part>> closing_;
+  std::vector<View> views_;
+  int observed_ = 0;  // quantities
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;
   int unknowns_ = 0;

@@ -380,7 +380,7 @@ System assemble(const Model& model, bool with_links) {
   const int n = first.back() + model.structures.back().size();
   System system;
   Triplets mass, damping, stiffness, closing;
-  system.ground = model.ground;
+  system.grounds = {model.ground};
   double fastest = 0;
   for (const Structure& s : model.structures)
     if (!s.is_rigid()) fastest = std::max(fastest, s.initial_velocity.cwiseAbs().maxCoeff());
@@ -414,7 +414,7 @@ System assemble(const Model& model, bool with_links) {
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const std::vector<YieldingStorey>& storeys = model.structures[i].yielding;
     for (std::size_t storey = 0; storey < storeys.size(); ++storey) {
-      const int column = system.links(), floor = first[i] + static_cast<int>(storey);
+      const int column = static_cast<int>(system.contacts.size() + system.springs.size()), floor = first[i] + static_cast<int>(storey);
       closing.emplace_back(floor, column, 1);
       if (storey > 0) closing.emplace_back(floor - 1, column, -1);
       Archive fresh(storeys[storey].fresh);
@@ -422,7 +422,7 @@ System assemble(const Model& model, bool with_links) {
       system.springs.push_back(storeys[storey].spring.get());
     }
   }
-  system.closing = sparse(closing, n, system.links());
+  system.closing = sparse(closing, n, static_cast<int>(system.contacts.size() + system.springs.size()));
   return system;
 }
 

@@ -189,7 +189,7 @@ void Recorder::step() {
 void Recorder::follow_peaks() {
   const State &begin = stepper_.before(), &end = stepper_.arrived(), &now = stepper_.state();
   const double h = end.time - begin.time;
-  const double ground = stepper_.ground_before();
+  const double ground = stepper_.ground_before()[0];
   for (std::size_t k = 0; k < peaks_.size(); ++k)
     for (std::size_t i = 0; i < peaks_[k].size(); ++i) {
       FloorPeaks& peaks = peaks_[k][i];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace pounding {
 namespace {
@@ -22,6 +23,29 @@ constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 constexpr double smallest_contact_rate = 1e-3;
 constexpr double smallest_contact_penetration = 1e-4;
 
+// Factors of values and slopes at the ends of a step of length h, at s in [0, 1].
+struct Cubic {
+  double begin, end, slope_begin, slope_end;
+  Cubic(double place, double h) {
+    const double s = std::clamp(place, 0.0, 1.0), r = 1 - s;
+    begin = r * r * (1 + 2 * s);
+    end = s * s * (1 + 2 * r);
+    slope_begin = h * s * r * r;
+    slope_end = -h * s * s * r;
+  }
+};
+
+// Factors of values at both ends and the middle.
+struct Parabola {
+  double begin, middle, end;
+  explicit Parabola(double place) {
+    const double s = std::clamp(place, 0.0, 1.0);
+    begin = (1 - s) * (1 - 2 * s);
+    middle = 4 * s * (1 - s);
+    end = s * (2 * s - 1);
+  }
+};
+
 }  // namespace
 
 Stepper::Stepper(const System& system, Base& base, const StepperOptions& options)
@@ -34,6 +58,9 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
   allowed_ = std::max(allowed_, rounding);
 
   const int n = base.size(), m = system.links();
+  check_parts();
+  const Eigen::Index grounds = static_cast<Eigen::Index>(system.grounds.size());
+  moving_ = !system.closing_by_ground.isZero(0) || !system.closed_at_rest.isZero(0);
   if (std::any_of(system.contacts.begin(), system.contacts.end(), [](const Contact* c) { return c->is_rigid(); })) {
     rigid_response_ = Eigen::MatrixXd::Zero(n, system.contact_count());
     for (int i = 0; i < system.contact_count(); ++i) {
@@ -47,11 +74,14 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
     instant->motion = Eigen::MatrixXd::Zero(n, columns);
     instant->force = Eigen::VectorXd::Zero(m);
     instant->closings = Eigen::MatrixXd::Zero(m, width());
+    instant->ground = Eigen::VectorXd::Zero(grounds);
+    if (moving_) instant->by_ground = Eigen::MatrixXd::Zero(m, 3);
   }
   for (Trial* trial : {&trial_, &kept_}) {
     trial->a_middle = Eigen::VectorXd::Zero(n);
     trial->force_middle = Eigen::VectorXd::Zero(m);
     trial->middle.resize(m);
+    trial->ground_middle = Eigen::VectorXd::Zero(grounds);
     trial->size_u.assign(system.groups.size(), 0.0);
     trial->size_v.assign(system.groups.size(), 0.0);
   }
@@ -70,8 +100,41 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
   penetration_scale_.assign(m, 0.0);
   link_steps_.resize(m);
   sums_.resize(4 * system.groups.size());
-  r_ = error_u_ = error_v_ = work_ = Eigen::VectorXd::Zero(n);
+  friction_work_.assign(system.frictions.size(), 0.0);
+  r_ = error_u_ = error_v_ = work_ = push_ = Eigen::VectorXd::Zero(n);
+  stage_ground_ = Eigen::VectorXd::Zero(grounds);
   if (esdirk) stages_ = Eigen::MatrixXd::Zero(n, 3 * esdirk4::stages);
+}
+
+// Columns of B that belong to frictions are found here too.
+void Stepper::check_parts() {
+  const System& s = system_;
+  const Eigen::Index grounds = static_cast<Eigen::Index>(s.grounds.size()), links = s.links();
+  if (base_.load().cols() != grounds) throw std::invalid_argument("System::load needs one column a ground motion");
+  if (s.closing_by_ground.size() > 0 && (s.closing_by_ground.rows() != links || s.closing_by_ground.cols() != grounds))
+    throw std::invalid_argument("System::closing_by_ground needs one row a link and one column a ground motion");
+  if (s.closed_at_rest.size() > 0 && s.closed_at_rest.size() != links)
+    throw std::invalid_argument("System::closed_at_rest needs one value a link");
+  frictions_from_ = s.contact_count() + static_cast<int>(s.springs.size());
+  if (frictions_from_ > links) throw std::invalid_argument("System::closing needs one column a contact and a spring");
+  contact_of_friction_.assign(static_cast<std::size_t>(links - frictions_from_), -1);
+  for (const Friction& friction : s.frictions) {
+    if (!(friction.coefficient >= 0 && std::isfinite(friction.coefficient)))
+      throw std::invalid_argument("the coefficient of a friction must not be negative");
+    if (!(friction.sliding > 0 && std::isfinite(friction.sliding)))
+      throw std::invalid_argument("the sliding velocity of a friction must be positive");
+    if (friction.contact < 0 || friction.contact >= s.contact_count())
+      throw std::invalid_argument("a friction belongs to a contact that does not exist");
+    if (s.contacts[friction.contact]->is_rigid())
+      throw std::invalid_argument("a rigid contact takes no friction: its force is not known while it strikes");
+    if (friction.count < 1 || friction.count > 2 || friction.first < frictions_from_ || friction.first + friction.count > links)
+      throw std::invalid_argument("a friction needs one or two columns of System::closing behind those of the springs");
+    for (int i = friction.first; i < friction.first + friction.count; ++i)
+      if (std::exchange(contact_of_friction_[i - frictions_from_], friction.contact) >= 0)
+        throw std::invalid_argument("two frictions share a column of System::closing");
+  }
+  if (std::find(contact_of_friction_.begin(), contact_of_friction_.end(), -1) != contact_of_friction_.end())
+    throw std::invalid_argument("a column of System::closing belongs to no contact, spring or friction");
 }
 
 double Stepper::deformation(int link, double closure) const {
@@ -79,7 +142,9 @@ double Stepper::deformation(int link, double closure) const {
 }
 
 LinkMotion Stepper::motion(int link, const Instant& instant) const {
-  return {deformation(link, instant.closings(link, u)), instant.closings(link, v)};
+  const double closure = instant.closings(link, u), rate = instant.closings(link, v);
+  if (!moving_) return {deformation(link, closure), rate};
+  return {deformation(link, closure + instant.by_ground(link, u)), rate + instant.by_ground(link, v)};
 }
 
 LinkForce Stepper::law(int link, const LinkMotion& motion) const {
@@ -88,11 +153,53 @@ LinkForce Stepper::law(int link, const LinkMotion& motion) const {
 }
 
 bool Stepper::works(int link) const {
+  if (link >= frictions_from_) link = contact_of_friction_[link - frictions_from_];
   return link >= system_.contact_count() || presses(system_.contacts[link]->phase());
 }
 
 bool Stepper::held(int link) const {
   return link < system_.contact_count() && system_.contacts[link]->phase() == ContactPhase::resting;
+}
+
+// P times the accelerations of the grounds.
+const double* Stepper::push(const Eigen::VectorXd& ground) {
+  const Eigen::MatrixXd& load = base_.load();
+  const int n = base_.size();
+  double* const sum = push_.data();
+  for (Eigen::Index k = 0; k < ground.size(); ++k) {
+    const double* const p = load.col(k).data();
+    const double a = ground[k];
+    if (k == 0)
+      for (int i = 0; i < n; ++i) sum[i] = a * p[i];
+    else if (a != 0)
+      for (int i = 0; i < n; ++i) sum[i] += a * p[i];
+  }
+  return sum;
+}
+
+void Stepper::ground_at(double time, Eigen::VectorXd& ground, bool before) const {
+  for (std::size_t k = 0; k < system_.grounds.size(); ++k)
+    ground[static_cast<Eigen::Index>(k)] =
+        before ? system_.grounds[k].acceleration_before(time) : system_.grounds[k].acceleration(time);
+}
+
+double Stepper::next_break_after(double time) const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const GroundMotion& motion : system_.grounds) next = std::min(next, motion.next_break(time));
+  return next;
+}
+
+// S times displacements, velocities and the given accelerations of the grounds, and what has closed at rest.
+void Stepper::closings_by_ground(double time, const Eigen::VectorXd& ground, Eigen::MatrixXd& by_ground) const {
+  by_ground.setZero(system_.links(), 3);
+  if (system_.closed_at_rest.size() > 0) by_ground.col(u) = system_.closed_at_rest;
+  if (system_.closing_by_ground.size() == 0) return;
+  for (std::size_t k = 0; k < system_.grounds.size(); ++k) {
+    const auto column = system_.closing_by_ground.col(static_cast<Eigen::Index>(k));
+    by_ground.col(u) += system_.grounds[k].displacement(time) * column;
+    by_ground.col(v) += system_.grounds[k].velocity(time) * column;
+    by_ground.col(a) += ground[static_cast<Eigen::Index>(k)] * column;
+  }
 }
 
 void Stepper::products(Instant& x, int first, int count) const {
@@ -105,16 +212,23 @@ void Stepper::products(Instant& x, int first, int count) const {
 
 // Forces of the links from their motions. Held contacts take the forces that leave no closing acceleration; those that
 // hold the same bodies share them.
-void Stepper::balance(std::span<const LinkMotion> motions, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
+void Stepper::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, Eigen::VectorXd& force,
+                      Eigen::Ref<Eigen::VectorXd> r) const {
   std::vector<int> held_links;
   bool any = false;
-  for (int i = 0; i < system_.links(); ++i) {
+  for (int i = 0; i < frictions_from_; ++i) {
     force[i] = 0;
     if (held(i))
       held_links.push_back(i);
     else if (works(i))
       force[i] = law(i, motions[i]).force;
     any = any || force[i] != 0;
+  }
+  for (const Friction& friction : system_.frictions) {
+    Sliding rates = Sliding::Zero();
+    for (int j = 0; j < friction.count; ++j) rates[j] = motions[friction.first + j].rate;
+    const FrictionForce answer = friction_force(friction, {.force = force[friction.contact]}, rates);
+    for (int j = 0; j < friction.count; ++j) force[friction.first + j] = answer.force[j];
   }
   if (any) base_.add_forces(-1, force, r);
   base_.accelerate(r);
@@ -124,7 +238,7 @@ void Stepper::balance(std::span<const LinkMotion> motions, Eigen::VectorXd& forc
   Eigen::MatrixXd g(count, count);
   Eigen::VectorXd relative(count);
   for (int i = 0; i < count; ++i) {
-    relative[i] = work_closings_(held_links[i], 0);
+    relative[i] = work_closings_(held_links[i], 0) + ground_part(by_ground, held_links[i], a);
     for (int j = 0; j < count; ++j) g(i, j) = rigid_flexibility_(held_links[i], held_links[j]);
   }
   const Eigen::VectorXd forces = g.completeOrthogonalDecomposition().solve(relative);
@@ -141,16 +255,18 @@ void Stepper::balance_now() {
   base_.damping_times(x.col(v), x.col(kv), x.col(cv));
   gather_now();
   auto a_now = x.col(a);
-  now_.ground = system_.ground.acceleration(now_.time);
-  a_now = -now_.ground * base_.load() - x.col(ku) - x.col(cv);
+  ground_at(now_.time, now_.ground);
+  if (moving_) closings_by_ground(now_.time, now_.ground, now_.by_ground);
+  push(now_.ground);
+  a_now = -push_ - x.col(ku) - x.col(cv);
   now_motions_.resize(system_.links());
   for (int i = 0; i < system_.links(); ++i) now_motions_[i] = motion(i, now_);
-  balance(now_motions_, now_.force, a_now);
+  balance(now_motions_, now_.by_ground, now_.force, a_now);
   base_.follow(a_now);
   x.col(c) = x.col(a);
   products(now_, a, width() - a);
   gather_now();
-  state_fresh_ = false;
+  states_.has_now = observed_.has_now = false;
   changed_at_end_ = true;
 }
 
@@ -159,7 +275,7 @@ void Stepper::gather_now() { base_.gather(now_.motion.leftCols(width()), now_.cl
 void Stepper::start(double time, const Eigen::VectorXd& u0, const Eigen::VectorXd& v0) {
   const Energies before = started_ ? energies() : Energies{};
   now_.time = time;
-  next_break_ = system_.ground.next_break(time);
+  next_break_ = next_break_after(time);
   now_.motion.setZero();
   now_.motion.col(u) = base_.coordinates(u0);
   now_.motion.col(v) = base_.coordinates(v0);
@@ -170,7 +286,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u0, const Eigen::VectorX
   before_ = kept_.end = trial_.end = now_;
   kept_.h = 0;
   kept_.a_middle = now_.motion.col(a);
-  before_fresh_ = arrived_fresh_ = false;
+  forget_views();
   const Energies after = energies();
   given_ += after.kinetic + after.strain - before.kinetic - before.strain;
   measure(now_, kept_.size_u, kept_.size_v);
@@ -210,12 +326,16 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   landed_.clear();
   t.h = h;
   t.end.time = end.value_or(now_.time + h);
-  t.ground_begin = now_.ground;
-  t.ground_middle = system_.ground.acceleration(now_.time + 0.5 * h);
-  t.ground_end = system_.ground.acceleration_before(t.end.time);
+  ground_at(now_.time + 0.5 * h, t.ground_middle);
+  ground_at(t.end.time, t.end.ground, true);
+  if (moving_) {
+    closings_by_ground(now_.time + 0.5 * h, t.ground_middle, t.by_ground_middle);
+    closings_by_ground(t.end.time, t.end.ground, t.end.by_ground);
+  }
   active_.clear();
   for (int i = 0; i < system_.links(); ++i)
     if (works(i)) active_.push_back(i);
+  if (!system_.frictions.empty()) find_sliders();
   set_shift(h);
   const bool solved = options_.scheme.kind == Scheme::Kind::esdirk4 ? attempt_esdirk(h) : attempt_alpha(h);
   if (!solved) return false;
@@ -231,18 +351,19 @@ void Stepper::evaluate_middle() {
   for (int i = 0; i < system_.links(); ++i) {
     const double closure =
         0.5 * (x.closings(i, u) + y.closings(i, u)) + h / 8 * (x.closings(i, v) - y.closings(i, v));
-    t.middle[i] = {deformation(i, closure),
-                   0.5 * (x.closings(i, v) + y.closings(i, v)) + h / 8 * (x.closings(i, a) - y.closings(i, a))};
+    const double rate = 0.5 * (x.closings(i, v) + y.closings(i, v)) + h / 8 * (x.closings(i, a) - y.closings(i, a));
+    t.middle[i] = {deformation(i, closure + ground_part(t.by_ground_middle, i, u)),
+                   rate + ground_part(t.by_ground_middle, i, v)};
   }
   const int n = base_.size();
   const double *ku0 = x.at(ku), *ku1 = y.at(ku), *kv0 = x.at(kv), *kv1 = y.at(kv);
   const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);
-  const double* p = base_.load().data();
+  const double* pushed = push(t.ground_middle);
   double* r = t.a_middle.data();
   for (int i = 0; i < n; ++i)
-    r[i] = -t.ground_middle * p[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) -
+    r[i] = -pushed[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) -
            h / 8 * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
-  balance(t.middle, t.force_middle, t.a_middle);
+  balance(t.middle, t.by_ground_middle, t.force_middle, t.a_middle);
 }
 
 void Stepper::measure(const Instant& instant, std::vector<double>& size_u, std::vector<double>& size_v) {
@@ -338,27 +459,30 @@ void Stepper::accept() {
   const double h = trial_.h;
   before_.swap(now_);
   kept_.swap(trial_);
-  if (state_fresh_) {
-    std::swap(state_before_.time, state_.time);
-    state_before_.u.swap(state_.u);
-    state_before_.v.swap(state_.v);
-    state_before_.a.swap(state_.a);
-    state_before_.force.swap(state_.force);
-  }
-  before_fresh_ = state_fresh_;
-  state_fresh_ = arrived_fresh_ = changed_at_end_ = false;
+  states_.move_on();
+  observed_.move_on();
+  observed_a_middle_.resize(0, 0);
+  changed_at_end_ = false;
 
   const Instant &x = before_, &y = kept_.end;
   const int n = base_.size();
-  const double* p = base_.load().data();
+  const Eigen::MatrixXd& load = base_.load();
   const double *v0 = x.at(v), *v1 = y.at(v), *a0 = x.at(a), *a1 = y.at(a);
   const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);
   double input = 0, damping = 0;
   for (int i = 0; i < n; ++i) {
     const double vm = 0.5 * (v0[i] + v1[i]) + h / 8 * (a0[i] - a1[i]);
     const double cvm = 0.5 * (cv0[i] + cv1[i]) + h / 8 * (ca0[i] - ca1[i]);
-    input += p[i] * (kept_.ground_begin * v0[i] + 4 * kept_.ground_middle * vm + kept_.ground_end * v1[i]);
     damping += v0[i] * cv0[i] + 4 * vm * cvm + v1[i] * cv1[i];
+  }
+  for (Eigen::Index k = 0; k < load.cols(); ++k) {
+    const double* p = load.col(k).data();
+    const double begin = x.ground[k], middle = kept_.ground_middle[k], end = y.ground[k];
+    if (k > 0 && begin == 0 && middle == 0 && end == 0) continue;
+    for (int i = 0; i < n; ++i) {
+      const double vm = 0.5 * (v0[i] + v1[i]) + h / 8 * (a0[i] - a1[i]);
+      input += p[i] * (begin * v0[i] + 4 * middle * vm + end * v1[i]);
+    }
   }
   input_work_ -= h / 6 * input;
   damping_work_ += h / 6 * damping;
@@ -366,7 +490,12 @@ void Stepper::accept() {
   for (int i = 0; i < system_.links(); ++i) {
     LinkStep& step = link_steps_[i];
     step = {x.time,     y.time,     motion(i, x), kept_.middle[i], motion(i, y),
-            x.force[i], kept_.force_middle[i],    y.force[i], x.closings(i, a), y.closings(i, a)};
+            x.force[i], kept_.force_middle[i],    y.force[i],
+            x.closings(i, a) + ground_part(x.by_ground, i, a), y.closings(i, a) + ground_part(y.by_ground, i, a)};
+    if (moving_)
+      carried_work_ += h / 6 * (step.force_begin * x.by_ground(i, v) + 4 * step.force_middle * kept_.by_ground_middle(i, v) +
+                                step.force_end * y.by_ground(i, v));
+    if (i >= frictions_from_) continue;
     if (i >= contacts) {
       system_.springs[i - contacts]->accept(step);
       continue;
@@ -375,14 +504,19 @@ void Stepper::accept() {
     rate_scale_[i] = std::max(rate_scale_[i], std::abs(step.motion_end.rate));
     penetration_scale_[i] = std::max(penetration_scale_[i], std::abs(step.motion_end.penetration));
   }
+  for (std::size_t k = 0; k < friction_work_.size(); ++k)
+    for (int j = 0; j < system_.frictions[k].count; ++j) {
+      const LinkStep& step = link_steps_[system_.frictions[k].first + j];
+      friction_work_[k] += h / 6 * (step.force_begin * step.motion_begin.rate + 4 * step.force_middle * step.motion_middle.rate +
+                                    step.force_end * step.motion_end.rate);
+    }
   now_ = kept_.end;
   update_scales();
-  now_.ground = kept_.ground_end;
   if (now_.time >= next_break_) {
-    now_.ground = system_.ground.acceleration(now_.time);
-    next_break_ = system_.ground.next_break(now_.time);
+    ground_at(now_.time, now_.ground);
+    next_break_ = next_break_after(now_.time);
   }
-  const bool ground_jumps = now_.ground != kept_.ground_end;
+  const bool ground_jumps = now_.ground != kept_.end.ground;
   if (!landed_.empty())
     enter_phases(false);
   else if (ground_jumps)
@@ -391,7 +525,7 @@ void Stepper::accept() {
 
 void Stepper::cross_now() {
   before_ = kept_.end = now_;
-  before_fresh_ = arrived_fresh_ = false;
+  forget_views();
   enter_phases(true);
 }
 
@@ -401,7 +535,7 @@ Energies Stepper::energies() const {
   std::vector<double> sums{input_work_, damping_work_, 0.5 * work_.dot(x.col(v)), 0.5 * x.col(u).dot(x.col(ku))};
   base_.combine(sums);
   Energies e;
-  e.input = given_ + sums[0];
+  e.input = given_ + carried_work_ + sums[0];
   e.damping = sums[1];
   e.kinetic = sums[2];
   e.strain = sums[3];
@@ -410,6 +544,7 @@ Energies Stepper::energies() const {
     e.strain += spring->stored_correction();
   }
   for (const Contact* contact : system_.contacts) e.impact += contact->work();
+  for (const double work : friction_work_) e.impact += work;
   return e;
 }
 
@@ -421,24 +556,42 @@ void Stepper::show(const Instant& instant, State& state) const {
   state.force = instant.force;
 }
 
-const State& Stepper::state() const {
-  if (!state_fresh_) show(now_, state_);
-  state_fresh_ = true;
-  return state_;
+void Stepper::show(const Instant& instant, Observed& observed) const {
+  observed.time = instant.time;
+  base_.observe(instant.motion.leftCols(3), observed.motion);
 }
 
-const State& Stepper::before() const {
-  if (!before_fresh_) show(before_, state_before_);
-  before_fresh_ = true;
-  return state_before_;
+void Stepper::forget_views() {
+  states_.forget();
+  observed_.forget();
+  observed_a_middle_.resize(0, 0);
 }
 
-const State& Stepper::arrived() const {
-  if (!changed_at_end_) return state();
-  if (!arrived_fresh_) show(kept_.end, state_arrived_);
-  arrived_fresh_ = true;
-  return state_arrived_;
+template <class View>
+const View& Stepper::now_in(Views<View>& views) const {
+  if (!std::exchange(views.has_now, true)) show(now_, views.now);
+  return views.now;
 }
+
+template <class View>
+const View& Stepper::before_in(Views<View>& views) const {
+  if (!std::exchange(views.has_before, true)) show(before_, views.before);
+  return views.before;
+}
+
+template <class View>
+const View& Stepper::arrived_in(Views<View>& views) const {
+  if (!changed_at_end_) return now_in(views);
+  if (!std::exchange(views.has_arrived, true)) show(kept_.end, views.arrived);
+  return views.arrived;
+}
+
+const State& Stepper::state() const { return now_in(states_); }
+const State& Stepper::before() const { return before_in(states_); }
+const State& Stepper::arrived() const { return arrived_in(states_); }
+const Observed& Stepper::observed() const { return now_in(observed_); }
+const Observed& Stepper::observed_before() const { return before_in(observed_); }
+const Observed& Stepper::observed_arrived() const { return arrived_in(observed_); }
 
 void Stepper::interpolate(double time, Eigen::VectorXd& u_out, Eigen::VectorXd& v_out) const {
   const State &x = before(), &y = arrived();
@@ -448,11 +601,9 @@ void Stepper::interpolate(double time, Eigen::VectorXd& u_out, Eigen::VectorXd& 
     v_out = state().v;
     return;
   }
-  const double s = std::clamp((time - x.time) / h, 0.0, 1.0), r = 1 - s;
-  const double begin = r * r * (1 + 2 * s), end = s * s * (1 + 2 * r), slope_begin = h * s * r * r,
-               slope_end = -h * s * s * r;
-  u_out = begin * x.u + end * y.u + slope_begin * x.v + slope_end * y.v;
-  v_out = begin * x.v + end * y.v + slope_begin * x.a + slope_end * y.a;
+  const Cubic cubic((time - x.time) / h, h);
+  u_out = cubic.begin * x.u + cubic.end * y.u + cubic.slope_begin * x.v + cubic.slope_end * y.v;
+  v_out = cubic.begin * x.v + cubic.end * y.v + cubic.slope_begin * x.a + cubic.slope_end * y.a;
 }
 
 void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& out) const {
@@ -462,19 +613,40 @@ void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& out) const 
     out = state().a;
     return;
   }
-  const double s = std::clamp((time - x.time) / h, 0.0, 1.0);
+  const Parabola parabola((time - x.time) / h);
   Eigen::VectorXd middle;
   base_.follow(kept_.a_middle);
   base_.physical(kept_.a_middle, middle);
-  out = (1 - s) * (1 - 2 * s) * x.a + 4 * s * (1 - s) * middle + s * (2 * s - 1) * y.a;
+  out = parabola.begin * x.a + parabola.middle * middle + parabola.end * y.a;
+}
+
+void Stepper::interpolate_observed(double time, Eigen::MatrixXd& out) const {
+  const Observed &x = observed_before(), &y = observed_arrived();
+  const double h = y.time - x.time;
+  if (!(h > 0)) {
+    out = observed().motion;
+    return;
+  }
+  if (observed_a_middle_.size() == 0) {
+    base_.follow(kept_.a_middle);
+    base_.observe(kept_.a_middle, observed_a_middle_);
+  }
+  const double s = (time - x.time) / h;
+  const Cubic cubic(s, h);
+  const Parabola parabola(s);
+  out.resize(x.motion.rows(), 3);
+  out.leftCols(2) = cubic.begin * x.motion.leftCols(2) + cubic.end * y.motion.leftCols(2) +
+                    cubic.slope_begin * x.motion.rightCols(2) + cubic.slope_end * y.motion.rightCols(2);
+  out.col(2) = parabola.begin * x.motion.col(2) + parabola.middle * observed_a_middle_ + parabola.end * y.motion.col(2);
 }
 
 void Stepper::Instant::swap(Instant& other) {
   std::swap(time, other.time);
-  std::swap(ground, other.ground);
+  ground.swap(other.ground);
   motion.swap(other.motion);
   force.swap(other.force);
   closings.swap(other.closings);
+  by_ground.swap(other.by_ground);
 }
 
 void Stepper::Trial::swap(Trial& other) {
@@ -483,9 +655,8 @@ void Stepper::Trial::swap(Trial& other) {
   a_middle.swap(other.a_middle);
   force_middle.swap(other.force_middle);
   middle.swap(other.middle);
-  std::swap(ground_begin, other.ground_begin);
-  std::swap(ground_middle, other.ground_middle);
-  std::swap(ground_end, other.ground_end);
+  ground_middle.swap(other.ground_middle);
+  by_ground_middle.swap(other.by_ground_middle);
   std::swap(error, other.error);
   size_u.swap(other.size_u);
   size_v.swap(other.size_v);
@@ -497,6 +668,7 @@ void Stepper::Instant::archive(Archive& archive) {
   archive(motion);
   archive(force);
   archive(closings);
+  archive(by_ground);
 }
 
 void Stepper::Trial::archive(Archive& archive) {
@@ -505,9 +677,8 @@ void Stepper::Trial::archive(Archive& archive) {
   archive(a_middle);
   archive(force_middle);
   archive(middle);
-  archive(ground_begin);
   archive(ground_middle);
-  archive(ground_end);
+  archive(by_ground_middle);
   archive(error);
   archive(size_u);
   archive(size_v);
@@ -520,6 +691,8 @@ void Stepper::archive(Archive& archive) {
   archive(link_steps_);
   archive(input_work_);
   archive(damping_work_);
+  archive(carried_work_);
+  archive(friction_work_);
   archive(given_);
   archive(started_);
   archive(displacement_scale_);
@@ -532,7 +705,7 @@ void Stepper::archive(Archive& archive) {
   archive(next_break_);
   for (Contact* contact : system_.contacts) contact->archive(archive);
   for (Spring* spring : system_.springs) spring->archive(archive);
-  state_fresh_ = before_fresh_ = arrived_fresh_ = false;
+  forget_views();
 }
 
 }  // namespace pounding

@@ -8,6 +8,7 @@
 
 #include <pounding/archive.hpp>
 #include <pounding/base.hpp>
+#include <pounding/friction.hpp>
 #include <pounding/scheme.hpp>
 #include <pounding/system.hpp>
 
@@ -27,14 +28,20 @@ struct State {
   Eigen::VectorXd force;  ///< of every link [N]
 };
 
+/// What a report follows, System::observed^T times displacements, velocities and accelerations, at one instant.
+struct Observed {
+  double time = 0;
+  Eigen::MatrixXd motion;  ///< [quantity, u v a]; a just after the instant
+};
+
 /// Energies at the last kept state [J]. input = kinetic + strain + damping + hysteretic + impact, but for the error.
 struct Energies {
-  double input = 0;       ///< work of the ground motion, and the energy that was there at the start
+  double input = 0;       ///< work of the ground motion, that of link forces on it included, and the energy at the start
   double kinetic = 0;     ///< of the motion relative to the ground
   double strain = 0;      ///< stored in the structures
   double damping = 0;     ///< dissipated by the damping of the structures
   double hysteretic = 0;  ///< dissipated by yielding
-  double impact = 0;      ///< work done on the contacts: lost, and stored while they press
+  double impact = 0;      ///< work done on the contacts: lost, friction included, and stored while they press
 };
 
 /// Steps of the chosen scheme with the link forces condensed out: the structures are solved once (a stage) with a matrix
@@ -43,7 +50,8 @@ struct Energies {
 /// attempt() is pure: a trial that is not accepted leaves no trace.
 class Stepper {
  public:
-  /// `base` describes the same system. Throws std::invalid_argument when the options are out of range.
+  /// `base` describes the same system. Throws std::invalid_argument when the options are out of range, parts of the system do
+  /// not fit each other, or a friction stands at a rigid contact.
   Stepper(const System& system, Base& base, const StepperOptions& options);
 
   /// Starts from displacements and velocities with the exact initial acceleration. Unknowns without mass follow the
@@ -68,10 +76,10 @@ class Stepper {
   void cross_now();
 
   double time() const { return now_.time; }
-  /// The next time at which the ground motion has a corner or a jump; infinity for none.
+  /// The next time at which one of the ground motions has a corner or a jump; infinity for none.
   double next_break() const { return next_break_; }
-  /// Acceleration of the ground just before the end of the last kept step [m/s^2].
-  double ground_before() const { return kept_.ground_end; }
+  /// Accelerations of the grounds just before the end of the last kept step [m/s^2].
+  const Eigen::VectorXd& ground_before() const { return kept_.end.ground; }
   /// The present state.
   const State& state() const;
   /// The state at the beginning of the last kept step.
@@ -79,8 +87,14 @@ class Stepper {
   /// End of the last kept step as the step saw it: accelerations and forces before contacts changed phase. The same
   /// object as state() when nothing changed there.
   const State& arrived() const;
+  /// The same three of what a report follows, without the whole vectors.
+  const Observed& observed() const;
+  const Observed& observed_before() const;
+  const Observed& observed_arrived() const;
   const std::vector<LinkStep>& link_steps() const { return link_steps_; }
   Energies energies() const;
+  /// Work that each friction of the system has dissipated [J].
+  const std::vector<double>& friction_work() const { return friction_work_; }
   bool in_contact() const;
   /// The link whose error was the largest of all, or that would not be solved, in the last trial; -1 for none.
   int troublesome_link() const { return troublesome_; }
@@ -89,6 +103,8 @@ class Stepper {
   void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   /// Acceleration inside the last kept step: the parabola through both ends and the middle.
   void interpolate_acceleration(double time, Eigen::VectorXd& a) const;
+  /// The same of what a report follows: [quantity, u v a].
+  void interpolate_observed(double time, Eigen::MatrixXd& motion) const;
 
   /// The step to try when `wanted` would do and `left` remains until a corner of the ground motion or the end.
   double step_towards(double wanted, double left) const;
@@ -107,10 +123,11 @@ class Stepper {
   enum Column { u, v, a, c, ku, kv, ka, kc, cv, ca, cc, columns };
   struct Instant {
     double time = 0;
-    double ground = 0;          // acceleration just after [m/s^2]
+    Eigen::VectorXd ground;     // accelerations, just after, but just before at the end of a step [m/s^2]
     Eigen::MatrixXd motion;     // [coordinate, Column]
     Eigen::VectorXd force;      // of every link
-    Eigen::MatrixXd closings;   // [link, u v a]
+    Eigen::MatrixXd closings;   // B^T of the motion, [link, u v a c]
+    Eigen::MatrixXd by_ground;  // what the ground and gravity add to it, [link, u v a]; empty when that is nothing
     const double* at(Column column) const { return motion.col(column).data(); }
     double* at(Column column) { return motion.col(column).data(); }
     void swap(Instant& other);
@@ -129,11 +146,31 @@ class Stepper {
     Eigen::VectorXd force_middle;
     mutable Eigen::VectorXd a_middle;  // unknowns without mass are completed when somebody asks
     std::vector<LinkMotion> middle;                              // motion of every link
-    double ground_begin = 0, ground_middle = 0, ground_end = 0;  // [m/s^2]
+    Eigen::VectorXd ground_middle;     // accelerations [m/s^2]
+    Eigen::MatrixXd by_ground_middle;  // as Instant::by_ground
     double error = 0;
     std::vector<double> size_u, size_v;  // of the motion at the end, by group
     void swap(Trial& other);
     void archive(Archive& archive);
+  };
+
+  // What somebody asked for of the present instant, the beginning and the arrived end of the last kept step.
+  template <class View>
+  struct Views {
+    View now, before, arrived;
+    bool has_now = false, has_before = false, has_arrived = false;
+    void forget() { has_now = has_before = has_arrived = false; }
+    // A step was kept: the present becomes what was before.
+    void move_on() {
+      if (has_now) std::swap(before, now);
+      has_before = has_now;
+      has_now = has_arrived = false;
+    }
+  };
+  // A friction that acts, by the places of its links among the active ones.
+  struct Slider {
+    const Friction* friction = nullptr;
+    int contact = 0, first = 0;
   };
 
   int width() const { return carries_ ? 4 : 3; }  // columns of motion that have products
@@ -146,13 +183,28 @@ class Stepper {
   bool condense(double by_u, double by_v, double weight, const Eigen::VectorXd& guess, Eigen::Ref<Eigen::VectorXd> x);
   bool solve_one_link(int place, double by_u, double by_v, double weight, double others, double& force);
   bool solve_many_links(double by_u, double by_v, double weight);
+  bool solve_slider(const Slider& slider, double by_u, double by_v, Eigen::VectorXd& forces);
+  FrictionForce slide(const Slider& slider, double by_u, double by_v, const Eigen::VectorXd& relief) const;
+  void hold_end();
+  // One number of an Instant::by_ground.
+  double ground_part(const Eigen::MatrixXd& by_ground, int link, Column column) const {
+    return moving_ ? by_ground(link, column) : 0;
+  }
+  void check_parts();
+  void find_sliders();
+  void forget_views();
+  double next_break_after(double time) const;
+  const double* push(const Eigen::VectorXd& ground);
+  void ground_at(double time, Eigen::VectorXd& ground, bool before = false) const;
+  void closings_by_ground(double time, const Eigen::VectorXd& ground, Eigen::MatrixXd& by_ground) const;
   void products(Instant& instant, int first, int count) const;
   void evaluate_middle();
   void measure(const Instant& instant, std::vector<double>& size_u, std::vector<double>& size_v);
   void add_simpson_error(double part);
   void finish_error();
   /// r, the forces other than those of links, becomes the acceleration; forces of the links from their motions.
-  void balance(std::span<const LinkMotion> motions, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
+  void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, Eigen::VectorXd& force,
+               Eigen::Ref<Eigen::VectorXd> r) const;
   void balance_now();
   void gather_now();
   /// Penetration of a contact, or deformation of a spring, whose ends have closed by `closure`.
@@ -178,6 +230,13 @@ class Stepper {
   double largest_u() const;
   double largest_v() const;
   void show(const Instant& instant, State& state) const;
+  void show(const Instant& instant, Observed& observed) const;
+  template <class View>
+  const View& now_in(Views<View>& views) const;
+  template <class View>
+  const View& before_in(Views<View>& views) const;
+  template <class View>
+  const View& arrived_in(Views<View>& views) const;
 
   const System& system_;
   Base& base_;
@@ -185,6 +244,9 @@ class Stepper {
   GeneralizedAlpha alpha_;
   bool carries_ = false;  // an acceleration of the scheme that is not the balanced one
   double allowed_;  // local error that the tolerance allows
+  bool moving_ = false;   // the ground or gravity adds to the closures
+  int frictions_from_ = 0;                // the first link that is a column of a friction
+  std::vector<int> contact_of_friction_;  // of each of these columns
 
   Eigen::MatrixXd rigid_response_;     // M^-1 B of the contacts, when one of them is rigid
   Eigen::MatrixXd rigid_flexibility_;  // B^T M^-1 B
@@ -194,6 +256,8 @@ class Stepper {
   std::vector<Ending> landed_;  // endings at the end of the trial
   std::vector<LinkStep> link_steps_;
   double input_work_ = 0, damping_work_ = 0;  // of this process
+  double carried_work_ = 0;  // of the link forces on the motion of the ground
+  std::vector<double> friction_work_;
   double given_ = 0;  // energy that was there at the start or came by a changed motion
   bool started_ = false;
   double next_break_ = 0;
@@ -207,19 +271,23 @@ class Stepper {
 
   // Room to work in.
   std::vector<int> active_;            // links whose force is sought
+  std::vector<Slider> sliders_;        // frictions among them
   std::vector<LinkMotion> free_;       // their motion without their forces
   Eigen::VectorXd free_closing_;       // and their closing acceleration
   Eigen::MatrixXd flexibility_;        // G of the active links
   Eigen::VectorXd active_force_;
   Eigen::VectorXd r_, error_u_, error_v_;
+  Eigen::VectorXd push_, stage_ground_;
+  Eigen::MatrixXd stage_by_ground_;
   Eigen::MatrixXd gathered_, stages_, stage_closings_, work_errors_;
   std::vector<LinkMotion> now_motions_;
   mutable Eigen::VectorXd work_;
   mutable Eigen::MatrixXd work_closings_;
   std::vector<double> sums_;
-  mutable State state_, state_before_, state_arrived_;
+  mutable Views<State> states_;
+  mutable Views<Observed> observed_;
+  mutable Eigen::MatrixXd observed_a_middle_;  // empty until somebody asks for it
   bool changed_at_end_ = false;  // the present state is not the end of the last step
-  mutable bool state_fresh_ = false, before_fresh_ = false, arrived_fresh_ = false;
 };
 
 }  // namespace pounding

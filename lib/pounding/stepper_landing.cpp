@@ -80,7 +80,11 @@ constexpr int most_corner_trials = 8;
 
 // Rounding noise of a margin at this motion. The force that holds a contact has the noise of a speed lost in the longest step.
 double Stepper::noise_of(int link, int margin, const LinkMotion& at) const {
-  const double size_u = largest_u(), size_v = largest_v();
+  double size_u = largest_u(), size_v = largest_v();
+  if (moving_) {
+    size_u = std::max(size_u, std::abs(now_.by_ground(link, u)));
+    size_v = std::max(size_v, std::abs(now_.by_ground(link, v)));
+  }
   const auto cut = [&] {
     return cut_noise + system_.contacts[link]->force_margin_noise(at, {noise * size_u, noise * size_v});
   };
@@ -168,7 +172,7 @@ void Stepper::stop_at_corner(int link) {
 }
 
 std::optional<double> Stepper::land() {
-  for (int i = system_.contact_count(); i < system_.links(); ++i) stop_at_corner(i);
+  for (int i = system_.contact_count(); i < frictions_from_; ++i) stop_at_corner(i);
   for (int i = 0; i < system_.contact_count(); ++i) inner_touch(i);
   std::vector<Ending> open = endings();
   if (open.empty()) return std::nullopt;
@@ -310,7 +314,7 @@ void Stepper::settle() {
 Eigen::VectorXd Stepper::slowest_rates(const std::vector<int>& closed) const {
   Eigen::VectorXd slowest = Eigen::VectorXd::Constant(static_cast<int>(closed.size()), options_.tolerance * largest_v());
   for (std::size_t k = 0; k < closed.size(); ++k) {
-    const double press = now_.closings(closed[k], a), e = system_.contacts[closed[k]]->restitution();
+    const double press = now_.closings(closed[k], a) + ground_part(now_.by_ground, closed[k], a), e = system_.contacts[closed[k]]->restitution();
     if (!(press > 0)) continue;
     const double lowest = std::sqrt(2 * press * least_hop * noise * largest_u());
     const double briefest = 0.5 * press * shortest_hop * std::max(1.0, now_.time);
@@ -333,7 +337,9 @@ void Stepper::bounce(const std::vector<int>& touching, bool without_step) {
   }
   const int count = static_cast<int>(closed.size());
   const Eigen::MatrixXd g = rigid_flexibility_(closed, closed);
-  const Eigen::VectorXd before = now_.closings.col(v)(closed), slowest = slowest_rates(closed);
+  Eigen::VectorXd before = now_.closings.col(v)(closed);
+  for (int k = 0; k < count; ++k) before[k] += ground_part(now_.by_ground, closed[k], v);
+  const Eigen::VectorXd slowest = slowest_rates(closed);
   Eigen::VectorXd rate = before, impulse = Eigen::VectorXd::Zero(count), work = impulse;
   const auto strike = [&](int k, double after) {
     const double push = (rate[k] - after) / g(k, k);
@@ -364,6 +370,7 @@ void Stepper::bounce(const std::vector<int>& touching, bool without_step) {
     // Without an impulse: a touch at rest is held, a rest may end, and all else goes on.
     if (impulse[k] == 0 && !(touches && stays) && !(held(i) && !stays)) continue;
     now_.motion.col(v) -= impulse[k] * rigid_response_.col(i);
+    carried_work_ += impulse[k] * ground_part(now_.by_ground, i, v);
     contact.jumped(now_.time, {std::max(0.0, impulse[k]), work[k], before[k], after[k], motion(i, now_).penetration}, stays);
   }
 }

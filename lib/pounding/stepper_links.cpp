@@ -19,6 +19,15 @@ constexpr double solved = 1e-14;  // of the terms of a force
 
 }  // namespace
 
+void Stepper::find_sliders() {
+  sliders_.clear();
+  const auto place = [&](int link) {
+    return static_cast<int>(std::lower_bound(active_.begin(), active_.end(), link) - active_.begin());
+  };
+  for (const Friction& friction : system_.frictions)
+    if (works(friction.contact)) sliders_.push_back({&friction, place(friction.contact), place(friction.first)});
+}
+
 bool Stepper::condense(double by_u, double by_v, double weight, const Eigen::VectorXd& guess,
                        Eigen::Ref<Eigen::VectorXd> x) {
   const int count = static_cast<int>(active_.size());
@@ -87,6 +96,42 @@ bool Stepper::solve_one_link(int place, double by_u, double by_v, double weight,
   return false;
 }
 
+// What a friction answers where the forces take `relief` off the closing accelerations; `by_u` and `by_v` of the equations of
+// the links.
+FrictionForce Stepper::slide(const Slider& slider, double by_u, double by_v, const Eigen::VectorXd& relief) const {
+  const auto rate = [&](int place) { return free_[place].rate - by_v * relief[place]; };
+  const LinkMotion contact{free_[slider.contact].penetration - by_u * relief[slider.contact], rate(slider.contact)};
+  Sliding rates = Sliding::Zero();
+  for (int j = 0; j < slider.friction->count; ++j) rates[j] = rate(slider.first + j);
+  return friction_force(*slider.friction, law(active_[slider.contact], contact), rates);
+}
+
+// One component of a friction after the other by bisection, all other forces as they are.
+bool Stepper::solve_slider(const Slider& slider, double by_u, double by_v, Eigen::VectorXd& forces) {
+  Eigen::VectorXd relief = flexibility_ * forces;
+  for (int j = 0; j < slider.friction->count; ++j) {
+    const int place = slider.first + j;
+    const Eigen::VectorXd others = relief - forces[place] * flexibility_.col(place);
+    const auto residual_at = [&](double f) {
+      ++iterations_;
+      return slide(slider, by_u, by_v, others + f * flexibility_.col(place)).force[j] - f;
+    };
+    const double unrelieved = residual_at(0);
+    double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
+    double& far = unrelieved > 0 ? high : low;
+    for (int doubling = 0; doubling < 60 && residual_at(far) * unrelieved > 0; ++doubling) far *= 2;
+    while (high - low > 4e-16 * std::max(std::abs(low), std::abs(high))) {
+      const double middle = 0.5 * (low + high);
+      if (middle == low || middle == high) break;
+      (residual_at(middle) > 0 ? low : high) = middle;
+    }
+    forces[place] = 0.5 * (low + high);
+    if (!std::isfinite(forces[place])) return false;
+    relief = others + forces[place] * flexibility_.col(place);
+  }
+  return true;
+}
+
 bool Stepper::solve_many_links(double by_u, double by_v, double weight) {
   const int count = static_cast<int>(active_.size());
   by_u *= weight;
@@ -96,6 +141,7 @@ bool Stepper::solve_many_links(double by_u, double by_v, double weight) {
   Eigen::VectorXd residual(count), relief(count), trial(count);
   Eigen::MatrixXd slopes(count, count);
   // Held contacts between the same bodies leave their shares open.
+  const int plain = static_cast<int>(std::lower_bound(active_.begin(), active_.end(), frictions_from_) - active_.begin());
   int held_count = 0;
   for (const int link : active_) held_count += held(link);
   const bool several_held = held_count > 1;
@@ -104,7 +150,7 @@ bool Stepper::solve_many_links(double by_u, double by_v, double weight) {
     ++iterations_;
     scale = x.norm();
     relief.noalias() = g * x;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < plain; ++i) {
       if (held(active_[i])) {
         residual[i] = (free_closing_[i] / weight - relief[i]) / g(i, i);
         if (with_slopes) slopes.row(i) = g.row(i) / g(i, i);
@@ -118,14 +164,32 @@ bool Stepper::solve_many_links(double by_u, double by_v, double weight) {
       slopes.row(i) = (by_u * answer.by_penetration + by_v * answer.by_rate) * g.row(i);
       slopes(i, i) += 1;
     }
+    for (const Slider& slider : sliders_) {
+      const FrictionForce answer = slide(slider, by_u, by_v, relief);
+      for (int j = 0; j < slider.friction->count; ++j) {
+        const int i = slider.first + j;
+        residual[i] = answer.force[j] - x[i];
+        for (int k = 0; k < slider.friction->count; ++k) {
+          const int other = slider.first + k;
+          scale = std::max(scale, std::abs(answer.by_sliding(j, k)) *
+                                      std::max(std::abs(free_[other].rate), std::abs(by_v * relief[other])));
+        }
+        if (!with_slopes) continue;
+        slopes.row(i) = (by_u * answer.by_penetration[j] + by_v * answer.by_rate[j]) * g.row(slider.contact);
+        for (int k = 0; k < slider.friction->count; ++k) slopes.row(i) += by_v * answer.by_sliding(j, k) * g.row(slider.first + k);
+        slopes(i, i) += 1;
+      }
+    }
     return residual.norm();
   };
   // Gauss-Seidel with the bracketed scalar solve: slower, but it cannot fail on laws that grow with penetration and rate.
   const auto sweep = [&](Eigen::VectorXd& x) {
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < plain; ++i) {
       const double others = g.row(i).dot(x) - g(i, i) * x[i];
       if (!solve_one_link(i, by_u / weight, by_v / weight, weight, others, x[i])) return false;
     }
+    for (const Slider& slider : sliders_)
+      if (!solve_slider(slider, by_u, by_v, x)) return false;
     return true;
   };
   for (int iteration = 0; iteration < 500; ++iteration) {

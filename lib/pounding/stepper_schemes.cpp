@@ -1,5 +1,6 @@
 /// A trial step by each scheme, and its error.
 
+#include <Eigen/QR>
 #include <cmath>
 
 #include <pounding/stepper.hpp>
@@ -25,13 +26,13 @@ bool Stepper::attempt_alpha(double h) {
   const double *ku0 = now_.at(ku), *kv0 = now_.at(kv), *ka0 = now_.at(ka), *kc0 = now_.at(k_carried);
   const double *cv0 = now_.at(cv), *ca0 = now_.at(ca), *cc0 = now_.at(c_carried);
   const double by_c_in_u = h * h * (0.5 - beta), by_c_in_v = h * (1 - gamma);
-  const double ground = alpha_f * t.ground_end + (1 - alpha_f) * t.ground_begin;
+  stage_ground_ = alpha_f * t.end.ground + (1 - alpha_f) * now_.ground;
 
   for (int i = 0; i < n; ++i) work_[i] = a0[i] + part * (c0[i] - a0[i]);
   base_.mass_times(work_, r_);
-  const double* p = base_.load().data();
+  const double* pushed = push(stage_ground_);
   for (int i = 0; i < n; ++i)
-    r_[i] = (alpha_m - 1) * r_[i] - ground * p[i] - ku0[i] - cv0[i] -
+    r_[i] = (alpha_m - 1) * r_[i] - pushed[i] - ku0[i] - cv0[i] -
             alpha_f * (h * kv0[i] + by_c_in_u * (ka0[i] + part * (kc0[i] - ka0[i])) +
                        by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
   if (!active_.empty()) base_.add_forces(alpha_f - 1, now_.force, r_);
@@ -47,8 +48,13 @@ bool Stepper::attempt_alpha(double h) {
       const double sa = now_.closings(i, a), s = carries_ ? sa + part * (now_.closings(i, c) - sa) : sa;
       const double g = gathered_(i, 0);
       const double closure = now_.closings(i, u) + h * now_.closings(i, v) + by_c_in_u * s + beta * h * h * g;
-      free_[k] = {deformation(i, closure), now_.closings(i, v) + by_c_in_v * s + gamma * h * g};
+      free_[k] = {deformation(i, closure + ground_part(t.end.by_ground, i, u)),
+                  now_.closings(i, v) + by_c_in_v * s + gamma * h * g + ground_part(t.end.by_ground, i, v)};
       free_closing_[static_cast<int>(k)] = g;
+      if (!moving_) continue;
+      // At the time that the acceleration of the scheme belongs to.
+      const double begin = now_.by_ground(i, a), end = t.end.by_ground(i, a);
+      free_closing_[static_cast<int>(k)] += end + (alpha_m - alpha_f) * (begin - end);
     }
     if (!condense(beta * h * h, gamma * h, alpha_f, now_.force, r_)) return false;
   }
@@ -60,10 +66,12 @@ bool Stepper::attempt_alpha(double h) {
     v1[i] = v0[i] + by_c_in_v * s + gamma * h * x;
     a1[i] = x;
   }
+  hold_end();
   if (carries_) {
     products(t.end, u, 2);
     auto balanced = t.end.motion.col(a);
-    balanced = -t.ground_end * base_.load() - t.end.motion.col(ku) - t.end.motion.col(cv);
+    push(t.end.ground);
+    balanced = -push_ - t.end.motion.col(ku) - t.end.motion.col(cv);
     if (!active_.empty()) base_.add_forces(-1, t.end.force, balanced);
     base_.accelerate(balanced);
     base_.follow(balanced);
@@ -78,6 +86,28 @@ bool Stepper::attempt_alpha(double h) {
   error_v_.setZero();
   add_simpson_error(1);
   return true;
+}
+
+// A scheme keeps the rate of a held contact as long as nothing but the structures moves. Where the ground itself moves one of
+// its ends the error of the step would part the bodies or press them together: rate and penetration are set back.
+void Stepper::hold_end() {
+  if (!moving_) return;
+  std::vector<int> holding;
+  for (int i = 0; i < system_.contact_count(); ++i)
+    if (held(i)) holding.push_back(i);
+  if (holding.empty()) return;
+  Instant& end = trial_.end;
+  base_.gather(end.motion.leftCols(2), gathered_);
+  Eigen::MatrixXd drift(static_cast<Eigen::Index>(holding.size()), 2);
+  for (std::size_t k = 0; k < holding.size(); ++k) {
+    const int i = holding[k];
+    const double before = now_.closings(i, u) + now_.by_ground(i, u);
+    drift.row(static_cast<Eigen::Index>(k)) << gathered_(i, u) + end.by_ground(i, u) - before, gathered_(i, v) + end.by_ground(i, v);
+  }
+  const Eigen::MatrixXd back =
+      Eigen::MatrixXd(rigid_flexibility_(holding, holding)).completeOrthogonalDecomposition().solve(drift);
+  for (std::size_t k = 0; k < holding.size(); ++k)
+    end.motion.leftCols(2) -= rigid_response_.col(holding[k]) * back.row(static_cast<Eigen::Index>(k));
 }
 
 // The step's own velocities and displacements against Simpson's rule on the accelerations that balance the equations at its
@@ -113,8 +143,19 @@ bool Stepper::attempt_esdirk(double h) {
   t.end.force = now_.force;
   for (int i = 1; i < stages; ++i) {
     const double ci = esdirk4::c[i];
-    const double ground = i + 1 == stages ? t.ground_end : system_.ground.acceleration(begin + ci * h);
-    r_ = -ground * base_.load() - now_.motion.col(ku) - now_.motion.col(cv) - ci * h * now_.motion.col(kv);
+    const bool last = i + 1 == stages;
+    if (last)
+      stage_ground_ = t.end.ground;
+    else
+      ground_at(begin + ci * h, stage_ground_);
+    if (moving_) {
+      if (last)
+        stage_by_ground_ = t.end.by_ground;
+      else
+        closings_by_ground(begin + ci * h, stage_ground_, stage_by_ground_);
+    }
+    push(stage_ground_);
+    r_ = -push_ - now_.motion.col(ku) - now_.motion.col(cv) - ci * h * now_.motion.col(kv);
     for (int j = 0; j < i; ++j) r_ -= h * h * squared[i][j] * k_times(j) + h * esdirk4::a[i][j] * c_times(j);
     if (!base_.solve(r_)) return false;
     if (!active_.empty()) {
@@ -130,8 +171,9 @@ bool Stepper::attempt_esdirk(double h) {
           closure += h * h * squared[i][j] * stage_closings_(link, j);
           rate += h * esdirk4::a[i][j] * stage_closings_(link, j);
         }
-        free_[k] = {deformation(link, closure), rate};
-        free_closing_[static_cast<int>(k)] = g;
+        free_[k] = {deformation(link, closure + ground_part(stage_by_ground_, link, u)),
+                    rate + ground_part(stage_by_ground_, link, v)};
+        free_closing_[static_cast<int>(k)] = g + ground_part(stage_by_ground_, link, Stepper::a);
       }
       const Eigen::VectorXd guess = t.end.force;
       t.end.force.setZero();
@@ -140,7 +182,7 @@ bool Stepper::attempt_esdirk(double h) {
       stage_closings_.col(i) = gathered_;
     }
     acceleration(i) = r_;
-    if (i + 1 == stages) break;
+    if (last) break;
     base_.stiffness_times(acceleration(i), k_times(i));
     base_.damping_times(acceleration(i), k_times(i), c_times(i));
   }
@@ -157,6 +199,7 @@ bool Stepper::attempt_esdirk(double h) {
     error_u_ += h * h * by_u * acceleration(j);
     error_v_ += h * (esdirk4::a[stages - 1][j] - embedded[j]) * acceleration(j);
   }
+  hold_end();
   t.end.motion.col(Stepper::a) = acceleration(stages - 1);
   products(t.end, u, 3);
   base_.gather(t.end.motion.leftCols(width()), t.end.closings);

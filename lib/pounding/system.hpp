@@ -25,28 +25,42 @@ struct Group {
   double by_stiffness = 0;        ///< [s]
 };
 
-/// M a + C v + K u + B F(B^T u, B^T v) = -p ag(t), displacements relative to the ground.
+/// Coulomb's friction where a contact presses, regularised: F_t = coefficient max(F_n, 0) v_t / sqrt(|v_t|^2 + sliding^2)
+/// with the force F_n of the contact and the rates v_t of the columns `first` .. `first + count - 1` of B.
+struct Friction {
+  int contact = 0;
+  int first = 0, count = 1;  ///< one column in the plane, two in space
+  double coefficient = 0;
+  double sliding = 0;  ///< velocity at which 0.71 of the full force is reached [m/s]
+};
+
+/// M a + C v + K u + B F = -P ag(t), displacements relative to the ground; the links feel the closures
+/// B^T u + S dg(t) + c, where the ground itself takes the two sides of a link differently.
 ///
 /// An unknown without mass has an empty row in M; no link and no dashpot may act on it.
 ///
 /// Link i closes by column i of B times u: +1 at the left body, -1 at the right one. A positive link force pushes
-/// the bodies apart. The columns of the springs that yield follow those of the contacts. Both are owned by the model
-/// and outlive the system.
+/// the bodies apart. The columns of the springs that yield follow those of the contacts, those of friction follow these.
+/// Contacts and springs are owned by the model and outlive the system.
 struct System {
   SparseMatrix mass;       ///< M, symmetric [kg]
   SparseMatrix damping;    ///< C without the Rayleigh damping of the groups [N s/m]
   SparseMatrix stiffness;  ///< K, symmetric [N/m]
-  Eigen::VectorXd load;    ///< p = M r [kg]
-  SparseMatrix closing;    ///< B, one column a contact, then one a spring
+  Eigen::MatrixXd load;    ///< P, one column a ground motion [kg]
+  SparseMatrix closing;    ///< B, one column a contact, then one a spring, then one or two a friction
   std::vector<Contact*> contacts;
   std::vector<std::string> names;  ///< of the contacts, for messages; may be empty
   std::vector<Spring*> springs;
+  std::vector<Friction> frictions;
   std::vector<Group> groups;
-  GroundMotion ground;
+  std::vector<GroundMotion> grounds;  ///< components of the motions of the supports, ag(t) together
+  Eigen::MatrixXd closing_by_ground;  ///< S, links x grounds; empty where the ground takes both sides of every link alike
+  Eigen::VectorXd closed_at_rest;     ///< c, by gravity [m]; empty for none
+  SparseMatrix observed;   ///< n x k: what a report follows is observed^T u
 
   int size() const { return static_cast<int>(mass.rows()); }
   int contact_count() const { return static_cast<int>(contacts.size()); }
-  int links() const { return static_cast<int>(contacts.size() + springs.size()); }
+  int links() const { return static_cast<int>(closing.cols()); }
 };
 
 }  // namespace pounding

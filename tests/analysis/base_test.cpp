@@ -5,6 +5,7 @@
 #include <petscsys.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include <pounding/frame.hpp>
@@ -63,8 +64,8 @@ struct Pair {
     system.stiffness.resize(n, n);
     system.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
     system.damping.resize(n, n);
-    system.load.resize(n);
-    for (int k = 0; k < frames; ++k) system.load.segment(system.groups[k].first, parts[k].size()) = parts[k].load.col(0);
+    system.load.resize(n, 1);
+    for (int k = 0; k < frames; ++k) system.load.col(0).segment(system.groups[k].first, parts[k].size()) = parts[k].load.col(0);
     if (frames == 2) {
       for (int floor = 1; floor <= 3; ++floor) {
         const auto end = [&](int frame, int line, double sign) {
@@ -81,9 +82,39 @@ struct Pair {
     }
     system.closing.resize(n, static_cast<int>(contacts.size()));
     system.closing.setFromTriplets(closing.begin(), closing.end());
-    system.ground = GroundMotion(Harmonic{3.0, 0.6, 10.0});
+    system.grounds = {GroundMotion(Harmonic{3.0, 0.6, 10.0})};
   }
 };
+
+// The right frame moves later than the left one, contacts rub, and displacements of nodes are followed, one rotation without
+// mass among them.
+Pair rubbing_on_delayed_ground() {
+  Pair pair;
+  System& s = pair.system;
+  const int n = s.size(), contacts = s.contact_count();
+  s.grounds.push_back(s.grounds[0].delayed(0.08));
+  s.load.conservativeResize(n, 2);
+  s.load.col(1).setZero();
+  const Group right = s.groups[1];
+  s.load.col(1).segment(right.first, right.count).swap(s.load.col(0).segment(right.first, right.count));
+  const Eigen::MatrixXd closing = s.closing;
+  Eigen::MatrixXd wider = Eigen::MatrixXd::Zero(n, 2 * contacts);
+  wider.leftCols(contacts) = closing;
+  for (int i = 0; i < contacts; ++i) {
+    for (int k = 0; k + 1 < n; ++k)
+      if (closing(k, i) != 0) wider(k + 1, contacts + i) = closing(k, i);  // uz of the same node
+    s.frictions.push_back({.contact = i, .first = contacts + i, .count = 1, .coefficient = 0.4, .sliding = 0.02});
+  }
+  s.closing = wider.sparseView();
+  s.closing_by_ground = Eigen::MatrixXd::Zero(2 * contacts, 2);
+  s.closing_by_ground.topRows(contacts).rowwise() = Eigen::RowVector2d(1, -1);
+  s.closed_at_rest = 1e-5 * Eigen::VectorXd::LinSpaced(2 * contacts, 0, 1);
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, 5);
+  rows(0, 0) = 1, rows(2, 1) = 1, rows(right.first + 4, 2) = -2, rows(n - 1, 3) = 1;
+  rows(3, 4) = 1, rows(right.first, 4) = -1;
+  s.observed = rows.sparseView();
+  return pair;
+}
 
 // Smooth and never zero.
 Eigen::VectorXd some_vector(int size, double phase) {
@@ -227,6 +258,44 @@ TEST_P(SparseMatrices, GatherAndPushAtTheEndsOfLinks) {
   EXPECT_LT(difference(u, -2 * system.closing * Eigen::Vector3d(1, 5, 0)), 1e-15);
 }
 
+TEST(SeveralGrounds, AreLoadsOfTheRowsHere) {
+  const Pair pair = rubbing_on_delayed_ground();
+  const SparseBase sparse(PETSC_COMM_WORLD, pair.system);
+  const ModalBase modal(pair.system);
+  for (int k = 0; k < 2; ++k) {
+    Eigen::VectorXd u;
+    sparse.physical(sparse.load().col(k), u);
+    EXPECT_EQ((u - pair.system.load.col(k)).norm(), 0);
+    Eigen::VectorXd a = modal.load().col(k), expected = sparse.load().col(k), b;
+    sparse.accelerate(expected);
+    sparse.follow(expected);
+    sparse.physical(expected, b);
+    modal.physical(a, u);
+    EXPECT_LT(difference(u, b), 1e-10);
+  }
+}
+
+TEST(Observed, IsTheSameByModesAndBySparseMatrices) {
+  const Pair pair = rubbing_on_delayed_ground();
+  const SparseBase sparse(PETSC_COMM_WORLD, pair.system);
+  const ModalBase modal(pair.system);
+  const int n = pair.system.size();
+  Eigen::MatrixXd x(n, 3), local(sparse.size(), 3), modes(modal.size(), 3), seen, by_modes;
+  for (int j = 0; j < 3; ++j) {
+    Eigen::VectorXd part = sparse.coordinates(some_vector(n, j)), u;
+    sparse.follow(part);
+    sparse.physical(part, u);
+    x.col(j) = u;
+    local.col(j) = part;
+    modes.col(j) = modal.coordinates(u);
+  }
+  sparse.observe(local, seen);
+  modal.observe(modes, by_modes);
+  const Eigen::MatrixXd expected = pair.system.observed.transpose() * x;
+  EXPECT_LT((seen - expected).norm(), 1e-15 * expected.norm());
+  EXPECT_LT((by_modes - expected).norm(), 1e-10 * expected.norm());
+}
+
 INSTANTIATE_TEST_SUITE_P(Frames, SparseMatrices, testing::Bool(),
                          [](const auto& test) { return test.param ? "consistent" : "lumped"; });
 
@@ -351,6 +420,8 @@ struct Trajectory {
   State end;
   std::vector<double> peaks;
   int impacts = 0, lands = 0;
+  double imbalance = 0;  // of the energies, as part of the input
+  Eigen::VectorXd seen;  // what is observed of the displacements
 };
 
 // Steps of the ladder's first rung, landings in between.
@@ -371,6 +442,9 @@ Trajectory march(Pair& pair, Base& base, Scheme scheme, double until) {
       stepper.accept();
   }
   run.end = stepper.state();
+  run.seen = stepper.observed().motion.col(0);
+  const Energies e = stepper.energies();
+  run.imbalance = 1 - (e.kinetic + e.strain + e.damping + e.impact) / e.input;
   for (const auto& contact : pair.contacts)
     for (const ImpactRow& row : contact->impacts()) {
       run.peaks.push_back(row.peak_force);
@@ -380,9 +454,9 @@ Trajectory march(Pair& pair, Base& base, Scheme scheme, double until) {
 }
 
 // On two processes the modes are those of one: the same trajectory in parallel and alone.
-TEST(TwoFrames, MoveAlikeInModesAndInSparseMatrices) {
+void expect_to_move_alike(const std::function<Pair()>& make) {
   for (const Scheme scheme : {Scheme{}, Scheme{.spectral_radius = 0.8}, Scheme{.kind = Scheme::Kind::esdirk4}}) {
-    Pair of_modes, of_factors, of_gradients;
+    Pair of_modes = make(), of_factors = make(), of_gradients = make();
     ModalBase modal(of_modes.system);
     SparseBase direct(PETSC_COMM_WORLD, of_factors.system);
     SparseBase gradients(PETSC_COMM_WORLD, of_gradients.system, {.direct_below = 0});
@@ -394,6 +468,9 @@ TEST(TwoFrames, MoveAlikeInModesAndInSparseMatrices) {
       EXPECT_EQ(run.end.time, expected.end.time);
       EXPECT_LT(difference(run.end.u, expected.end.u), 1e-9) << base->description();
       EXPECT_LT(difference(run.end.v, expected.end.v), 1e-8) << base->description();
+      EXPECT_NEAR(run.imbalance, expected.imbalance, 1e-6);
+      EXPECT_LT(std::abs(run.imbalance), 1e-3);
+      EXPECT_LT((run.seen - pair->system.observed.transpose() * run.end.u).norm(), 1e-14);
       ASSERT_EQ(run.peaks.size(), expected.peaks.size());
       for (std::size_t i = 0; i < run.peaks.size(); ++i) EXPECT_NEAR(run.peaks[i], expected.peaks[i], 1e-8 * expected.peaks[i]);
     }
@@ -401,6 +478,12 @@ TEST(TwoFrames, MoveAlikeInModesAndInSparseMatrices) {
     EXPECT_GT(gradients.iterations(), 0);
   }
 }
+
+TEST(TwoFrames, MoveAlikeInModesAndInSparseMatrices) {
+  expect_to_move_alike([] { return Pair(); });
+}
+
+TEST(TwoFramesThatRubOnDelayedGround, MoveAlikeInModesAndInSparseMatrices) { expect_to_move_alike(rubbing_on_delayed_ground); }
 
 }  // namespace
 }  // namespace pounding

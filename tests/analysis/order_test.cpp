@@ -32,7 +32,6 @@ Problem damped_oscillator(double w, double z) {
   p.system.mass = one(2.0);
   p.system.damping = one(2.0 * 2 * z * w);
   p.system.stiffness = one(2.0 * w * w);
-  p.system.load = Eigen::VectorXd::Zero(1);
   p.system.closing = SparseMatrix(1, 0);
   p.system.groups = {{0, 1, 1.0, 1.0}};
   p.u = Eigen::VectorXd::Constant(1, 1.0);
@@ -52,7 +51,6 @@ Problem ball_on_wall(const Law& law, double end) {
   Problem p;
   p.system.mass = one(6e4);
   p.system.damping = p.system.stiffness = SparseMatrix(1, 1);
-  p.system.load = Eigen::VectorXd::Zero(1);
   p.system.closing = one(1);
   p.system.groups = {{0, 1, 1e-3, 1.0}};
   p.contact = std::make_unique<GapLink<Law>>(law, 0.01);

@@ -122,9 +122,9 @@ struct Pair {
     system.stiffness.resize(n, n);
     system.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
     system.damping.resize(n, n);
-    system.load.resize(n);
+    system.load.resize(n, 1);
     for (std::size_t k = 0; k < grids.size(); ++k)
-      system.load.segment(system.groups[k].first, frames[k].size()) = frames[k].load.col(0);
+      system.load.col(0).segment(system.groups[k].first, frames[k].size()) = frames[k].load.col(0);
     for (int floor = 1; floor <= std::min(grids[0].storeys, grids[1].storeys); ++floor)
       for (int row = 0; row <= grids[0].bays_y; ++row) {
         const int link = static_cast<int>(contacts.size());
@@ -266,12 +266,12 @@ nlohmann::json plane(const Words& words) {
   const double tolerance = number(words, "--tolerance", 1e-4);
   if (!words.contains("--motion")) throw std::invalid_argument("--motion FILE is needed");
   Pair pair({grid(8, 3, 0, 1.0), grid(6, 2, 0, 1.7)}, [&](int link) { return make_gap_link(law, gap, link); });
-  pair.system.ground = motion_of(words.at("--motion"));
+  pair.system.grounds = {motion_of(words.at("--motion"))};
   // Errors are measured against a hundredth of what a structure of one second would move at the peak.
   const double w = 2 * M_PI;
   for (Group& group : pair.system.groups) {
-    group.displacement_floor = 1e-2 * pair.system.ground.peak() / (w * w);
-    group.velocity_floor = 1e-2 * pair.system.ground.peak() / w;
+    group.displacement_floor = 1e-2 * pair.system.grounds[0].peak() / (w * w);
+    group.velocity_floor = 1e-2 * pair.system.grounds[0].peak() / w;
   }
   const Clock::time_point start = Clock::now();
   const std::unique_ptr<Base> base = petsc::make_base(pair.system, base_kind(words));
@@ -324,7 +324,7 @@ double median(std::vector<double> values) {
 // answer to a push of 1 m/s^2 times the time is the motion itself but for the damping, so that the links stay pressed.
 Eigen::VectorXd static_answer(const Pair& pair, Base& base) {
   base.shift({0, 0, 1}, std::nullopt);
-  Eigen::VectorXd x = base.load();
+  Eigen::VectorXd x = base.load().col(0);
   if (!base.solve(x)) throw SolverError("the static answer failed");
   Eigen::MatrixXd closings, g;
   base.gather(x, closings);
@@ -372,9 +372,9 @@ nlohmann::json space(const Words& words) {
   Pair pair({grid(storeys, bays, bays_y, 1.0), grid(lower, bays, bays_y, 1.7)},
             [](int link) { return std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = linear_stiffness}, 0.0, link); });
   const Group& right = pair.system.groups[1];
-  pair.system.load.segment(right.first, right.count) *= -1;
+  pair.system.load.middleRows(right.first, right.count) *= -1;
   constexpr double begin = 1, far = 1e4;
-  pair.system.ground = GroundMotion(Samples{{0, far}, {0, -far}, true});
+  pair.system.grounds = {GroundMotion(Samples{{0, far}, {0, -far}, true})};
 
   const Clock::time_point start = Clock::now();
   const std::unique_ptr<Base> base = petsc::make_base(pair.system, base_kind(words));
@@ -398,12 +398,12 @@ nlohmann::json space(const Words& words) {
   check(TSSolve(solve.ts, nullptr));
 
   std::vector<double> solves;
-  Eigen::VectorXd x = base->load();
+  Eigen::VectorXd x = base->load().col(0);
   for (int i = 0; i < 21; ++i) {
     const Clock::time_point before = Clock::now();
     base->solve(x);
     solves.push_back(seconds_since(before));
-    x = base->load();
+    x = base->load().col(0);
   }
   const std::vector<double> timed(clock.seconds.begin() + settling_steps, clock.seconds.end());
   double total = 0;

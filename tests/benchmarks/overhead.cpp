@@ -37,17 +37,17 @@ struct Oscillators {
     system.stiffness.resize(2, 2);
     system.damping.resize(2, 2);
     system.closing.resize(2, 1);
-    system.load.resize(2);
+    system.load.resize(2, 1);
     for (int i = 0; i < 2; ++i) {
       const double w = 2 * M_PI / period[i];
-      system.mass.insert(i, i) = system.load[i] = mass[i];
+      system.mass.insert(i, i) = system.load(i, 0) = mass[i];
       system.stiffness.insert(i, i) = mass[i] * w * w;
       system.damping.insert(i, i) = 2 * damping * w * mass[i];
       system.closing.insert(i, 0) = i == 0 ? 1 : -1;
       system.groups.push_back({i, 1, 1e-2 * 4 / (w * w), 1e-2 * 4 / w});
     }
     system.contacts.push_back(&link);
-    system.ground = GroundMotion(Harmonic{0.4 * 9.81, 1 / 1.5, 1e6});
+    system.grounds = {GroundMotion(Harmonic{0.4 * 9.81, 1 / 1.5, 1e6})};
   }
 };
 

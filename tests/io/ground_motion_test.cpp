@@ -1,5 +1,6 @@
 #include <pounding/ground_motion.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -353,6 +355,109 @@ TEST_F(GroundMotionSection, WrongValuesAreReportedAtTheirKeys) {
             "m.yaml:1:43: synthetic.soil: \"soil\" and \"zeta_g\" both set the filter; keep one of them");
   EXPECT_EQ(error("synthetic: {seed: 1, duration: 9, pga: 1, soil: firm, step: 0.1}"),
             "m.yaml:1:12: synthetic: synthetic motion: step is 0.1; it must be at most 1/2 divided by the filter's larger omega");
+}
+
+// Gauss with three points, exact to degree five, between the breaks.
+struct Integrals {
+  double velocity = 0, displacement = 0;
+};
+
+Integrals integrals_until(const GroundMotion& motion, double end) {
+  constexpr int parts = 400;
+  constexpr double places[] = {0.1127016653792583, 0.5, 0.8872983346207417}, weights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  Integrals sum;
+  for (double t = -1; t < end;) {
+    const double stop = std::min(end, motion.next_break(t)), h = (stop - t) / parts;
+    for (int i = 0; i < parts; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const double at = t + (i + places[j]) * h, a = motion.acceleration(at);
+        sum.velocity += h * weights[j] * a;
+        sum.displacement += h * weights[j] * a * (end - at);
+      }
+    t = stop;
+  }
+  return sum;
+}
+
+std::vector<GroundMotion> of_every_kind() {
+  Samples uneven{{0.1, 0.15, 0.4, 0.9}, {1, -2, 3, 0.5}, false};
+  return {GroundMotion(Harmonic{3, 0.6, 1.75}),
+          GroundMotion(Harmonic{3, 0.6, 1.75, 0.2}),
+          GroundMotion(Pulse{Pulse::Shape::half_sine, 2, 0.7, 0.1}),
+          GroundMotion(Pulse{Pulse::Shape::sine, -2, 0.7, 0.1}),
+          GroundMotion(Pulse{Pulse::Shape::rectangle, 2, 0.7, 0.1}),
+          GroundMotion(ramp(60, 0.02, 0.3)),
+          GroundMotion(uneven)};
+}
+
+TEST(Integrals, AreThoseOfTheAcceleration) {
+  for (const GroundMotion& motion : of_every_kind()) {
+    SCOPED_TRACE(motion.source());
+    EXPECT_EQ(motion.velocity(-0.5), 0);
+    EXPECT_EQ(motion.displacement(-0.5), 0);
+    for (const double t : {0.05, 0.1, 0.137, 0.4, 0.52, 0.8, 1.0, 1.3, 1.95, 3.7}) {
+      const Integrals expected = integrals_until(motion, t);
+      EXPECT_NEAR(motion.velocity(t), expected.velocity, 1e-13) << t;
+      EXPECT_NEAR(motion.displacement(t), expected.displacement, 1e-13) << t;
+    }
+  }
+  EXPECT_EQ(GroundMotion().velocity(2), 0);
+  EXPECT_EQ(GroundMotion().displacement(2), 0);
+}
+
+TEST(Integrals, GoOnWithTheLastVelocity) {
+  for (const GroundMotion& motion : of_every_kind()) {
+    SCOPED_TRACE(motion.source());
+    const double end = motion.duration(), v = motion.velocity(end);
+    EXPECT_EQ(motion.velocity(end + 2), v);
+    EXPECT_NEAR(motion.displacement(end + 2), motion.displacement(end) + 2 * v, 1e-14);
+  }
+}
+
+TEST(Integrals, OfALongRecordLoseNoDigits) {
+  // A sine of 100 s by 20000 lines: the sum of the trapezia has a closed form.
+  Samples samples{{}, {}, true};
+  const double h = 0.005, w = 2 * pi;
+  for (int i = 0; i <= 20000; ++i) {
+    samples.times.push_back(i * h);
+    samples.accelerations.push_back(std::sin(w * h * i));
+  }
+  const GroundMotion motion(samples);
+  EXPECT_NEAR(motion.velocity(50.5), h / std::tan(w * h / 2), 1e-12);
+  EXPECT_NEAR(motion.velocity(100), 0, 1e-12);
+}
+
+TEST(Delayed, MovesEverythingAlong) {
+  const double delay = 0.23;
+  for (const GroundMotion& motion : of_every_kind()) {
+    const GroundMotion later = motion.delayed(delay);
+    SCOPED_TRACE(later.source());
+    EXPECT_EQ(later.source(), motion.source() + ", 0.23 s later");
+    EXPECT_EQ(later.peak(), motion.peak());
+    EXPECT_NEAR(later.duration(), motion.duration() + delay, 1e-15);
+    EXPECT_EQ(later.shortest_period(), motion.shortest_period());
+    EXPECT_NEAR(later.sample_step(), motion.sample_step(), 1e-15);
+    for (const double t : {0.053, 0.137, 0.52, 0.81, 1.3, 1.96, 3.7}) {
+      EXPECT_NEAR(later.acceleration(t + delay), motion.acceleration(t), 1e-12) << t;
+      EXPECT_NEAR(later.velocity(t + delay), motion.velocity(t), 1e-14) << t;
+      EXPECT_NEAR(later.displacement(t + delay), motion.displacement(t), 1e-14) << t;
+    }
+    EXPECT_EQ(later.displacement(delay * 0.99), 0);
+    // Breaks are met to the last bit: just before and after one the two sides are told apart.
+    double before = -1, after = -1;
+    for (int i = 0; i < 100; ++i) {
+      before = motion.next_break(before);
+      after = later.next_break(after);
+      if (before == infinity) break;
+      EXPECT_NEAR(after, before + delay, 1e-15 * (1 + i));
+      EXPECT_NEAR(later.acceleration(after), motion.acceleration(before), 1e-11);
+      EXPECT_NEAR(later.acceleration_before(after), motion.acceleration_before(before), 1e-11);
+    }
+    EXPECT_EQ(before, after);
+  }
+  EXPECT_TRUE(GroundMotion().delayed(1).is_still());
+  EXPECT_EQ(GroundMotion(Harmonic{3, 0.6, 1}).delayed(0).source(), GroundMotion(Harmonic{3, 0.6, 1}).source());
+  EXPECT_THROW(GroundMotion(Harmonic{3, 0.6, 1}).delayed(infinity), std::invalid_argument);
 }
 
 }  // namespace

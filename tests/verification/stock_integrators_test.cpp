@@ -103,8 +103,8 @@ struct PlainModel {
     damping = MatrixXd(system.damping);
     stiffness = MatrixXd(system.stiffness);
     mass_inverse = mass.inverse();
-    load = system.load;
-    ground = system.ground;
+    load = system.load.col(0);
+    ground = system.grounds[0];
     const MatrixXd closing(system.closing);
     for (const Link& link : model.links)
       links.push_back({.law = law_of(link), .closing = closing.col(links.size()), .gap = link.gap});

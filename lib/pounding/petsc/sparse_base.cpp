@@ -253,7 +253,10 @@ SparseBase::SparseBase(MPI_Comm comm, const System& system, const SparseOptions&
     if (dashpots) m.shared_damping = std::make_unique<Product>(make_matrix(comm, m.pattern, m.damping));
   }
 
-  load_ = system.load.segment(first, end - first);
+  load_.resize(end - first, system.load.cols());
+  if (load_.size() > 0) load_ = system.load.middleRows(first, end - first);
+  observed_.resize(end - first, system.observed.cols());
+  if (observed_.size() > 0) observed_ = system.observed.middleRows(first, end - first);
   weights_ = m.diagonal_mass;
   for (std::size_t k = 0; k < system.groups.size(); ++k) {
     const Group& group = system.groups[k];
@@ -649,6 +652,14 @@ void SparseBase::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<
     if (scale == 0) continue;
     for (const auto& [row, value] : part.entries) y[row] += scale * value;
   }
+}
+
+void SparseBase::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
+  values.setZero(observed_.cols(), x.cols());
+  for (Eigen::Index j = 0; j < x.cols(); ++j)
+    for (int i = 0; i < observed_.outerSize(); ++i)
+      for (SparseMatrix::InnerIterator it(observed_, i); it; ++it) values(i, j) += it.value() * x(it.row(), j);
+  combine({values.data(), static_cast<std::size_t>(values.size())});
 }
 
 Eigen::VectorXd SparseBase::coordinates(const Eigen::VectorXd& physical) const {

@@ -50,6 +50,7 @@ class SparseBase final : public Base {
                     Eigen::Ref<Eigen::VectorXd> y) const override;
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& closings) const override;
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
+  void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
   Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override;
   void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
   void combine(std::span<double> sums) const override;
@@ -95,6 +96,7 @@ class SparseBase final : public Base {
   std::vector<std::vector<int>> slots_;  // of each link
   int slot_count_ = 0;
   mutable std::vector<double> ends_;  // B^T x by slot and column
+  SparseMatrix observed_;             // the rows of this process
 
   // The first rung that was asked for: all others follow from it by powers of two.
   struct Ladder {
