@@ -4,8 +4,8 @@
 set -euo pipefail
 
 # libopenblas0-pthread: the reference BLAS, which PETSc takes otherwise, is two to four times slower.
-packages=(g++ cmake ninja-build ccache pkg-config libpetsc-real-dev libeigen3-dev libyaml-cpp-dev libcli11-dev
-  libfmt-dev nlohmann-json3-dev libgtest-dev libopenblas0-pthread)
+packages=(g++ cmake ninja-build ccache pkg-config libpetsc-real-dev slepc-dev libeigen3-dev libyaml-cpp-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev libopenblas0-pthread)
 
 if ! command -v dpkg-query > /dev/null; then
   echo "This is not Debian: install what these packages hold, then go on with CMake (see README.md):" >&2

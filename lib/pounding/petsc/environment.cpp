@@ -1,5 +1,7 @@
 #include <pounding/petsc/environment.hpp>
 
+#include <slepcsys.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -49,16 +51,22 @@ Environment::Environment(const std::vector<std::string>& options) {
     int count = static_cast<int>(words.size());
     char** arguments = pointers.data();
     check(PetscInitialize(&count, &arguments, nullptr, nullptr));
-    started_ = true;
+    owns_petsc_ = true;
     // The options were copied into PETSc's own table; signals stay the program's.
     PetscPopSignalHandler();
   }
   PetscPushErrorHandler(keep_message, nullptr);
+  check(SlepcInitialized(&ready));
+  if (!ready) {
+    check(SlepcInitialize(nullptr, nullptr, nullptr, nullptr));
+    owns_slepc_ = true;
+  }
 }
 
 Environment::~Environment() {
   // Under our handler to the end: what PETSc finds then (a full standard output) is the program's to tell.
-  if (started_)
+  if (owns_slepc_) SlepcFinalize();
+  if (owns_petsc_)
     PetscFinalize();
   else
     PetscPopErrorHandler();

@@ -1,6 +1,6 @@
 #pragma once
-/// PETSc's start and end, its errors as exceptions, and the owner of its objects. The only headers that know PETSc are
-/// in this folder.
+/// PETSc's and SLEPc's start and end, their errors as exceptions, and the owner of their objects. The only headers that know
+/// them are in this folder.
 
 #include <petscts.h>
 
@@ -12,7 +12,8 @@
 
 namespace pounding::petsc {
 
-/// Starts PETSc (and MPI) unless the host program has done so, and ends only what it started.
+/// Starts PETSc (with MPI) and SLEPc unless the host program has done so, each by itself, and ends only what it started. A
+/// host that owns PETSc ends it after this.
 class Environment {
  public:
   /// `options`: words of a command line, as PETSc reads them ("-pounding_ts_rtol", "1e-6").
@@ -27,7 +28,7 @@ class Environment {
   static std::vector<std::string> given_options();
 
  private:
-  bool started_ = false;
+  bool owns_petsc_ = false, owns_slepc_ = false;
 };
 
 /// Throws SolverError with PETSc's own text when `code` is not zero.
