@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/frame_structure.hpp>
 #include <pounding/gap_link.hpp>
 #include <pounding/structures.hpp>
 
@@ -153,7 +154,8 @@ LinkLaw read_law(const Input& link, std::span<const std::string_view> link_keys,
 }
 
 constexpr StructureKind structure_kinds[] = {
-    {"body", read_body}, {"oscillator", read_oscillator}, {"shear_building", read_shear_building}, {"wall", read_wall}};
+    {"body", read_body}, {"oscillator", read_oscillator}, {"shear_building", read_shear_building},
+    {"frame", read_frame_structure}, {"wall", read_wall}};
 
 }  // namespace
 

@@ -8,9 +8,9 @@
 #include <fmt/chrono.h>
 
 #include <pounding/checkpoint.hpp>
-#include <pounding/damping.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/sparse_base.hpp>
+#include <pounding/petsc/team.hpp>
 #include <pounding/petsc/ts_pounding.hpp>
 #include <pounding/petsc/version.hpp>
 #include <pounding/recorder.hpp>
@@ -37,19 +37,20 @@ constexpr double seconds_between_writes = 1;
 double longest_step(const Model& model) {
   double longest = longest_part_of_duration * model.analysis.duration;
   if (model.analysis.max_step > 0) longest = std::min(longest, model.analysis.max_step);
-  const double sample = model.ground.sample_step();
+  const GroundPlan ground = ground_plan(model);
+  const double sample = ground.sample_step();
   if (sample > 0) return std::min(sample, model.analysis.max_step > 0 ? longest : model.analysis.duration);
-  longest = std::min(longest, longest_part_of_period * model.ground.shortest_period());
+  longest = std::min(longest, longest_part_of_period * ground.shortest_period());
   for (const Structure& s : model.structures) {
-    if (s.storey_stiffness.empty()) continue;
-    const double w = eigenmodes(s.mass, s.stiffness).frequencies[0];
-    longest = std::min(longest, longest_part_of_period * 2 * M_PI / w);
+    if (s.is_rigid() || s.is_free) continue;
+    longest = std::min(longest, longest_part_of_period * 2 * M_PI / s.frequencies[0]);
   }
   return longest;
 }
 
 // What the post-step of the TS works on.
 struct Watch {
+  petsc::Team team;
   TS ts;
   Stepper& stepper;
   Recorder& recorder;
@@ -85,13 +86,27 @@ struct Watch {
       return;
     }
     results.checkpoint = origin;
-    results.checkpoint->state = state.bytes();
+    Archive all;
+    std::vector<std::vector<std::byte>> parts = team.gather(state.bytes());
+    all(parts);
+    results.checkpoint->state = all.bytes();
+  }
+
+  // What this process saved.
+  std::vector<std::byte> own_part(const std::vector<std::byte>& saved) const {
+    Archive all(saved);
+    std::vector<std::vector<std::byte>> parts;
+    all(parts);
+    if (static_cast<int>(parts.size()) != team.size())
+      throw InputError(fmt::format("it was made by {0} process{1}; type mpirun -n {0} pounding run --resume", parts.size(),
+                                   parts.size() == 1 ? "" : "es"));
+    return parts[team.rank()];
   }
 
   void go_on(const StoppedRun& run) {
     read_histories(run, results);
     try {
-      Archive state(run.checkpoint.state);
+      Archive state(own_part(run.checkpoint.state));
       archive(state);
       state.expect_end();
     } catch (const std::exception& error) {
@@ -113,7 +128,7 @@ struct Watch {
     if (options.output.empty()) return;
     const Clock::time_point begin = Clock::now();
     conclude(status);
-    recorder.with_present_state([&] { write_results(results, options.output); });
+    recorder.with_present_state([&] { team.first_does([&] { write_results(results, options.output); }); });
     last_write = Clock::now();
     written_time = stepper.time();
     const double cost = std::chrono::duration<double>(last_write - begin).count();
@@ -136,7 +151,7 @@ struct Watch {
   }
 
   void look() {
-    if (options.stop && options.stop()) {
+    if (team.any(options.stop && options.stop())) {
       save();
       stopped = true;
       throw SolverError(fmt::format("stopped by the user at t = {:.6g} s", stepper.time()));
@@ -145,7 +160,7 @@ struct Watch {
       last_report = Clock::now();
       options.progress(stepper.time(), model.analysis.duration, recorder.impacts());
     }
-    if (write_is_due()) write_running();
+    if (team.first_says(write_is_due())) write_running();
   }
 };
 
@@ -209,26 +224,30 @@ void refuse_idle_options() {
   }
 }
 
+void fill(Vec to, const Eigen::VectorXd& all) {
+  PetscInt first = 0, end = 0;
+  PetscScalar* values = nullptr;
+  petsc::check(VecGetOwnershipRange(to, &first, &end));
+  petsc::check(VecGetArray(to, &values));
+  std::copy_n(all.data() + first, end - first, values);
+  petsc::check(VecRestoreArray(to, &values));
+}
+
 // A TS with the run's settings as defaults; the command line (-pounding_ts_...) has the last word.
 Solve make_ts(const Model& model, int size) {
   using petsc::check;
   Solve solve;
   check(petsc::register_ts_pounding());
-  check(TSCreate(PETSC_COMM_SELF, solve.ts.out()));
+  check(TSCreate(PETSC_COMM_WORLD, solve.ts.out()));
   const TS ts = solve.ts;
   check(TSSetOptionsPrefix(ts, "pounding_"));
   check(TSSetType(ts, petsc::ts_type));
   check(petsc::set_choice(ts, {model.analysis.scheme, petsc::BaseKind::automatic}));
-  check(VecCreateSeq(PETSC_COMM_SELF, size, solve.u.out()));
+  check(VecCreateMPI(PETSC_COMM_WORLD, PETSC_DECIDE, size, solve.u.out()));
   check(VecDuplicate(solve.u, solve.v.out()));
   const auto [u, v] = initial_state(model);
-  PetscScalar* values = nullptr;
-  check(VecGetArray(solve.u, &values));
-  std::copy_n(u.data(), size, values);
-  check(VecRestoreArray(solve.u, &values));
-  check(VecGetArray(solve.v, &values));
-  std::copy_n(v.data(), size, values);
-  check(VecRestoreArray(solve.v, &values));
+  fill(solve.u, u);
+  fill(solve.v, v);
   check(TS2SetSolution(ts, solve.u, solve.v));
   check(TSSetMaxTime(ts, model.analysis.duration));
   check(TSSetMaxSteps(ts, PETSC_MAX_INT));
@@ -316,7 +335,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   Solve solve = make_ts(model, system.size());
   petsc::Choice choice;
   petsc::check(petsc::get_choice(solve.ts, &choice));
-  const std::unique_ptr<Base> base = petsc::make_base(system, choice.base, PETSC_COMM_SELF);
+  const std::unique_ptr<Base> base = petsc::make_base(system, choice.base, PETSC_COMM_WORLD);
   Stepper stepper(system, *base, stepper_options(solve.ts, model));
   petsc::check(petsc::set_stepper(solve.ts, &stepper));
   petsc::check(petsc::set_lazy_vectors(solve.ts, PETSC_TRUE));
@@ -327,7 +346,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   stepper.attempt(stepper.step_towards(first, model.analysis.duration));  // makes the first factor, which reads its options
   refuse_unread_options(true);
   Recorder recorder(model, stepper, results);
-  Watch watch{solve.ts, stepper, recorder, model, options, results, outcome.summary,
+  Watch watch{petsc::Team(PETSC_COMM_WORLD), solve.ts, stepper, recorder, model, options, results, outcome.summary,
               checkpoint_of(model, petsc::Environment::given_options()), start};
   if (earlier)
     watch.go_on(*earlier);
@@ -376,7 +395,8 @@ Outcome run(const Model& model, const RunOptions& options) {
   if (model.compare_no_pounding) {
     // What is wrong with the options or the place is found before the first of the two runs.
     make_ts(model, assemble(model, false).size());
-    if (!options.output.empty()) write_results(heading(model, options), options.output);
+    const petsc::Team team(PETSC_COMM_WORLD);
+    if (!options.output.empty()) team.first_does([&] { write_results(heading(model, options), options.output); });
     RunOptions quiet;
     quiet.progress = options.progress;
     quiet.stop = options.stop;
@@ -386,7 +406,7 @@ Outcome run(const Model& model, const RunOptions& options) {
       Outcome outcome{heading(model, options), {}};
       outcome.results.status = outcome.summary.status = fmt::format("failed: (the run without links) {}", failed.what());
       outcome.results.summary_json = to_json(outcome.summary);
-      if (!options.output.empty()) write_results(outcome.results, options.output);
+      if (!options.output.empty()) team.first_does([&] { write_results(outcome.results, options.output); });
       throw FailedRun(fmt::format("the run without links: {}", failed.what()), std::move(outcome));
     }
   }

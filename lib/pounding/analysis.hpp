@@ -39,6 +39,8 @@ class FailedRun : public SolverError {
   Outcome outcome_;
 };
 
+/// All processes of PETSC_COMM_WORLD run one model together, each with the same arguments; the first one writes.
+///
 /// Runs a model once: its contacts keep the history of their impacts. PETSc must be running (petsc::Environment).
 /// With an output, whatever ends it early but a failed solve leaves a file that `resume` takes.
 /// Throws FailedRun when the solve fails or is stopped, after the results so far were written with the reason; InputError

@@ -28,13 +28,18 @@ std::vector<std::string> deciding(std::vector<std::string> options) {
   return options;
 }
 
-std::string fingerprint_of(const GroundMotion& ground) {
-  const Samples* samples = ground.samples();
-  if (!samples) return "";
+// The closed forms stand in resolved.yaml.
+std::string fingerprint_of(const GroundPlan& ground) {
   Fingerprint fingerprint;
-  fingerprint.add(samples->times);
-  fingerprint.add(samples->accelerations);
-  return fingerprint.text();
+  bool any = false;
+  for (const GroundMotion& motion : ground.motions) {
+    const Samples* samples = motion.samples();
+    if (!samples) continue;
+    any = true;
+    fingerprint.add(samples->times);
+    fingerprint.add(samples->accelerations);
+  }
+  return any ? fingerprint.text() : "";
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -86,7 +91,7 @@ void read(hid_t file, StoppedRun& run) {
 
 Checkpoint checkpoint_of(const Model& model, const std::vector<std::string>& options) {
   const std::string& file = model.source_file;
-  return {file.empty() ? "" : std::filesystem::absolute(file).string(), deciding(options), fingerprint_of(model.ground), {}};
+  return {file.empty() ? "" : std::filesystem::absolute(file).string(), deciding(options), fingerprint_of(ground_plan(model)), {}};
 }
 
 std::string fingerprint(const Checkpoint& checkpoint, const std::string& model_yaml, const std::string& resolved_yaml) {

@@ -134,11 +134,8 @@ Eigenmodes eigenmodes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffn
   return {solver.eigenvalues().cwiseMax(0).cwiseSqrt(), solver.eigenvectors()};
 }
 
-Eigen::MatrixXd rayleigh_damping(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, double ratio, double w1,
-                                 double w2) {
-  const double by_mass = 2 * ratio * w1 * w2 / (w1 + w2);
-  const double by_stiffness = 2 * ratio / (w1 + w2);
-  return by_mass * mass + by_stiffness * stiffness;
+Rayleigh rayleigh_damping(double ratio, double w1, double w2) {
+  return {2 * ratio * w1 * w2 / (w1 + w2), 2 * ratio / (w1 + w2)};
 }
 
 Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& modes, double ratio) {

@@ -44,10 +44,14 @@ void require_mode_count(int count, std::size_t available);
 /// Solves K phi = w^2 M phi. Throws std::invalid_argument when M is not positive definite.
 Eigenmodes eigenmodes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
-/// C = a M + b K with the ratio `ratio` at the circular frequencies w1 and w2 [rad/s]; w1 = w2 gives a and b that share
-/// the ratio equally there.
-Eigen::MatrixXd rayleigh_damping(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, double ratio, double w1,
-                                 double w2);
+/// Factors a and b of C = a M + b K.
+struct Rayleigh {
+  double by_mass = 0;       ///< a [1/s]
+  double by_stiffness = 0;  ///< b [s]
+};
+
+/// The ratio `ratio` at the circular frequencies w1 and w2 [rad/s]; w1 = w2 gives a and b that share the ratio equally there.
+Rayleigh rayleigh_damping(double ratio, double w1, double w2);
 
 /// C = M Phi diag(2 ratio w) Phi^T M: the ratio in every mode.
 Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& modes, double ratio);

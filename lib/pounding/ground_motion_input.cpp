@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -18,8 +20,10 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kinds = {"record", "harmonic", "pulse", "synthetic"};
 
-GroundMotion read_record_motion(const Input& section) {
-  section.only_keys({"record", "units", "scale", "pga"});
+GroundMotion read_record_motion(const Input& section, std::initializer_list<std::string_view> beside) {
+  std::vector<std::string_view> allowed{"record", "units", "scale", "pga"};
+  allowed.insert(allowed.end(), beside);
+  section.only_keys(allowed);
   const Input file = section.at("record");
   const auto units = section.find("units");
   const auto scale = section.find("scale");
@@ -112,7 +116,12 @@ GroundMotion read_synthetic(const Input& node) {
 
 }  // namespace
 
-GroundMotion read_ground_motion(const Input& section) {
+namespace {
+
+// Keys of the section that say nothing about the motion itself are allowed beside it.
+GroundMotion read_motion(const Input& section, std::initializer_list<std::string_view> beside) {
+  std::vector<std::string_view> allowed(kinds.begin(), kinds.end());
+  allowed.insert(allowed.end(), beside);
   std::optional<std::string_view> kind;
   for (const std::string_view candidate : kinds) {
     const auto found = section.find(candidate);
@@ -120,19 +129,62 @@ GroundMotion read_ground_motion(const Input& section) {
     if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; keep one of them", *kind, candidate));
     kind = candidate;
   }
-  if (kind == "record") return read_record_motion(section);
+  if (kind == "record") return read_record_motion(section, beside);
   if (!kind) {
-    section.only_keys(kinds);
+    section.only_keys(allowed);
     section.fail("takes one of record, harmonic, pulse, synthetic; for a still ground leave \"ground_motion\" out");
   }
   for (const std::string_view key : {"units", "scale", "pga"})
     if (const auto found = section.find(key))
       found->fail_at_key(fmt::format("belongs to a record; a {} states its own strength", *kind));
-  section.only_keys(kinds);
+  section.only_keys(allowed);
   const Input node = section.at(*kind);
   if (kind == "harmonic") return read_harmonic(node);
   if (kind == "pulse") return read_pulse(node);
   return read_synthetic(node);
+}
+
+TravellingWave read_wave(const Input& node) {
+  node.only_keys({"velocity", "direction"});
+  TravellingWave wave;
+  wave.velocity = node.at("velocity", "500 m/s").as_quantity(dimension::velocity, bounds::positive);
+  const std::optional<Input> direction = node.find("direction");
+  if (!direction) return wave;
+  if (!direction->is_list()) {
+    if (direction->as_choice("direction", {"x", "y"}) == "y") wave.direction = Eigen::Vector3d::UnitY();
+    return wave;
+  }
+  const std::vector<Input> parts = direction->items();
+  if (parts.size() != 2) direction->fail("takes x, y, or two numbers; type direction: [0.6, 0.8]");
+  wave.direction = Eigen::Vector3d(parts[0].as_number(), parts[1].as_number(), 0);
+  if (!(wave.direction.norm() > 0)) direction->fail("has no length; type direction: [0.6, 0.8]");
+  wave.direction.normalize();
+  return wave;
+}
+
+}  // namespace
+
+GroundMotion read_ground_motion(const Input& section) { return read_motion(section, {}); }
+
+GroundSection read_ground_section(const Input& section) {
+  GroundSection ground;
+  if (const auto wave = section.find("wave")) ground.wave = read_wave(*wave);
+  const std::optional<Input> components = section.find("components");
+  if (!components) {
+    ground.components[0] = read_motion(section, {"wave"});
+    return ground;
+  }
+  section.only_keys({"components", "wave"});
+  components->only_keys({"x", "y", "z"});
+  constexpr std::string_view names[] = {"x", "y", "z"};
+  bool any = false;
+  for (int i = 0; i < 3; ++i)
+    if (const auto one = components->find(names[i])) {
+      ground.components[i] = read_ground_motion(*one);
+      any = true;
+    }
+  if (!any) components->fail("takes motions along x, y, z; type components: {x: {record: FILE}, y: {record: FILE}}");
+  return ground;
 }
 
 }  // namespace pounding

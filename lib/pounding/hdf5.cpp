@@ -128,6 +128,22 @@ void attribute(hid_t object, const char* name, const std::vector<std::string>& v
   write_attribute(object, name, text_type(), dataspace({pointers.size()}), pointers.data());
 }
 
+void attribute(hid_t object, const char* name, const std::vector<double>& values) {
+  write_attribute(object, name, H5T_NATIVE_DOUBLE, dataspace({values.size()}), values.data());
+}
+
+Handle integers(hid_t parent, const Label& label, const std::vector<int>& values, const std::vector<hsize_t>& shape) {
+  Handle made = chunked(parent, label.name, H5T_NATIVE_INT, shape, values.data());
+  describe(made, label);
+  return made;
+}
+
+void texts(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& values) {
+  std::vector<const char*> pointers;
+  for (const std::string& value : values) pointers.push_back(value.c_str());
+  describe(dataset(parent, name, text_type(), dataspace({pointers.size()}), H5P_DEFAULT, pointers.data()), {name, "text", long_name});
+}
+
 Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape) {
   Handle made = chunked(parent, label.name, H5T_NATIVE_DOUBLE, shape, values.data());
   describe(made, label);

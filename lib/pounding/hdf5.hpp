@@ -46,6 +46,7 @@ void attribute(hid_t object, const char* name, const std::string& value);
 void attribute(hid_t object, const char* name, double value);
 void attribute(hid_t object, const char* name, int value);
 void attribute(hid_t object, const char* name, const std::vector<std::string>& values);
+void attribute(hid_t object, const char* name, const std::vector<double>& values);
 
 /// What every dataset says about itself; a dimensionless number has the unit "1".
 struct Label {
@@ -56,6 +57,9 @@ struct Label {
 
 /// A chunked array, time first, row-major; any extent may be 0. Large ones are compressed.
 Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape);
+Handle integers(hid_t parent, const Label& label, const std::vector<int>& values, const std::vector<hsize_t>& shape);
+/// A list of texts, with the unit "text"; attributes are too small for long ones.
+void texts(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& values);
 /// One text, with the unit "text".
 void text(hid_t parent, const char* name, const char* long_name, const std::string& value);
 void scalar(hid_t parent, const Label& label, long value);

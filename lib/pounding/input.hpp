@@ -48,6 +48,18 @@ class Input {
   /// The same from memory; `name` stands for the file in messages, and its folder is where relative paths start.
   static Input read_text(std::string text, std::string name);
 
+  Input(const Input&) = default;
+  /// yaml-cpp's own assignment would write into the tree that both share.
+  Input& operator=(const Input& other) {
+    source_ = other.source_;
+    node_.reset(other.node_);
+    path_ = other.path_;
+    key_ = other.key_;
+    place_ = other.place_;
+    key_place_ = other.key_place_;
+    return *this;
+  }
+
   /// The whole file as it was read.
   const std::string& text() const noexcept { return source_->text; }
   /// The file as the user named it.

@@ -2,46 +2,22 @@
 /// What is simulated: structures beside each other, the links between them, the motion of the ground.
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <pounding/contact.hpp>
-#include <pounding/ground_motion.hpp>
+#include <pounding/damping.hpp>
 #include <pounding/input.hpp>
 #include <pounding/scheme.hpp>
+#include <pounding/structure.hpp>
 #include <pounding/system.hpp>
 
 namespace pounding {
-
-/// What makes a storey yield, on top of its stiffness.
-struct YieldingStorey {
-  double yield_force = 0;  ///< [N]
-  double hardening = 0;    ///< stiffness after the yield over that before it
-  std::unique_ptr<Spring> spring;
-  std::vector<std::byte> fresh;  ///< archive of the spring as it was given
-
-  /// Takes a spring that has not been deformed.
-  YieldingStorey(double force, double ratio, std::unique_ptr<Spring> undeformed);
-};
-
-/// One structure; displacements relative to the ground, one degree of freedom a floor. A wall has no floor at all.
-struct Structure {
-  std::string name;
-  std::string kind;                 ///< the word of the input: oscillator, shear_building ...
-  std::vector<std::string> floors;  ///< labels from the ground up
-  Eigen::MatrixXd mass, damping, stiffness;
-  std::vector<double> storey_stiffness;  ///< [N/m] from the ground up; empty for a body
-  std::vector<YieldingStorey> yielding;  ///< one a storey from the ground up; empty when they stay elastic
-  std::vector<double> heights;           ///< of the storeys from the ground up [m]; empty when not given
-  Eigen::VectorXd initial_displacement, initial_velocity;
-  std::string damping_note;  ///< how the damping matrix was made, one line
-
-  int size() const { return static_cast<int>(mass.rows()); }
-  bool is_rigid() const { return size() == 0; }
-};
 
 /// A value that a report or resolved.yaml shows.
 struct Value {
@@ -50,18 +26,31 @@ struct Value {
   std::string unit;
 };
 
-/// One contact between a floor on the left and a floor on the right; floor -1 is a wall.
+/// One side of a link.
+struct LinkEnd {
+  int structure = 0;   ///< from 0
+  int floor = -1;      ///< from 0; -1 for a wall, a node, and a point between floors
+  std::string label;   ///< "floor 3", "node b", "10.5 m up"; empty for a wall
+  ContactPoint point;
+};
+
+/// One contact between two points that face each other.
 struct Link {
   std::string name;
-  int left = 0, left_floor = 0;    ///< structure and floor, from 0
-  int right = 0, right_floor = 0;
+  LinkEnd left, right;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< from left to right
   double gap = 0;  ///< [m]
   std::string law, formula;
   double reduced_mass = 0;  ///< that the damping was calibrated with [kg]
   bool reduced_mass_given = false;
   std::vector<Value> parameters;  ///< of the law, calibrated damping included
+  double friction = 0;            ///< Coulomb's coefficient
+  double sliding_velocity = 0;    ///< of its regularisation, see Friction [m/s]
   std::unique_ptr<Contact> contact;
 };
+
+/// Lowest modes that are found of every structure.
+inline constexpr int modes_of_a_structure = 6;
 
 /// Below the first the rounding of the arithmetic is larger than the error; above the second an impact is not resolved.
 inline constexpr double least_tolerance = 1e-10, largest_tolerance = 0.1;
@@ -84,7 +73,7 @@ struct CheckpointSettings {
 
 struct Model {
   std::string title;
-  GroundMotion ground;
+  GroundSection ground;
   std::vector<Structure> structures;
   std::vector<Link> links;
   AnalysisSettings analysis;
@@ -94,13 +83,14 @@ struct Model {
   std::string source_file;  ///< as the user named it; relative paths in the input start from its folder
 };
 
-/// How a structure of one kind is read: `body` is the node under the word, `place` the node of the structure.
+/// How a structure of one kind is read: `body` is the node under the word. What stands beside the word for every kind
+/// (damping, initial motions, delay) is left to the reader of models.
 struct StructureKind {
   std::string_view word;
   Structure (*read)(const Input& body);
 };
 
-/// How a link's law is read. `masses` are those of the two floors, infinite for a wall [kg].
+/// What a link's law is.
 struct LinkLaw {
   std::string law, formula;
   double reduced_mass = 0;
@@ -113,13 +103,28 @@ struct LinkLaw {
 /// What can stand in an input. The elements library fills it; the reader knows no concrete element.
 struct Kinds {
   std::span<const StructureKind> structures;
-  /// Reads the law of a link; the keys that belong to the link itself are in `link_keys`.
+  /// Reads the law of a link; the keys that belong to the link itself are in `link_keys`. The masses are those of its two
+  /// ends, infinite for a wall [kg].
   LinkLaw (*read_law)(const Input& link, std::span<const std::string_view> link_keys, double gap, double left_mass,
                       double right_mass, int index);
 };
 
-/// Reads and checks a whole model. Throws InputError with file, line and column.
-Model read_model(const Input& input, const Kinds& kinds);
+/// Reads and checks a whole model; `modes` finds what Rayleigh damping and the first periods need. Throws InputError with
+/// file, line and column.
+Model read_model(const Input& input, const Kinds& kinds, const ModeSolver& modes = dense_modes);
+
+/// The motions of the ground under all supports, each component once.
+struct GroundPlan {
+  std::vector<GroundMotion> motions;  ///< delays included; at least one, which may be still
+  /// [structure][support][x y z]: which of them; -1 where the ground is still.
+  std::vector<std::vector<std::array<int, 3>>> under;
+
+  double peak() const;             ///< largest of all [m/s^2]
+  double duration() const;         ///< until all are still [s]
+  double sample_step() const;      ///< shortest of all samples, 0 for none [s]
+  double shortest_period() const;  ///< of the closed forms [s]; infinity for none
+};
+GroundPlan ground_plan(const Model& model);
 
 /// The equations of motion. The contacts and springs stay the model's; the springs start undeformed, whatever an earlier
 /// run has left in them. `with_links` false leaves the links out.

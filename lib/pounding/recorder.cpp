@@ -28,6 +28,11 @@ double spring_force(const LinkStep& step, double time, double deformation) {
   return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
 }
 
+double link_force(const LinkStep& step, double time) {
+  const double s = std::clamp((time - step.begin) / (step.end - step.begin), 0.0, 1.0);
+  return (1 - s) * (1 - 2 * s) * step.force_begin + 4 * s * (1 - s) * step.force_middle + s * (2 * s - 1) * step.force_end;
+}
+
 std::array<std::vector<double>*, 5> columns(LinkHistory& h) {
   return {&h.time, &h.penetration, &h.velocity, &h.force, &h.energy};
 }
@@ -55,19 +60,23 @@ void Peak::follow(double h, double begin, double slope_begin, double end, double
   follow(r * r * (1 + 2 * s) * begin + s * s * (1 + 2 * r) * end + h * s * r * (r * slope_begin - s * slope_end));
 }
 
-void LinkSampler::apart(double time, const LinkMotion& motion, double energy, LinkHistory& history) const {
-  if (!samples_.empty()) return;
-  history.time.push_back(time);
-  history.penetration.push_back(motion.penetration);
-  history.velocity.push_back(motion.rate);
-  history.force.push_back(0);
-  history.energy.push_back(energy);
+void LinkSampler::append(const Sample& s, LinkHistory& history) {
+  history.time.push_back(s.time);
+  history.penetration.push_back(s.penetration);
+  history.velocity.push_back(s.velocity);
+  history.force.push_back(s.force);
+  history.energy.push_back(s.energy);
+  history.friction.insert(history.friction.end(), s.friction.begin(), s.friction.begin() + history.tangents);
 }
 
-void LinkSampler::pressed(double time, const LinkMotion& motion, double force, double energy) {
-  last_ = {time, motion.penetration, motion.rate, force, energy};
+void LinkSampler::apart(double time, const LinkMotion& motion, double energy, LinkHistory& history) const {
+  if (samples_.empty()) append({time, motion.penetration, motion.rate, 0, energy, {}}, history);
+}
+
+void LinkSampler::pressed(double time, const LinkMotion& motion, double force, const Friction& friction, double energy) {
+  last_ = {time, motion.penetration, motion.rate, force, energy, friction};
   // A force that jumps at the touch does so from zero.
-  if (samples_.empty()) samples_.push_back({time, motion.penetration, motion.rate, 0, energy});
+  if (samples_.empty()) samples_.push_back({time, motion.penetration, motion.rate, 0, energy, {}});
   if (!samples_.empty() && ++skipped_ < stride_) return;
   skipped_ = 0;
   samples_.push_back(last_);
@@ -79,15 +88,8 @@ void LinkSampler::pressed(double time, const LinkMotion& motion, double force, d
 }
 
 void LinkSampler::show(LinkHistory& history) const {
-  const auto append = [&](const Sample& s) {
-    history.time.push_back(s.time);
-    history.penetration.push_back(s.penetration);
-    history.velocity.push_back(s.velocity);
-    history.force.push_back(s.force);
-    history.energy.push_back(s.energy);
-  };
-  for (const Sample& s : samples_) append(s);
-  if (!samples_.empty() && samples_.back().time < last_.time) append(last_);
+  for (const Sample& s : samples_) append(s, history);
+  if (!samples_.empty() && samples_.back().time < last_.time) append(last_, history);
 }
 
 void LinkSampler::finish(LinkHistory& history) {
@@ -104,57 +106,116 @@ void LinkSampler::archive(Archive& archive) {
   archive(skipped_);
 }
 
+namespace {
+
+StructureHistory heading(const Structure& s) {
+  StructureHistory history;
+  history.name = s.name;
+  history.kind = s.kind;
+  history.dimension = s.is_rigid() ? 1 : s.dimension;
+  for (const Floor& floor : s.floors) {
+    history.floors.push_back(floor.label);
+    history.elevations.push_back(floor.elevation.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  if (history.dimension == 3) history.directions = {"x", "y", "rz"};
+  history.nodes = s.nodes.names;
+  history.node_directions = s.nodes.directions;
+  history.members = s.members.names;
+  history.member_components = s.members.components;
+  history.geometry = s.geometry;
+  return history;
+}
+
+LinkHistory heading(const Link& link, const Model& model) {
+  LinkHistory history;
+  history.name = link.name;
+  history.gap = link.gap;
+  history.law = link.law;
+  history.left = {model.structures[link.left.structure].name, link.left.floor + 1, link.left.label};
+  history.right = {model.structures[link.right.structure].name, link.right.floor + 1, link.right.label};
+  for (int i = 0; i < 3; ++i) {
+    history.position[i] = link.left.point.position[i];
+    history.direction[i] = link.direction[i];
+  }
+  return history;
+}
+
+}  // namespace
+
 Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
-    : model_(model), stepper_(stepper), results_(results), first_(offsets(model)), linked_(stepper.system().contact_count() > 0) {
+    : model_(model),
+      stepper_(stepper),
+      results_(results),
+      followed_(model),
+      plan_(ground_plan(model)),
+      first_(offsets(model)),
+      linked_(stepper.system().contact_count() > 0) {
   for (const Structure& s : model.structures) {
-    results_.structures.push_back({s.name, s.floors, {}, {}, {}, {}, {}});
-    peaks_.emplace_back(s.size());
+    results_.structures.push_back(heading(s));
+    peaks_.emplace_back(s.floors.size());
+    whole_ = whole_ || !s.nodes.motion.empty() || !s.members.forces.empty() || (s.has_storeys() && s.storey_stiffness.empty());
   }
   if (!linked_) return;
-  for (const Link& link : model.links) {
-    LinkHistory history;
-    history.name = link.name;
-    history.gap = link.gap;
-    history.law = link.law;
-    history.left = {model.structures[link.left].name, link.left_floor + 1};
-    history.right = {model.structures[link.right].name, link.right_floor + 1};
-    results_.links.push_back(std::move(history));
-  }
+  for (const Link& link : model.links) results_.links.push_back(heading(link, model));
+  for (const Friction& friction : stepper.system().frictions) results_.links[friction.contact].tangents = friction.count;
   samplers_.resize(model.links.size());
 }
 
+void Recorder::accelerations_of_ground(double time, Eigen::VectorXd& ground) const {
+  ground.resize(static_cast<int>(plan_.motions.size()));
+  for (std::size_t g = 0; g < plan_.motions.size(); ++g) ground[static_cast<int>(g)] = plan_.motions[g].acceleration(time);
+}
+
 void Recorder::begin() {
-  const State& now = stepper_.state();
-  sample(now.time, now.u, now.v, now.a, model_.ground.acceleration(now.time));
+  motion_ = stepper_.observed().motion;
+  accelerations_of_ground(stepper_.time(), ground_);
+  followed_.complete(motion_, stepper_.time(), ground_);
+  sample(stepper_.time(), motion_, ground_, true);
   ++outputs_;
-  for (std::size_t k = 0; k < peaks_.size(); ++k)
-    for (int i = 0; i < model_.structures[k].size(); ++i) {
-      FloorPeaks& peaks = peaks_[k][i];
-      const int dof = first_[k] + i;
-      peaks.displacement.follow(now.u[dof]);
-      peaks.drift.follow(now.u[dof] - (i > 0 ? now.u[dof - 1] : 0));
-      peaks.acceleration.follow(now.a[dof] + model_.ground.acceleration(now.time));
+  for (std::size_t k = 0; k < peaks_.size(); ++k) {
+    const int directions = std::min(2, followed_.directions(static_cast<int>(k)));
+    for (std::size_t i = 0; i < peaks_[k].size(); ++i) {
+      double u = 0, a = 0, drift = 0;
+      for (int j = 0; j < directions; ++j) {
+        const int c = followed_.column(static_cast<int>(k), static_cast<int>(i), j);
+        const double below = i > 0 ? motion_(c - followed_.directions(static_cast<int>(k)), 0) : 0;
+        u = std::hypot(u, motion_(c, 0));
+        a = std::hypot(a, motion_(c, 2));
+        drift = std::hypot(drift, motion_(c, 0) - below);
+      }
+      peaks_[k][i].displacement.follow(u);
+      peaks_[k][i].acceleration.follow(a);
+      peaks_[k][i].drift.follow(drift);
     }
+  }
   sample_energy();
 }
 
-void Recorder::sample(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a,
-                      double ground) {
+void Recorder::sample(double time, const Eigen::MatrixXd& motion, const Eigen::VectorXd& ground, bool at_end) {
   results_.time.push_back(time);
-  results_.ground_acceleration.push_back(ground);
-  const bool inside = time < stepper_.time();
+  const int along_x = plan_.under.front().front()[0];
+  results_.ground_acceleration.push_back(along_x < 0 ? 0.0 : ground[along_x]);
+  const bool inside = !at_end;
+  for (std::size_t k = 0; k < model_.structures.size(); ++k) sample_structure(static_cast<int>(k), motion, inside, time);
+  if (whole_) sample_whole(time, inside);
+}
+
+void Recorder::sample_structure(int k, const Eigen::MatrixXd& motion, bool inside, double time) {
+  const Structure& s = model_.structures[k];
+  StructureHistory& history = results_.structures[k];
+  const int directions = followed_.directions(k);
   std::size_t spring = 0;
-  for (std::size_t k = 0; k < model_.structures.size(); ++k) {
-    const Structure& s = model_.structures[k];
-    StructureHistory& history = results_.structures[k];
-    for (int i = 0; i < s.size(); ++i) {
-      const int dof = first_[k] + i;
-      const double drift = u[dof] - (i > 0 ? u[dof - 1] : 0);
-      history.displacement.push_back(u[dof]);
-      history.velocity.push_back(v[dof]);
-      history.acceleration.push_back(a[dof] + ground);
-      if (s.storey_stiffness.empty()) continue;
+  for (int earlier = 0; earlier < k; ++earlier) spring += model_.structures[earlier].yielding.size();
+  for (int i = 0; i < static_cast<int>(s.floors.size()); ++i)
+    for (int j = 0; j < directions; ++j) {
+      const int c = followed_.column(k, i, j);
+      history.displacement.push_back(motion(c, 0));
+      history.velocity.push_back(motion(c, 1));
+      history.acceleration.push_back(motion(c, 2));
+      if (!s.has_storeys() || j > 1) continue;
+      const double drift = motion(c, 0) - (i > 0 ? motion(c - directions, 0) : 0);
       history.drift.push_back(drift);
+      if (s.storey_stiffness.empty()) continue;
       double shear = s.storey_stiffness[i] * drift;
       if (!s.yielding.empty()) {
         const LinkStep& step = stepper_.link_steps()[stepper_.system().contact_count() + spring++];
@@ -162,23 +223,103 @@ void Recorder::sample(double time, const Eigen::VectorXd& u, const Eigen::Vector
       }
       history.storey_shear.push_back(shear);
     }
+}
+
+namespace {
+
+// Rows of one structure on a vector of all unknowns, or on one of its own.
+double value(const Row& row, const Eigen::VectorXd& all, int first) {
+  double sum = 0;
+  for (Row::InnerIterator it(row); it; ++it) sum += it.value() * all[first + it.index()];
+  return sum;
+}
+
+}  // namespace
+
+// Quantities that need every unknown.
+void Recorder::sample_whole(double time, bool inside) {
+  if (inside) {
+    stepper_.interpolate(time, u_, v_);
+    stepper_.interpolate_acceleration(time, a_);
+  } else {
+    const State& now = stepper_.state();
+    u_ = now.u;
+    v_ = now.v;
+    a_ = now.a;
+  }
+  for (std::size_t k = 0; k < model_.structures.size(); ++k) {
+    const Structure& s = model_.structures[k];
+    if (s.dimension == 1) continue;
+    StructureHistory& history = results_.structures[k];
+    Eigen::VectorXd u = u_.segment(first_[k], s.size()), v = v_.segment(first_[k], s.size()), a = a_.segment(first_[k], s.size());
+    if (s.at_rest.size() > 0) u += s.at_rest;
+    // Relative to the ground at the first support, and from there to the accelerations in space.
+    const std::vector<std::array<int, 3>>& under = plan_.under[k];
+    for (std::size_t q = 1; q < s.supports.size(); ++q)
+      for (int axis = 0; axis < 3; ++axis)
+        for (const auto& [ground, sign] : {std::pair(under[q][axis], 1.0), std::pair(under.front()[axis], -1.0)}) {
+          if (ground < 0) continue;
+          const auto part = sign * s.supports[q].influence.col(axis);
+          u += plan_.motions[ground].displacement(time) * part;
+          v += plan_.motions[ground].velocity(time) * part;
+          a += ground_[ground] * part;
+        }
+    const auto of_ground = [&](const std::string& direction) {
+      const int axis = direction == "x" ? 0 : direction == "y" ? 1 : direction == "z" ? 2 : -1;
+      return axis < 0 || under.front()[axis] < 0 ? 0.0 : ground_[under.front()[axis]];
+    };
+    for (const std::vector<Row>& node : s.nodes.motion)
+      for (std::size_t j = 0; j < node.size(); ++j) {
+        history.node_displacement.push_back(value(node[j], u, 0));
+        history.node_velocity.push_back(value(node[j], v, 0));
+        history.node_acceleration.push_back(value(node[j], a, 0) + of_ground(s.nodes.directions[j]));
+      }
+    for (const Floor& floor : s.floors)
+      for (const Row& shear : floor.storey_shear) history.storey_shear.push_back(value(shear, u, 0));
+    sample_members(static_cast<int>(k), u, inside, time);
+  }
+}
+
+// Where a contact presses on a member between its ends, its force goes to them as to held ones.
+void Recorder::sample_members(int k, const Eigen::VectorXd& u, bool inside, double time) {
+  const Structure& s = model_.structures[k];
+  StructureHistory& history = results_.structures[k];
+  const std::size_t from = history.end_forces.size();
+  const std::size_t components = s.members.components.size();
+  for (std::size_t m = 0; m < s.members.forces.size(); ++m)
+    for (std::size_t j = 0; j < components; ++j)
+      history.end_forces.push_back(value(s.members.forces[m][j], u, 0) + s.members.held[m][j]);
+  if (!linked_) return;
+  for (std::size_t i = 0; i < model_.links.size(); ++i) {
+    const Link& link = model_.links[i];
+    for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
+      if (end->structure != k || end->point.member < 0) continue;
+      const auto found = std::find(s.members.members.begin(), s.members.members.end(), end->point.member);
+      if (found == s.members.members.end()) continue;
+      const std::size_t m = found - s.members.members.begin();
+      const double force = inside ? link_force(stepper_.link_steps()[i], time) : stepper_.link_forces()[static_cast<int>(i)];
+      if (force == 0) continue;
+      const Eigen::Matrix<double, 12, 1> held = end->point.held_ends * (sign * force * link.direction);
+      for (std::size_t j = 0; j < components; ++j) history.end_forces[from + m * components + j] += held[s.members.places[j]];
+    }
   }
 }
 
 void Recorder::step() {
-  const double end = stepper_.arrived().time;
+  const double end = stepper_.observed_arrived().time;
   const double rounding = 1e-12 * std::max(1.0, end);
   for (double time = outputs_ * model_.analysis.output_step; time <= end + rounding;
        time = ++outputs_ * model_.analysis.output_step) {
     energy_due_ = true;
-    if (time >= end - rounding) {  // just after what happens there: jumps of the ground, of a force, of a velocity
-      const State& now = stepper_.state();
-      sample(time, now.u, now.v, now.a, model_.ground.acceleration(end));
-      continue;
-    }
-    stepper_.interpolate(time, u_, v_);
-    stepper_.interpolate_acceleration(time, a_);
-    sample(time, u_, v_, a_, model_.ground.acceleration(time));
+    // At the end: just after what happens there, jumps of the ground, of a force, of a velocity.
+    const bool at_end = time >= end - rounding;
+    accelerations_of_ground(at_end ? end : time, ground_);
+    if (at_end)
+      motion_ = stepper_.observed().motion;
+    else
+      stepper_.interpolate_observed(time, motion_);
+    followed_.complete(motion_, time, ground_);
+    sample(time, motion_, ground_, at_end);
   }
   follow_peaks();
   if (linked_) sample_links();
@@ -187,22 +328,62 @@ void Recorder::step() {
 }
 
 void Recorder::follow_peaks() {
-  const State &begin = stepper_.before(), &end = stepper_.arrived(), &now = stepper_.state();
-  const double h = end.time - begin.time;
-  const double ground = stepper_.ground_before()[0];
-  for (std::size_t k = 0; k < peaks_.size(); ++k)
-    for (std::size_t i = 0; i < peaks_[k].size(); ++i) {
+  const Observed &first = stepper_.observed_before(), &last = stepper_.observed_arrived();
+  const double h = last.time - first.time;
+  begin_ = first.motion;
+  end_ = last.motion;
+  motion_ = stepper_.observed().motion;
+  accelerations_of_ground(first.time, ground_);
+  followed_.complete(begin_, first.time, ground_);
+  followed_.complete(end_, last.time, stepper_.ground_before());
+  followed_.complete(motion_, last.time, stepper_.ground_before());
+  for (int k = 0; k < static_cast<int>(peaks_.size()); ++k) {
+    const int directions = followed_.directions(k);
+    for (int i = 0; i < static_cast<int>(peaks_[k].size()); ++i) {
       FloorPeaks& peaks = peaks_[k][i];
-      const int dof = first_[k] + static_cast<int>(i);
-      peaks.displacement.follow(h, begin.u[dof], begin.v[dof], end.u[dof], end.v[dof]);
-      peaks.acceleration.follow(end.a[dof] + ground);
-      peaks.acceleration.follow(now.a[dof] + ground);
-      if (i == 0)
-        peaks.drift.follow(h, begin.u[dof], begin.v[dof], end.u[dof], end.v[dof]);
-      else
-        peaks.drift.follow(h, begin.u[dof] - begin.u[dof - 1], begin.v[dof] - begin.v[dof - 1],
-                           end.u[dof] - end.u[dof - 1], end.v[dof] - end.v[dof - 1]);
+      const int c = followed_.column(k, i, 0);
+      if (directions == 1) {
+        peaks.displacement.follow(h, begin_(c, 0), begin_(c, 1), end_(c, 0), end_(c, 1));
+        peaks.acceleration.follow(end_(c, 2));
+        peaks.acceleration.follow(motion_(c, 2));
+        const int below = c - 1;
+        if (i == 0)
+          peaks.drift.follow(h, begin_(c, 0), begin_(c, 1), end_(c, 0), end_(c, 1));
+        else
+          peaks.drift.follow(h, begin_(c, 0) - begin_(below, 0), begin_(c, 1) - begin_(below, 1), end_(c, 0) - end_(below, 0),
+                             end_(c, 1) - end_(below, 1));
+        continue;
+      }
+      follow_vector(peaks.displacement, h, c, -1);
+      follow_vector(peaks.drift, h, c, i == 0 ? -1 : c - directions);
+      peaks.acceleration.follow(std::hypot(end_(c, 2), end_(c + 1, 2)));
+      peaks.acceleration.follow(std::hypot(motion_(c, 2), motion_(c + 1, 2)));
     }
+  }
+}
+
+// The length of a horizontal vector, less that of a floor below: its slope is the rate of change along itself.
+void Recorder::follow_vector(Peak& peak, double h, int column, int below) {
+  const auto length_and_slope = [&](const Eigen::MatrixXd& motion) {
+    double x = motion(column, 0), y = motion(column + 1, 0), vx = motion(column, 1), vy = motion(column + 1, 1);
+    if (below >= 0) {
+      x -= motion(below, 0);
+      y -= motion(below + 1, 0);
+      vx -= motion(below, 1);
+      vy -= motion(below + 1, 1);
+    }
+    const double length = std::hypot(x, y);
+    return std::pair(length, length > 0 ? (x * vx + y * vy) / length : 0.0);
+  };
+  const auto [begin, slope_begin] = length_and_slope(begin_);
+  const auto [end, slope_end] = length_and_slope(end_);
+  peak.follow(h, begin, slope_begin, end, slope_end);
+}
+
+int Recorder::tangent_of(int link) const {
+  for (const Friction& friction : stepper_.system().frictions)
+    if (friction.contact == link) return friction.first;
+  return -1;
 }
 
 void Recorder::sample_links() {
@@ -215,10 +396,16 @@ void Recorder::sample_links() {
     const bool ends_here = begun && !presses && rows.back().t_end >= step.end;
     LinkSampler& sampler = samplers_[i];
     if (presses || ends_here) {
-      if (step.force_middle != 0) sampler.pressed(0.5 * (step.begin + step.end), step.motion_middle, step.force_middle,
+      LinkSampler::Friction middle{}, end{};
+      for (int j = 0; j < results_.links[i].tangents; ++j) {
+        const LinkStep& slide = stepper_.link_steps()[tangent_of(static_cast<int>(i)) + j];
+        middle[j] = slide.force_middle;
+        end[j] = slide.force_end;
+      }
+      if (step.force_middle != 0) sampler.pressed(0.5 * (step.begin + step.end), step.motion_middle, step.force_middle, middle,
                                                   contact.work() - work_of_second_half(step));
-      const double force = presses ? stepper_.state().force[i] : step.force_end;
-      sampler.pressed(step.end, step.motion_end, force, contact.work());
+      const double force = presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end;
+      sampler.pressed(step.end, step.motion_end, force, end, contact.work());
     }
     if (!presses) sampler.finish(results_.links[i]);
     if (ends_here) sampler.apart(step.end, step.motion_end, contact.work(), results_.links[i]);
@@ -260,6 +447,7 @@ void Recorder::with_present_state(const std::function<void()>& write) {
   for (std::size_t i = 0; i < samplers_.size(); ++i) {
     LinkHistory& history = results_.links[i];
     for (auto* values : columns(history)) values->resize(finished[i]);
+    history.friction.resize(finished[i] * history.tangents);
   }
 }
 
@@ -269,7 +457,10 @@ void Recorder::archive(Archive& archive) {
   archive(samplers_);
   archive(largest_input_);
   archive(largest_imbalance_);
-  for (LinkHistory& history : results_.links) archive_length(archive, history);
+  for (LinkHistory& history : results_.links) {
+    archive_length(archive, history);
+    history.friction.resize(history.time.size() * history.tangents);
+  }
   archive_length(archive, results_.energy);
 }
 
@@ -298,7 +489,7 @@ void Recorder::summarize(Summary& summary) const {
     StructureSummary s{model_.structures[k].name, {}, {}, {}};
     for (const FloorPeaks& peaks : peaks_[k]) {
       s.peak_displacement.push_back(peaks.displacement.largest());
-      if (!model_.structures[k].storey_stiffness.empty()) s.peak_drift.push_back(peaks.drift.largest());
+      if (model_.structures[k].has_storeys()) s.peak_drift.push_back(peaks.drift.largest());
       s.peak_acceleration.push_back(peaks.acceleration.largest());
     }
     summary.structures.push_back(std::move(s));
@@ -315,6 +506,9 @@ void Recorder::summarize(Summary& summary) const {
         s.impulse += row.impulse;
         s.energy_lost += row.energy_lost;
       }
+      const std::vector<Friction>& frictions = stepper_.system().frictions;
+      for (std::size_t f = 0; f < frictions.size(); ++f)
+        if (&model_.links[frictions[f].contact] == &link) s.energy_lost += stepper_.friction_work()[f];
       summary.links.push_back(std::move(s));
     }
   const EnergyHistory& e = results_.energy;

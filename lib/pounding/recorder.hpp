@@ -2,10 +2,12 @@
 /// Turns kept steps into histories, peaks and the energy balance.
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <vector>
 
 #include <pounding/archive.hpp>
+#include <pounding/followed.hpp>
 #include <pounding/model.hpp>
 #include <pounding/results.hpp>
 #include <pounding/stepper.hpp>
@@ -28,8 +30,10 @@ class Peak {
 /// Samples of one link, dense inside impacts. A long impact is thinned evenly so that the memory stays bounded.
 class LinkSampler {
  public:
+  using Friction = std::array<double, 2>;
+
   void apart(double time, const LinkMotion& motion, double energy, LinkHistory& history) const;
-  void pressed(double time, const LinkMotion& motion, double force, double energy);
+  void pressed(double time, const LinkMotion& motion, double force, const Friction& friction, double energy);
   /// The impact is over (or the run is): its samples go to the history.
   void finish(LinkHistory& history);
   /// Copies the samples of an impact that is not over, for a file that is written meanwhile.
@@ -39,7 +43,10 @@ class LinkSampler {
  private:
   struct Sample {
     double time, penetration, velocity, force, energy;
+    Friction friction;
   };
+  static void append(const Sample& sample, LinkHistory& history);
+
   std::vector<Sample> samples_;
   Sample last_{};
   int stride_ = 1, skipped_ = 0;
@@ -66,26 +73,37 @@ class Recorder {
   void summarize(Summary& summary) const;
 
  private:
-  void sample(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a, double ground);
+  /// Peaks of one floor and of the storey below it. In space displacement, drift and acceleration are horizontal vectors.
+  struct FloorPeaks {
+    Peak displacement, drift, acceleration;
+  };
+
+  void sample(double time, const Eigen::MatrixXd& motion, const Eigen::VectorXd& ground, bool at_end);
+  void sample_structure(int structure, const Eigen::MatrixXd& motion, bool inside, double time);
+  void sample_whole(double time, bool inside);
+  void sample_members(int structure, const Eigen::VectorXd& u, bool inside, double time);
   void follow_peaks();
+  void follow_vector(Peak& peak, double h, int column, int below);
+  int tangent_of(int link) const;  // first column of its friction
   void sample_links();
   void sample_energy();
   void collect_impacts();
+  void accelerations_of_ground(double time, Eigen::VectorXd& ground) const;
 
   const Model& model_;
   const Stepper& stepper_;
   Results& results_;
+  FollowedFloors followed_;
+  GroundPlan plan_;
   std::vector<int> first_;
-  bool linked_;
+  bool linked_, whole_ = false;  // whole: shears of frames, nodes or members are reported
   long outputs_ = 0;
   bool energy_due_ = false;
-  struct FloorPeaks {
-    Peak displacement, drift, acceleration;
-  };
   std::vector<std::vector<FloorPeaks>> peaks_;
   std::vector<LinkSampler> samplers_;
   double largest_input_ = 0, largest_imbalance_ = 0;
-  Eigen::VectorXd u_, v_, a_;
+  Eigen::MatrixXd motion_, begin_, end_;
+  Eigen::VectorXd ground_, u_, v_, a_, force_;
 };
 
 }  // namespace pounding

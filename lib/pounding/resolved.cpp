@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <pounding/damping.hpp>
 #include <pounding/model.hpp>
 
 namespace pounding {
@@ -23,54 +22,130 @@ void emit_list(YAML::Emitter& out, const char* key, const std::vector<double>& v
   out << YAML::EndSeq;
 }
 
+std::vector<double> periods(const Structure& s) {
+  std::vector<double> all;
+  for (const double w : s.frequencies) all.push_back(2 * M_PI / w);
+  return all;
+}
+
+// The matrices of a frame are too large to show.
+void emit_frame(YAML::Emitter& out, const Structure& s) {
+  out << YAML::Key << "unknowns" << YAML::Value << s.size();
+  std::vector<double> masses, elevations;
+  for (const Floor& floor : s.floors) {
+    masses.push_back(floor.mass);
+    elevations.push_back(floor.elevation.value_or(0));
+  }
+  emit_list(out, "floor_mass", masses);
+  emit_list(out, "floor_elevation", elevations);
+  double mass = 0;
+  for (const Support& support : s.supports) mass += support.load.col(0).sum();
+  emit(out, "load_along_x", mass);
+  emit_list(out, "periods", periods(s));
+  if (s.supports.size() > 1) {
+    out << YAML::Key << "supports" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+    for (const Support& support : s.supports) out << support.name;
+    out << YAML::EndSeq;
+  }
+}
+
+void emit_storeys(YAML::Emitter& out, const Structure& s) {
+  const Eigen::VectorXd masses = s.mass.diagonal();
+  emit_list(out, "mass", {masses.begin(), masses.end()});
+  if (!s.storey_stiffness.empty()) {
+    emit_list(out, "stiffness", s.storey_stiffness);
+    if (!s.yielding.empty()) {
+      std::vector<double> forces, hardening;
+      for (const YieldingStorey& storey : s.yielding) {
+        forces.push_back(storey.yield_force);
+        hardening.push_back(storey.hardening);
+      }
+      emit_list(out, "yield_force", forces);
+      emit_list(out, "hardening", hardening);
+    }
+    emit_list(out, "periods", periods(s));
+    const Eigen::MatrixXd damping = s.whole_damping();
+    if (s.size() <= largest_shown_matrix) emit_list(out, "damping_matrix", {damping.data(), damping.data() + damping.size()});
+  }
+  if (s.floors.front().elevation) {
+    std::vector<double> heights;
+    double below = 0;
+    for (const Floor& floor : s.floors) {
+      heights.push_back(*floor.elevation - below);
+      below = *floor.elevation;
+    }
+    emit_list(out, "height", heights);
+  }
+  emit_list(out, "initial_displacement", {s.initial_displacement.begin(), s.initial_displacement.end()});
+  emit_list(out, "initial_velocity", {s.initial_velocity.begin(), s.initial_velocity.end()});
+}
+
 void emit_structure(YAML::Emitter& out, const Structure& s) {
   out << YAML::Key << s.name << YAML::Value << YAML::BeginMap;
   out << YAML::Key << "kind" << YAML::Value << s.kind;
   if (!s.is_rigid()) {
-    const Eigen::VectorXd masses = s.mass.diagonal();
-    emit_list(out, "mass", {masses.begin(), masses.end()});
-    if (!s.storey_stiffness.empty()) {
-      emit_list(out, "stiffness", s.storey_stiffness);
-      if (!s.yielding.empty()) {
-        std::vector<double> forces, hardening;
-        for (const YieldingStorey& storey : s.yielding) {
-          forces.push_back(storey.yield_force);
-          hardening.push_back(storey.hardening);
-        }
-        emit_list(out, "yield_force", forces);
-        emit_list(out, "hardening", hardening);
-      }
-      const Eigen::VectorXd w = eigenmodes(s.mass, s.stiffness).frequencies;
-      std::vector<double> periods;
-      for (const double each : w) periods.push_back(2 * M_PI / each);
-      emit_list(out, "periods", periods);
-      std::vector<double> matrix(s.damping.data(), s.damping.data() + s.damping.size());
-      if (s.size() <= largest_shown_matrix) emit_list(out, "damping_matrix", matrix);
-    }
-    if (!s.heights.empty()) emit_list(out, "height", s.heights);
-    emit_list(out, "initial_displacement", {s.initial_displacement.begin(), s.initial_displacement.end()});
-    emit_list(out, "initial_velocity", {s.initial_velocity.begin(), s.initial_velocity.end()});
+    if (s.dimension == 1)
+      emit_storeys(out, s);
+    else
+      emit_frame(out, s);
     out << YAML::Key << "damping" << YAML::Value << s.damping_note;
+    if (s.dimension > 1) {
+      emit(out, "damping_by_mass", s.by_mass);
+      emit(out, "damping_by_stiffness", s.by_stiffness);
+    }
   }
+  if (s.supports.front().delay > 0) emit(out, "delay", s.supports.front().delay);
   out << YAML::EndMap;
 }
 
-std::string end_of(const Model& model, int structure, int floor) {
-  const Structure& s = model.structures[structure];
-  return floor < 0 ? s.name : fmt::format("{}.{}", s.name, floor + 1);
+std::string end_of(const Model& model, const LinkEnd& end) {
+  const Structure& s = model.structures[end.structure];
+  if (end.floor >= 0) return fmt::format("{}.{}", s.name, end.floor + 1);
+  return end.label.empty() ? s.name : fmt::format("{}, {}", s.name, end.label);
+}
+
+void emit_ground(YAML::Emitter& out, const Model& model) {
+  const GroundComponents& components = model.ground.components;
+  const auto emit_motion = [&](const GroundMotion& motion) {
+    out << YAML::Key << "source" << YAML::Value << (motion.is_still() ? "none" : motion.source());
+    emit(out, "peak_acceleration", motion.peak());
+    emit(out, "duration", motion.duration());
+  };
+  out << YAML::Key << "ground_motion" << YAML::Value << YAML::BeginMap;
+  if (components[1].is_still() && components[2].is_still()) {
+    emit_motion(components[0]);
+  } else {
+    constexpr const char* names[] = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) {
+      if (components[i].is_still()) continue;
+      out << YAML::Key << names[i] << YAML::Value << YAML::BeginMap;
+      emit_motion(components[i]);
+      out << YAML::EndMap;
+    }
+  }
+  if (model.ground.wave) {
+    emit(out, "wave_velocity", model.ground.wave->velocity);
+    const Eigen::Vector3d& d = model.ground.wave->direction;
+    emit_list(out, "wave_direction", {d.begin(), d.end()});
+  }
+  out << YAML::EndMap;
 }
 
 void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   out << YAML::BeginMap;
   out << YAML::Key << "name" << YAML::Value << link.name;
   out << YAML::Key << "between" << YAML::Value << YAML::Flow << YAML::BeginSeq
-      << end_of(model, link.left, link.left_floor) << end_of(model, link.right, link.right_floor) << YAML::EndSeq;
+      << end_of(model, link.left) << end_of(model, link.right) << YAML::EndSeq;
   emit(out, "gap", link.gap);
   out << YAML::Key << "law" << YAML::Value << link.law;
   if (!link.formula.empty()) out << YAML::Key << "formula" << YAML::Value << link.formula;
   emit(out, "reduced_mass", link.reduced_mass);
   out << YAML::Key << "reduced_mass_from" << YAML::Value
       << (link.reduced_mass_given ? "the input" : "the masses of the two floors");
+  if (link.friction > 0) {
+    emit(out, "friction", link.friction);
+    emit(out, "sliding_velocity", link.sliding_velocity);
+  }
   out << YAML::Key << "parameters" << YAML::Value << YAML::BeginMap;
   for (const Value& value : link.parameters)
     out << YAML::Key << value.name << YAML::Value << exact(value.value)
@@ -85,11 +160,7 @@ std::string resolved_yaml(const Model& model) {
   out << YAML::BeginMap;
   out << YAML::Key << "title" << YAML::Value << model.title;
   out << YAML::Key << "units" << YAML::Value << "SI";
-  out << YAML::Key << "ground_motion" << YAML::Value << YAML::BeginMap;
-  out << YAML::Key << "source" << YAML::Value << (model.ground.is_still() ? "none" : model.ground.source());
-  emit(out, "peak_acceleration", model.ground.peak());
-  emit(out, "duration", model.ground.duration());
-  out << YAML::EndMap;
+  emit_ground(out, model);
   out << YAML::Key << "structures" << YAML::Value << YAML::BeginMap;
   for (const Structure& s : model.structures) emit_structure(out, s);
   out << YAML::EndMap;

@@ -1,6 +1,7 @@
 #include "pounding/results.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <iterator>
@@ -24,8 +25,10 @@ using hdf5::checked;
 using hdf5::group;
 using hdf5::Handle;
 using hdf5::Label;
+using hdf5::integers;
 using hdf5::scalar;
 using hdf5::text;
+using hdf5::texts;
 
 void check_length(std::size_t length, std::size_t expected, const std::string& what) {
   if (length != expected)
@@ -47,31 +50,80 @@ void check_names(const Histories& histories, const std::string& kind) {
   }
 }
 
+using Names = std::vector<std::string>;
+
+// Names of floors stand beside their numbers; those of nodes may be too many for an attribute.
+void write_motion(hid_t place, const std::string& name, std::size_t places, const Names* floors, const Names& directions, std::size_t samples,
+                  const std::array<const std::vector<double>*, 3>& histories) {
+  const Label labels[] = {{"displacement", "m", "displacement relative to the ground"},
+                          {"velocity", "m/s", "velocity relative to the ground"},
+                          {"acceleration", "m/s^2", "absolute acceleration"}};
+  for (int i = 0; i < 3; ++i) {
+    check_length(histories[i]->size(), samples * places * directions.size(), name + ": " + labels[i].name);
+    const Handle made = array(place, labels[i], *histories[i], {samples, places, directions.size()});
+    if (floors) attribute(made, "floors", *floors);
+    attribute(made, "directions", directions);
+  }
+}
+
+void write_geometry(hid_t parent, const Geometry& geometry) {
+  const Handle place = group(parent, "geometry");
+  std::vector<double> nodes;
+  for (const Eigen::Vector3d& p : geometry.positions) nodes.insert(nodes.end(), p.begin(), p.end());
+  array(place, {"nodes", "m", "positions of the nodes at rest: x, y, z"}, nodes, {geometry.positions.size(), 3});
+  std::vector<int> members;
+  for (const auto& ends : geometry.members) members.insert(members.end(), ends.begin(), ends.end());
+  integers(place, {"members", "1", "nodes of the members, counted from 0"}, members, {geometry.members.size(), 2});
+  integers(place, {"floor_of_node", "1", "floor of each node, counted from 0 at the lowest; -1 for none"}, geometry.floor_of_node,
+           {geometry.floor_of_node.size()});
+  texts(place, "node_names", "names of the nodes", geometry.node_names);
+  texts(place, "member_names", "names of the members", geometry.member_names);
+}
+
 void write_structure(hid_t parent, const StructureHistory& history, std::size_t samples) {
   const Handle place = group(parent, history.name);
   const std::size_t floors = history.floors.size();
-  const std::vector<std::string> directions{"x"};
+  attribute(place, "kind", history.kind);
+  attribute(place, "dimension", history.dimension);
   attribute(place, "floors", history.floors);
-  attribute(place, "directions", directions);
+  attribute(place, "elevations", history.elevations);
+  attribute(place, "directions", history.directions);
+  write_motion(place, history.name, floors, &history.floors, history.directions, samples,
+               {&history.displacement, &history.velocity, &history.acceleration});
 
-  const auto motion = [&](const Label& label, const std::vector<double>& values) {
-    check_length(values.size(), samples * floors, history.name + ": " + label.name);
-    const Handle made = array(place, label, values, {samples, floors, directions.size()});
-    attribute(made, "floors", history.floors);
-    attribute(made, "directions", directions);
-  };
-  motion({"displacement", "m", "displacement relative to the ground"}, history.displacement);
-  motion({"velocity", "m/s", "velocity relative to the ground"}, history.velocity);
-  motion({"acceleration", "m/s^2", "absolute acceleration"}, history.acceleration);
-
+  const std::size_t directions = history.storey_directions();
   const auto storey = [&](const Label& label, const std::vector<double>& values) {
     const std::size_t storeys = values.empty() ? 0 : floors;
-    check_length(values.size(), samples * storeys, history.name + ": " + label.name);
-    const Handle made = array(place, label, values, {samples, storeys});
-    attribute(made, "floors", storeys == 0 ? std::vector<std::string>{} : history.floors);
+    check_length(values.size(), samples * storeys * directions, history.name + ": " + label.name);
+    const Handle made = directions == 1 ? array(place, label, values, {samples, storeys})
+                                        : array(place, label, values, {samples, storeys, directions});
+    attribute(made, "floors", storeys == 0 ? Names{} : history.floors);
   };
   storey({"drift", "m", "storey drift, floor minus the floor below"}, history.drift);
   storey({"storey_shear", "N", "shear force of the storey below the floor"}, history.storey_shear);
+  if (!history.storey_shear.empty()) {
+    std::vector<double> lowest;
+    for (std::size_t t = 0; t < samples; ++t)
+      for (std::size_t j = 0; j < directions; ++j) lowest.push_back(history.storey_shear[t * floors * directions + j]);
+    array(place, {"base_shear", "N", "shear force of the lowest storey"}, lowest, {samples, directions});
+  }
+  if (!history.nodes.empty()) {
+    const Handle nodes = group(place, "nodes");
+    texts(nodes, "names", "names of the nodes", history.nodes);
+    write_motion(nodes, history.name, history.nodes.size(), nullptr, history.node_directions, samples,
+                 {&history.node_displacement, &history.node_velocity, &history.node_acceleration});
+  }
+  if (!history.members.empty()) {
+    const Handle members = group(place, "members");
+    texts(members, "names", "names of the members", history.members);
+    check_length(history.end_forces.size(), samples * history.members.size() * history.member_components.size(),
+                 history.name + ": end forces");
+    const Handle made =
+        array(members, {"end_forces", "N", "forces [N] and moments [N m] on the ends of members, local axes"},
+              history.end_forces, {samples, history.members.size(), history.member_components.size()});
+    attribute(made, "components", history.member_components);
+  }
+  if (!history.geometry.positions.empty()) write_geometry(place, history.geometry);
 }
 
 void write_link(hid_t parent, const LinkHistory& history) {
@@ -83,6 +135,10 @@ void write_link(hid_t parent, const LinkHistory& history) {
   attribute(place, "left_floor", history.left.floor);
   attribute(place, "right", history.right.structure);
   attribute(place, "right_floor", history.right.floor);
+  attribute(place, "left_end", history.left.label);
+  attribute(place, "right_end", history.right.label);
+  attribute(place, "position", std::vector<double>(history.position.begin(), history.position.end()));
+  attribute(place, "direction", std::vector<double>(history.direction.begin(), history.direction.end()));
 
   const auto column = [&](const Label& label, const std::vector<double>& values) {
     check_length(values.size(), history.time.size(), history.name + ": " + label.name);
@@ -93,6 +149,11 @@ void write_link(hid_t parent, const LinkHistory& history) {
   column({"velocity", "m/s", "rate of the penetration, positive when closing"}, history.velocity);
   column({"force", "N", "contact force, positive when it pushes apart"}, history.force);
   column({"energy", "J", "work done on the link, stored and lost"}, history.energy);
+  if (history.tangents == 0) return;
+  const std::size_t tangents = history.tangents;
+  check_length(history.friction.size(), history.time.size() * tangents, history.name + ": friction");
+  array(place, {"friction", "N", "friction force on the left body against its sliding: along the edge, up; up only in the plane"},
+        history.friction, {history.time.size(), tangents});
 }
 
 struct ImpactField {
@@ -200,6 +261,12 @@ void visit_all(AnyResults& results, Visit&& visit) {
     visit(place + "acceleration", s.acceleration);
     visit(place + "drift", s.drift);
     visit(place + "storey_shear", s.storey_shear);
+    if (!s.nodes.empty()) {
+      visit(place + "nodes/displacement", s.node_displacement);
+      visit(place + "nodes/velocity", s.node_velocity);
+      visit(place + "nodes/acceleration", s.node_acceleration);
+    }
+    if (!s.members.empty()) visit(place + "members/end_forces", s.end_forces);
   }
   for (auto& link : results.links) {
     const std::string place = "links/" + link.name + '/';
@@ -208,6 +275,7 @@ void visit_all(AnyResults& results, Visit&& visit) {
     visit(place + "velocity", link.velocity);
     visit(place + "force", link.force);
     visit(place + "energy", link.energy);
+    if (link.tangents > 0) visit(place + "friction", link.friction);
   }
   auto& energy = results.energy;
   visit("energy/time", energy.time);

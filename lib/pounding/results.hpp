@@ -1,6 +1,7 @@
 #pragma once
 /// What a run leaves behind, in memory and in one HDF5 file that h5py reads without help (DESIGN of the file: README).
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -8,33 +9,48 @@
 
 #include <pounding/checkpoint.hpp>
 #include <pounding/impact_row.hpp>
+#include <pounding/structure.hpp>
 
 namespace pounding {
 
 /// One end of a link: a structure and its floor, counted from 1 at the lowest; 0 when there is no floor to name.
-struct LinkEnd {
+struct NamedEnd {
   std::string structure;
   int floor = 0;
+  std::string label{};  ///< "floor 3", "node b", "10.5 m up"; empty for a wall
 };
 
 /// History of one link, dense inside contacts.
 struct LinkHistory {
   std::string name;
   std::vector<double> time, penetration, velocity, force, energy;  ///< [s], [m], [m/s], [N], [J]
-  double gap = 0;       ///< opening at rest [m]
+  int tangents = 0;              ///< directions in which friction acts
+  std::vector<double> friction;  ///< row-major [time, tangent] [N]
+  double gap = 0;       ///< opening when nothing moves [m]
   std::string law;      ///< name of the contact law
-  LinkEnd left, right;  ///< what it is between; pictures place the right one a gap away from the left one
+  NamedEnd left, right;  ///< what it is between; pictures place the right one a gap away from the left one
+  std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
 };
 
-/// Histories of one structure at the output times; row-major [time, floor]. Drift and storey shear stay empty in a
-/// structure without storeys.
+/// Histories of one structure at the output times, row-major [time, place, direction].
 struct StructureHistory {
-  std::string name;
-  std::vector<std::string> floors;  ///< labels from the ground up
-  std::vector<double> displacement, velocity;  ///< relative to the ground [m], [m/s]
-  std::vector<double> acceleration;            ///< absolute [m/s^2]
-  std::vector<double> drift;                   ///< storey drift, floor minus the floor below [m]
-  std::vector<double> storey_shear;            ///< [N]
+  std::string name, kind;
+  int dimension = 1;
+  std::vector<std::string> floors;      ///< labels from the ground up
+  std::vector<double> elevations;       ///< of the floors [m]; NaN where not known
+  std::vector<std::string> directions{"x"};  ///< of the floors' motion
+  std::vector<double> displacement, velocity;  ///< of floors, relative to the ground [m], [m/s], [rad], [rad/s]
+  std::vector<double> acceleration;            ///< absolute [m/s^2], [rad/s^2]
+  /// Floor minus the floor below [m], and the force of the storey below a floor [N]: [time, floor], in space [time, floor, x y].
+  /// Empty in a structure without storeys.
+  std::vector<double> drift, storey_shear;
+  std::vector<std::string> nodes, node_directions;
+  std::vector<double> node_displacement, node_velocity, node_acceleration;  ///< [time, node, direction]
+  std::vector<std::string> members, member_components;
+  std::vector<double> end_forces;  ///< [time, member, component] [N], [N m]
+  Geometry geometry;
+
+  int storey_directions() const { return dimension == 3 ? 2 : 1; }
 };
 
 /// The balance at the output times [J]. input = kinetic + strain + damping + hysteretic + impact + error.

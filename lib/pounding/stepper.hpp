@@ -92,6 +92,8 @@ class Stepper {
   const Observed& observed_before() const;
   const Observed& observed_arrived() const;
   const std::vector<LinkStep>& link_steps() const { return link_steps_; }
+  /// Forces of all links at the present state [N].
+  const Eigen::VectorXd& link_forces() const { return now_.force; }
   Energies energies() const;
   /// Work that each friction of the system has dissipated [J].
   const std::vector<double>& friction_work() const { return friction_work_; }

@@ -12,8 +12,13 @@ void add_calibrate(CLI::App& app);  ///< `calibrate --law ... --restitution ...`
 void add_record(CLI::App& app);     ///< `record info|spectrum`
 void add_modes(CLI::App& app);      ///< `modes MODEL.yaml`
 void add_plot(CLI::App& app);       ///< `plot RESULTS.h5`
+void add_animate(CLI::App& app);    ///< `animate RESULTS.h5`
+void add_export(CLI::App& app);     ///< `export RESULTS.h5`
 
 /// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.
 void draw(const std::string& results, const std::string& picture);
+
+/// Draws mode shapes; `modes` is the JSON object that python/pounding/mode_shapes.py describes. Throws as `draw`.
+void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});
 
 }  // namespace pounding::program

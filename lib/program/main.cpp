@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 
 #include <pounding/error.hpp>
@@ -10,8 +12,15 @@ namespace {
 
 constexpr int done = 0, other_failure = 1, bad_input = 2, failed_solve = 3;
 
+// Under mpirun all processes fail alike, and the first one tells. MPI itself may not have begun, or be over.
+bool speaks() {
+  for (const char* rank : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (const char* value = std::getenv(rank)) return std::strcmp(value, "0") == 0;
+  return true;
+}
+
 int report(const char* text, int code) {
-  std::fprintf(stderr, "pounding: %s\n", text);
+  if (speaks()) std::fprintf(stderr, "pounding: %s\n", text);
   return code;
 }
 
@@ -29,6 +38,8 @@ int main(int argc, char** argv) {
   add_calibrate(app);
   add_record(app);
   add_plot(app);
+  add_animate(app);
+  add_export(app);
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);

@@ -1,9 +1,12 @@
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include <pounding/input.hpp>
 #include <pounding/modes.hpp>
+#include <pounding/petsc/eigen.hpp>
+#include <pounding/petsc/environment.hpp>
 #include <pounding/structures.hpp>
 #include "commands.hpp"
 
@@ -11,17 +14,31 @@ namespace pounding::program {
 
 void add_modes(CLI::App& app) {
   struct Words {
-    std::string model;
-    bool json = false;
+    std::string model, picture;
+    int count = 12;
+    bool json = false, plot = false;
   };
   const auto words = std::make_shared<Words>();
   CLI::App* command = app.add_subcommand("modes", "Periods, damping ratios, participation and shapes of every structure");
   command->add_option("MODEL", words->model, "Input file (YAML)")->required();
+  command->add_option("--count", words->count, "Modes of a frame; of other structures all are told")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_flag("--json", words->json, "Print one JSON object");
+  command->add_flag("--plot", words->plot, "Draw the shapes beside the input file");
+  command->add_option("-o,--output", words->picture, "Name of the picture");
   command->callback([words] {
-    const Model model = read_model(Input::read_file(words->model), kinds());
-    const std::string text = words->json ? modes_json(model) + "\n" : modes_table(model);
+    const petsc::Environment environment;
+    const Model model = read_model(Input::read_file(words->model), kinds(), petsc::lowest_modes);
+    const std::string text = words->json ? modes_json(model, words->count, petsc::lowest_modes) + "\n"
+                                         : modes_table(model, words->count, petsc::lowest_modes);
     std::fputs(text.c_str(), stdout);
+    if (!words->plot && words->picture.empty()) return;
+    const std::string picture = words->picture.empty()
+                                    ? std::filesystem::path(words->model).replace_extension("").string() + "_modes.png"
+                                    : words->picture;
+    draw_modes(modes_json(model, words->count, petsc::lowest_modes, true), picture, model.title);
+    if (!words->json) std::printf("picture      %s\n", picture.c_str());
   });
 }
 

@@ -1,144 +1,92 @@
-/// `plot`: pictures are drawn by the Python module pounding.plots in a process of its own.
+/// `plot`, and the pictures of other commands: drawn by Python.
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "pounding/error.hpp"
 #include "program/commands.hpp"
+#include "program/python_process.hpp"
 
 namespace pounding::program {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* what_to_install =
-    "Type `make python` in the source directory, or `python3 -m pip install numpy h5py matplotlib`, or set the "
-    "environment variable POUNDING_PYTHON to a Python that has them.";
-
-/// The user's choice, then the environment that `make` prepared, then the one on the path.
-std::string find_python() {
-  if (const char* chosen = std::getenv("POUNDING_PYTHON"); chosen != nullptr && *chosen != '\0') return chosen;
-  if (access(POUNDING_DEFAULT_PYTHON, X_OK) == 0) return POUNDING_DEFAULT_PYTHON;
-  return "python3";
-}
-
-/// This process's environment with our Python directory first on the module path.
-std::vector<std::string> environment_with_module_path() {
-  std::string path = POUNDING_PYTHON_PATH;
-  if (const char* given = std::getenv("PYTHONPATH"); given != nullptr && *given != '\0') path.append(":").append(given);
-  std::vector<std::string> variables{"PYTHONPATH=" + path};
-  for (char** variable = environ; *variable != nullptr; ++variable)
-    if (!std::string_view(*variable).starts_with("PYTHONPATH=")) variables.emplace_back(*variable);
-  return variables;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> list;
-  for (std::string& text : texts) list.push_back(text.data());
-  list.push_back(nullptr);
-  return list;
-}
-
-struct Outcome {
-  int spawn_error = 0;  ///< error number when the process could not start
-  int exit_code = 0;    ///< 128 + signal when it was killed
-  std::string output;   ///< what it printed, errors included
-};
-
-Outcome run_process(std::vector<std::string> arguments) {
-  std::vector<std::string> environment = environment_with_module_path();
-  Outcome outcome;
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) {
-    outcome.spawn_error = errno;
-    return outcome;
-  }
-
-  // What Python prints must not mix with ours: --json promises one object on standard output.
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  pid_t process = 0;
-  outcome.spawn_error = posix_spawnp(&process, arguments[0].c_str(), &actions, nullptr, pointers(arguments).data(),
-                                     pointers(environment).data());
-  posix_spawn_file_actions_destroy(&actions);
-  close(ends[1]);
-  if (outcome.spawn_error == 0) {
-    char buffer[4096];
-    for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) != 0;) {
-      if (count > 0) {
-        outcome.output.append(buffer, static_cast<std::size_t>(count));
-      } else if (errno != EINTR) {
-        break;
-      }
+/// A file that is gone when its owner is.
+class TemporaryFile {
+ public:
+  /// Throws InputError when the place for temporary files takes none.
+  explicit TemporaryFile(const std::string& text) {
+    std::error_code none;
+    name_ = (fs::temp_directory_path(none) / "pounding-XXXXXX").string();
+    const int file = mkstemp(name_.data());
+    if (file < 0) throw InputError("no picture: " + name_ + " cannot be written. Set TMPDIR to a directory that can");
+    close(file);
+    std::ofstream stream(name_);
+    stream << text;
+    stream.close();
+    if (!stream) {
+      fs::remove(name_, none);
+      throw InputError("no picture: " + name_ + " cannot be written. Set TMPDIR to a directory that has room");
     }
-    int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
-    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
-  close(ends[0]);
-  return outcome;
-}
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(name_, ignored);
+  }
 
-/// The last line that is not empty: of a Python traceback the one that says what happened. Empty when there is none.
-std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of(" \n");
-  if (end == std::string::npos) return {};
-  const std::size_t before = text.rfind('\n', end);
-  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-  return text.substr(begin, end + 1 - begin);
-}
+  const std::string& name() const { return name_; }
 
-void draw_titled(const std::string& results, const std::string& picture, const std::string& title) {
-  const std::string python = find_python();
-  std::vector<std::string> arguments{python, "-m", "pounding.plots", "-o", picture};
-  if (!title.empty()) arguments.push_back("--title=" + title);
-  arguments.insert(arguments.end(), {"--", results});
-
-  const Outcome outcome = run_process(arguments);
-  if (outcome.spawn_error != 0)
-    throw InputError("no picture: \"" + python + "\" cannot be started: " + std::strerror(outcome.spawn_error) + ". " +
-                     what_to_install);
-  if (outcome.exit_code == 0) return;
-  const std::string message = last_line(outcome.output);
-  if (message.find("No module named") != std::string::npos)
-    throw InputError("no picture: " + python + ": " + message + ". " + what_to_install);
-  if (message.empty())
-    throw InputError("no picture: " + python + " ended with code " + std::to_string(outcome.exit_code) +
-                     " and without a message");
-  throw InputError("no picture: " + message);
-}
+ private:
+  std::string name_;
+};
 
 }  // namespace
 
-void draw(const std::string& results, const std::string& picture) { draw_titled(results, picture, {}); }
+void draw(const std::string& results, const std::string& picture) {
+  run_python({.module = "plots", .product = "picture"}, {"-o", picture}, {results});
+}
+
+void draw_modes(const std::string& modes, const std::string& picture, const std::string& title) {
+  const TemporaryFile file(modes);
+  std::vector<std::string> options{"-o", picture};
+  if (!title.empty()) options.push_back("--title=" + title);
+  run_python({.module = "mode_shapes", .product = "picture"}, options, {file.name()});
+}
 
 void add_plot(CLI::App& app) {
   struct Options {
-    std::string results, picture, title;
+    std::string results, picture, title, kind = "run", floors;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("plot", "Draw the standard picture of a results file");
+  CLI::App* command = app.add_subcommand("plot", "Draw a results file");
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
-  command->add_option("-o,--output", options->picture, "picture: .png, .pdf or .svg (default: RESULTS with .png)");
+  command->add_option("-o,--output", options->picture,
+                      "picture: .png, .pdf or .svg (default: RESULTS with .png; of the other pictures RESULTS-model.png ...)");
   command->add_option("--title", options->title, "title instead of that of the run");
+  command->add_option("--picture", options->kind,
+                      "run (histories and impacts), model (the structures at rest) or profiles (extremes over the height)")
+      ->check(CLI::IsMember({"run", "model", "profiles"}));
+  command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
   command->callback([options] {
-    const std::string picture = options->picture.empty() ? fs::path(options->results).replace_extension(".png").string()
-                                                         : options->picture;
-    draw_titled(options->results, picture, options->title);
+    fs::path picture = options->picture;
+    if (picture.empty()) {
+      picture = fs::path(options->results).replace_extension();
+      picture += options->kind == "run" ? ".png" : "-" + options->kind + ".png";
+    }
+    std::vector<std::string> words{"-o", picture.string()};
+    if (!options->title.empty()) words.push_back("--title=" + options->title);
+    if (options->kind != "run") words.push_back("--picture=" + options->kind);
+    if (!options->floors.empty()) words.push_back("--floors=" + options->floors);
+    run_python({.module = "plots", .product = "picture"}, words, {options->results});
   });
 }
 

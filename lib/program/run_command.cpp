@@ -13,7 +13,9 @@
 #include <pounding/analysis.hpp>
 #include <pounding/checkpoint.hpp>
 #include <pounding/input.hpp>
+#include <pounding/petsc/eigen.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/team.hpp>
 #include <pounding/structures.hpp>
 #include "commands.hpp"
 
@@ -28,7 +30,7 @@ struct Words {
   bool json = false, plot = false, quiet = false;
 };
 
-Model read(const std::string& path) { return read_model(Input::read_file(path), kinds()); }
+Model read(const std::string& path) { return read_model(Input::read_file(path), kinds(), petsc::lowest_modes); }
 
 std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();
@@ -61,9 +63,13 @@ volatile std::sig_atomic_t StopOnSignal::stop = 0;
 
 std::string describe(const Model& model) {
   std::string text = model.title.empty() ? "" : model.title + "\n";
-  if (!model.ground.is_still())
-    text += fmt::format("ground motion  {}, peak {:.4g} m/s^2 ({:.4g} g)\n", model.ground.source(), model.ground.peak(),
-                        model.ground.peak() / 9.80665);
+  constexpr const char* axes[] = {"", " along y", " along z"};
+  for (int i = 0; i < 3; ++i) {
+    const GroundMotion& motion = model.ground.components[i];
+    if (motion.is_still()) continue;
+    text += fmt::format("ground motion{}  {}, peak {:.4g} m/s^2 ({:.4g} g)\n", axes[i], motion.source(), motion.peak(),
+                        motion.peak() / 9.80665);
+  }
   for (const Link& link : model.links) {
     text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
                         link.formula, 1e3 * link.gap);
@@ -114,7 +120,7 @@ void add_earlier_options(const std::vector<std::string>& earlier, std::vector<st
 
 Model read_again(const StoppedRun& run) {
   const std::string& file = run.checkpoint.model_file;
-  return read_model(Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file), kinds());
+  return read_model(Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file), kinds(), petsc::lowest_modes);
 }
 
 void run_model(const Words& words, const CLI::App& command) {
@@ -126,6 +132,8 @@ void run_model(const Words& words, const CLI::App& command) {
     earlier = read_stopped_run(words.resume);
     add_earlier_options(earlier.checkpoint.options, options);
   }
+  const petsc::Environment environment(options);
+  const bool speaks = petsc::Team(PETSC_COMM_WORLD).is_first();
   const Model model = model_file.empty() ? read_again(earlier) : read(model_file);
   RunOptions run_options;
   const bool plot = words.plot || !words.picture.empty();
@@ -136,12 +144,11 @@ void run_model(const Words& words, const CLI::App& command) {
   run_options.command = fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file,
                                     resume ? " --resume " : "", words.resume, options.empty() ? "" : " ",
                                     fmt::join(options, " "));
-  const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet;
+  const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet && speaks;
   if (terminal) run_options.progress = show_progress;
-  if (!words.json && !words.quiet) std::fputs((describe(model) + "\n").c_str(), stdout);
+  if (!words.json && !words.quiet && speaks) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
 
-  const petsc::Environment environment(options);
   const StopOnSignal signals;  // after PETSc, which takes and gives back signals of its own
   run_options.stop = [] { return StopOnSignal::stop != 0; };
   Outcome outcome;
@@ -149,7 +156,7 @@ void run_model(const Words& words, const CLI::App& command) {
     outcome = run(model, run_options);
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
-    if (words.json) std::puts(to_json(failed.outcome().summary).c_str());
+    if (words.json && speaks) std::puts(to_json(failed.outcome().summary).c_str());
     if (!failed.outcome().results.checkpoint) throw;
     throw SolverError(fmt::format("{}\nTo go on: pounding run --resume {}", failed.what(), run_options.output));
   } catch (...) {
@@ -157,6 +164,7 @@ void run_model(const Words& words, const CLI::App& command) {
     throw;
   }
   if (terminal) clear_progress();
+  if (!speaks) return;
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
     std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n", unread.front().c_str());
   if (outcome.summary.energy.error > suspicious_imbalance * model.analysis.tolerance)
@@ -199,6 +207,7 @@ void add_run(CLI::App& app) {
   check_command->add_option("MODEL", check_words->model, "Input file (YAML)")->required();
   check_command->add_flag("--json", check_words->json, "Print one JSON object");
   check_command->callback([check_words] {
+    const petsc::Environment environment;
     const Model model = read(check_words->model);
     if (check_words->json)
       std::printf("{\"status\": \"ok\", \"structures\": %zu, \"links\": %zu}\n", model.structures.size(), model.links.size());

@@ -89,14 +89,15 @@ std::vector<CorotationalBeam> various_members(int dimension) {
 
 // Central differences of fourth order: an error of about 1e-11 with this step.
 template <class Function>
-auto derivative(Function&& f, Vector12 u, int at) {
+auto derivative(Function&& f, Vector12 u, int at) -> decltype(f(u)) {
   const double h = 2e-3;
   const auto moved = [&](double by) {
     Vector12 v = u;
     v[at] += by;
     return f(v);
   };
-  return ((8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h));
+  const auto near = moved(h), near_back = moved(-h), far = moved(2 * h), far_back = moved(-2 * h);
+  return (8 * (near - near_back) - (far - far_back)) / (12 * h);
 }
 
 TEST(CorotationalBeam, ForceIsTheGradientOfTheEnergyAndTangentThatOfTheForce) {

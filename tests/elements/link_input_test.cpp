@@ -75,7 +75,7 @@ TEST(LinkInput, TakesAllFloorsOnlyWhenTheyFaceEachOther) {
   refused(floors("between: [left.1, right], floors: all"),
           R"(7:75: links[0].floors: names all floors, but "between" names one; keep one of the two)");
   refused(floors("between: [left, w], floors: 2"),
-          R"(7:77: links[0].floors: unknown choice of floors "2". Allowed: all.)");
+          R"(7:77: links[0].floors: unknown choice of floors "2". Allowed: all, level, any.)");
   refused(floors("between: [v, w], floors: all"),
           "7:58: links[0].between: both ends are walls; one of them must be able to move");
 }
@@ -220,10 +220,10 @@ TEST(LawInput, TakesOnlyWhatItUses) {
   refused(law("hertz, stiffness: 2.75e9, impact_velocity: 1 m/s"),
           "5:90: links[0].impact_velocity: hertz takes no impact_velocity: nothing in it depends on one");
   refused(law("hertz, stiffness: 2.75e9, damping_ratio: 0.1"),
-          R"(5:73: links[0]: unknown key "damping_ratio". Allowed: between, floors, gap, name, law, formula, )"
+          R"(5:73: links[0]: unknown key "damping_ratio". Allowed: between, floors, gap, name, points, friction, sliding_velocity, law, formula, )"
           "restitution, impact_velocity, reduced_mass, stiffness, exponent.");
   refused(law("stereomechanical, restitution: 0.5, stiffness: 1e9"),
-          R"(5:83: links[0]: unknown key "stiffness". Allowed: between, floors, gap, name, law, formula, )"
+          R"(5:83: links[0]: unknown key "stiffness". Allowed: between, floors, gap, name, points, friction, sliding_velocity, law, formula, )"
           "restitution, impact_velocity, reduced_mass.");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0.65, damping_ratoi: 0.1"),
           R"(5:99: links[0]: unknown key "damping_ratoi". Did you mean "damping_factor"?)");

@@ -44,13 +44,13 @@ TEST(ModelInput, IsAMapWithStructures) {
           R"(1:1: key "structures" is missing; type "structures: {left: {oscillator: {mass: 100 t, period: 0.8, )"
           R"(damping: 5 %}}}")");
   refused(file("structures: {}\nanalysis: {duration: 1}\n"),
-          "1:13: structures: no structure that can move; add a body, an oscillator or a shear_building");
+          "1:13: structures: no structure that can move; add a body, an oscillator, a shear_building or a frame");
   refused(file("structures:\nanalysis: {duration: 1}\n"),
           "1:1: structures: takes keys with values such as {key: value}; nothing was read");
   refused(file("structures: []\nanalysis: {duration: 1}\n"),
           "1:13: structures: takes keys with values such as {key: value}; a list was read");
   refused(file("structures: {a: {wall: {}}}\nanalysis: {duration: 1}\n"),
-          "1:13: structures: no structure that can move; add a body, an oscillator or a shear_building");
+          "1:13: structures: no structure that can move; add a body, an oscillator, a shear_building or a frame");
   refused(file("structures:\n  a: {body: {mass: 1}}\n  a: {body: {mass: 1}}\nanalysis: {duration: 1}\n"),
           R"(3:3: structures: key "a" is given twice; keep one of them)");
 }
@@ -69,7 +69,7 @@ TEST(StructureInput, HasANameThatFilesCanHold) {
 TEST(StructureInput, HasOneKnownKind) {
   refused(structure("{}"),
           "2:6: structures.a: the kind of the structure is missing; it is one of body, oscillator, "
-          "shear_building, wall");
+          "shear_building, frame, wall");
   refused(structure(""), "2:3: structures.a: takes keys with values such as {key: value}; nothing was read");
   refused(structure("wall"), "2:6: structures.a: a wall is written as {wall: {}}");
   refused(structure("{oscilator: {mass: 1}}"),
@@ -78,7 +78,7 @@ TEST(StructureInput, HasOneKnownKind) {
           "2:7: structures.a.wall: a structure has one kind, and a body is given too; keep one of the two");
   refused(structure("{body: {mass: 1}, mass: 3}"),
           R"(2:24: structures.a: unknown key "mass". Allowed: damping, initial_velocity, initial_displacement, )"
-          "body, oscillator, shear_building, wall.");
+          "body, oscillator, shear_building, frame, wall.");
 }
 
 TEST(StructureInput, OfAWallHasNothingElse) {

@@ -102,6 +102,10 @@ struct PlainModel {
     mass = MatrixXd(system.mass);
     damping = MatrixXd(system.damping);
     stiffness = MatrixXd(system.stiffness);
+    for (const Group& g : system.groups) {
+      const auto block = [&](MatrixXd& matrix) { return matrix.block(g.first, g.first, g.count, g.count); };
+      block(damping) += g.by_mass * block(mass) + g.by_stiffness * block(stiffness);
+    }
     mass_inverse = mass.inverse();
     load = system.load.col(0);
     ground = system.grounds[0];

@@ -78,20 +78,30 @@ void check_step(const Stepper& stepper, double step) {
                         stepper.options().tolerance));
 }
 
+// All entries, on every process.
 PetscErrorCode copy(Vec from, Eigen::VectorXd& to) {
   const PetscScalar* values = nullptr;
+  VecScatter scatter = nullptr;
+  Vec all = nullptr;
   PetscFunctionBegin;
-  PetscCall(VecGetArrayRead(from, &values));
+  PetscCall(VecScatterCreateToAll(from, &scatter, &all));
+  PetscCall(VecScatterBegin(scatter, from, all, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecScatterEnd(scatter, from, all, INSERT_VALUES, SCATTER_FORWARD));
+  PetscCall(VecGetArrayRead(all, &values));
   std::copy_n(values, to.size(), to.data());
-  PetscCall(VecRestoreArrayRead(from, &values));
+  PetscCall(VecRestoreArrayRead(all, &values));
+  PetscCall(VecDestroy(&all));
+  PetscCall(VecScatterDestroy(&scatter));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
 PetscErrorCode copy(const Eigen::VectorXd& from, Vec to) {
   PetscScalar* values = nullptr;
   PetscFunctionBegin;
+  PetscInt first = 0, end = 0;
+  PetscCall(VecGetOwnershipRange(to, &first, &end));
   PetscCall(VecGetArrayWrite(to, &values));
-  std::copy_n(from.data(), from.size(), values);
+  std::copy_n(from.data() + first, end - first, values);
   PetscCall(VecRestoreArrayWrite(to, &values));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
@@ -236,6 +246,11 @@ PetscErrorCode set_up(TS ts) {
   PetscFunctionBegin;
   PetscCheck(ts->vec_sol && ts->vec_dot, PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ORDER,
              "Call TS2SetSolution() first");
+  PetscInt size = 0;
+  PetscCall(VecGetSize(ts->vec_sol, &size));
+  const Stepper* stepper = data_of(ts).stepper;
+  PetscCheck(!stepper || size == stepper->system().size(), PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ARG_SIZ,
+             "The solution has %d entries, the system of the stepper %d", static_cast<int>(size), stepper->system().size());
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 

@@ -29,7 +29,7 @@ PetscErrorCode set_choice(TS ts, const Choice& choice);
 PetscErrorCode get_choice(TS ts, Choice* choice);
 
 /// The stepper that the TS drives; it must outlive the solve. The TS must hold its solution as TS2SetSolution does:
-/// displacements and velocities of the stepper's system, sequential vectors.
+/// displacements and velocities of the stepper's system, in vectors of one or of all processes that share the stepper's base.
 ///
 /// The error of a step goes to TSAdapt, whose answer is taken down to the stepper's ladder unless its type is `none`.
 /// Steps end where the ground motion has a corner and where a contact changes phase.

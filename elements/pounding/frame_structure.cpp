@@ -1,0 +1,263 @@
+#include <pounding/frame_structure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <pounding/frame_surface.hpp>
+
+namespace pounding {
+namespace {
+
+using Eigen::Vector3d;
+
+// The turn about z that fits the motions of the nodes best: sum m r x u / sum m r^2 about their centre. Nodes at one point
+// turn with the first.
+Row mean_turn(const FrameModel& model, const AssembledFrame& frame, const std::vector<int>& nodes,
+              const std::vector<double>& weights, const Vector3d& centre) {
+  Row turn(frame.size());
+  double inertia = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Vector3d r = model.frame.position(nodes[i]) - centre;
+    inertia += weights[i] * r.head<2>().squaredNorm();
+    turn += weights[i] * (r.x() * frame.motion(nodes[i], Dof::uy) - r.y() * frame.motion(nodes[i], Dof::ux));
+  }
+  if (inertia == 0) return frame.motion(nodes.front(), Dof::rz);
+  return turn / inertia;
+}
+
+std::vector<Row> floor_motion(const FrameModel& model, const AssembledFrame& frame, const FrameFloor& floor) {
+  if (frame.dimension == 2) return {frame.motion(floor.nodes.front(), Dof::ux)};
+  if (floor.master >= 0) {
+    const int m = floor.master;
+    return {frame.motion(m, Dof::ux), frame.motion(m, Dof::uy), frame.motion(m, Dof::rz)};
+  }
+  std::vector<double> weights;
+  for (const int node : floor.nodes) weights.push_back(mass_along_x(frame, {node}));
+  if (std::accumulate(weights.begin(), weights.end(), 0.0) == 0) weights.assign(weights.size(), 1.0);
+  const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
+  Row x(frame.size()), y(frame.size());
+  Vector3d centre(0, 0, 0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    x += weights[i] / whole * frame.motion(floor.nodes[i], Dof::ux);
+    y += weights[i] / whole * frame.motion(floor.nodes[i], Dof::uy);
+    centre += weights[i] / whole * model.frame.position(floor.nodes[i]);
+  }
+  return {x, y, mean_turn(model, frame, floor.nodes, weights, centre)};
+}
+
+double mean_height(const Frame& frame, const std::vector<int>& nodes) {
+  double sum = 0;
+  for (const int node : nodes) sum += frame.position(node).z();
+  return sum / static_cast<double>(nodes.size());
+}
+
+double lowest_support(const FrameModel& model) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const FrameSupport& support : model.supports)
+    for (const int node : support.nodes) lowest = std::min(lowest, model.frame.position(node).z());
+  return lowest;
+}
+
+// Forces along x, and y in space, on the upper ends of what joins the nodes above the cut to those below.
+std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& frame, const std::vector<bool>& above) {
+  const int directions = frame.dimension - 1;
+  std::vector<Eigen::VectorXd> sums(directions, Eigen::VectorXd::Zero(frame.size()));
+  for (int member = 0; member < model.frame.members(); ++member) {
+    const auto [start, end] = model.frame.ends(member);
+    if (above[start] == above[end]) continue;
+    const SparseMatrix forces = model.frame.end_force_rows(member, frame);
+    const int upper = above[start] ? 0 : 6;
+    const Eigen::Matrix3d& axes = model.frame.beam(member).axes();
+    for (int column = 0; column < forces.outerSize(); ++column)
+      for (SparseMatrix::InnerIterator it(forces, column); it; ++it)
+        if (it.row() >= upper && it.row() < upper + 3)
+          for (int d = 0; d < directions; ++d) sums[d][column] += axes(it.row() - upper, d) * it.value();
+  }
+  for (const FrameSpring& spring : model.springs) {
+    const int direction = static_cast<int>(spring.dof);
+    if (above[spring.start] == above[spring.end] || direction >= directions) continue;
+    const int upper = above[spring.start] ? spring.start : spring.end, lower = above[spring.start] ? spring.end : spring.start;
+    sums[direction] += spring.stiffness * (frame.motion(upper, spring.dof) - frame.motion(lower, spring.dof));
+  }
+  std::vector<Row> rows;
+  for (const Eigen::VectorXd& sum : sums) rows.push_back(sum.sparseView());
+  return rows;
+}
+
+// A storey without height, as on bearings, has its floor above and all other nodes at this height below.
+std::vector<bool> nodes_above(const Frame& frame, const FrameFloor& floor, double cut) {
+  constexpr double level = 1e-6;  // [m]
+  std::vector<bool> above;
+  for (int node = 0; node < frame.nodes(); ++node) {
+    const double height = frame.position(node).z() - cut;
+    const bool of_floor = node == floor.master || std::find(floor.nodes.begin(), floor.nodes.end(), node) != floor.nodes.end();
+    above.push_back(std::abs(height) < level ? of_floor : height > 0);
+  }
+  return above;
+}
+
+std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame) {
+  std::vector<Floor> floors;
+  double below = lowest_support(model);
+  for (const FrameFloor& of : model.floors) {
+    const double height = mean_height(model.frame, of.nodes);
+    Floor floor;
+    floor.label = of.label;
+    floor.mass = mass_along_x(frame, of.nodes);
+    floor.elevation = of.elevation;
+    floor.motion = floor_motion(model, frame, of);
+    floor.storey_shear = shear_through(model, frame, nodes_above(model.frame, of, (below + height) / 2));
+    floors.push_back(std::move(floor));
+    below = height;
+  }
+  return floors;
+}
+
+std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame& frame,
+                                   const std::vector<FrameSupport>& given) {
+  std::vector<Support> supports;
+  for (const FrameSupport& of : given) {
+    Support support;
+    support.name = of.name;
+    for (const int node : of.nodes) support.position += model.frame.position(node) / static_cast<double>(of.nodes.size());
+    support.delay = of.delay;
+    support.motion = of.motion;
+    if (given.size() == 1) {
+      support.influence = frame.influence;
+      support.load = frame.load;
+    } else {
+      const Frame::SupportMotion motion = model.frame.support_motion(of.nodes, frame);
+      support.influence = motion.influence;
+      support.load = motion.load;
+    }
+    supports.push_back(std::move(support));
+  }
+  return supports;
+}
+
+// Those that a wave along this direction reaches at one time stay together.
+std::vector<FrameSupport> apart_along(const FrameModel& model, const Vector3d& direction) {
+  constexpr double together = 1e-6;  // [m]
+  std::vector<FrameSupport> apart;
+  for (const FrameSupport& of : model.supports) {
+    if (of.motion) {
+      apart.push_back(of);
+      continue;
+    }
+    std::vector<std::pair<double, int>> places;
+    for (const int node : of.nodes) places.emplace_back(model.frame.position(node).dot(direction), node);
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (i == 0 || places[i].first - places[i - 1].first > together)
+        apart.push_back({model.frame.node_name(places[i].second), {}, of.delay, {}});
+      apart.back().nodes.push_back(places[i].second);
+    }
+  }
+  return apart;
+}
+
+NodeReport make_node_report(const FrameModel& model, const AssembledFrame& frame) {
+  NodeReport report;
+  report.directions = frame.dimension == 2 ? std::vector<std::string>{"x", "z", "ry"}
+                                           : std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz"};
+  for (const int node : model.reported_nodes) {
+    report.names.push_back(model.frame.node_name(node));
+    std::vector<Row>& rows = report.motion.emplace_back();
+    for (const Dof dof : dofs_of(frame.dimension)) rows.push_back(frame.motion(node, dof));
+  }
+  return report;
+}
+
+MemberReport make_member_report(const FrameModel& model, const AssembledFrame& frame) {
+  constexpr std::array forces{"N", "Vy", "Vz", "T", "My", "Mz"};
+  MemberReport report;
+  for (const int end : {0, 6})
+    for (const Dof dof : dofs_of(frame.dimension)) {
+      report.components.push_back(fmt::format("{} {}", end == 0 ? "start" : "end", forces[static_cast<int>(dof)]));
+      report.places.push_back(end + static_cast<int>(dof));
+    }
+  for (const int member : model.reported_members) {
+    report.names.push_back(model.frame.member_name(member));
+    report.members.push_back(member);
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> all = model.frame.end_force_rows(member, frame);
+    std::vector<Row>& rows = report.forces.emplace_back();
+    for (const int place : report.places) rows.push_back(all.row(place).transpose());
+    const Vector12 held = model.loads ? model.frame.held_end_forces(member) : Vector12(Vector12::Zero());
+    std::vector<double>& loads = report.held.emplace_back();
+    for (const int place : report.places) loads.push_back(held[place]);
+  }
+  return report;
+}
+
+Geometry make_geometry(const FrameModel& model) {
+  Geometry geometry;
+  geometry.floor_of_node.assign(model.given_nodes, -1);
+  for (std::size_t f = 0; f < model.floors.size(); ++f)
+    for (const int node : model.floors[f].nodes) geometry.floor_of_node[node] = static_cast<int>(f);
+  for (int node = 0; node < model.given_nodes; ++node) {
+    geometry.node_names.push_back(model.frame.node_name(node));
+    geometry.positions.push_back(model.frame.position(node));
+  }
+  for (int member = 0; member < model.frame.members(); ++member) {
+    geometry.member_names.push_back(model.frame.member_name(member));
+    geometry.members.push_back(model.frame.ends(member));
+  }
+  return geometry;
+}
+
+}  // namespace
+
+Structure make_structure(FrameModel given) {
+  if (given.p_delta) given.frame.add_p_delta(given.gravity);
+  const auto model = std::make_shared<const FrameModel>(std::move(given));
+  const auto frame = std::make_shared<const AssembledFrame>(model->frame.assemble(model->gravity));
+  Structure s;
+  s.kind = "frame";
+  s.dimension = frame->dimension;
+  s.mass = frame->mass;
+  s.stiffness = frame->stiffness;
+  s.damping = frame->damping;
+  for (const auto& [node, dof] : frame->unknowns)
+    s.unknowns.push_back(fmt::format("{}{} {}", node < model->given_nodes ? "node " : "", frame->node_names[node], name(dof)));
+  // Also says which node gives way when nothing holds the frame.
+  const Eigen::VectorXd rest = model->frame.rest(*frame);
+  if (model->loads) s.at_rest = rest;
+  s.initial_displacement = s.initial_velocity = Eigen::VectorXd::Zero(frame->size());
+  s.supports = make_supports(*model, *frame, model->supports);
+  s.supports_along = [model, frame](const Vector3d& direction) {
+    return make_supports(*model, *frame, apart_along(*model, direction));
+  };
+  s.floors = make_floors(*model, *frame);
+  s.nodes = make_node_report(*model, *frame);
+  s.members = make_member_report(*model, *frame);
+  s.geometry = make_geometry(*model);
+  s.node_translations = [model, frame](const Eigen::VectorXd& q) {
+    Eigen::MatrixX3d moved = Eigen::MatrixX3d::Zero(model->given_nodes, 3);
+    const Eigen::VectorXd all = frame->transform * q;
+    const auto dofs = dofs_of(frame->dimension);
+    for (int node = 0; node < model->given_nodes; ++node)
+      for (std::size_t j = 0; j < dofs.size(); ++j)
+        if (static_cast<int>(dofs[j]) < 3) moved(node, static_cast<int>(dofs[j])) = all[node * dofs.size() + j];
+    return moved;
+  };
+  s.surface = std::make_shared<FrameSurface>(model, frame);
+  return s;
+}
+
+Structure read_frame_structure(const Input& body) {
+  const FrameModel model = read_frame(body);
+  try {
+    return make_structure(model);
+  } catch (const std::invalid_argument& error) {
+    fail_at_part(error.what(), model, body);
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,68 @@
+#include <pounding/followed.hpp>
+
+namespace pounding {
+
+SparseMatrix FollowedFloors::columns(const Model& model) {
+  const std::vector<int> first = offsets(model);
+  std::vector<Eigen::Triplet<double>> entries;
+  int column = 0, n = 0;
+  for (std::size_t k = 0; k < model.structures.size(); ++k) {
+    n += model.structures[k].size();
+    for (const Floor& floor : model.structures[k].floors)
+      for (const Row& row : floor.motion) {
+        for (Row::InnerIterator it(row); it; ++it)
+          entries.emplace_back(first[k] + static_cast<int>(it.index()), column, it.value());
+        ++column;
+      }
+  }
+  SparseMatrix matrix(n, column);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+FollowedFloors::FollowedFloors(const Model& model) {
+  const GroundPlan plan = ground_plan(model);
+  grounds_ = plan.motions;
+  const int grounds = static_cast<int>(grounds_.size());
+  int count = 0;
+  for (const Structure& s : model.structures) {
+    first_.push_back(count);
+    directions_.push_back(s.floors.empty() ? 0 : static_cast<int>(s.floors.front().motion.size()));
+    count += static_cast<int>(s.floors.size()) * directions_.back();
+  }
+  at_rest_ = Eigen::VectorXd::Zero(count);
+  absolute_ = by_difference_ = Eigen::MatrixXd::Zero(count, grounds);
+  for (std::size_t k = 0; k < model.structures.size(); ++k) {
+    const Structure& s = model.structures[k];
+    const std::vector<std::array<int, 3>>& under = plan.under[k];
+    for (std::size_t i = 0; i < s.floors.size(); ++i)
+      for (int j = 0; j < directions_[k]; ++j) {
+        const Row& row = s.floors[i].motion[j];
+        const int c = column(static_cast<int>(k), static_cast<int>(i), j);
+        if (s.at_rest.size() > 0) at_rest_[c] = row.dot(s.at_rest);
+        if (j < 2 && under.front()[j] >= 0) absolute_(c, under.front()[j]) = 1;
+        for (std::size_t q = 1; q < s.supports.size(); ++q)
+          for (int axis = 0; axis < 3; ++axis) {
+            const double part = row.dot(s.supports[q].influence.col(axis));
+            if (part == 0) continue;
+            if (under[q][axis] >= 0) by_difference_(c, under[q][axis]) += part;
+            if (under.front()[axis] >= 0) by_difference_(c, under.front()[axis]) -= part;
+          }
+      }
+  }
+  if (count == 0 || by_difference_.cwiseAbs().maxCoeff() == 0) by_difference_.resize(0, 0);
+}
+
+void FollowedFloors::complete(Eigen::MatrixXd& motion, double time, const Eigen::VectorXd& ground) const {
+  motion.col(0) += at_rest_;
+  motion.col(2).noalias() += absolute_ * ground;
+  if (by_difference_.size() == 0) return;
+  for (std::size_t g = 0; g < grounds_.size(); ++g) {
+    const auto part = by_difference_.col(static_cast<int>(g));
+    motion.col(0) += grounds_[g].displacement(time) * part;
+    motion.col(1) += grounds_[g].velocity(time) * part;
+    motion.col(2) += ground[static_cast<int>(g)] * part;
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,36 @@
+#pragma once
+/// What a report takes from the unknowns: the motion of floors at every step, all else at the output times.
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include <pounding/model.hpp>
+
+namespace pounding {
+
+/// Motion of the floors as reported: relative to the ground at the structure's first support, with the place at rest; accelerations
+/// absolute.
+class FollowedFloors {
+ public:
+  explicit FollowedFloors(const Model& model);
+
+  /// Columns of System::observed, n x count(): structure by structure, floor by floor, in their directions.
+  static SparseMatrix columns(const Model& model);
+
+  int count() const { return static_cast<int>(at_rest_.size()); }
+  int directions(int structure) const { return directions_[structure]; }
+  /// Column of a floor in a direction.
+  int column(int structure, int floor, int direction) const { return first_[structure] + floor * directions_[structure] + direction; }
+  /// Of [quantity, u v a] as observed; `ground` are the accelerations of the grounds just then.
+  void complete(Eigen::MatrixXd& motion, double time, const Eigen::VectorXd& ground) const;
+
+ private:
+  std::vector<GroundMotion> grounds_;
+  std::vector<int> first_, directions_;
+  Eigen::VectorXd at_rest_;       // [m]
+  Eigen::MatrixXd by_difference_;  // of supports that move differently, columns x grounds; empty when none do
+  Eigen::MatrixXd absolute_;      // of the ground at the first support, columns x grounds
+};
+
+}  // namespace pounding

@@ -1,0 +1,42 @@
+/// `animate`: drawn by Python.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "program/commands.hpp"
+#include "program/python_process.hpp"
+
+namespace pounding::program {
+
+void add_animate(CLI::App& app) {
+  struct Options {
+    std::string results, film, scale, frames, from, to, title;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("animate", "Draw a results file in motion");
+  command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
+  command->add_option("-o,--output", options->film,
+                      "film: .gif, .mp4 (needs ffmpeg), or .png for one file a frame (default: RESULTS with .gif)");
+  // Numbers travel on as they were typed: what is read twice may be read differently.
+  command->add_option("--scale", options->scale, "how many times as large displacements and gaps are drawn")
+      ->check(CLI::Number);
+  command->add_option("--frames", options->frames, "how many (default: 15 a second, 30 to 240)")
+      ->check(CLI::TypeValidator<int>("INT"));
+  command->add_option("--from", options->from, "time of the first frame [s]")->check(CLI::Number);
+  command->add_option("--to", options->to, "time of the last frame [s]")->check(CLI::Number);
+  command->add_option("--title", options->title, "title instead of that of the run");
+  command->callback([options] {
+    const std::string film = options->film.empty() ? std::filesystem::path(options->results).replace_extension(".gif").string()
+                                                   : options->film;
+    std::vector<std::string> words{"-o", film};
+    for (const auto& [name, value] : {std::pair{"--scale=", &options->scale}, {"--frames=", &options->frames},
+                                      {"--from=", &options->from}, {"--to=", &options->to}, {"--title=", &options->title}})
+      if (!value->empty()) words.push_back(name + *value);
+    run_python({.module = "animation", .product = "animation", .shows_progress = true}, words, {options->results});
+  });
+}
+
+}  // namespace pounding::program

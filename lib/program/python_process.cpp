@@ -1,0 +1,136 @@
+#include "program/python_process.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include "pounding/error.hpp"
+
+namespace pounding::program {
+namespace {
+
+constexpr const char* what_to_install =
+    "Type `make python` in the source directory, or `python3 -m pip install numpy h5py matplotlib`, or set the "
+    "environment variable POUNDING_PYTHON to a Python that has them.";
+
+/// The user's choice, then the environment that `make` prepared, then the one on the path.
+std::string find_python() {
+  if (const char* chosen = std::getenv("POUNDING_PYTHON"); chosen != nullptr && *chosen != '\0') return chosen;
+  if (access(POUNDING_DEFAULT_PYTHON, X_OK) == 0) return POUNDING_DEFAULT_PYTHON;
+  return "python3";
+}
+
+/// This process's environment with our Python directory first on the module path.
+std::vector<std::string> environment_with_module_path() {
+  std::string path = POUNDING_PYTHON_PATH;
+  if (const char* given = std::getenv("PYTHONPATH"); given != nullptr && *given != '\0') path.append(":").append(given);
+  std::vector<std::string> variables{"PYTHONPATH=" + path};
+  for (char** variable = environ; *variable != nullptr; ++variable)
+    if (!std::string_view(*variable).starts_with("PYTHONPATH=")) variables.emplace_back(*variable);
+  return variables;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> list;
+  for (std::string& text : texts) list.push_back(text.data());
+  list.push_back(nullptr);
+  return list;
+}
+
+/// The open file that the child finds the terminal under.
+constexpr int terminal_in_child = 3;
+
+struct Outcome {
+  int spawn_error = 0;  ///< error number when the process could not start
+  int exit_code = 0;    ///< 128 + signal when it was killed
+  std::string output;   ///< what it printed, errors included
+};
+
+Outcome run_process(std::vector<std::string> arguments, bool with_terminal) {
+  std::vector<std::string> environment = environment_with_module_path();
+  Outcome outcome;
+  // A number above those that the child gets anew, so that none of them can overwrite it first.
+  const int terminal = with_terminal ? fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 10) : -1;
+  if (with_terminal && terminal < 0) {
+    outcome.spawn_error = errno;
+    return outcome;
+  }
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) {
+    outcome.spawn_error = errno;
+    if (terminal >= 0) close(terminal);
+    return outcome;
+  }
+
+  // What Python prints must not mix with ours: --json promises one object on standard output.
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  // After the pipe has gone to its places: it may have had this number.
+  if (with_terminal) posix_spawn_file_actions_adddup2(&actions, terminal, terminal_in_child);
+  pid_t process = 0;
+  outcome.spawn_error = posix_spawnp(&process, arguments[0].c_str(), &actions, nullptr, pointers(arguments).data(),
+                                     pointers(environment).data());
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  if (terminal >= 0) close(terminal);
+  if (outcome.spawn_error == 0) {
+    char buffer[4096];
+    for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) != 0;) {
+      if (count > 0) {
+        outcome.output.append(buffer, static_cast<std::size_t>(count));
+      } else if (errno != EINTR) {
+        break;
+      }
+    }
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  close(ends[0]);
+  return outcome;
+}
+
+/// The last line that is not empty: of a Python traceback the one that says what happened. Empty when there is none.
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \n");
+  if (end == std::string::npos) return {};
+  const std::size_t before = text.rfind('\n', end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return text.substr(begin, end + 1 - begin);
+}
+
+}  // namespace
+
+void run_python(const PythonTask& task, const std::vector<std::string>& options, const std::vector<std::string>& files) {
+  const std::string python = find_python();
+  std::vector<std::string> arguments{python, "-m", "pounding." + task.module};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const bool shows_progress = task.shows_progress && isatty(STDERR_FILENO) != 0;
+  if (shows_progress) arguments.push_back("--progress-to=" + std::to_string(terminal_in_child));
+  arguments.emplace_back("--");
+  arguments.insert(arguments.end(), files.begin(), files.end());
+
+  const Outcome outcome = run_process(std::move(arguments), shows_progress);
+  const std::string failure = "no " + task.product + ": ";
+  if (outcome.spawn_error != 0)
+    throw InputError(failure + "\"" + python + "\" cannot be started: " + std::strerror(outcome.spawn_error) + ". " +
+                     what_to_install);
+  if (outcome.exit_code == 0) return;
+  const std::string message = last_line(outcome.output);
+  if (message.find("No module named") != std::string::npos)
+    throw InputError(failure + python + ": " + message + ". " + what_to_install);
+  if (message.empty())
+    throw InputError(failure + python + " ended with code " + std::to_string(outcome.exit_code) + " and without a message");
+  throw InputError(failure + message);
+}
+
+}  // namespace pounding::program
