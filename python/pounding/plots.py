@@ -1,7 +1,8 @@
 """Pictures of a run: `python3 -m pounding.plots RESULTS.h5 -o OUT.png [--title TEXT]`.
 
 `standard_figure` is the whole picture; the other functions draw one panel each on given axes, for notebooks and
-papers. Lengths are drawn in mm, forces and energies in the unit that suits their size.
+papers. Lengths are drawn in mm, forces and energies in the unit that suits their size. The command line also draws the
+model and the profiles over its height (`--picture`).
 """
 
 import argparse
@@ -13,44 +14,24 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from pounding.model_picture import model_figure
+from pounding.profiles import profiles_figure
 from pounding.results import NotResults, Run, read
-
-#: Okabe and Ito's colours, which colour-blind readers can tell apart.
-BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
-STRUCTURE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE)
-LINK_COLOURS = (BLUE, VERMILION, GREEN, ORANGE)
-QUIET = "0.72"
-STYLE = {
-    "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8.5, "axes.titleweight": "bold", "axes.titlelocation": "left",
-    "legend.fontsize": 7.5, "legend.frameon": False, "legend.handlelength": 1.6, "legend.columnspacing": 1.2,
-    "legend.borderaxespad": 0.2, "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.6,
-    "lines.linewidth": 1.0, "axes.grid": True, "grid.color": "0.9", "grid.linewidth": 0.5, "axes.axisbelow": True,
-    "xtick.major.width": 0.6, "ytick.major.width": 0.6, "savefig.dpi": 200, "text.parse_math": False,
-}
-MM = 1e3
-FORCE_UNITS = ((1e6, "MN"), (1e3, "kN"), (1.0, "N"))
-IMPULSE_UNITS = ((1e6, "MN s"), (1e3, "kN s"), (1.0, "N s"))
-ENERGY_UNITS = ((1e6, "MJ"), (1e3, "kJ"), (1.0, "J"))
-TIME_UNITS = ((1.0, "s"), (1e-3, "ms"))
+from pounding.style import (
+    ENERGY_UNITS, FORCE_UNITS, GREEN, IMPULSE_UNITS, LINK_COLOURS, MM, ORANGE, PURPLE, QUIET, SKY, STRUCTURE_COLOURS, STYLE,
+    TIME_UNITS, VERMILION, BadRequest, engineering, largest, write_picture)
 
 
-def engineering(largest, units):
-    """The (size, name) of the largest unit in which `largest` is at least 0.5; the smallest one for less."""
-    return next((unit for unit in units if largest >= 0.5 * unit[0]), units[-1])
-
-
-def largest(arrays):
-    """Largest absolute value over arrays; 0 when they are empty or hold only NaN (the force of a rigid impact)."""
-    return max((float(np.abs(finite).max()) for finite in (a[np.isfinite(a)] for a in arrays) if finite.size), default=0.0)
-
-
-def standard_figure(run: Run, title=None) -> Figure:
+def standard_figure(run: Run, title=None, floors=None) -> Figure:
     """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
     below them the loop of the strongest impact and the restitution of all.
 
     What a run does not have is left out: the ground when it is still, links, impacts.
-    A run that is not done says so below the title."""
-    over_time = [(draw_displacements, 1.3), (draw_energies, 1.0), (draw_balance_error, 0.4)]
+    A run that is not done says so below the title. `floors` maps names of structures to the labels of the floors whose
+    displacements are drawn instead of the linked ones; BadRequest when there are none such."""
+    chosen = _chosen_floors(run, floors or {})
+    over_time = [(lambda axes, run: draw_displacements(axes, run, chosen), 1.3), (draw_energies, 1.0),
+                 (draw_balance_error, 0.4)]
     over_impacts = []
     if run.links:
         over_time[1:1] = [(draw_openings, 0.9), (draw_forces, 0.9)]
@@ -87,12 +68,18 @@ def draw_ground(axes, run):
     axes.set_ylabel("Acceleration\n[m/s²]")
 
 
-def draw_displacements(axes, run):
+def draw_displacements(axes, run, chosen=None):
     """Displacements of up to four structures where their links are, each a gap away from its left neighbour, so that
-    two lines meet when the structures touch. A top above the links is drawn thin."""
-    drawn = list(run.structures.values())[:len(STRUCTURE_COLOURS)]
+    two lines meet when the structures touch. A top above the links is drawn thin. `chosen` maps names of structures to
+    numbers of floors, from 0, that are drawn instead; structures with a chosen floor come first.
+
+    In space the displacements are those of the middle of the floors in the direction of the first link; where a floor
+    turns, its ends may touch before the lines meet."""
+    chosen = chosen or {}
+    drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:len(STRUCTURE_COLOURS)]
+    drawn = [structure for structure in run.structures.values() if any(structure is one for one in drawn)]
     names = [structure.name for structure in drawn]
-    floors = {structure.name: _linked_floor(run, structure) for structure in drawn}
+    floors = {structure.name: chosen.get(structure.name, _linked_floor(run, structure)) for structure in drawn}
     offsets = _offsets(run, names)
     sides = {name: MM * (offsets[name] + _displacement(run, name, floors[name])) for name in names}
     for structure, colour in zip(drawn, STRUCTURE_COLOURS):
@@ -100,8 +87,8 @@ def draw_displacements(axes, run):
         axes.axhline(MM * offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
         label = name if top <= 0 else f"{name}, floor {structure.floors[floor]}"
         _plot_time(axes, run, run.time, sides[name], color=colour, label=label)
-        if floor != top:
-            _plot_time(axes, run, run.time, MM * (offsets[name] + structure.displacement[:, top]), color=colour,
+        if floor != top and name not in chosen:
+            _plot_time(axes, run, run.time, MM * (offsets[name] + _displacement(run, name, top)), color=colour,
                        linewidth=0.5, alpha=0.7, label=f"{name}, top")
     facing = _facing(run, floors)
     sizes = ", ".join(f"{MM * gap:.4g}" for _, _, gap in facing)
@@ -109,7 +96,10 @@ def draw_displacements(axes, run):
         axes.fill_between(run.time / _time_unit(run)[0], sides[left], sides[right], where=sides[right] >= sides[left],
                           color="0.55", alpha=0.22, linewidth=0, label=f"gap, {sizes} mm at rest" if i == 0 else None)
     more = len(run.structures) - len(drawn)
-    axes.set_title("Displacements" if not more else f"Displacements of the first {len(drawn)} of {len(run.structures)}")
+    title = "Displacements" if not more else f"Displacements of {len(drawn)} of {len(run.structures)}"
+    if any(structure.dimension == 3 for structure in drawn):
+        title += f" along {_axis_words(_direction(run))}"
+    axes.set_title(title)
     axes.set_ylabel("Displacement\n[mm]")
     _legend_beside(axes)
 
@@ -241,9 +231,39 @@ def _linked_floor(run, structure):
     return min(max(numbers, default=0) or top, top) - 1
 
 
+def _chosen_floors(run, labels):
+    """Numbers of the floors, from 0, by structure."""
+    chosen = {}
+    for name, label in labels.items():
+        if name not in run.structures:
+            raise BadRequest(f"there is no structure {name}; there is {', '.join(run.structures)}")
+        floors = run.structures[name].floors
+        if label not in floors:
+            raise BadRequest(f"{name} has no floor {label}; it has {', '.join(floors) or 'none'}")
+        chosen[name] = floors.index(label)
+    return chosen
+
+
+def _direction(run):
+    """Horizontal direction in which the first link opens; x without links."""
+    return next((link.direction for link in run.links.values()), np.array([1.0, 0, 0]))
+
+
+def _axis_words(direction):
+    x, y = direction[:2]
+    for words, value, other in (("x", x, y), ("y", y, x)):
+        if abs(other) < 1e-9:
+            return words if value > 0 else f"\N{MINUS SIGN}{words}"
+    return f"({x:.2g}, {y:.2g})"
+
+
 def _displacement(run, name, floor):
-    """Displacement of a floor relative to the ground; a wall moves with the ground."""
-    return run.structures[name].displacement[:, floor] if floor >= 0 else np.zeros_like(run.time)
+    """Displacement of a floor relative to the ground, in the direction of the links; a wall moves with the ground."""
+    along = run.structures[name].along
+    parts = [(along[axis].displacement, factor) for axis, factor in zip("xy", _direction(run)) if axis in along]
+    if floor < 0:
+        return np.zeros_like(run.time)
+    return sum(factor * displacement[:, floor] for displacement, factor in parts)
 
 
 def _offsets(run, names):
@@ -342,25 +362,40 @@ def _write_heading(figure, run, title):
     figure.suptitle("\n".join([words, *textwrap.wrap(state, 85)]), fontsize=9.5, fontweight="bold", color=VERMILION)
 
 
+def _floor_choice(text):
+    """{structure: label} of "A.3,B.2"; argparse reports what is not of this form."""
+    pairs = [part.strip().partition(".") for part in text.split(",")]
+    if not all(name and label for name, _, label in pairs):
+        raise argparse.ArgumentTypeError(f'"{text}" should name structures and floors, as in A.3,B.2')
+    return {name: label for name, _, label in pairs}
+
+
 def main(arguments=None):
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the picture not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.plots", description="Draw the results of a run.")
     parser.add_argument("results", help="file that `pounding run` wrote")
     parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
     parser.add_argument("--title", help="title instead of that of the run")
+    parser.add_argument("--picture", choices=("run", "model", "profiles"), default="run",
+                        help="the standard picture, the structures at rest, or extreme values over the height")
+    parser.add_argument("--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2")
     options = parser.parse_args(arguments)
+    if options.floors and options.picture != "run":
+        print(f"--floors belongs to --picture run; --picture {options.picture} shows every floor", file=sys.stderr)
+        return 2
     try:
-        figure = standard_figure(read(options.results), options.title)
+        run = read(options.results)
+        if options.picture == "run":
+            figure = standard_figure(run, options.title, options.floors)
+        else:
+            figure = (model_figure if options.picture == "model" else profiles_figure)(run, options.title)
     except (OSError, NotResults) as error:
         print(f"cannot read {options.results}: {error}", file=sys.stderr)
         return 2
-    try:
-        with rc_context(STYLE):
-            figure.savefig(options.output)
-    except (OSError, ValueError) as error:
-        print(f"cannot write {options.output}: {error}", file=sys.stderr)
+    except BadRequest as error:
+        print(error, file=sys.stderr)
         return 2
-    return 0
+    return write_picture(figure, options.output)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """The results file as numpy arrays. Needs numpy and h5py only; every array is in SI units."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import h5py
@@ -12,14 +12,92 @@ class NotResults(Exception):
 
 
 @dataclass(frozen=True)
-class Structure:
-    name: str
-    floors: list[str]  #: labels from the ground up
-    displacement: np.ndarray  #: [time, floor] relative to the ground [m]
+class Geometry:
+    """Nodes and members of a frame, as it stands at rest."""
+
+    nodes: np.ndarray  #: [node, 3] x, y, z [m], z up
+    members: np.ndarray  #: [member, 2] numbers of their nodes
+    floor_of_node: np.ndarray  #: [node] from 0 at the lowest; -1 for none
+    node_names: list[str]
+    member_names: list[str]
+
+
+@dataclass(frozen=True)
+class NodeMotion:
+    """Motion of the nodes that the input asked for."""
+
+    names: list[str]
+    directions: list[str]  #: x, z, ry in the plane; x, y, z, rx, ry, rz in space
+    displacement: np.ndarray  #: [time, node, direction] relative to the ground [m], [rad]
+    velocity: np.ndarray  #: [time, node, direction] relative to the ground [m/s], [rad/s]
+    acceleration: np.ndarray  #: [time, node, direction] absolute [m/s^2], [rad/s^2]
+
+
+@dataclass(frozen=True)
+class MemberForces:
+    """Forces on the ends of the members that the input asked for, in their local axes."""
+
+    names: list[str]
+    components: list[str]  #: "start N", "start Vz", "start My", "end N" ...
+    end_forces: np.ndarray  #: [time, member, component] [N], [N m]
+
+
+@dataclass(frozen=True)
+class FloorMotion:
+    """Motion of the floors in one direction."""
+
+    displacement: np.ndarray  #: [time, floor] relative to the ground [m]; of rz [rad], and so on
     velocity: np.ndarray  #: [time, floor] relative to the ground [m/s]
     acceleration: np.ndarray  #: [time, floor] absolute [m/s^2]
-    drift: np.ndarray  #: [time, floor] [m]; no columns in a structure without storeys
-    storey_shear: np.ndarray  #: [time, floor] [N]
+    drift: np.ndarray  #: [time, floor] [m]; no columns in a structure without storeys, and for rz
+    storey_shear: np.ndarray  #: [time, floor] [N]; as drift
+    base_shear: np.ndarray | None  #: [time] [N]; None where the file has none
+
+
+@dataclass(frozen=True)
+class Structure:
+    """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are those along x; other
+    directions are in `along`, as in `along["y"].drift`."""
+
+    name: str
+    floors: list[str]  #: labels from the ground up
+    along: dict[str, FloorMotion]  #: x; in space x, y and rz
+    kind: str = ""  #: word of the input; empty in files that do not say it
+    dimension: int = 1  #: 1: along x only; 2: in x and z; 3: in space
+    elevations: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [floor] [m]; NaN where not given
+    geometry: Geometry | None = None  #: of a frame
+    nodes: NodeMotion | None = None
+    members: MemberForces | None = None
+
+    @property
+    def directions(self):
+        """What a floor's motion has: ["x"], or ["x", "y", "rz"] in space."""
+        return list(self.along)
+
+    @property
+    def displacement(self):
+        return self.along["x"].displacement
+
+    @property
+    def velocity(self):
+        return self.along["x"].velocity
+
+    @property
+    def acceleration(self):
+        return self.along["x"].acceleration
+
+    @property
+    def drift(self):
+        return self.along["x"].drift
+
+    @property
+    def storey_shear(self):
+        return self.along["x"].storey_shear
+
+    @property
+    def is_wall(self):
+        """It moves with the ground: nothing of it is in the file but its name."""
+        return not self.floors and self.geometry is None
 
 
 @dataclass(frozen=True)
@@ -38,6 +116,11 @@ class Link:
     velocity: np.ndarray  #: [m/s], positive when closing
     force: np.ndarray  #: [N], positive when it pushes apart
     energy: np.ndarray  #: work done on the link [J]
+    position: np.ndarray | None = None  #: x, y, z [m]; None where the structures have no place of their own
+    direction: np.ndarray = field(default_factory=lambda: np.array([1.0, 0, 0]))  #: unit, from left to right
+    left_end: str = ""  #: "floor 3", "node b", "10.5 m up"
+    right_end: str = ""
+    friction: np.ndarray | None = None  #: [time, 1 or 2] along the contact [N]; None without friction
 
 
 @dataclass(frozen=True)
@@ -83,14 +166,67 @@ def _read(file):
 
 
 def _structure(name, group):
-    # The frames of today move in one direction, which needs no axis of its own in a picture.
-    motion = {key: group[key][:, :, 0] for key in ("displacement", "velocity", "acceleration")}
-    return Structure(name=name, floors=list(group.attrs["floors"]), drift=group["drift"][:],
-                     storey_shear=group["storey_shear"][:], **motion)
+    floors = _texts(group.attrs["floors"])
+    directions = _texts(group.attrs.get("directions", ["x"]))
+    return Structure(
+        name=name, floors=floors,
+        along={direction: _floor_motion(group, i) for i, direction in enumerate(directions)},
+        kind=group.attrs.get("kind", ""), dimension=int(group.attrs.get("dimension", 1)),
+        elevations=np.asarray(group.attrs["elevations"] if floors and "elevations" in group.attrs else
+                              np.full(len(floors), np.nan), dtype=float),
+        geometry=_geometry(group["geometry"]) if "geometry" in group else None,
+        nodes=_nodes(group["nodes"]) if "nodes" in group else None,
+        members=_members(group["members"]) if "members" in group else None)
+
+
+def _floor_motion(group, i):
+    """The direction at place i of the last axis. Drift and shear have that axis in space only, with x and y."""
+    motion = {key: group[key][:, :, i] for key in ("displacement", "velocity", "acceleration")}
+    for key in ("drift", "storey_shear"):
+        values = group[key][:]
+        if values.ndim == 2:
+            values = values[:, :, None]
+        motion[key] = values[:, :, i] if i < values.shape[2] else np.empty((len(values), 0))
+    base = group["base_shear"][:] if "base_shear" in group else None
+    has_base = base is not None and i < base.shape[1]
+    return FloorMotion(**motion, base_shear=base[:, i] if has_base else None)
+
+
+def _geometry(group):
+    return Geometry(nodes=group["nodes"][:], members=group["members"][:].astype(int).reshape(-1, 2),
+                    floor_of_node=group["floor_of_node"][:].astype(int), node_names=_texts(group["node_names"][:]),
+                    member_names=_texts(group["member_names"][:]))
+
+
+def _nodes(group):
+    return NodeMotion(names=_texts(group["names"][:]), directions=_texts(group["displacement"].attrs["directions"]),
+                      **{key: group[key][:] for key in ("displacement", "velocity", "acceleration")})
+
+
+def _members(group):
+    return MemberForces(names=_texts(group["names"][:]), components=_texts(group["end_forces"].attrs["components"]),
+                        end_forces=group["end_forces"][:])
 
 
 def _link(name, group):
     series = {key: group[key][:] for key in ("time", "penetration", "velocity", "force", "energy")}
     ends = {key: group.attrs[key] for key in ("left", "right")}
     floors = {key: int(group.attrs[key]) for key in ("left_floor", "right_floor")}
-    return Link(name=name, law=group.attrs["law"], gap=float(group.attrs["gap"]), **ends, **floors, **series)
+    more = {}
+    for side, floor in floors.items():
+        word = side.replace("floor", "end")
+        more[word] = group.attrs.get(word, f"floor {floor}" if floor else "")
+    # A link between structures without a place of their own has a position that is not a number.
+    position = np.asarray(group.attrs.get("position", np.full(3, np.nan)), dtype=float)
+    more["position"] = position if np.isfinite(position).all() else None
+    if "direction" in group.attrs:
+        more["direction"] = np.asarray(group.attrs["direction"], dtype=float)
+    if "friction" in group:
+        more["friction"] = group["friction"][:]
+    return Link(name=name, law=group.attrs["law"], gap=float(group.attrs["gap"]), **ends, **floors, **series, **more)
+
+
+def _texts(values):
+    if isinstance(values, h5py.Empty):
+        return []
+    return [value.decode() if isinstance(value, bytes) else str(value) for value in values]

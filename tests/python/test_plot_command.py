@@ -50,6 +50,18 @@ class PlotCommand(unittest.TestCase):
         self.assertEqual((self.directory / "arguments").read_text().splitlines(),
                          ["-m", "pounding.plots", "-o", "x y.png", "--title=a 'b' $c", "--", "-run.h5"])
 
+    def test_other_pictures_have_names_of_their_own(self):
+        for kind in ("model", "profiles"):
+            done = self.plot(self.results, "--picture", kind)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            picture = self.results.with_name(f"{self.results.stem}-{kind}.png")
+            self.assertEqual(picture.read_bytes()[1:4], b"PNG")
+
+    def test_unknown_floor_is_named(self):
+        done = self.plot(self.results, "--floors", "left.2")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no picture: left has no floor 2; it has 1", done.stderr)
+
     def test_missing_results_are_named(self):
         done = self.plot("none.h5")
         self.assertEqual(done.returncode, 2)

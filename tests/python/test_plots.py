@@ -15,6 +15,7 @@ import numpy as np
 
 from pounding import plots
 from pounding.results import NotResults, read
+from pounding.style import BadRequest
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
 KINDS = ("two", "row", "towers", "alone", "quiet", "running", "failed")
@@ -77,7 +78,8 @@ class Pictures(unittest.TestCase):
     def test_a_wall_stands_still_a_gap_away(self):
         run = read(self.files["two"])
         empty = np.zeros((run.time.size, 0))
-        run.structures["right"] = dataclasses.replace(run.structures["right"], floors=[], displacement=empty)
+        still = dataclasses.replace(run.structures["right"].along["x"], displacement=empty)
+        run.structures["right"] = dataclasses.replace(run.structures["right"], floors=[], along={"x": still})
         run.links["left.1-right.1"] = dataclasses.replace(run.links["left.1-right.1"], right_floor=0)
         axes = axes_titled(plots.standard_figure(run), "Displacements")
         lines = {line.get_label(): line.get_ydata() for line in axes.lines}
@@ -91,6 +93,20 @@ class Pictures(unittest.TestCase):
         axes = axes_titled(plots.standard_figure(run), "Displacements")
         self.assertEqual(axes.get_legend_handles_labels()[1], [
             "slender, floor 5", "slender, top", "stiff, floor 5", "stiff, top", "gap, 40 mm at rest"])
+
+    def test_floors_can_be_chosen(self):
+        run = read(self.files["towers"])
+        axes = axes_titled(self.figure("towers", floors={"stiff": "2"}), "Displacements")
+        lines = {line.get_label(): line.get_ydata() for line in axes.lines}
+        self.assertEqual(axes.get_legend_handles_labels()[1], ["slender, floor 6", "stiff, floor 2"])
+        np.testing.assert_allclose(lines["stiff, floor 2"], 40 + 1e3 * run.structures["stiff"].displacement[:, 1])
+
+    def test_floors_that_do_not_exist_are_refused(self):
+        for floors, words in (({"stif": "1"}, "there is no structure stif; there is slender, stiff"),
+                              ({"stiff": "7"}, "stiff has no floor 7; it has 1, 2, 3, 4, 5, 6")):
+            with self.assertRaises(BadRequest) as caught:
+                self.figure("towers", floors=floors)
+            self.assertEqual(str(caught.exception), words)
 
     def test_touches_are_marked(self):
         run = read(self.files["two"])

@@ -54,7 +54,8 @@ class ResultsFile(unittest.TestCase):
             **{f"solver/{name}": "s" for name in ("wall_seconds", "wall_setup", "wall_solve", "wall_output")},
         }
         for name in ("slender", "stiff"):
-            motion = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N"}
+            motion = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N",
+                      "base_shear": "N"}
             expected |= {f"structures/{name}/{key}": unit for key, unit in motion.items()}
         for i in range(1, 7):
             series = {"time": "s", "penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}

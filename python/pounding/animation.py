@@ -1,0 +1,240 @@
+"""A run in motion: `python3 -m pounding.animation RESULTS.h5 -o FILE.gif|.mp4|.png`.
+
+Frames move with the displacements of their nodes, or of their floors where the file has no nodes; other structures are
+sticks with masses. All displacements are relative to the ground and drawn larger than they are, as are the gaps, so that
+what touches in the run touches in the picture. A link flashes while it is pressed.
+"""
+
+import argparse
+import math
+import os
+import shutil
+import sys
+import textwrap
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from pounding.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes
+from pounding.results import NotResults, Run, read
+from pounding.skeleton import Motion, Scene
+from pounding.style import STYLE, TIME_UNITS, VERMILION, BadRequest, largest
+
+DPI = 110
+SLOWEST, FASTEST = 5, 25  #: frames a second
+SUFFIXES = (".gif", ".mp4", ".png")
+
+
+def choose_scale(run):
+    """1, 2, 5, 10 ...: the largest with which displacements stay below a twelfth of the size of the picture."""
+    scene = Scene(run)
+    size = float(np.ptp(scene.bounds(), axis=1).max())
+    moved = largest([motion.displacement for structure in run.structures.values()
+                     for axis, motion in structure.along.items() if axis in "xy"])
+    if moved <= 0 or size <= 0:
+        return 1.0
+    wanted = size / 12 / moved
+    power = 10.0 ** math.floor(math.log10(wanted))
+    return max(1.0, next(step * power for step in (10, 5, 2, 1) if step * power <= wanted * (1 + 1e-12)))
+
+
+def frame_times(run, frames=None, start=None, end=None):
+    """The times that are drawn, evenly spread: fifteen a second, 30 to 240 in all, unless told otherwise.
+
+    Raises BadRequest for a span that the run does not have or fewer than two frames."""
+    if run.time.size < 2:
+        raise BadRequest("there is nothing to animate: the results hold fewer than two times")
+    first, last = run.time[0], run.time[-1]
+    start, end = first if start is None else start, last if end is None else end
+    if not (math.isfinite(start) and math.isfinite(end)) or not first <= start < end <= last:
+        raise BadRequest(f"--from {start:g} --to {end:g} is not a part of the run, which goes from {first:g} s to {last:g} s")
+    frames = int(np.clip(round(15 * (end - start)), 30, 240)) if frames is None else frames
+    if frames < 2:
+        raise BadRequest(f"--frames {frames} is too few; type --frames 2 or more")
+    return np.linspace(start, end, frames)
+
+
+def pressed(run, times):
+    """[frame, link]: how hard each link was pressed since the frame before, 0 for not at all, 1 for the hardest of the
+    run. A contact shorter than a frame is seen by this; one without a finite force counts as 1."""
+    strongest = largest([link.force for link in run.links.values()])
+    strengths = np.zeros((len(times), len(run.links)))
+    since = np.concatenate([[times[0] - (times[1] - times[0])], times[:-1]])
+    for j, link in enumerate(run.links.values()):
+        impacts = run.impacts_of(link.name)
+        for i, (before, now) in enumerate(zip(since, times)):
+            first, last = np.searchsorted(link.time, [before, now], side="right")
+            inside = link.penetration[first:last] > 0
+            struck = np.any((impacts["t_start"] <= now) & (impacts["t_end"] > before))
+            if not inside.any() and not struck:
+                continue
+            peak = largest([link.force[first:last][inside]])
+            rigid = peak == 0 and struck and largest([impacts["peak_force"]]) == 0
+            strengths[i, j] = 1.0 if rigid else max(peak / strongest if strongest > 0 else 0, 1e-3)
+    return strengths
+
+
+@dataclass(frozen=True)
+class Film:
+    figure: Figure
+    draw: Callable[[int], None]  #: brings the figure to a frame, from 0
+    frames: int
+    speed: float  #: frames a second
+
+
+def animate(run: Run, times, scale=None, title=None) -> Film:
+    """The film over `times` [s]; `scale` as `choose_scale` chooses it unless given.
+
+    Raises BadRequest for a scale that is not above zero."""
+    scale = choose_scale(run) if scale is None else scale
+    if not (math.isfinite(scale) and scale > 0):
+        raise BadRequest(f"--scale {scale:g} should be above zero")
+    scene = Scene(run, scale)
+    motion = Motion(scene, times)
+    strengths = pressed(run, times)
+    view = "oblique" if scene.is_spatial else "elevation"
+    room = scale * np.array([largest([moved[:, :, j] for moved in motion.displacements.values()]) for j in range(3)])
+
+    with rc_context(STYLE):
+        figure = Figure(figsize=_size(scene, room), layout="constrained")
+        FigureCanvasAgg(figure)
+        axes = figure.add_subplot()
+        axes.grid(False)
+        draw_ground(axes, scene, view)
+        drawing = Drawing(axes, scene, view, marks=False)
+        frame_axes(axes, scene, view, margin=room)
+        label_axes(axes, scene, view)
+        if not scene.has_places or scale != 1:
+            # Gaps are enlarged, so that coordinates across them would be wrong.
+            hide_x(axes)
+        handles = list(drawing.lines.values())
+        if handles:
+            figure.legend(handles=handles, loc="outside lower center", ncols=5)
+        figure.suptitle("\n".join(textwrap.wrap(title or run.title, 70)), fontsize=10.5, fontweight="bold")
+        clock = axes.set_title("", fontweight="normal")
+        gaps = f"displacements{' and gaps' if run.links else ''} {scale:g} times as large"
+
+    strikes = np.sort(run.impacts["t_start"])
+
+    def draw(frame):
+        drawing.move(motion, frame)
+        drawing.flash(motion, frame, strengths[frame])
+        size, unit = TIME_UNITS[1] if times[-1] - times[0] < 0.5 else TIME_UNITS[0]
+        count = np.searchsorted(strikes, times[frame], side="right")
+        words = f"t = {times[frame] / size:.2f} {unit}   {gaps}"
+        if run.links:
+            words += f"   {count} impact{'' if count == 1 else 's'}"
+        clock.set_text(words)
+        clock.set_color(VERMILION if strengths[frame].any() else "black")
+
+    # The frame around the picture stays; finding its place again in every frame would take most of the time.
+    draw(0)
+    with rc_context(STYLE):
+        figure.canvas.draw()
+    figure.set_layout_engine("none")
+    speed = float(np.clip(len(times) / (times[-1] - times[0]), SLOWEST, FASTEST))
+    return Film(figure, draw, len(times), speed)
+
+
+def save(film, path, progress=None):
+    """Writes .gif, .mp4, or one .png a frame: NAME_0001.png and so on. `progress(done, all)` is called after each frame.
+
+    Raises BadRequest for another suffix and for .mp4 without ffmpeg, OSError when nothing can be written."""
+    path = Path(path)
+    check_output(path)
+    with rc_context(STYLE):
+        if path.suffix == ".png":
+            _save_frames(film, path, progress)
+            return
+        writer = PillowWriter(fps=film.speed) if path.suffix == ".gif" else FFMpegWriter(fps=film.speed)
+        animation = FuncAnimation(film.figure, film.draw, frames=film.frames, init_func=lambda: None, cache_frame_data=False)
+        animation.save(str(path), writer=writer, dpi=DPI, progress_callback=progress and (
+            lambda frame, total: progress(frame + 1, total)))
+
+
+def check_output(path):
+    """BadRequest when `save` could not write this kind of file."""
+    suffix = Path(path).suffix
+    if suffix not in SUFFIXES:
+        raise BadRequest(f'cannot write {path}: "{suffix}" is none of {", ".join(SUFFIXES)}')
+    if suffix == ".mp4" and shutil.which("ffmpeg") is None:
+        raise BadRequest(f"cannot write {path}: .mp4 needs ffmpeg, which is not installed. Type `apt-get install ffmpeg`, or "
+                         f"`-o {Path(path).with_suffix('.gif')}`")
+
+
+def _save_frames(film, path, progress):
+    digits = max(4, len(str(film.frames)))
+    for frame in range(film.frames):
+        film.draw(frame)
+        film.figure.savefig(path.with_name(f"{path.stem}_{frame + 1:0{digits}}.png"), dpi=DPI)
+        if progress:
+            progress(frame + 1, film.frames)
+
+
+def _size(scene, room):
+    """Of the figure [in]."""
+    width, depth, height = np.ptp(scene.bounds(room), axis=1)
+    across = 0.83 * width + 0.56 * depth if scene.is_spatial else width
+    up = 0.91 * height + 0.24 * width + 0.35 * depth if scene.is_spatial else height
+    return 6.4, float(np.clip(5.6 * up / max(across, 1e-9) + 1.0, 3.4, 7.0))
+
+
+class Progress:
+    """One line that is written over and over."""
+
+    def __init__(self, stream):
+        self.stream = stream
+
+    def __call__(self, done, total):
+        filled = 30 * done // total
+        self.stream.write(f"\r[{'#' * filled}{'.' * (30 - filled)}] frame {done} of {total} ")
+        if done == total:
+            self.stream.write("\r\033[K")
+        self.stream.flush()
+
+
+def _progress(number):
+    """On the open file with this number, else on standard error when that is a terminal, else none."""
+    if number is not None:
+        return Progress(os.fdopen(number, "w"))
+    return Progress(sys.stderr) if sys.stderr.isatty() else None
+
+
+def main(arguments=None):
+    """Command line. Returns 0, or 2 after a message when the results cannot be read or the animation not written."""
+    parser = argparse.ArgumentParser(prog="python3 -m pounding.animation", description="Animate the results of a run.")
+    parser.add_argument("results", help="file that `pounding run` wrote")
+    parser.add_argument("-o", "--output", required=True, help="file to write: .gif, .mp4, or .png for one file a frame")
+    parser.add_argument("--scale", type=float, help="how many times as large displacements are drawn")
+    parser.add_argument("--frames", type=int, help="how many")
+    parser.add_argument("--from", type=float, dest="start", help="time of the first one [s]")
+    parser.add_argument("--to", type=float, dest="end", help="time of the last one [s]")
+    parser.add_argument("--title", help="title instead of that of the run")
+    parser.add_argument("--progress-to", type=int, help="number of an open file for a progress line")
+    options = parser.parse_args(arguments)
+    try:
+        check_output(options.output)
+        run = read(options.results)
+        film = animate(run, frame_times(run, options.frames, options.start, options.end), options.scale, options.title)
+    except (OSError, NotResults) as error:
+        print(f"cannot read {options.results}: {error}", file=sys.stderr)
+        return 2
+    except BadRequest as error:
+        print(error, file=sys.stderr)
+        return 2
+    try:
+        save(film, options.output, _progress(options.progress_to))
+    except (OSError, ValueError) as error:
+        print(f"cannot write {options.output}: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

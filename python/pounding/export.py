@@ -1,0 +1,170 @@
+"""A run for ParaView: `python3 -m pounding.export RESULTS.h5 -o NAME.xdmf`.
+
+NAME.xdmf is text that points into HDF5 files. It points into the results where datasets fit as they are; the rest
+(displacements of sticks, of plane frames, of frames with a part of their nodes) is written beside it to NAME.data.h5.
+Every structure is a grid of lines with the point vectors `displacement` [m] and, where the results have end forces of
+members, one cell array a component, such as `start N` [N], [N m]; members without are NaN. Displacements are relative to
+the ground. In ParaView choose the reader "XDMF Reader" and warp by `displacement`.
+"""
+
+import argparse
+import os
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from pounding.results import NotResults, Run, read
+from pounding.skeleton import Scene, displaced_at, node_displacements
+from pounding.style import BadRequest
+
+#: Times whose displacements are in memory at once.
+BLOCK = 200
+
+
+def export(results, run: Run, path):
+    """Writes `path` for the run that was read from the file `results`.
+
+    Raises BadRequest when the suffix is not .xdmf or the run has no times, OSError when nothing can be written."""
+    path = Path(path)
+    if path.suffix != ".xdmf":
+        raise BadRequest(f'cannot write {path}: "{path.suffix}" is not .xdmf')
+    if not run.time.size:
+        raise BadRequest("there is nothing to export: the results hold no times")
+    companion = path.with_name(f"{path.stem}.data.h5")
+    if companion.resolve() == Path(results).resolve():
+        raise BadRequest(f"cannot write {companion} beside {path}: it is the results file. Type another name after -o")
+    with h5py.File(companion, "w") as data:
+        scene = Scene(run)
+        grids = [_Grid(name, scene, Path(results), companion, data) for name in run.structures]
+        grids = [grid for grid in grids if grid.has_points]
+    root = ElementTree.Element("Xdmf", Version="2.0")
+    domain = ElementTree.SubElement(root, "Domain")
+    for grid in grids:
+        # A series for each structure: names of grids within one series would be numbered by the reader.
+        series = ElementTree.SubElement(domain, "Grid", Name=grid.name, GridType="Collection", CollectionType="Temporal")
+        for i, time in enumerate(run.time):
+            grid.write(series, i, float(time))
+    ElementTree.indent(root)
+    ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
+
+
+class _Data:
+    """A dataset [time, item, ...] of one of the two files, and where it is seen from the .xdmf."""
+
+    def __init__(self, file, place, shape, beside):
+        self.shape = shape
+        self.name = f"{Path(os.path.relpath(file.resolve(), beside.resolve().parent)).as_posix()}:{place}"
+
+    def whole(self, parent, kind):
+        item = ElementTree.SubElement(parent, "DataItem", Format="HDF", Dimensions=_numbers(self.shape), **kind)
+        item.text = self.name
+
+    def at(self, parent, step, first, count):
+        """`count` values of the last axis from `first` on, of one time: [item, count]."""
+        items = self.shape[1]
+        shape = (items, count) if count > 1 else (items,)
+        slab = ElementTree.SubElement(parent, "DataItem", ItemType="HyperSlab", Type="HyperSlab", Dimensions=_numbers(shape))
+        choice = ElementTree.SubElement(slab, "DataItem", Dimensions="3 3", Format="XML", NumberType="Int")
+        choice.text = " ".join(map(_numbers, ((step, 0, first), (1, 1, 1), (1, items, count))))
+        self.whole(slab, FLOATS)
+
+
+FLOATS = {"NumberType": "Float", "Precision": "8"}
+INTEGERS = {"NumberType": "Int", "Precision": "8"}
+
+
+class _Grid:
+    """One structure."""
+
+    def __init__(self, name, scene, results, companion, data):
+        self.name, self.scene, self.data, self.beside = name, scene, data, companion
+        structure = self.structure = scene.run.structures[name]
+        bones = scene.bones[name]
+        self.has_points = len(bones.nodes) > 0
+        if not self.has_points:
+            return
+        # A grid needs cells to be seen: a body is a line of no length.
+        lines = bones.members if len(bones.members) else np.repeat(np.arange(len(bones.nodes))[:, None], 2, axis=1)
+        own = f"/structures/{name}"
+        self.points = self._store("points", scene.at_rest(name))
+        self.lines = self._store("members", lines.astype(np.int64))
+        if self._has_every_node():
+            self.displacement = _Data(results, f"{own}/nodes/displacement", structure.nodes.displacement.shape, companion)
+        else:
+            self.displacement = self._store_displacements(bones)
+        self.forces = None
+        if structure.members is not None and structure.geometry is not None:
+            if structure.members.names == structure.geometry.member_names:
+                self.forces = _Data(results, f"{own}/members/end_forces", structure.members.end_forces.shape, companion)
+            else:
+                self.forces = self._store_forces()
+
+    def write(self, parent, step, time):
+        grid = ElementTree.SubElement(parent, "Grid", Name=self.name, GridType="Uniform")
+        ElementTree.SubElement(grid, "Time", Value=repr(time))
+        topology = ElementTree.SubElement(grid, "Topology", TopologyType="Polyline", NodesPerElement="2",
+                                          NumberOfElements=str(self.lines.shape[0]))
+        self.lines.whole(topology, INTEGERS)
+        self.points.whole(ElementTree.SubElement(grid, "Geometry", GeometryType="XYZ"), FLOATS)
+        vectors = ElementTree.SubElement(grid, "Attribute", Name="displacement", AttributeType="Vector", Center="Node")
+        self.displacement.at(vectors, step, 0, 3)
+        for i, component in enumerate(self.structure.members.components if self.forces else []):
+            scalars = ElementTree.SubElement(grid, "Attribute", Name=component, AttributeType="Scalar", Center="Cell")
+            self.forces.at(scalars, step, i, 1)
+
+    def _has_every_node(self):
+        nodes, geometry = self.structure.nodes, self.structure.geometry
+        return (nodes is not None and geometry is not None and nodes.names == geometry.node_names
+                and nodes.directions[:3] == ["x", "y", "z"])
+
+    def _store(self, what, values):
+        place = f"/{self.name}/{what}"
+        self.data[place] = values
+        return _Data(self.beside, place, values.shape, self.beside)
+
+    def _store_displacements(self, bones):
+        time = self.scene.run.time
+        stored = self.data.create_dataset(f"/{self.name}/displacement", (time.size, len(bones.nodes), 3), "f8")
+        for first in range(0, time.size, BLOCK):
+            times = time[first:first + BLOCK]
+            stored[first:first + BLOCK] = node_displacements(displaced_at(self.structure, time, times), bones)
+        return _Data(self.beside, stored.name, stored.shape, self.beside)
+
+    def _store_forces(self):
+        members, names = self.structure.members, self.structure.geometry.member_names
+        values = np.full((len(members.end_forces), len(names), len(members.components)), np.nan)
+        values[:, [names.index(name) for name in members.names]] = members.end_forces
+        return self._store("end_forces", values)
+
+
+def _numbers(values):
+    return " ".join(map(str, values))
+
+
+def main(arguments=None):
+    """Command line. Returns 0, or 2 after a message when the results cannot be read or the export not written."""
+    parser = argparse.ArgumentParser(prog="python3 -m pounding.export", description="Write the results of a run for ParaView.")
+    parser.add_argument("results", help="file that `pounding run` wrote")
+    parser.add_argument("-o", "--output", required=True, help="file to write: .xdmf")
+    options = parser.parse_args(arguments)
+    try:
+        run = read(options.results)
+    except (OSError, NotResults) as error:
+        print(f"cannot read {options.results}: {error}", file=sys.stderr)
+        return 2
+    try:
+        export(options.results, run, options.output)
+    except BadRequest as error:
+        print(error, file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"cannot write {options.output}: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,91 @@
+"""Picture of the model: frames in elevation, in space from all sides and in plan, with the links as marks."""
+
+import textwrap
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from pounding.drawing import Drawing, draw_ground, frame_axes, label_axes, project
+from pounding.skeleton import Scene, floor_heights
+from pounding.style import MM, STYLE, structure_colour
+
+TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
+
+
+def model_figure(run, title=None) -> Figure:
+    """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations."""
+    scene = Scene(run)
+    # Sticks have no place of their own: their gaps are drawn wide enough to be seen.
+    widest = max((link.gap for link in run.links.values()), default=0.0)
+    if not scene.has_places and widest > 0:
+        scene = Scene(run, 0.04 * max(np.ptp(scene.bounds(), axis=1)) / widest)
+    views = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
+    with rc_context(STYLE):
+        figure = Figure(figsize=_size(scene), layout="constrained")
+        axes = figure.subplot_mosaic(views)
+        for letter, (view, panel) in zip("abcd", axes.items()):
+            panel.set_title(f"({letter}) {TITLES[view]}" if len(axes) > 1 else "")
+            draw_model(panel, scene, view)
+        figure.legend(handles=list(_legend(run)), loc="outside lower center", ncols=4)
+        figure.suptitle("\n".join(textwrap.wrap(title or run.title, 80)), fontsize=10.5, fontweight="bold")
+        return figure
+
+
+def draw_model(axes, scene, view):
+    """One view of a scene at rest: elevation, side, plan or oblique."""
+    axes.grid(False)
+    draw_ground(axes, scene, view)
+    Drawing(axes, scene, view)
+    frame_axes(axes, scene, view)
+    label_axes(axes, scene, view)
+    _name_structures(axes, scene, view)
+    if view == "elevation":
+        _label_floors(axes, scene)
+
+
+def _name_structures(axes, scene, view):
+    for number, name in enumerate(scene.bones):
+        points = project(scene.at_rest(name), view)
+        x, y = (points[:, 0].min() + points[:, 0].max()) / 2, points[:, 1].max() + scene.bones[name].half_height
+        wall = scene.run.structures[name].is_wall
+        axes.annotate(name, (x, y), (0, 4), textcoords="offset points", ha="center", va="bottom", fontweight="bold",
+                      color="0.25" if wall else structure_colour(number), zorder=8)
+
+
+def _label_floors(axes, scene):
+    """Floors beside the structure at the left end on its left, beside that at the right end on its right."""
+    middles = {name: scene.at_rest(name)[:, 0].mean() for name, s in scene.run.structures.items() if s.floors}
+    if not middles:
+        return
+    ends = {min(middles, key=middles.get): -1} if len(middles) == 1 else {
+        min(middles, key=middles.get): -1, max(middles, key=middles.get): 1}
+    for name, side in ends.items():
+        structure, bones, nodes = scene.run.structures[name], scene.bones[name], scene.at_rest(name)
+        x = (nodes[:, 0].max() + bones.half_width) if side > 0 else nodes[:, 0].min() - bones.half_width
+        heights, _ = floor_heights(structure)
+        every = -(-len(heights) // 16)
+        for i in range(len(heights) - 1, -1, -every):
+            axes.annotate(structure.floors[i], (x, heights[i]), (5 * side, 0), textcoords="offset points", va="center",
+                          ha="left" if side > 0 else "right", fontsize=7, color="0.35")
+
+
+def _legend(run):
+    """The links, one entry for each gap."""
+    gaps = {}
+    for link in run.links.values():
+        gaps.setdefault(f"{MM * link.gap:.4g} mm", []).append(link.name)
+    for gap, names in gaps.items():
+        words = names[0] if len(names) == 1 else f"{len(names)} links"
+        yield Line2D([], [], linestyle="none", marker="D", markerfacecolor="white", markeredgecolor="black",
+                     markersize=4.5, label=f"{words}, gap {gap}")
+
+
+def _size(scene):
+    """Of the figure [in]: the proportions of what is drawn, within a page."""
+    if scene.is_spatial:
+        return 7.5, 6.6
+    width, _, height = np.ptp(scene.bounds(), axis=1)
+    shape = (height + 0.2 * max(width, height)) / (width + 0.2 * max(width, height))
+    return 6.5, float(np.clip(5.6 * shape + 1.0, 3.0, 8.5))

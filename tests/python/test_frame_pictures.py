@@ -1,0 +1,114 @@
+"""Pictures of models and profiles: what they show, and that nothing in them is unknown to matplotlib."""
+
+import io
+import os
+import subprocess
+import tempfile
+import unittest
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+import frame_samples
+from pounding import plots
+from pounding.model_picture import model_figure
+from pounding.profiles import profiles_figure
+from pounding.results import read
+from pounding.style import BadRequest
+
+WRITER = os.environ["POUNDING_RESULTS_WRITER"]
+
+
+def titles(figure):
+    return [axes.get_title(loc="left") for axes in figure.axes]
+
+
+class FramePictures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        warnings.simplefilter("error")
+        cls.directory = tempfile.TemporaryDirectory()
+        place = Path(cls.directory.name)
+        frame_samples.write(place / "plane.h5", 2, wall=True)
+        frame_samples.write(place / "space.h5", 3)
+        for kind in ("towers", "row"):
+            subprocess.run([WRITER, kind, place / f"{kind}.h5"], check=True)
+        cls.runs = {kind: read(place / f"{kind}.h5") for kind in ("plane", "space", "towers", "row")}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.directory.cleanup()
+        warnings.resetwarnings()
+
+    def test_every_picture_of_every_run_is_drawn(self):
+        for kind, run in self.runs.items():
+            for draw in (model_figure, profiles_figure, plots.standard_figure):
+                with self.subTest(f"{draw.__name__} {kind}"):
+                    picture = io.BytesIO()
+                    draw(run).savefig(picture, dpi=40)
+                    self.assertGreater(picture.tell(), 3000)
+
+    def test_model_in_space_is_seen_from_all_sides(self):
+        self.assertEqual(titles(model_figure(self.runs["space"])),
+                         ["(a) View", "(b) Plan", "(c) Elevation along x", "(d) Elevation along y"])
+        self.assertEqual(len(model_figure(self.runs["plane"]).axes), 1)
+
+    def test_every_member_and_link_is_drawn_in_place(self):
+        run = self.runs["plane"]
+        axes = model_figure(run).axes[0]
+        lines = {lines.get_label(): lines.get_segments() for lines in axes.collections if hasattr(lines, "get_segments")}
+        tall = run.structures["tall"].geometry
+        np.testing.assert_allclose(lines["tall"], tall.nodes[:, [0, 2]][tall.members])
+        marks = next(c for c in axes.collections if len(c.get_offsets()) == 4)
+        np.testing.assert_allclose(sorted(marks.get_offsets()[:, 1]), [3.2, 6.4, 9.6, 9.6])
+
+    def test_legend_states_the_gaps(self):
+        legend = model_figure(self.runs["plane"]).legends[0]
+        self.assertEqual([text.get_text() for text in legend.get_texts()], ["3 links, gap 25 mm", "low.3-wall, gap 100 mm"])
+
+    def test_unknown_heights_have_no_scale(self):
+        axes = model_figure(self.runs["towers"]).axes[0]
+        self.assertEqual((list(axes.get_xticks()), list(axes.get_yticks())), ([], []))
+        self.assertEqual(axes.get_ylabel(), "Heights are not in the file")
+
+    def test_profiles_hold_the_extremes(self):
+        run = self.runs["space"]
+        figure = profiles_figure(run)
+        self.assertEqual(titles(figure)[4:6], ["(e) Displacement along y", "(f) Storey drift along y"])
+        motion = run.structures["tall"].along["y"]
+        low, high = figure.axes[4].lines[:2]
+        np.testing.assert_allclose(low.get_xdata(), [0, *1e3 * motion.displacement.min(axis=0)])
+        np.testing.assert_allclose(high.get_ydata(), [0, 3.2, 6.4, 9.6, 12.8, 16])
+        high = figure.axes[5].lines[1]
+        np.testing.assert_allclose(high.get_xdata()[::2], 100 * motion.drift.max(axis=0) / 3.2)
+        self.assertIn("[kN]", figure.axes[6].get_xlabel())
+        high = figure.axes[6].lines[1]
+        np.testing.assert_allclose(high.get_xdata()[::2], 1e-3 * motion.storey_shear.max(axis=0))
+
+    def test_profiles_without_heights_count_floors(self):
+        run = self.runs["towers"]
+        figure = profiles_figure(run)
+        self.assertEqual(figure.axes[0].get_ylabel(), "Floor")
+        self.assertEqual(figure.axes[1].get_xlabel(), "Storey drift [mm]")
+        np.testing.assert_allclose(figure.axes[1].lines[1].get_xdata()[::2],
+                                   1e3 * run.structures["slender"].drift.max(axis=0))
+
+    def test_profiles_of_nothing_are_refused(self):
+        run = self.runs["plane"]
+        run = type(run)(**{**run.__dict__, "structures": {"wall": run.structures["wall"]}, "links": {}})
+        with self.assertRaises(BadRequest):
+            profiles_figure(run)
+
+    def test_displacements_are_those_along_the_links(self):
+        run = self.runs["space"]
+        for link in run.links.values():
+            link.direction[:] = [0, 1, 0]
+        self.addCleanup(lambda: [link.direction.__setitem__(slice(None), [1, 0, 0]) for link in run.links.values()])
+        axes = next(a for a in plots.standard_figure(run).axes if "Displacements along y" in a.get_title(loc="left"))
+        line = next(line for line in axes.lines if line.get_label() == "tall, floor 3")
+        np.testing.assert_allclose(line.get_ydata(), 1e3 * run.structures["tall"].along["y"].displacement[:, 2])
+
+
+if __name__ == "__main__":
+    unittest.main()
