@@ -41,6 +41,8 @@ class GapLink final : public Contact {
     return {r.force, r.by_penetration, r.by_rate};
   }
 
+  bool may_pull() const noexcept override { return laws::may_pull<Law>; }
+
   Margins margins(const LinkMotion& motion, double /*force*/) const noexcept override {
     constexpr double never = std::numeric_limits<double>::infinity();
     switch (phase_) {

@@ -103,6 +103,8 @@ class Contact {
   virtual double penetration(double closure) const noexcept = 0;
   /// Pure: force and slopes in the present phase, continued smoothly past its end so that a trial step may overshoot.
   virtual LinkForce evaluate(const LinkMotion& motion) const noexcept = 0;
+  /// The law as published pulls near the separation; the force of any other that dips below zero inside a step is zero there.
+  virtual bool may_pull() const noexcept { return false; }
   /// Pure: values that are positive while the present phase lasts; unused ones are infinite.
   /// `force` is the link force of the state (only a resting contact needs it).
   virtual Margins margins(const LinkMotion& motion, double force) const noexcept = 0;

@@ -212,8 +212,8 @@ void Stepper::products(Instant& x, int first, int count) const {
 
 // Forces of the links from their motions. Held contacts take the forces that leave no closing acceleration; those that
 // hold the same bodies share them.
-void Stepper::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, Eigen::VectorXd& force,
-                      Eigen::Ref<Eigen::VectorXd> r) const {
+void Stepper::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step,
+                      Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
   std::vector<int> held_links;
   bool any = false;
   for (int i = 0; i < frictions_from_; ++i) {
@@ -222,6 +222,7 @@ void Stepper::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd
       held_links.push_back(i);
     else if (works(i))
       force[i] = law(i, motions[i]).force;
+    if (inside_step && i < system_.contact_count() && !system_.contacts[i]->may_pull()) force[i] = std::max(0.0, force[i]);
     any = any || force[i] != 0;
   }
   for (const Friction& friction : system_.frictions) {
@@ -261,7 +262,7 @@ void Stepper::balance_now() {
   a_now = -push_ - x.col(ku) - x.col(cv);
   now_motions_.resize(system_.links());
   for (int i = 0; i < system_.links(); ++i) now_motions_[i] = motion(i, now_);
-  balance(now_motions_, now_.by_ground, now_.force, a_now);
+  balance(now_motions_, now_.by_ground, false, now_.force, a_now);
   base_.follow(a_now);
   x.col(c) = x.col(a);
   products(now_, a, width() - a);
@@ -363,7 +364,7 @@ void Stepper::evaluate_middle() {
   for (int i = 0; i < n; ++i)
     r[i] = -pushed[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) -
            h / 8 * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
-  balance(t.middle, t.by_ground_middle, t.force_middle, t.a_middle);
+  balance(t.middle, t.by_ground_middle, true, t.force_middle, t.a_middle);
 }
 
 void Stepper::measure(const Instant& instant, std::vector<double>& size_u, std::vector<double>& size_v) {

@@ -205,7 +205,7 @@ class Stepper {
   void add_simpson_error(double part);
   void finish_error();
   /// r, the forces other than those of links, becomes the acceleration; forces of the links from their motions.
-  void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, Eigen::VectorXd& force,
+  void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step, Eigen::VectorXd& force,
                Eigen::Ref<Eigen::VectorXd> r) const;
   void balance_now();
   void gather_now();
