@@ -13,6 +13,22 @@
 
 namespace pounding::test {
 
+struct NamedScheme {
+  const char* name;
+  Scheme scheme;
+  double order;
+};
+
+inline constexpr NamedScheme schemes[] = {{"midpoint", {}, 2},
+                                          {"damped", {.spectral_radius = 0.8}, 2},
+                                          {"esdirk4", {.kind = Scheme::Kind::esdirk4}, 4}};
+
+inline SparseMatrix diagonal(const std::vector<double>& values) {
+  SparseMatrix m(static_cast<int>(values.size()), static_cast<int>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) m.insert(static_cast<int>(i), static_cast<int>(i)) = values[i];
+  return m;
+}
+
 /// Steps to `end` that keep the tolerance of the stepper; how many were tried.
 inline long march(Stepper& stepper, double end, double longest) {
   double h = longest / 64;

@@ -20,15 +20,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-struct NamedScheme {
-  const char* name;
-  Scheme scheme;
-  double order;
-};
-
-constexpr NamedScheme schemes[] = {{"midpoint", {}, 2},
-                                   {"damped", {.spectral_radius = 0.8}, 2},
-                                   {"esdirk4", {.kind = Scheme::Kind::esdirk4}, 4}};
+using test::diagonal;
+using test::NamedScheme;
+using test::schemes;
 
 class WithFriction : public testing::TestWithParam<NamedScheme> {
  protected:
@@ -37,12 +31,6 @@ class WithFriction : public testing::TestWithParam<NamedScheme> {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, WithFriction, testing::ValuesIn(schemes),
                          [](const auto& test) { return std::string(test.param.name); });
-
-SparseMatrix diagonal(const std::vector<double>& values) {
-  SparseMatrix m(static_cast<int>(values.size()), static_cast<int>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) m.insert(static_cast<int>(i), static_cast<int>(i)) = values[i];
-  return m;
-}
 
 TEST(FrictionForce, HasTheSlopesOfItsFormula) {
   const Friction friction{.contact = 0, .first = 1, .count = 2, .coefficient = 0.4, .sliding = 0.02};

@@ -13,9 +13,12 @@
 #include <vector>
 
 #include <pounding/beam.hpp>
+#include "support/refusal.hpp"
 
 namespace pounding {
 namespace {
+
+using test::refusal;
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -264,16 +267,6 @@ TEST(Beam, ReturnsTheForcesOnItsEndsInLocalAxes) {
   Vector12 expected;  // local x is global z, local z is global -x
   expected << 2 * f, 0, f, 0, -f * l, 0, -2 * f, 0, -f, 0, 0, 0;
   EXPECT_LT(distance(column.end_forces(u), expected), 1e-11);
-}
-
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
 }
 
 TEST(Beam, RefusesWhatCannotBe) {

@@ -15,9 +15,12 @@
 #include <vector>
 
 #include <pounding/corotational.hpp>
+#include "support/refusal.hpp"
 
 namespace pounding {
 namespace {
+
+using test::refusal;
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -457,16 +460,6 @@ TEST(CorotationalFrame, HasAStableStraightColumnBelowTheBucklingLoadOnly) {
   };
   EXPECT_TRUE(is_stable(0.998));
   EXPECT_FALSE(is_stable(1.002));
-}
-
-template <class Act>
-std::string refusal(Act&& act) {
-  try {
-    act();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was refused";
 }
 
 TEST(CorotationalFrame, RefusesWhatItCannotBeMadeOf) {

@@ -11,9 +11,12 @@
 #include <vector>
 
 #include <pounding/frame.hpp>
+#include "support/refusal.hpp"
 
 namespace pounding {
 namespace {
+
+using test::refusal;
 
 using Eigen::MatrixX3d;
 using Eigen::MatrixXd;
@@ -26,16 +29,6 @@ const Section deep{.area = 0.12, .inertia_y = 1.6e-3, .inertia_z = 0.9e-3, .tors
 const Material steel{.young = 200e9, .shear = 80e9, .density = 7850};
 
 double relative(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff(); }
-
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
-}
 
 VectorXd under(const Frame& frame, AssembledFrame f, const VectorXd& load) {
   f.load_at_rest = load;

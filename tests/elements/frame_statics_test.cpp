@@ -12,9 +12,12 @@
 
 #include <pounding/frame.hpp>
 #include <pounding/static_solver.hpp>
+#include "support/refusal.hpp"
 
 namespace pounding {
 namespace {
+
+using test::refusal;
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -28,16 +31,6 @@ const Material light{.young = 200e9, .shear = 80e9};
 const double g = 9.80665;
 
 double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof dof) { return f.motion(node, dof).dot(q); }
-
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
-}
 
 // The forces on the ends of a member that carries a load of its own.
 Vector12 true_end_forces(const Frame& frame, int member, const AssembledFrame& f, const VectorXd& q, bool gravity = false) {

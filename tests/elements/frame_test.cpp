@@ -12,9 +12,12 @@
 #include <vector>
 
 #include <pounding/frame.hpp>
+#include "support/refusal.hpp"
 
 namespace pounding {
 namespace {
+
+using test::refusal;
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -466,16 +469,6 @@ TEST(GridFrame, InSpaceMovesAsItsPlaneFramesDo) {
         for (int k = 0; k <= 1; ++k)
           EXPECT_NEAR(displacement(a, u, space.node(storey, i, k), dof), displacement(b, v, plane.node(storey, i), dof),
                       1e-11 * v.cwiseAbs().maxCoeff());
-}
-
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
 }
 
 TEST(Frame, RefusesWhatCannotBe) {
