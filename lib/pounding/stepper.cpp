@@ -183,10 +183,16 @@ void Stepper::ground_at(double time, Eigen::VectorXd& ground, bool before) const
         before ? system_.grounds[k].acceleration_before(time) : system_.grounds[k].acceleration(time);
 }
 
-double Stepper::next_break_after(double time) const {
-  double next = std::numeric_limits<double>::infinity();
-  for (const GroundMotion& motion : system_.grounds) next = std::min(next, motion.next_break(time));
-  return next;
+// Corners of delayed motions that only rounding keeps apart are one: no step fits between them. A step ends at the last
+// and looks back from the first, before any of them has jumped.
+void Stepper::find_break_after(double time) {
+  break_begins_ = std::numeric_limits<double>::infinity();
+  for (const GroundMotion& motion : system_.grounds) break_begins_ = std::min(break_begins_, motion.next_break(time));
+  next_break_ = break_begins_;
+  if (!std::isfinite(break_begins_)) return;
+  const double same = break_begins_ + rounding * std::max(1.0, std::abs(break_begins_));
+  for (const GroundMotion& motion : system_.grounds)
+    for (double t = motion.next_break(time); t <= same; t = motion.next_break(t)) next_break_ = std::max(next_break_, t);
 }
 
 // S times displacements, velocities and the given accelerations of the grounds, and what has closed at rest.
@@ -276,7 +282,7 @@ void Stepper::gather_now() { base_.gather(now_.motion.leftCols(width()), now_.cl
 void Stepper::start(double time, const Eigen::VectorXd& u0, const Eigen::VectorXd& v0) {
   const Energies before = started_ ? energies() : Energies{};
   now_.time = time;
-  next_break_ = next_break_after(time);
+  find_break_after(time);
   now_.motion.setZero();
   now_.motion.col(u) = base_.coordinates(u0);
   now_.motion.col(v) = base_.coordinates(v0);
@@ -328,7 +334,7 @@ bool Stepper::attempt(double h, std::optional<double> end) {
   t.h = h;
   t.end.time = end.value_or(now_.time + h);
   ground_at(now_.time + 0.5 * h, t.ground_middle);
-  ground_at(t.end.time, t.end.ground, true);
+  ground_at(std::min(t.end.time, break_begins_), t.end.ground, true);
   if (moving_) {
     closings_by_ground(now_.time + 0.5 * h, t.ground_middle, t.by_ground_middle);
     closings_by_ground(t.end.time, t.end.ground, t.end.by_ground);
@@ -515,7 +521,7 @@ void Stepper::accept() {
   update_scales();
   if (now_.time >= next_break_) {
     ground_at(now_.time, now_.ground);
-    next_break_ = next_break_after(now_.time);
+    find_break_after(now_.time);
   }
   const bool ground_jumps = now_.ground != kept_.end.ground;
   if (!landed_.empty())
@@ -703,6 +709,7 @@ void Stepper::archive(Archive& archive) {
   archive(iterations_);
   archive(events_);
   archive(changed_at_end_);
+  archive(break_begins_);
   archive(next_break_);
   for (Contact* contact : system_.contacts) contact->archive(archive);
   for (Spring* spring : system_.springs) spring->archive(archive);

@@ -195,7 +195,7 @@ class Stepper {
   void check_parts();
   void find_sliders();
   void forget_views();
-  double next_break_after(double time) const;
+  void find_break_after(double time);
   const double* push(const Eigen::VectorXd& ground);
   void ground_at(double time, Eigen::VectorXd& ground, bool before = false) const;
   void closings_by_ground(double time, const Eigen::VectorXd& ground, Eigen::MatrixXd& by_ground) const;
@@ -262,7 +262,7 @@ class Stepper {
   std::vector<double> friction_work_;
   double given_ = 0;  // energy that was there at the start or came by a changed motion
   bool started_ = false;
-  double next_break_ = 0;
+  double break_begins_ = 0, next_break_ = 0;  // equal but for rounding
 
   std::vector<double> displacement_scale_, velocity_scale_;  // by group
   std::vector<double> rate_scale_, penetration_scale_;       // by link, of the present impact

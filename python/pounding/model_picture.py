@@ -55,15 +55,15 @@ def _name_structures(axes, scene, view):
 
 
 def _label_floors(axes, scene):
-    """Floors beside the structure at the left end on its left, beside that at the right end on its right."""
+    """Floors of the structure at the left end on the left of all, of that at the right end on the right, walls included."""
     middles = {name: scene.at_rest(name)[:, 0].mean() for name, s in scene.run.structures.items() if s.floors}
     if not middles:
         return
     ends = {min(middles, key=middles.get): -1} if len(middles) == 1 else {
         min(middles, key=middles.get): -1, max(middles, key=middles.get): 1}
     for name, side in ends.items():
-        structure, bones, nodes = scene.run.structures[name], scene.bones[name], scene.at_rest(name)
-        x = (nodes[:, 0].max() + bones.half_width) if side > 0 else nodes[:, 0].min() - bones.half_width
+        structure = scene.run.structures[name]
+        x = scene.bounds()[0, 1 if side > 0 else 0]
         heights, _ = floor_heights(structure)
         every = -(-len(heights) // 16)
         for i in range(len(heights) - 1, -1, -every):

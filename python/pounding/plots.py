@@ -22,6 +22,10 @@ from pounding.style import (
     TIME_UNITS, VERMILION, BadRequest, engineering, largest, write_picture)
 
 
+#: More displacements than these in one panel cannot be told apart.
+MOST_STRUCTURES = 4
+
+
 def standard_figure(run: Run, title=None, floors=None) -> Figure:
     """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
     below them the loop of the strongest impact and the restitution of all.
@@ -76,7 +80,7 @@ def draw_displacements(axes, run, chosen=None):
     In space the displacements are those of the middle of the floors in the direction of the first link; where a floor
     turns, its ends may touch before the lines meet."""
     chosen = chosen or {}
-    drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:len(STRUCTURE_COLOURS)]
+    drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:MOST_STRUCTURES]
     drawn = [structure for structure in run.structures.values() if any(structure is one for one in drawn)]
     names = [structure.name for structure in drawn]
     floors = {structure.name: chosen.get(structure.name, _linked_floor(run, structure)) for structure in drawn}
@@ -172,7 +176,7 @@ def draw_restitution(axes, run):
         impacts = moving[moving["link"] == link.name.encode()]
         axes.plot(impacts["v_approach"], impacts["restitution"], linestyle="none", marker="o", markersize=3.5,
                   markerfacecolor="none", markeredgewidth=0.9, color=style["color"], zorder=style["zorder"])
-    axes.set_xlim(left=0)
+    axes.set_xlim(0, 1.05 * moving["v_approach"].max() or 1)
     axes.set_ylim(min(0, moving["restitution"].min()), max(1, 1.05 * moving["restitution"].max()))
 
 

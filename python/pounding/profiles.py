@@ -35,7 +35,7 @@ def profiles_figure(run, title=None) -> Figure:
                 axes.set_title(f"({next(letters)}) {axes.get_title(loc='left')}{along}")
             line[0].set_ylabel(_height_label(structures))
         handles, labels = grid[0][0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=4)
+        figure.legend(handles, labels, loc="outside lower center", ncols=6)
         figure.suptitle("\n".join(textwrap.wrap(title or run.title, 80)), fontsize=10.5, fontweight="bold")
         return figure
 

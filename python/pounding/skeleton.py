@@ -247,6 +247,8 @@ class Scene:
         left = self.bones[link.left]
         if left.has_place and link.position is not None:
             return link.position + self.shifts[link.left]
+        if self.bones[link.right].has_place and link.position is not None:
+            return link.position + self.shifts[link.right] - self.scale * link.gap * link.direction
         height = self._height(link)
         return np.array([left.half_width, 0, height]) + self.shifts[link.left]
 

@@ -8,7 +8,7 @@ from matplotlib import rc_context
 #: Okabe and Ito's colours, which colour-blind readers can tell apart.
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
 YELLOW = "#F0E442"
-STRUCTURE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE)
+STRUCTURE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
 LINK_COLOURS = (BLUE, VERMILION, GREEN, ORANGE)
 QUIET = "0.72"
 STYLE = {

@@ -108,6 +108,27 @@ TEST(OneMotion, GivenAsTwoIsTheSame) {
   EXPECT_LT((two.v - one.v).norm(), 1e-9 * one.v.norm());
 }
 
+// 0.07 + 0.08 is the number after 0.15: between the two jumps no step fits, and none is needed.
+TEST_P(MovingGround, JumpsThatOnlyRoundingKeepsApartAreOne) {
+  const GroundMotion motion(Pulse{Pulse::Shape::rectangle, 3, 0.4});
+  const GroundMotion once = motion.delayed(0.15), twice = motion.delayed(0.07).delayed(0.08);
+  ASSERT_EQ(twice.next_break(0), std::nextafter(once.next_break(0), 1));
+  const auto run = [this](const GroundMotion& left, const GroundMotion& right) {
+    Delayed problem;
+    problem.system.grounds = {left, right};
+    ModalBase base(problem.system);
+    Stepper stepper(problem.system, base, {.tolerance = 1e-5, .scheme = scheme, .first_rung = 0.01});
+    stepper.start(0, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+    test::march(stepper, 1.0, 0.01);
+    return stepper.state();
+  };
+  const State equal = run(once, once), first = run(once, twice), last = run(twice, once);
+  for (const State* each : {&first, &last}) {
+    EXPECT_LT((each->u - equal.u).norm(), 1e-9 * equal.u.norm());
+    EXPECT_LT((each->v - equal.v).norm(), 1e-9 * equal.v.norm());
+  }
+}
+
 // A mass at rest on firm ground; a wall at its right stands on other ground.
 struct BeforeWall {
   static constexpr double mass = 6e4;

@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import unittest
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,8 @@ from pounding import plots
 from pounding.model_picture import model_figure
 from pounding.profiles import profiles_figure
 from pounding.results import read
-from pounding.style import BadRequest
+from pounding.skeleton import Scene
+from pounding.style import BadRequest, structure_colour
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
 
@@ -62,6 +64,28 @@ class FramePictures(unittest.TestCase):
         np.testing.assert_allclose(lines["tall"], tall.nodes[:, [0, 2]][tall.members])
         marks = next(c for c in axes.collections if len(c.get_offsets()) == 4)
         np.testing.assert_allclose(sorted(marks.get_offsets()[:, 1]), [3.2, 6.4, 9.6, 9.6])
+
+    def test_mark_of_a_wall_on_the_left_is_at_the_wall_where_the_frame_meets_it(self):
+        run = self.runs["plane"]
+        link = replace(run.links["low.3-wall"], name="wall-tall", left="wall", right="tall", left_floor=0, right_floor=0,
+                       position=np.zeros(3))
+        run = replace(run, links={link.name: link}, structures={name: run.structures[name] for name in ("wall", "tall")})
+        np.testing.assert_allclose(Scene(run).faces["wall-tall"], [-0.1, 0, 0])
+        np.testing.assert_allclose(Scene(run, 3).faces["wall-tall"], [-0.3, 0, 0])
+
+    def test_floors_are_labelled_outside_the_walls(self):
+        axes = model_figure(self.runs["plane"]).axes[0]
+        wall = next(lines.get_segments()[0][0, 0] for lines in axes.collections if lines.get_label() == "wall")
+        labels = [text for text in axes.texts if text.get_text() == "3"]
+        self.assertEqual([float(label.xy[0]) for label in labels], [0, wall])
+
+    def test_five_structures_have_five_colours(self):
+        self.assertEqual(len({structure_colour(number) for number in range(5)}), 5)
+
+    def test_fastest_impact_lies_inside_the_axes(self):
+        run = self.runs["plane"]
+        axes = next(a for a in plots.standard_figure(run).axes if "Restitution" in a.get_title(loc="left"))
+        self.assertGreater(axes.get_xlim()[1], 1.04 * run.impacts["v_approach"].max())
 
     def test_legend_states_the_gaps(self):
         legend = model_figure(self.runs["plane"]).legends[0]
