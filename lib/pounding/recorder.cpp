@@ -60,6 +60,14 @@ void Peak::follow(double h, double begin, double slope_begin, double end, double
   follow(r * r * (1 + 2 * s) * begin + s * s * (1 + 2 * r) * end + h * s * r * (r * slope_begin - s * slope_end));
 }
 
+void Peak::follow(double begin, double middle, double end) {
+  follow(middle);
+  follow(end);
+  const double slope = end - begin, bend = 2 * (begin - 2 * middle + end);  // of the parabola on [0, 1] at the middle
+  if (std::abs(slope) >= std::abs(bend)) return;
+  follow(middle - slope * slope / (4 * bend));
+}
+
 void LinkSampler::append(const Sample& s, LinkHistory& history) {
   history.time.push_back(s.time);
   history.penetration.push_back(s.penetration);
@@ -149,6 +157,7 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       followed_(model),
       plan_(ground_plan(model)),
       first_(offsets(model)),
+      looks_inside_(stepper.options().scheme.kind == Scheme::Kind::esdirk4),
       linked_(stepper.system().contact_count() > 0) {
   for (const Structure& s : model.structures) {
     results_.structures.push_back(heading(s));
@@ -336,7 +345,15 @@ void Recorder::follow_peaks() {
   accelerations_of_ground(first.time, ground_);
   followed_.complete(begin_, first.time, ground_);
   followed_.complete(end_, last.time, stepper_.ground_before());
-  followed_.complete(motion_, last.time, stepper_.ground_before());
+  accelerations_of_ground(last.time, ground_);
+  followed_.complete(motion_, last.time, ground_);
+  middle_ = end_;
+  if (looks_inside_ && h > 0) {
+    const double middle = 0.5 * (first.time + last.time);
+    stepper_.interpolate_observed(middle, middle_);
+    accelerations_of_ground(middle, ground_);
+    followed_.complete(middle_, middle, ground_);
+  }
   for (int k = 0; k < static_cast<int>(peaks_.size()); ++k) {
     const int directions = followed_.directions(k);
     for (int i = 0; i < static_cast<int>(peaks_[k].size()); ++i) {
@@ -344,6 +361,7 @@ void Recorder::follow_peaks() {
       const int c = followed_.column(k, i, 0);
       if (directions == 1) {
         peaks.displacement.follow(h, begin_(c, 0), begin_(c, 1), end_(c, 0), end_(c, 1));
+        if (looks_inside_) peaks.acceleration.follow(begin_(c, 2), middle_(c, 2), end_(c, 2));
         peaks.acceleration.follow(end_(c, 2));
         peaks.acceleration.follow(motion_(c, 2));
         const int below = c - 1;
@@ -356,7 +374,9 @@ void Recorder::follow_peaks() {
       }
       follow_vector(peaks.displacement, h, c, -1);
       follow_vector(peaks.drift, h, c, i == 0 ? -1 : c - directions);
-      peaks.acceleration.follow(std::hypot(end_(c, 2), end_(c + 1, 2)));
+      const auto length = [c](const Eigen::MatrixXd& motion) { return std::hypot(motion(c, 2), motion(c + 1, 2)); };
+      if (looks_inside_) peaks.acceleration.follow(length(begin_), length(middle_), length(end_));
+      peaks.acceleration.follow(length(end_));
       peaks.acceleration.follow(std::hypot(motion_(c, 2), motion_(c + 1, 2)));
     }
   }

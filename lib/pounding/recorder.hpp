@@ -21,6 +21,8 @@ class Peak {
   /// Values and slopes at the ends of a step of length h; a turn inside it is found on the cubic through them.
   void follow(double h, double begin, double slope_begin, double end, double slope_end);
   void follow(double value);
+  /// Values at the beginning, the middle and the end of a step: a turn inside it is found on the parabola through them.
+  void follow(double begin, double middle, double end);
   double largest() const { return largest_; }
 
  private:
@@ -96,13 +98,14 @@ class Recorder {
   FollowedFloors followed_;
   GroundPlan plan_;
   std::vector<int> first_;
+  bool looks_inside_;  // steps are so long that accelerations turn inside them
   bool linked_, whole_ = false;  // whole: shears of frames, nodes or members are reported
   long outputs_ = 0;
   bool energy_due_ = false;
   std::vector<std::vector<FloorPeaks>> peaks_;
   std::vector<LinkSampler> samplers_;
   double largest_input_ = 0, largest_imbalance_ = 0;
-  Eigen::MatrixXd motion_, begin_, end_;
+  Eigen::MatrixXd motion_, begin_, middle_, end_;
   Eigen::VectorXd ground_, u_, v_, a_, force_;
 };
 

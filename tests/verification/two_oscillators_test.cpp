@@ -81,5 +81,17 @@ TEST_P(TwoOscillators, KeepTheDefaultTolerance) {
   EXPECT_NEAR(run.summary.links[0].peak_force, expected.force, 1e-4 * expected.force);
 }
 
+// The steps of the scheme of order 4 are so long that accelerations turn inside them.
+TEST(TwoOscillators, HaveThePeakAccelerationsOfEitherScheme) {
+  const std::string fine = test::two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", 1e-7);
+  std::string long_steps = test::two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", 1e-6);
+  long_steps.replace(long_steps.rfind('}'), 1, ", integrator: esdirk4}");
+  const Outcome expected = test::run_text(fine), obtained = test::run_text(long_steps);
+  for (int k = 0; k < 2; ++k) {
+    const double peak = expected.summary.structures[k].peak_acceleration[0];
+    EXPECT_NEAR(obtained.summary.structures[k].peak_acceleration[0], peak, 5e-6 * peak);
+  }
+}
+
 }  // namespace
 }  // namespace pounding
