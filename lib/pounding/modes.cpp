@@ -91,6 +91,9 @@ std::string floor_shape(const Mode& mode) {
   return text;
 }
 
+// Rounding noise is shown as zero.
+double without_sign_of_zero(double value) { return std::abs(value) < 5e-6 ? 0.0 : value; }
+
 std::string table_along_x(const std::vector<Mode>& found, double total) {
   std::string text =
       "mode   period (s)  frequency (Hz)  damping (%)  participation  effective mass (%)  shape from the ground up\n";
@@ -117,7 +120,7 @@ std::string table_of_frame(const Structure& s, const std::vector<Mode>& found) {
     sum += mode.effective_mass;
     text += fmt::format("{:>4}  {:>11.6f}  {:>14.6f}  {:>11.4f}", ++number, mode.period, 1 / mode.period, 100 * mode.damping_ratio);
     for (const int j : along)
-      text += fmt::format("  {:>15.5f}  {:>20.3f}", mode.participation[j],
+      text += fmt::format("  {:>15.5f}  {:>20.3f}", without_sign_of_zero(mode.participation[j]),
                           total[j] > 0 ? 100 * mode.effective_mass[j] / total[j] : 0.0);
     text += '\n';
   }
