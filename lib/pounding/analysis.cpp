@@ -27,8 +27,9 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 // Steps may be this part of the fastest first period; the error control shortens them further.
 constexpr double longest_part_of_period = 0.1;
 constexpr double longest_part_of_duration = 1.0 / 16;
-// Steps between two looks at the clock.
-constexpr int steps_per_look = 256;
+// A launcher (mpirun) kills a second after it asks to stop: looks at the clock are nearer to each other.
+constexpr double seconds_between_looks = 0.02;
+constexpr int most_steps_between_looks = 256;
 constexpr double seconds_between_reports = 0.1;
 // Writing the file may take this part of a run.
 constexpr double output_share = 0.05;
@@ -60,10 +61,10 @@ struct Watch {
   Summary& summary;
   Checkpoint origin;  // without a state
   Clock::time_point start;
-  Clock::time_point last_report = start, last_write = start;
+  Clock::time_point last_report = start, last_write = start, last_look = Clock::now();
   double earlier_seconds = 0;  // before the run went on
   double write_cost = 0, written_time = 0;
-  int steps_to_look = steps_per_look;
+  int steps_between_looks = 1, steps_to_look = 1;
   bool stopped = false;  // between two steps, with the state saved
   std::exception_ptr failure = nullptr;
 
@@ -98,8 +99,9 @@ struct Watch {
     std::vector<std::vector<std::byte>> parts;
     all(parts);
     if (static_cast<int>(parts.size()) != team.size())
-      throw InputError(fmt::format("it was made by {0} process{1}; type mpirun -n {0} pounding run --resume", parts.size(),
-                                   parts.size() == 1 ? "" : "es"));
+      throw InputError(fmt::format("it was made by {} process{}; type {}pounding run --resume {}", parts.size(),
+                                   parts.size() == 1 ? "" : "es",
+                                   parts.size() == 1 ? "" : fmt::format("mpirun -n {} ", parts.size()), options.resume));
     return parts[team.rank()];
   }
 
@@ -161,6 +163,13 @@ struct Watch {
       options.progress(stepper.time(), model.analysis.duration, recorder.impacts());
     }
     if (team.first_says(write_is_due())) write_running();
+    steps_to_look = steps_between_looks = team.first_says(steps_until_next_look());
+    last_look = Clock::now();
+  }
+
+  int steps_until_next_look() const {
+    const double steps = steps_between_looks * seconds_between_looks / std::max(seconds_since(last_look), 1e-9);
+    return static_cast<int>(std::clamp(steps, 1.0, 1.0 * most_steps_between_looks));
   }
 };
 
@@ -170,10 +179,7 @@ PetscErrorCode after_step(TS ts) {
   PetscCall(TSGetApplicationContext(ts, &watch));
   try {
     watch->recorder.step();
-    if (--watch->steps_to_look == 0) {
-      watch->steps_to_look = steps_per_look;
-      watch->look();
-    }
+    if (--watch->steps_to_look == 0) watch->look();
   } catch (...) {
     watch->failure = std::current_exception();
   }

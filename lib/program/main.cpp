@@ -2,15 +2,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <stdexcept>
+#include <exception>
 
-#include <pounding/error.hpp>
 #include <pounding/version.hpp>
 #include "commands.hpp"
+#include "exit_code.hpp"
 
 namespace {
-
-constexpr int done = 0, other_failure = 1, bad_input = 2, failed_solve = 3;
 
 // Under mpirun all processes fail alike, and the first one tells. MPI itself may not have begun, or be over.
 bool speaks() {
@@ -20,7 +18,7 @@ bool speaks() {
 }
 
 int report(const char* text, int code) {
-  if (speaks()) std::fprintf(stderr, "pounding: %s\n", text);
+  if (speaks()) pounding::program::print_failure(text);
   return code;
 }
 
@@ -45,15 +43,9 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);
     return done;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) return speaks() ? app.exit(error) : done;
     return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
-  } catch (const pounding::InputError& error) {
-    return report(error.what(), bad_input);
-  } catch (const std::invalid_argument& error) {
-    return report(error.what(), bad_input);
-  } catch (const pounding::SolverError& error) {
-    return report(error.what(), failed_solve);
   } catch (const std::exception& error) {
-    return report(error.what(), other_failure);
+    return report(error.what(), exit_code(error));
   }
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,12 +20,16 @@
 #include <pounding/petsc/team.hpp>
 #include <pounding/structures.hpp>
 #include "commands.hpp"
+#include "exit_code.hpp"
 
 namespace pounding::program {
 namespace {
 
 // An imbalance this many times the tolerance says that something was not resolved.
 constexpr double suspicious_imbalance = 100;
+
+// One that fails waits this long for the other processes to fail alike; to read a model takes them no longer [s].
+constexpr double patience = 5;
 
 struct Words {
   std::string model, output, picture, resume;
@@ -123,18 +129,41 @@ Model read_again(const StoppedRun& run) {
   return read_model(Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file), kinds(), petsc::lowest_modes);
 }
 
-void run_model(const Words& words, const CLI::App& command) {
-  auto [model_file, options] = rest_of(command);
-  const bool resume = !words.resume.empty();
-  if (model_file.empty() && !resume) throw InputError("MODEL is required; type pounding run MODEL.yaml");
-  StoppedRun earlier;
-  if (resume) {
-    earlier = read_stopped_run(words.resume);
-    add_earlier_options(earlier.checkpoint.options, options);
+// A file of the same name may be another one in the folder of another process.
+void require_one_model(const petsc::Team& team, const Model& model, const std::string& file) {
+  const auto* text = reinterpret_cast<const std::byte*>(model.source_text.data());
+  const auto texts = team.gather({text, text + model.source_text.size()});
+  if (std::adjacent_find(texts.begin(), texts.end(), std::not_equal_to<>()) != texts.end())
+    throw InputError(fmt::format("{}: the processes read different models; name a file that all of them see", file));
+}
+
+// All processes do the same and mostly fail alike; one that fails alone ends the others, who wait for it.
+void together(const std::function<void()>& task) {
+  const petsc::Leaving leaving(PETSC_COMM_WORLD);
+  try {
+    task();
+  } catch (const std::exception& error) {
+    if (leaving.together(patience)) throw;
+    const petsc::Team team(PETSC_COMM_WORLD);
+    print_failure(fmt::format("process {} of {} failed alone: {}", team.rank() + 1, team.size(), error.what()).c_str());
+    MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
   }
-  const petsc::Environment environment(options);
-  const bool speaks = petsc::Team(PETSC_COMM_WORLD).is_first();
+  leaving.together(std::numeric_limits<double>::infinity());
+}
+
+struct Task {
+  std::string model_file;
+  std::vector<std::string> options;
+  StoppedRun earlier;
+};
+
+void run_task(const Words& words, const Task& task) {
+  const auto& [model_file, options, earlier] = task;
+  const bool resume = !words.resume.empty();
+  const petsc::Team team(PETSC_COMM_WORLD);
+  const bool speaks = team.is_first();
   const Model model = model_file.empty() ? read_again(earlier) : read(model_file);
+  require_one_model(team, model, model_file.empty() ? words.resume : model_file);
   RunOptions run_options;
   const bool plot = words.plot || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;
@@ -158,7 +187,8 @@ void run_model(const Words& words, const CLI::App& command) {
     if (terminal) clear_progress();
     if (words.json && speaks) std::puts(to_json(failed.outcome().summary).c_str());
     if (!failed.outcome().results.checkpoint) throw;
-    throw SolverError(fmt::format("{}\nTo go on: pounding run --resume {}", failed.what(), run_options.output));
+    const std::string launcher = team.size() > 1 ? fmt::format("mpirun -n {} ", team.size()) : "";
+    throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}", failed.what(), launcher, run_options.output));
   } catch (...) {
     if (terminal) clear_progress();
     throw;
@@ -182,6 +212,19 @@ void run_model(const Words& words, const CLI::App& command) {
   const std::string picture = words.picture.empty() ? with_ending(run_options.output, ".png") : words.picture;
   draw(run_options.output, picture);
   if (!words.json && !words.quiet) std::printf("picture      %s\n", picture.c_str());
+}
+
+void run_model(const Words& words, const CLI::App& command) {
+  auto [model_file, options] = rest_of(command);
+  const bool resume = !words.resume.empty();
+  if (model_file.empty() && !resume) throw InputError("MODEL is required; type pounding run MODEL.yaml");
+  StoppedRun earlier;
+  if (resume) {
+    earlier = read_stopped_run(words.resume);
+    add_earlier_options(earlier.checkpoint.options, options);
+  }
+  const petsc::Environment environment(options);
+  together([&] { run_task(words, {model_file, options, earlier}); });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <pounding/petsc/version.hpp>
 
@@ -121,10 +122,11 @@ void Factor::inspect() {
   PetscBool cholesky = PETSC_FALSE, lu = PETSC_FALSE;
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCLU, &lu));
+  KSPType ksp_type = nullptr;
+  check(KSPGetType(ksp_, &ksp_type));
+  direct_ = (cholesky || lu) && std::string_view(ksp_type) == KSPPREONLY;
   if (!cholesky && !lu) {
-    KSPType ksp_type = nullptr;
     PCType pc_type = nullptr;
-    check(KSPGetType(ksp_, &ksp_type));
     check(PCGetType(pc, &pc_type));
     package_ = std::string(ksp_type) + " with " + pc_type;
     return;

@@ -66,6 +66,8 @@ class Factor {
   double memory() const { return memory_; }
   /// What really solves: the package that PETSc holds the factor in.
   const std::string& package() const { return package_; }
+  /// Its solves cannot fail.
+  bool is_direct() const { return direct_; }
   PC preconditioner() const;
 
  private:
@@ -74,7 +76,7 @@ class Factor {
 
   Product product_;
   Handle<KSP> ksp_;
-  bool ok_ = false;
+  bool ok_ = false, direct_ = false;
   double memory_ = 0;
   std::string package_;
 };

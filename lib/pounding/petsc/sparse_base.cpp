@@ -199,7 +199,8 @@ SparseBase::SparseBase(MPI_Comm comm, const System& system, const SparseOptions&
   options_.memory = memory;
   options_.direct_below = static_cast<int>(direct_below);
   const int n = system.size();
-  if (n < processes_) throw std::invalid_argument(fmt::format("{} unknowns on {} processes", n, processes_));
+  if (n < processes_)
+    throw std::invalid_argument(fmt::format("{} unknowns on {} processes; type mpirun -n {}, or fewer", n, processes_, n));
   require_groups(system);
   const Eigen::VectorXd masses = system.mass.diagonal();
   require_masses(system, masses);
@@ -530,11 +531,17 @@ void SparseBase::shift(const Shift& s, std::optional<int> number) {
 bool SparseBase::solve(Eigen::Ref<Eigen::VectorXd> x) {
   work_ = x;
   Level& level = *current_;
-  if (level.factor) return level.factor->solve(work_.data(), x.data());
+  if (level.factor) return solve_by(*level.factor, x);
   if (agreed(level.gradients->solve(work_.data(), x.data(), false))) return true;
   factor(level);
   ++factorizations_;
-  return level.factor->solve(work_.data(), x.data());
+  return solve_by(*level.factor, x);
+}
+
+// What iterates by the user's choice may fail on one process only.
+bool SparseBase::solve_by(const Factor& factor, Eigen::Ref<Eigen::VectorXd> x) const {
+  const bool solved = factor.solve(work_.data(), x.data());
+  return factor.is_direct() ? solved : agreed(solved);
 }
 
 // Appends columns `first` .. of z, the links of which stand in `place`.

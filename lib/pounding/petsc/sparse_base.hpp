@@ -10,6 +10,8 @@
 
 namespace pounding::petsc {
 
+class Factor;
+
 struct SparseOptions {
   /// Of the options of every factor: `-pounding_lev_pc_factor_mat_solver_type mumps`; those of the conjugate gradients have
   /// `off_` behind it. `-pounding_lev_memory` and `-pounding_lev_direct_below` set the two numbers below.
@@ -73,6 +75,7 @@ class SparseBase final : public Base {
   void factor(Level& level) const;
   void make_room(const Level* needed);
   void drop_off();
+  bool solve_by(const Factor& factor, Eigen::Ref<Eigen::VectorXd> x) const;
   bool ensure(Level& level, std::span<const int> links);
   bool columns_by_factor(Level& level, int first, int count);
   [[noreturn]] void name_singular(const SparseMatrix& matrix, const char* what) const;

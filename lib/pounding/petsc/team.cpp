@@ -1,8 +1,10 @@
 #include <pounding/petsc/team.hpp>
 
+#include <chrono>
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include <pounding/error.hpp>
 
@@ -20,11 +22,9 @@ bool Team::any(bool mine) const {
   return value != 0;
 }
 
-bool Team::first_says(bool its) const {
-  if (size_ == 1) return its;
-  int value = its;
-  MPI_Bcast(&value, 1, MPI_INT, 0, comm_);
-  return value != 0;
+int Team::first_says(int its) const {
+  if (size_ > 1) MPI_Bcast(&its, 1, MPI_INT, 0, comm_);
+  return its;
 }
 
 void Team::first_does(const std::function<void()>& task) const {
@@ -68,6 +68,29 @@ std::vector<std::vector<std::byte>> Team::gather(const std::vector<std::byte>& m
   std::vector<std::vector<std::byte>> parts;
   for (int r = 0; r < size_; ++r) parts.emplace_back(all.begin() + first[r], all.begin() + first[r] + counts[r]);
   return parts;
+}
+
+Leaving::Leaving(MPI_Comm comm) {
+  if (Team(comm).size() > 1) MPI_Comm_dup(comm, &comm_);
+}
+
+Leaving::~Leaving() {
+  if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
+}
+
+bool Leaving::together(double seconds) const {
+  if (comm_ == MPI_COMM_NULL) return true;
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  MPI_Request all = MPI_REQUEST_NULL;
+  MPI_Ibarrier(comm_, &all);
+  for (;;) {
+    int come = 0;
+    MPI_Test(&all, &come, MPI_STATUS_IGNORE);
+    if (come) return true;
+    if (std::chrono::duration<double>(Clock::now() - begin).count() > seconds) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 }  // namespace pounding::petsc

@@ -22,7 +22,7 @@ class Team {
   /// True on all when it is true on one.
   bool any(bool mine) const;
   /// What the first process says.
-  bool first_says(bool its) const;
+  int first_says(int its) const;
   /// Runs `task` on the first process; what it throws (InputError, std::exception) is thrown on all.
   void first_does(const std::function<void()>& task) const;
   /// The bytes of every process, on all of them.
@@ -31,6 +31,23 @@ class Team {
  private:
   MPI_Comm comm_;
   int size_ = 1, rank_ = 0;
+};
+
+/// Lets processes leave a task together, by messages of its own: one that fails alone, while the others wait for it in the
+/// middle of the task, would wait for them forever at the end of MPI.
+class Leaving {
+ public:
+  /// All processes make it, before the task.
+  explicit Leaving(MPI_Comm comm);
+  ~Leaving();
+  Leaving(const Leaving&) = delete;
+  Leaving& operator=(const Leaving&) = delete;
+
+  /// Waits for the others; true when all have come, false after so many seconds.
+  bool together(double seconds) const;
+
+ private:
+  MPI_Comm comm_ = MPI_COMM_NULL;
 };
 
 }  // namespace pounding::petsc

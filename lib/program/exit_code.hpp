@@ -1,0 +1,21 @@
+#pragma once
+/// What the program returns to the shell, and what it says when it fails.
+
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+#include <pounding/error.hpp>
+
+namespace pounding::program {
+
+constexpr int done = 0, other_failure = 1, bad_input = 2, failed_solve = 3;
+
+inline int exit_code(const std::exception& error) {
+  if (dynamic_cast<const InputError*>(&error) || dynamic_cast<const std::invalid_argument*>(&error)) return bad_input;
+  return dynamic_cast<const SolverError*>(&error) ? failed_solve : other_failure;
+}
+
+inline void print_failure(const char* text) { std::fprintf(stderr, "pounding: %s\n", text); }
+
+}  // namespace pounding::program

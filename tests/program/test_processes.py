@@ -1,0 +1,307 @@
+"""`mpirun -n 2 pounding run`: the answers of one process, one voice, and no end that the others wait for."""
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy as np
+from support import OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
+
+LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
+#: Open MPI refuses root and more processes than cores unless it is told.
+SURROUNDINGS = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OPENBLAS_NUM_THREADS": "1"}
+SPARSE = ("-pounding_ts_pounding_base", "sparse")
+#: Longest wait [s]; a run that hangs fails its test.
+PATIENCE = 100
+#: Of the largest value of a quantity.
+ROUNDING = 1e-9
+#: What amplifies rounding: accelerations of single nodes do by the squares of the highest frequencies, and where a force is
+#: largest its slope is zero, so that its last digits move the instant by their square root.
+AMPLIFIED, AMPLIFIED_ROUNDING = ("nodes/acceleration", "impacts/t_peak"), 1e-7
+
+SHORT = OSCILLATORS.replace("duration: 3.0}", "duration: 1.2}").replace("{duration: 1.2}", "{duration: 1.2, output_step: 10 ms}")
+ENDLESS = OSCILLATORS.replace("duration: 3.0}", "duration: 100000}").replace("{duration: 100000}",
+                                                                              "{duration: 100000, output_step: 10 s}")
+
+
+def frames(storeys=9, bays="[4, 3]", duration=0.1):
+    """A tall frame that swings into a low one, under a wave that meets their feet one after the other, with friction and
+    weights. Nine storeys on twenty columns have 540 unknowns with mass: more than are solved by modes."""
+    return f"""\
+ground_motion:
+  components: {{x: {{harmonic: {{amplitude: 3.0, period: 0.2, duration: 1}}}}, y: {{harmonic: {{amplitude: 2.0, period: 0.3, duration: 1}}}}}}
+  wave: {{velocity: 300 m/s, direction: x}}
+structures:
+  tall:
+    frame: &frame
+      dimension: 3
+      material: {{E: 30 GPa, density: 2500 kg/m^3}}
+      grid: {{storeys: {storeys}, bays: {bays}, storey_height: 3 m, bay_width: 5 m, rigid_floors: false, floor_mass: 60 t,
+             columns: {{rectangle: [0.5 m, 0.5 m]}}, beams: {{rectangle: [0.3 m, 0.5 m]}}}}
+      gravity: true
+    damping: 5 %
+    initial_velocity: 1 m/s
+  low:
+    frame:
+      dimension: 3
+      origin: [{5 * int(bays[1]) + 0.005}, 0]
+      material: {{E: 30 GPa, density: 2500 kg/m^3}}
+      grid: {{storeys: 2, bays: {bays}, storey_height: 3 m, bay_width: 5 m, rigid_floors: false, floor_mass: 60 t,
+             columns: {{rectangle: [0.5 m, 0.5 m]}}, beams: {{rectangle: [0.3 m, 0.5 m]}}}}
+      gravity: true
+    damping: 5 %
+links:
+  - {{between: [tall, low], floors: level, points: 2, gap: 5 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6, friction: 0.3}}
+analysis: {{duration: {duration}, output_step: 5 ms}}
+"""
+
+
+def numbers(path):
+    """Every dataset of numbers and every one of the summary, but the times of the clock and the checkpoint."""
+    found = {}
+
+    def look(name, item):
+        if not isinstance(item, h5py.Dataset) or re.search("wall|checkpoint", name):
+            return
+        for field in item.dtype.names or [None]:
+            values = item[field] if field else item[()]
+            if np.asarray(values).dtype.kind in "iuf":
+                found[f"{name}/{field}" if field else name] = values
+
+    def peaks(name, value):
+        if isinstance(value, (dict, list)):
+            for key, part in value.items() if isinstance(value, dict) else enumerate(value):
+                peaks(f"{name}/{key}", part)
+        elif isinstance(value, (int, float)):
+            found[name] = np.float64(value)
+
+    with h5py.File(path) as file:
+        file.visititems(look)
+        summary = json.loads(file["summary"][()])
+    del summary["solver"], summary["energy"]["error"]
+    peaks("summary", summary)
+    return found
+
+
+def words_of(processes, *words):
+    launcher = [LAUNCHER, "-n", str(processes)] if processes > 1 else []
+    return [*launcher, PROGRAM, *map(str, words)]
+
+
+@unittest.skipUnless(LAUNCHER, "there is no mpiexec")
+class Processes(ProgramTest):
+    def on(self, processes, *words, **more):
+        return subprocess.run(words_of(processes, *words), cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE,
+                              env=SURROUNDINGS, **({"stdin": subprocess.DEVNULL} | more))
+
+    def done(self, processes, *words):
+        result = self.on(processes, "run", *words, "-q")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def messages(self, result):
+        """What the program says, without the words of the launcher."""
+        return [line for line in result.stderr.splitlines() if line.startswith("pounding: ")]
+
+
+class Answers(Processes):
+    def agree(self, text, processes, *options, base):
+        self.write(text)
+        self.done(1, "model.yaml", "-o", "one.h5", *options)
+        one = numbers(self.folder / "one.h5")
+        self.assertGreater(max(np.max(v) for n, v in one.items() if re.fullmatch("links/.*/force", n)), 1e3, "nothing hits")
+        for count in processes:
+            with self.subTest(processes=count):
+                view = self.on(count, "run", "model.yaml", "-o", "several.h5", *options, "-pounding_ts_view")
+                self.assertEqual((view.returncode, view.stderr), (0, ""))
+                self.assertIn(base[count], view.stdout)
+                self.same(one, numbers(self.folder / "several.h5"))
+
+    def same(self, one, several):
+        self.assertEqual(list(one), list(several))
+        for name, wanted in one.items():
+            # Work of the solver and its errors are no answers.
+            if name.startswith("solver/") or name == "energy/error" or wanted.size == 0:
+                continue
+            self.assertEqual(wanted.shape, several[name].shape, name)
+            # Nothing where an impact is not over at the end.
+            scale = np.max(np.abs(wanted), initial=0, where=~np.isnan(wanted))
+            tolerance = AMPLIFIED_ROUNDING if name.endswith(AMPLIFIED) else ROUNDING
+            np.testing.assert_allclose(several[name], wanted, rtol=0, atol=tolerance * scale, err_msg=name)
+
+    def test_of_a_small_model_are_those_of_one(self):
+        self.agree(SHORT, [2], *SPARSE, base={2: "2 unknowns on 2 processes, each with whole structures"})
+
+    def test_of_frames_too_big_for_modes_are_those_of_one(self):
+        self.agree(frames(), [2], base={2: "on 2 processes, each with whole structures"})
+
+
+class AnswersOfMore(Answers):
+    """More processes than structures share one factor. Slow where there are fewer cores than processes."""
+
+    test_of_a_small_model_are_those_of_one = None
+    test_of_frames_too_big_for_modes_are_those_of_one = None
+
+    def test_than_structures_are_those_of_one(self):
+        self.agree(frames(2, "[1, 1]", 0.02), [3, 4], *SPARSE,
+                   base={3: "on 3 processes, one factor for all, mumps", 4: "on 4 processes, one factor for all, mumps"})
+
+
+class Voice(Processes):
+    def test_is_one(self):
+        self.write(SHORT)
+        alone, together = (self.on(n, "run", "model.yaml", *SPARSE) for n in (1, 2))
+        self.assertEqual((together.returncode, together.stderr), (0, ""))
+        without_clock = [re.sub(r"[\d.]+ s$", "", r.stdout, flags=re.M) for r in (alone, together)]
+        self.assertEqual(*without_clock)
+
+    def test_tells_one_object(self):
+        self.write(SHORT)
+        together = self.on(2, "run", "model.yaml", "--json", *SPARSE)
+        self.assertEqual(json.loads(together.stdout)["status"], "done")
+
+    def test_shows_view_and_monitor_once(self):
+        self.write(SHORT)
+        shown = self.on(2, "run", "model.yaml", "-q", *SPARSE, "-pounding_ts_view", "-pounding_ts_monitor")
+        self.assertEqual((shown.returncode, shown.stderr), (0, ""))
+        self.assertEqual(shown.stdout.count("TS Object:"), 1)
+        steps = re.findall(r"^(\d+) TS dt", shown.stdout, re.M)
+        self.assertEqual(steps, [str(i) for i in range(len(steps))])
+        self.assertGreater(len(steps), 100)
+
+    def test_refuses_wrong_input_once(self):
+        self.write(OSCILLATORS.replace("jankowski", "jankowsky"))
+        wrong = self.on(2, "run", "model.yaml")
+        self.assertEqual((wrong.returncode, wrong.stdout, len(self.messages(wrong))), (2, "", 1), wrong.stderr)
+        self.assertIn('Did you mean "jankowski"?', wrong.stderr)
+
+    def test_refuses_more_processes_than_unknowns(self):
+        self.write(OSCILLATORS)
+        wrong = self.on(3, "run", "model.yaml", "-q", *SPARSE)
+        self.assertEqual((wrong.returncode, self.messages(wrong)),
+                         (2, ["pounding: 2 unknowns on 3 processes; type mpirun -n 2, or fewer"]))
+
+    def test_tells_of_a_failing_solve_once_with_the_results_kept(self):
+        self.write(UNSOLVABLE)
+        failed = self.on(2, "run", "model.yaml", "-q", "-o", "out.h5", *SPARSE)
+        self.assertEqual((failed.returncode, len(self.messages(failed))), (3, 1), failed.stderr)
+        with h5py.File(self.folder / "out.h5") as file:
+            self.assertIn("failed: the solve stopped", file.attrs["status"])
+
+
+class Ends(Processes):
+    def test_at_a_place_that_cannot_be_written(self):
+        self.write(ENDLESS)
+        wrong = self.on(2, "run", "model.yaml", "-o", "none/out.h5", *SPARSE)
+        self.assertEqual((wrong.returncode, len(self.messages(wrong))), (2, 1), wrong.stderr)
+        self.assertIn("none", wrong.stderr)
+
+    def test_at_a_place_that_is_lost_meanwhile(self):
+        self.write(ENDLESS + "checkpoint: {every: 0.01 s}\n")
+        (self.folder / "place").mkdir()
+        run = subprocess.Popen(words_of(2, "run", "model.yaml", "-q", "-o", "place/out.h5", *SPARSE), cwd=self.folder,
+                               env=SURROUNDINGS, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.kill)
+        while not (self.folder / "place/out.h5").exists():
+            time.sleep(0.002)
+        (self.folder / "place").rename(self.folder / "lost")
+        _, errors = run.communicate(timeout=PATIENCE)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("place/out.h5", errors)
+
+    def test_when_one_process_fails_alone(self):
+        """The launcher gives its standard input to the first process only."""
+        self.write(SHORT)
+        with open(self.folder / "model.yaml") as model:
+            alone = self.on(2, "run", "/dev/stdin", "-q", stdin=model)
+        self.assertEqual(alone.returncode, 2, alone.stderr)
+        self.assertIn("pounding: process 2 of 2 failed alone: ", alone.stderr)
+
+    def test_when_processes_read_different_models(self):
+        for number in (0, 1):
+            (self.folder / str(number)).mkdir()
+            self.write(SHORT.replace("20 mm", f"2{number} mm"), f"{number}/model.yaml")
+        words = [LAUNCHER]
+        for number in (0, 1):
+            words += [":"] * number + ["-n", "1", "-wdir", str(self.folder / str(number)), PROGRAM, "run", "model.yaml", "-q"]
+        differ = subprocess.run(words, env=SURROUNDINGS, capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual((differ.returncode, self.messages(differ)),
+                         (2, ["pounding: model.yaml: the processes read different models; name a file that all of them see"]))
+
+
+class Stopped(Processes):
+    #: Long enough for a signal to meet it.
+    MODEL = OSCILLATORS.replace("duration: 3.0}", "duration: 100}").replace("{duration: 100}",
+                                                                          "{duration: 100, output_step: 100 ms}")
+
+    def stop(self, number, *words):
+        """Asks the launcher to stop when the run has begun to step."""
+        path = self.folder / "out.h5"
+        run = subprocess.Popen(words_of(2, "run", *words, "-q"), cwd=self.folder, env=SURROUNDINGS, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.kill)
+        while not path.exists() or self.reached(path) == 0:
+            self.assertIsNone(run.poll(), "the run ended before it was stopped")
+            time.sleep(0.002)
+        run.send_signal(number)
+        _, errors = run.communicate(timeout=PATIENCE)
+        self.assertNotEqual(run.returncode, 0)
+        return errors
+
+    def reached(self, path):
+        with h5py.File(path) as file:
+            return file["time"][-1]
+
+    def test_by_a_signal_goes_on_to_the_same_bits(self):
+        self.write(self.MODEL + "checkpoint: {every: 0.05 s}\n")
+        self.done(2, "model.yaml", "-o", "whole.h5", *SPARSE)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(number):
+                self.stop(number, "model.yaml", "-o", "out.h5", *SPARSE)
+                with h5py.File(self.folder / "out.h5") as file:
+                    self.assertIn("failed: stopped by the user", file.attrs["status"])
+                self.done(2, "--resume", "out.h5")
+                whole, resumed = (numbers(self.folder / name) for name in ("whole.h5", "out.h5"))
+                self.assertEqual(list(whole), list(resumed))
+                for name, values in whole.items():
+                    self.assertEqual(values.tobytes(), resumed[name].tobytes(), name)
+                (self.folder / "out.h5").unlink()
+
+    def test_by_a_limit_is_refused_on_another_number_of_processes(self):
+        self.write(OSCILLATORS)
+        for count, other, typed in ((2, 1, "mpirun -n 2 pounding run --resume out.h5"), (1, 2, "pounding run --resume out.h5")):
+            cut = self.on(count, "run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", 200, *SPARSE)
+            self.assertEqual(cut.returncode, 3, cut.stderr)
+            self.assertIn(f"\nTo go on: {typed}\n", cut.stderr)
+            before = (self.folder / "out.h5").read_bytes()
+            refused = self.on(other, "run", "--resume", "out.h5", "-q")
+            self.assertEqual((refused.returncode, len(self.messages(refused))), (2, 1), refused.stderr)
+            self.assertIn(f"; type {typed}\n", refused.stderr)
+            self.assertEqual((self.folder / "out.h5").read_bytes(), before)
+
+class StoppedBetweenLongSteps(Processes):
+    def test_within_the_second_that_the_launcher_grants(self):
+        """Some milliseconds a step: a few hundred of them take longer than that."""
+        self.write(frames(20, "[5, 5]", 10))
+        path = self.folder / "out.h5"
+        run = subprocess.Popen(words_of(2, "run", "model.yaml", "-q", "-o", "out.h5"), cwd=self.folder, env=SURROUNDINGS,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.kill)
+        while not path.exists():
+            self.assertIsNone(run.poll())
+            time.sleep(0.01)
+        time.sleep(5)
+        run.send_signal(signal.SIGTERM)
+        run.communicate(timeout=PATIENCE)
+        with h5py.File(path) as file:
+            self.assertIn("failed: stopped by the user", file.attrs["status"])
+
+
+if __name__ == "__main__":
+    unittest.main()
