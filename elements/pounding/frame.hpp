@@ -138,11 +138,14 @@ class Frame {
   Vector12 end_forces(int member, const AssembledFrame& assembled, const Eigen::VectorXd& q) const;
   /// 12 x n: the same as factors of q.
   Eigen::SparseMatrix<double> end_force_rows(int member, const AssembledFrame& assembled) const;
+  /// 12 x 3: the same when the supports move and the unknowns rest, see SupportMotion::enforced.
+  Eigen::Matrix<double, 12, 3> enforced_end_forces(int member, const Eigen::MatrixX3d& enforced) const;
   /// End forces of the member's load alone with the nodes held, and of its weight with gravity, when its mass is consistent.
   Vector12 held_end_forces(int member, bool gravity = false) const;
 
   struct PointOnMember {
     std::array<Eigen::SparseVector<double>, 3> motion;  ///< displacements along global x, y, z as factors of q
+    std::array<Eigen::SparseVector<double>, 3> supported;  ///< and as factors of what SupportMotion::enforced adds to q
     /// Forces on the member's ends, local axes, of a unit force along global x, y, z with the nodes held.
     Eigen::Matrix<double, 12, 3> held_ends;
   };
@@ -154,6 +157,7 @@ class Frame {
   struct SupportMotion {
     Eigen::MatrixX3d influence;  ///< n x 3: where the unknowns go statically
     Eigen::MatrixX3d load;       ///< n x 3 [kg]: mass * influence, and what couples the unknowns to the supports
+    Eigen::MatrixX3d enforced;   ///< all displacements of all nodes while the unknowns rest
   };
   /// When the supports at these nodes (fixed translations, and far ends of springs to the ground) move by one along x, y,
   /// z and all others rest. Summed over all supports they are the motion as a rigid body and AssembledFrame::load.
@@ -189,7 +193,8 @@ class Frame {
   Eigen::VectorXd loads() const;
   void check(const AssembledFrame& frame) const;
   [[noreturn]] void refuse_to_hold(const Eigen::VectorXd& mode, bool buckles, const AssembledFrame& frame) const;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> member_motion(int member, const AssembledFrame& frame) const;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> member_motion(int member,
+                                                             const Eigen::SparseMatrix<double, Eigen::RowMajor>& of_all) const;
 
   int dimension_;
   std::vector<Eigen::Vector3d> positions_;

@@ -73,27 +73,35 @@ void Frame::add_p_delta(bool gravity) {
   refuse("the axial forces of P-Delta do not settle: under its own loads the frame is about to buckle");
 }
 
-// The displacements of both nodes of a member, in the order of Vector12, by the unknowns: 12 x n.
-SparseMatrix<double, Eigen::RowMajor> Frame::member_motion(int member, const AssembledFrame& frame) const {
+// Those rows of a matrix, one a displacement, that belong to the nodes of a member, in the order of Vector12.
+SparseMatrix<double, Eigen::RowMajor> Frame::member_motion(int member, const SparseMatrix<double, Eigen::RowMajor>& of_all) const {
   const Member& m = of(member);
   Entries entries;
   for (const auto& [node, first] : {std::pair(m.start, 0), {m.end, 6}})
     for (const Dof dof : dofs_of(dimension_)) {
       using Terms = SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-      for (Terms it(frame.transform, index(node, dof)); it; ++it)
+      for (Terms it(of_all, index(node, dof)); it; ++it)
         entries.emplace_back(first + static_cast<int>(dof), it.col(), it.value());
     }
-  SparseMatrix<double, Eigen::RowMajor> rows(12, frame.size());
+  SparseMatrix<double, Eigen::RowMajor> rows(12, of_all.cols());
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
 
 Vector12 Frame::end_forces(int member, const AssembledFrame& assembled, const VectorXd& q) const {
-  return of(member).beam.end_forces(member_motion(member, assembled) * q);
+  return of(member).beam.end_forces(member_motion(member, assembled.transform) * q);
 }
 
 SparseMatrix<double> Frame::end_force_rows(int member, const AssembledFrame& assembled) const {
-  return sparse(of(member).beam.end_force_matrix()) * SparseMatrix<double>(member_motion(member, assembled));
+  return sparse(of(member).beam.end_force_matrix()) * SparseMatrix<double>(member_motion(member, assembled.transform));
+}
+
+Eigen::Matrix<double, 12, 3> Frame::enforced_end_forces(int member, const Eigen::MatrixX3d& enforced) const {
+  const Member& m = of(member);
+  Eigen::Matrix<double, 12, 3> motion = Eigen::Matrix<double, 12, 3>::Zero();
+  for (const auto& [node, first] : {std::pair(m.start, 0), {m.end, 6}})
+    for (const Dof dof : dofs_of(dimension_)) motion.row(first + static_cast<int>(dof)) = enforced.row(index(node, dof));
+  return m.beam.end_force_matrix() * motion;
 }
 
 Vector12 Frame::held_end_forces(int member, bool gravity) const {
@@ -107,11 +115,19 @@ Frame::PointOnMember Frame::point_on_member(int member, double along, const Asse
   const Beam& beam = of(member).beam;
   if (!(along >= 0 && along <= 1))
     refuse(fmt::format("member {}: a point on it lies at 0 to 1 of its length, not at {}", member_name(member), along));
-  const SparseMatrix<double> of_nodes = member_motion(member, assembled);
-  const SparseMatrix<double> motion = sparse(beam.motion_at(along)) * of_nodes;
-  const SparseMatrix<double, Eigen::RowMajor> rows = motion;
+  const SparseMatrix<double> shapes = sparse(beam.motion_at(along));
+  const auto at_point = [&](const SparseMatrix<double, Eigen::RowMajor>& of_all) {
+    const SparseMatrix<double> motion = shapes * SparseMatrix<double>(member_motion(member, of_all));
+    const SparseMatrix<double, Eigen::RowMajor> rows = motion;
+    std::array<Eigen::SparseVector<double>, 3> by_axis;
+    for (int axis = 0; axis < 3; ++axis) by_axis[axis] = rows.row(axis).transpose();
+    return by_axis;
+  };
   PointOnMember point;
-  for (int axis = 0; axis < 3; ++axis) point.motion[axis] = rows.row(axis).transpose();
+  point.motion = at_point(assembled.transform);
+  SparseMatrix<double, Eigen::RowMajor> every(assembled.transform.rows(), assembled.transform.rows());
+  every.setIdentity();
+  point.supported = at_point(every);
   point.held_ends = beam.held_end_forces_at(along);
   return point;
 }
@@ -132,12 +148,12 @@ Frame::SupportMotion Frame::support_motion(const std::vector<int>& nodes, const 
     if (!supports_something) refuse(node_text(node) + "it is no support: neither fixed nor on a spring to the ground");
   }
   const SparseMatrix<double> t = assembled.transform;
-  const Eigen::MatrixX3d enforced = assembled.supported * supports;
+  SupportMotion motion;
+  motion.enforced = assembled.supported * supports;
   const StaticSolver solver(assembled.stiffness);
   if (!solver.holds()) refuse_to_hold(solver.mode(), solver.buckles(), assembled);
-  SupportMotion motion;
-  motion.influence = solver.solve(t.transpose() * (pulls - gathered(springs_, &Beam::stiffness) * enforced));
-  motion.load = t.transpose() * (gathered(masses_, &Beam::mass) * (t * motion.influence + enforced));
+  motion.influence = solver.solve(t.transpose() * (pulls - gathered(springs_, &Beam::stiffness) * motion.enforced));
+  motion.load = t.transpose() * (gathered(masses_, &Beam::mass) * (t * motion.influence + motion.enforced));
   return motion;
 }
 

@@ -103,25 +103,76 @@ std::vector<bool> nodes_above(const Frame& frame, const FrameFloor& floor, doubl
   return above;
 }
 
-std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame) {
-  std::vector<Floor> floors;
+// Of each floor, the nodes above the middle height of the storey below it.
+std::vector<std::vector<bool>> cuts(const FrameModel& model) {
+  std::vector<std::vector<bool>> above;
   double below = lowest_support(model);
   for (const FrameFloor& of : model.floors) {
     const double height = mean_height(model.frame, of.nodes);
+    above.push_back(nodes_above(model.frame, of, (below + height) / 2));
+    below = height;
+  }
+  return above;
+}
+
+// As shear_through, by displacements of all nodes that supports enforce: floor by floor.
+Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& frame, const Eigen::MatrixX3d& enforced) {
+  const std::vector<std::vector<bool>> above = cuts(model);
+  const int directions = frame.dimension - 1;
+  const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
+  Eigen::MatrixX3d shears = Eigen::MatrixX3d::Zero(static_cast<int>(above.size()) * directions, 3);
+  for (std::size_t floor = 0; floor < above.size(); ++floor) {
+    auto sum = shears.middleRows(static_cast<int>(floor) * directions, directions);
+    for (int member = 0; member < model.frame.members(); ++member) {
+      const auto [start, end] = model.frame.ends(member);
+      if (above[floor][start] == above[floor][end]) continue;
+      const Eigen::Matrix<double, 12, 3> forces = model.frame.enforced_end_forces(member, enforced);
+      const Eigen::Matrix3d in_space =
+          model.frame.beam(member).axes().transpose() * forces.middleRows<3>(above[floor][start] ? 0 : 6);
+      sum += in_space.topRows(directions);
+    }
+    for (const FrameSpring& spring : model.springs) {
+      const int direction = static_cast<int>(spring.dof);
+      if (above[floor][spring.start] == above[floor][spring.end] || direction >= directions) continue;
+      const double sign = above[floor][spring.start] ? 1 : -1;  // ux and uy come first
+      sum.row(direction) += sign * spring.stiffness * (enforced.row(spring.start * dofs + direction) - enforced.row(spring.end * dofs + direction));
+    }
+  }
+  return shears;
+}
+
+// What the reports take from a support itself.
+void report_enforced(const FrameModel& model, const AssembledFrame& frame, const MemberReport& members, Support& support) {
+  const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
+  support.nodes.resize(static_cast<int>(model.reported_nodes.size()) * dofs, 3);
+  for (std::size_t i = 0; i < model.reported_nodes.size(); ++i)
+    support.nodes.middleRows(static_cast<int>(i) * dofs, dofs) = support.enforced.middleRows(model.reported_nodes[i] * dofs, dofs);
+  support.shears = enforced_shears(model, frame, support.enforced);
+  const int places = static_cast<int>(members.places.size());
+  support.members.resize(static_cast<int>(members.members.size()) * places, 3);
+  for (std::size_t m = 0; m < members.members.size(); ++m) {
+    const Eigen::Matrix<double, 12, 3> forces = model.frame.enforced_end_forces(members.members[m], support.enforced);
+    for (int j = 0; j < places; ++j) support.members.row(static_cast<int>(m) * places + j) = forces.row(members.places[j]);
+  }
+}
+
+std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame) {
+  const std::vector<std::vector<bool>> above = cuts(model);
+  std::vector<Floor> floors;
+  for (const FrameFloor& of : model.floors) {
     Floor floor;
     floor.label = of.label;
     floor.mass = mass_along_x(frame, of.nodes);
     floor.elevation = of.elevation;
     floor.motion = floor_motion(model, frame, of);
-    floor.storey_shear = shear_through(model, frame, nodes_above(model.frame, of, (below + height) / 2));
+    floor.storey_shear = shear_through(model, frame, above[floors.size()]);
     floors.push_back(std::move(floor));
-    below = height;
   }
   return floors;
 }
 
 std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame& frame,
-                                   const std::vector<FrameSupport>& given) {
+                                   const std::vector<FrameSupport>& given, const MemberReport& members) {
   std::vector<Support> supports;
   for (const FrameSupport& of : given) {
     Support support;
@@ -136,6 +187,8 @@ std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame
       const Frame::SupportMotion motion = model.frame.support_motion(of.nodes, frame);
       support.influence = motion.influence;
       support.load = motion.load;
+      support.enforced = motion.enforced;
+      report_enforced(model, frame, members, support);
     }
     supports.push_back(std::move(support));
   }
@@ -218,6 +271,7 @@ Structure make_structure(FrameModel given) {
   if (given.p_delta) given.frame.add_p_delta(given.gravity);
   const auto model = std::make_shared<const FrameModel>(std::move(given));
   const auto frame = std::make_shared<const AssembledFrame>(model->frame.assemble(model->gravity));
+  if (frame->size() == 0) throw std::invalid_argument("all its nodes are held; let one move, or type {wall: {}} instead of the frame");
   Structure s;
   s.kind = "frame";
   s.dimension = frame->dimension;
@@ -230,13 +284,13 @@ Structure make_structure(FrameModel given) {
   const Eigen::VectorXd rest = model->frame.rest(*frame);
   if (model->loads) s.at_rest = rest;
   s.initial_displacement = s.initial_velocity = Eigen::VectorXd::Zero(frame->size());
-  s.supports = make_supports(*model, *frame, model->supports);
-  s.supports_along = [model, frame](const Vector3d& direction) {
-    return make_supports(*model, *frame, apart_along(*model, direction));
-  };
   s.floors = make_floors(*model, *frame);
   s.nodes = make_node_report(*model, *frame);
   s.members = make_member_report(*model, *frame);
+  s.supports = make_supports(*model, *frame, model->supports, s.members);
+  s.supports_along = [model, frame, members = s.members](const Vector3d& direction) {
+    return make_supports(*model, *frame, apart_along(*model, direction), members);
+  };
   s.geometry = make_geometry(*model);
   s.node_translations = [model, frame](const Eigen::VectorXd& q) {
     Eigen::MatrixX3d moved = Eigen::MatrixX3d::Zero(model->given_nodes, 3);

@@ -202,6 +202,7 @@ ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& a
   point.position = at;
   point.mass = mass;
   point.motion = on.motion;
+  point.supported = on.supported;
   point.member = member;
   point.held_ends = on.held_ends;
   return point;

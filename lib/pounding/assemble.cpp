@@ -39,9 +39,8 @@ double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
   return (position.dot(model.ground.wave->direction) - nearest) / model.ground.wave->velocity;
 }
 
-bool moves_along(const Structure& s, int direction) {
-  return direction == 0 || (direction == 1 ? s.dimension == 3 : s.dimension >= 2);
-}
+// Where a structure has no unknowns it goes with its ground, which what rubs on it feels; a body has none but along x.
+bool moves_along(const Structure& s, int direction) { return direction == 0 || !s.is_free; }
 
 int total_size(const Model& model) {
   int count = 0;
@@ -58,7 +57,9 @@ void add_ground_motion(Eigen::MatrixXd& closing, int column_of_link, double sign
     if (under.front()[i] >= 0) closing(column_of_link, under.front()[i]) += sign * direction[i];
     for (std::size_t k = 1; k < s.supports.size(); ++k)
       for (int j = 0; j < 3; ++j) {
-        const double part = sign * direction[i] * end.point.motion[i].dot(s.supports[k].influence.col(j));
+        double moved = end.point.motion[i].dot(s.supports[k].influence.col(j));
+        if (end.point.supported[i].nonZeros() > 0) moved += end.point.supported[i].dot(s.supports[k].enforced.col(j));
+        const double part = sign * direction[i] * moved;
         if (part == 0) continue;
         if (under[k][j] >= 0) closing(column_of_link, under[k][j]) += part;
         if (under.front()[j] >= 0) closing(column_of_link, under.front()[j]) -= part;

@@ -83,19 +83,31 @@ Side facing_side(const Input& between, const Structure& a, const Structure& b) {
   const auto [ax0, ax1, ay0, ay1] = *first;
   const auto [bx0, bx1, by0, by1] = *second;
   const double rounding = 1e-9 * std::max({1.0, std::abs(ax1), std::abs(bx1), std::abs(ay1), std::abs(by1)});
+  const auto beside = [&](double a0, double a1, double b0, double b1, Side plus, Side minus) -> std::optional<Side> {
+    // Where both have no width and stand at one place neither is beside the other.
+    if (a1 - a0 + b1 - b0 <= rounding && std::abs(b0 - a0) <= rounding) return {};
+    if (b0 >= a1 - rounding) return plus;
+    if (a0 >= b1 - rounding) return minus;
+    return {};
+  };
+  std::optional<Side> along_x = beside(ax0, ax1, bx0, bx1, Side::plus_x, Side::minus_x);
+  if (a.dimension < 3 && b.dimension < 3) return along_x.value_or(Side::plus_x);
+  std::optional<Side> along_y = beside(ay0, ay1, by0, by1, Side::plus_y, Side::minus_y);
+  // A frame whose end lies in the line of the other one's edge is apart from it the other way only.
+  const double apart_x = std::max(bx0 - ax1, ax0 - bx1), apart_y = std::max(by0 - ay1, ay0 - by1);
+  if (along_x && along_y && apart_x > rounding && apart_y <= rounding) along_y.reset();
+  if (along_x && along_y && apart_y > rounding && apart_x <= rounding) along_x.reset();
   std::vector<Side> sides;
-  if (bx0 >= ax1 - rounding) sides.push_back(Side::plus_x);
-  else if (ax0 >= bx1 - rounding) sides.push_back(Side::minus_x);
-  if (a.dimension < 3 && b.dimension < 3) return sides.empty() ? Side::plus_x : sides.front();
-  if (by0 >= ay1 - rounding) sides.push_back(Side::plus_y);
-  else if (ay0 >= by1 - rounding) sides.push_back(Side::minus_y);
+  for (const auto& side : {along_x, along_y})
+    if (side) sides.push_back(*side);
   if (sides.empty())
     between.fail(fmt::format("{0} and {1} stand on each other: {0} reaches from x = {2:.6g} m to {3:.6g} m and from y = {4:.6g} m "
                              "to {5:.6g} m, {1} from x = {6:.6g} m to {7:.6g} m and from y = {8:.6g} m to {9:.6g} m; give one of "
                              "them an origin, such as origin: [{10:.6g} m, 0 m]",
                              a.name, b.name, ax0, ax1, ay0, ay1, bx0, bx1, by0, by1, ax1 + 0.1));
   if (sides.size() > 1)
-    between.fail(fmt::format("{} and {} stand apart along x and along y: no side of the one faces the other", a.name, b.name));
+    between.fail(fmt::format("{} and {} stand apart along x and along y: no side of the one faces the other; "
+                             "move one by its origin", a.name, b.name));
   return sides.front();
 }
 
@@ -108,6 +120,9 @@ bool has_elevations(const Structure& s) {
 // Structures without columns to hit, or without heights: floors are paired by their numbers.
 std::vector<Pair> floors_by_number(const Input& between, int a, int b, const Structure& left, const Structure& right) {
   if (left.is_rigid() && right.is_rigid()) between.fail("both ends are walls; one of them must be able to move");
+  for (const Structure* s : {&left, &right})
+    if (!s->is_rigid() && s->floors.empty())
+      between.fail(fmt::format("{0} has no floors; name a node, as in {{structure: {0}, node: NAME}}, and leave \"floors\" out", s->name));
   const int floors_left = static_cast<int>(left.floors.size()), floors_right = static_cast<int>(right.floors.size());
   const int count = left.is_rigid() ? floors_right : right.is_rigid() ? floors_left : std::min(floors_left, floors_right);
   const bool placed = has_elevations(left) && has_elevations(right);
@@ -211,8 +226,8 @@ std::vector<double> along_the_edge(const Input& node, const Pair& pair, const St
   const std::array<double, 2> own = first.value_or(*second), other = second.value_or(*first);
   double low = std::max(own[0], other[0]), high = std::min(own[1], other[1]);
   if (low > high)
-    node.fail(fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m", a.name,
-                          b.name, own[0], own[1], other[0], other[1]));
+    node.fail(fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m; "
+                          "move one by its origin, or link nodes", a.name, b.name, own[0], own[1], other[0], other[1]));
   const bool wide = first && second && high > low;
   const int count = points ? static_cast<int>(points->as_integer(1, 100)) : wide ? 2 : 1;
   if (count > 1 && !wide) points->fail_at_key("the two meet at one point; leave it out");
@@ -255,8 +270,12 @@ double displacement_along(const LinkEnd& end, const Structure& s, const Eigen::V
 }
 
 // Points that have no mass of their own in the way of the contact could be given any velocity at once.
-void require_inertia(const LinkEnd& end, const Structure& s, const Input& place) {
-  if (s.is_rigid() || end.point.mass > 0) return;
+void require_inertia(const LinkEnd& end, const Structure& s, Side side, const Input& place) {
+  if (s.is_rigid()) return;
+  const int axis = side == Side::plus_x || side == Side::minus_x ? 0 : 1;
+  if (end.point.motion[axis].nonZeros() == 0)
+    place.fail(fmt::format("{} of {} is held by its support and cannot be hit; name a floor, or a node that moves", end.label, s.name));
+  if (end.point.mass > 0) return;
   place.fail(fmt::format("{} of {} has no mass; give it one, or name a floor", end.label, s.name));
 }
 
@@ -312,8 +331,8 @@ void read_link(const Input& node, Model& model, const Kinds& kinds) {
       Link link;
       link.left = place_end(pair.left, a, side, along[k], ends[0]);
       link.right = place_end(pair.right, b, opposite(side), along[k], ends[1]);
-      require_inertia(link.left, a, ends[0]);
-      require_inertia(link.right, b, ends[1]);
+      require_inertia(link.left, a, side, ends[0]);
+      require_inertia(link.right, b, side, ends[1]);
       link.direction = outward(side);
       link.gap = gaps[i];
       link.name = text_of(pair.left, a) + "-" + text_of(pair.right, b);

@@ -50,17 +50,30 @@ AnalysisSettings read_analysis(const Input& input, const Model& model) {
   return settings;
 }
 
-// A component that no structure can follow would say nothing.
-void refuse_idle_components(const Input& input, const Model& model) {
-  int dimension = 1;
-  for (const Structure& s : model.structures) dimension = std::max(dimension, s.dimension);
-  const std::optional<Input> ground = input.find("ground_motion");
-  const std::optional<Input> components = ground ? ground->find("components") : std::nullopt;
-  if (!components) return;
-  if (const auto y = components->find("y"); y && dimension < 3)
-    y->fail_at_key("no structure is in space; leave the motion along y out");
-  if (const auto z = components->find("z"); z && dimension < 2)
-    z->fail_at_key("no structure moves up and down; leave the motion along z out");
+// A wave that arrives everywhere at once, and a delay of what never comes, would say nothing.
+void refuse_idle_wave(const Input& wave, const Model& model) {
+  constexpr double together = 1e-6;  // [m]
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  for (const Structure& s : model.structures)
+    for (const Support& support : s.supports) {
+      if (support.motion) continue;
+      const double along = support.position.dot(model.ground.wave->direction);
+      nearest = std::min(nearest, along);
+      farthest = std::max(farthest, along);
+    }
+  if (farthest - nearest > together) return;
+  wave.fail_at_key("reaches all supports at once; give the frames an origin each, or leave it out");
+}
+
+void refuse_idle_delay(const Input& place, const Structure& s, const Model& model) {
+  const GroundComponents& ground = model.ground.components;
+  if (!std::all_of(ground.begin(), ground.end(), [](const GroundMotion& motion) { return motion.is_still(); })) return;
+  for (const Support& support : s.supports) {
+    if (support.motion || support.delay == 0) continue;
+    const std::optional<Input> delay = place.find("delay");
+    const std::string what = delay ? "" : fmt::format("support {} has a delay, and ", support.name);
+    (delay ? *delay : place).fail_at_key(what + "nothing moves the ground here; give a ground_motion, or leave the delay out");
+  }
 }
 
 CheckpointSettings read_checkpoints(const Input& node) {
@@ -81,10 +94,19 @@ Model read_model(const Input& input, const Kinds& kinds, const ModeSolver& modes
   if (const auto title = input.find("title")) model.title = title->as_text();
   if (const auto motion = input.find("ground_motion")) model.ground = read_ground_section(*motion);
   const Input structures = input.at("structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}");
-  for (const auto& [name, place] : structures.entries()) model.structures.push_back(read_structure(name, place, kinds, modes, model.ground.wave));
+  for (const auto& [name, place] : structures.entries()) {
+    model.structures.push_back(read_structure(name, place, kinds, modes, model.ground.wave));
+    refuse_idle_delay(place, model.structures.back(), model);
+  }
   if (std::all_of(model.structures.begin(), model.structures.end(), [](const Structure& s) { return s.is_rigid(); }))
     structures.fail("no structure that can move; add a body, an oscillator, a shear_building or a frame");
-  refuse_idle_components(input, model);
+  if (const auto motion = input.find("ground_motion")) {
+    int dimension = 1;
+    for (const Structure& s : model.structures)
+      if (!s.is_rigid()) dimension = std::max(dimension, s.dimension);
+    refuse_idle_components(*motion, dimension, false);
+    if (const auto wave = motion->find("wave")) refuse_idle_wave(*wave, model);
+  }
   if (const auto links = input.find("links")) {
     if (!links->is_list())
       links->fail("takes a list, one link a line; type - {between: [left, right], gap: 20 mm, law: hertz_damped, ...}");

@@ -286,7 +286,31 @@ void Recorder::sample_whole(double time, bool inside) {
     for (const Floor& floor : s.floors)
       for (const Row& shear : floor.storey_shear) history.storey_shear.push_back(value(shear, u, 0));
     sample_members(static_cast<int>(k), u, inside, time);
+    if (s.supports.size() > 1) add_enforced(static_cast<int>(k), time);
   }
+}
+
+// To what has just been sampled: what the motion of the supports adds to that of the unknowns.
+void Recorder::add_enforced(int k, double time) {
+  const Structure& s = model_.structures[k];
+  StructureHistory& history = results_.structures[k];
+  const std::vector<std::array<int, 3>>& under = plan_.under[k];
+  const auto add = [](std::vector<double>& values, const auto& factors, double amount) {
+    const std::size_t from = values.size() - factors.size();
+    for (int i = 0; i < factors.size(); ++i) values[from + i] += amount * factors[i];
+  };
+  for (std::size_t q = 1; q < s.supports.size(); ++q)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const auto& [ground, sign] : {std::pair(under[q][axis], 1.0), std::pair(under.front()[axis], -1.0)}) {
+        if (ground < 0) continue;
+        const Support& support = s.supports[q];
+        const double moved = sign * plan_.motions[ground].displacement(time);
+        add(history.node_displacement, support.nodes.col(axis), moved);
+        add(history.node_velocity, support.nodes.col(axis), sign * plan_.motions[ground].velocity(time));
+        add(history.node_acceleration, support.nodes.col(axis), sign * ground_[ground]);
+        add(history.storey_shear, support.shears.col(axis), moved);
+        add(history.end_forces, support.members.col(axis), moved);
+      }
 }
 
 // Where a contact presses on a member between its ends, its force goes to them as to held ones.

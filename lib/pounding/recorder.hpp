@@ -84,6 +84,7 @@ class Recorder {
   void sample_structure(int structure, const Eigen::MatrixXd& motion, bool inside, double time);
   void sample_whole(double time, bool inside);
   void sample_members(int structure, const Eigen::VectorXd& u, bool inside, double time);
+  void add_enforced(int structure, double time);
   void follow_peaks();
   void follow_vector(Peak& peak, double h, int column, int below);
   int tangent_of(int link) const;  // first column of its friction

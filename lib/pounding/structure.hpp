@@ -40,6 +40,12 @@ struct Support {
   /// n x 3: where the unknowns go when the ground moves by one here along x, y, z and rests at the other supports.
   Eigen::MatrixX3d influence;
   Eigen::MatrixX3d load;  ///< n x 3 [kg]: mass times influence, and what couples the unknowns to the support
+
+  // What such a motion does while the unknowns rest; empty in a structure with one support, which all is relative to.
+  Eigen::MatrixX3d enforced;  ///< displacements of the nodes, see ContactPoint::supported
+  Eigen::MatrixX3d nodes;     ///< rows of NodeReport, node by node
+  Eigen::MatrixX3d shears;    ///< storey shears, floor by floor [N/m]
+  Eigen::MatrixX3d members;   ///< rows of MemberReport, member by member [N/m], [N]
 };
 
 /// One floor.
@@ -57,6 +63,8 @@ struct Floor {
 struct ContactPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
   std::array<Row, 3> motion;  ///< displacements along x, y, z
+  /// The same by what supports enforce (Support::enforced): of a point on a member that ends at one. Else empty.
+  std::array<Row, 3> supported;
   double mass = 0;            ///< that the damping of a link is calibrated with: of the floor or of the node [kg]
   int member = -1;            ///< that is met between its ends
   /// Of a unit force along x, y, z at the point: forces on the ends of the member, local axes, its nodes held.

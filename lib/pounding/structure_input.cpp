@@ -101,9 +101,13 @@ void refuse_initial_yield(const Input& displacement, const Structure& s) {
   }
 }
 
-// Floors of a structure along x are its unknowns; a frame as a whole moves along x.
+// Floors of a structure along x are its unknowns; a frame as a whole moves along x, with all its supports.
 Eigen::VectorXd initial_motion(const Input& node, const Structure& s, const Dimension& dimension) {
-  if (s.dimension > 1) return node.as_quantity(dimension) * s.supports.front().influence.col(0);
+  if (s.dimension > 1) {
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(s.size());
+    for (const Support& support : s.supports) whole += support.influence.col(0);
+    return node.as_quantity(dimension) * whole;
+  }
   const std::vector<double> values = node.as_quantities(s.size(), dimension);
   return Eigen::Map<const Eigen::VectorXd>(values.data(), s.size());
 }
@@ -128,6 +132,7 @@ void read_ground(const Input& place, const std::optional<TravellingWave>& wave, 
   if (motion) {
     const GroundSection ground = read_ground_section(*motion);
     if (ground.wave) motion->fail("a wave belongs to the ground_motion of all structures; give this one a delay");
+    refuse_idle_components(*motion, s.dimension, true);
     for (Support& support : s.supports)
       if (!support.motion) support.motion = ground.components;
   }
@@ -161,6 +166,9 @@ Structure read_structure(const std::string& name, const Input& place, const Kind
   s.name = name;
   s.kind = chosen->word;
   if (s.damping.size() == 0) s.damping.resize(s.size(), s.size());
+
+  if (!s.is_rigid() && count_of_modes(s) == 0)
+    body.fail("nothing in it has mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 kg/m^3 in a material");
 
   const auto damping = beside_or_inside(place, body, "damping");
   const bool takes_damping = !s.is_rigid() && !s.is_free;
