@@ -613,14 +613,21 @@ class Verdict:
 def grazing_time(row, tolerance, end):
     """When first a touch, a miss or a separation could be undone by GRAZING tolerances of the displacements."""
     reach = GRAZING * tolerance * row.reach
+
+    def earlier(speed, opening_acceleration):
+        """So much sooner such a displacement lets the gap close, or open."""
+        by_speed = reach / abs(speed) if speed else math.inf
+        by_acceleration = math.sqrt(2 * reach / abs(opening_acceleration)) if opening_acceleration else math.inf
+        return min(by_speed, by_acceleration, end)
+
     times = [row.t if row.stopped else math.inf]
     for link in row.links:
         times += [t for t, distance in link.near_misses if distance < reach]
         for impact in link.impacts:
             if impact.approach**2 < 2 * reach * abs(impact.deceleration) or impact.approach * (end - impact.start) < reach:
-                times.append(impact.start)
+                times.append(impact.start - earlier(impact.approach, impact.deceleration))
             if impact.separation**2 < 2 * reach * abs(impact.return_acceleration):
-                times.append(impact.end)
+                times.append(impact.end - earlier(impact.separation, impact.return_acceleration))
     return min(times)
 
 
