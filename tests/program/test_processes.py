@@ -237,8 +237,8 @@ class Ends(Processes):
 
 class Stopped(Processes):
     #: Long enough for a signal to meet it.
-    MODEL = OSCILLATORS.replace("duration: 3.0}", "duration: 100}").replace("{duration: 100}",
-                                                                          "{duration: 100, output_step: 100 ms}")
+    MODEL = OSCILLATORS.replace("duration: 3.0}", "duration: 1000}").replace("{duration: 1000}",
+                                                                           "{duration: 1000, output_step: 1 s}")
 
     def stop(self, number, *words):
         """Asks the launcher to stop when the run has begun to step."""
