@@ -48,8 +48,9 @@ void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFr
 }
 
 VectorXd Frame::rest(const AssembledFrame& assembled) const {
-  const StaticSolver solver(assembled.stiffness);
+  StaticSolver solver(assembled.stiffness);
   if (!solver.holds()) refuse_to_hold(solver.mode(), solver.buckles(), assembled);
+  if (assembled.load_at_rest.isZero(0)) return VectorXd::Zero(assembled.size());
   return solver.solve(assembled.load_at_rest);
 }
 
@@ -150,7 +151,7 @@ Frame::SupportMotion Frame::support_motion(const std::vector<int>& nodes, const 
   const SparseMatrix<double> t = assembled.transform;
   SupportMotion motion;
   motion.enforced = assembled.supported * supports;
-  const StaticSolver solver(assembled.stiffness);
+  StaticSolver solver(assembled.stiffness);
   if (!solver.holds()) refuse_to_hold(solver.mode(), solver.buckles(), assembled);
   motion.influence = solver.solve(t.transpose() * (pulls - gathered(springs_, &Beam::stiffness) * motion.enforced));
   motion.load = t.transpose() * (gathered(masses_, &Beam::mass) * (t * motion.influence + motion.enforced));

@@ -72,13 +72,17 @@ std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& fr
   for (int member = 0; member < model.frame.members(); ++member) {
     const auto [start, end] = model.frame.ends(member);
     if (above[start] == above[end]) continue;
-    const SparseMatrix forces = model.frame.end_force_rows(member, frame);
+    const Beam& beam = model.frame.beam(member);
+    const Matrix12 forces = beam.end_force_matrix();
     const int upper = above[start] ? 0 : 6;
-    const Eigen::Matrix3d& axes = model.frame.beam(member).axes();
-    for (int column = 0; column < forces.outerSize(); ++column)
-      for (SparseMatrix::InnerIterator it(forces, column); it; ++it)
-        if (it.row() >= upper && it.row() < upper + 3)
-          for (int d = 0; d < directions; ++d) sums[d][column] += axes(it.row() - upper, d) * it.value();
+    for (const auto& [node, first] : {std::pair(start, 0), {end, 6}})
+      for (const Dof dof : dofs_of(frame.dimension)) {
+        const Vector3d by_motion =
+            beam.axes().transpose() * forces.block<3, 1>(upper, first + static_cast<int>(dof));
+        const Row motion = frame.motion(node, dof);
+        for (Row::InnerIterator it(motion); it; ++it)
+          for (int d = 0; d < directions; ++d) sums[d][it.index()] += by_motion[d] * it.value();
+      }
   }
   for (const FrameSpring& spring : model.springs) {
     const int direction = static_cast<int>(spring.dof);

@@ -1,6 +1,7 @@
 #include <pounding/static_solver.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace pounding {
 
@@ -37,13 +38,12 @@ StaticSolver::StaticSolver(const Eigen::SparseMatrix<double>& stiffness) : scale
   if (!positive || eigenvalue < rounding) {
     mode_ = scale_.cwiseProduct(x);
     buckles_ = eigenvalue < -rounding;
-    return;
   }
-  factors_.factorize(scaled_);
 }
 
-Eigen::MatrixXd StaticSolver::solve(const Eigen::MatrixXd& forces) const {
+Eigen::MatrixXd StaticSolver::solve(const Eigen::MatrixXd& forces) {
   if (scale_.size() == 0) return forces;
+  if (std::exchange(shifted_, false)) factors_.factorize(scaled_);
   const Eigen::MatrixXd f = scale_.asDiagonal() * forces;
   Eigen::MatrixXd x = factors_.solve(f);
   x += factors_.solve(f - scaled_ * x);

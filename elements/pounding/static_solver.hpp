@@ -19,15 +19,15 @@ class StaticSolver {
   bool buckles() const { return buckles_; }
   /// Displacements that meet no stiffness or a negative one, length n; empty where K holds.
   const Eigen::VectorXd& mode() const { return mode_; }
-  /// For a K that holds. n x k.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& forces) const;
+  /// For a K that holds. n x k. The first call factors K once more, without the shift of the test above.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& forces);
 
  private:
   Eigen::SparseMatrix<double> scaled_;
   Eigen::VectorXd scale_;  // K = S^-1 scaled S^-1
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
   Eigen::VectorXd mode_;
-  bool buckles_ = false;
+  bool buckles_ = false, shifted_ = true;
 };
 
 }  // namespace pounding

@@ -223,6 +223,7 @@ class Stepper {
   void stop_at_corner(int link);
   bool begins_inside(Ending& ending, double longest);
   bool locate(const Ending& ending, double longest);
+  bool touches_now(const Ending& ending) const;
   double margin_of_trial(const Ending& ending) const;
   void enter_phases(bool without_step);
   void bounce(const std::vector<int>& touching, bool without_step);

@@ -185,6 +185,9 @@ std::optional<double> Stepper::land() {
     const bool doubtful = at_zero || first.at_begin <= grouped_part * std::abs(first.at_end);
     if (doubtful && !begins_inside(first, longest) && at_zero) {
       landed_.assign(1, first);
+      if (!system_.contacts[first.link]->is_rigid())
+        for (const Ending& other : all)
+          if (other.link != first.link && touches_now(other)) landed_.push_back(other);
       return 0.0;
     }
     if (!locate(first, longest)) throw SolverError(lost_trial);
@@ -210,6 +213,14 @@ std::optional<double> Stepper::land() {
     return trial_.h;
   }
   return trial_.h;
+}
+
+// Bodies that stand face to face and close touch whatever the other contacts do, unless a velocity jumps.
+bool Stepper::touches_now(const Ending& ending) const {
+  const Contact& contact = *system_.contacts[ending.link];
+  const LinkMotion here = motion(ending.link, now_);
+  return contact.phase() == ContactPhase::open && !contact.is_rigid() &&
+         ending.at_begin <= noise_of(ending.link, ending.margin, here) && here.rate > noise * largest_v();
 }
 
 double Stepper::margin_of_trial(const Ending& ending) const {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <tuple>
 
 #include <pounding/frame.hpp>
 #include <pounding/gap_link.hpp>
@@ -214,6 +215,106 @@ TEST_P(SparseMatrices, GiveTheSameFlexibilityAndResponseByEveryWay) {
   EXPECT_EQ(direct.iterations(), 0);
   direct.shift(shift, 3);
   expect_same(direct, "factor on the ladder");
+}
+
+// Frames of two storeys in a row, two links between neighbours: roofs first, then the floors below.
+System row_of_frames(int frames) {
+  GridFrame grid{.storeys = 2, .bays_x = 1};
+  grid.storey_height = {3.2};
+  grid.bay_width_x = {6.0};
+  grid.column = {.area = 0.3, .inertia_y = 5e-3};
+  grid.beam = {.area = 0.18, .inertia_y = 2.5e-3};
+  grid.material = {.young = 25e9, .shear = 10e9};
+  grid.floor_mass = {72e3};
+  const AssembledFrame one = make_frame(grid).assemble();
+  const int size = one.size(), n = frames * size;
+  System s;
+  std::vector<Eigen::Triplet<double>> mass, stiffness, closing;
+  for (int k = 0; k < frames; ++k) {
+    for (int j = 0; j < size; ++j) {
+      for (SparseMatrix::InnerIterator it(one.mass, j); it; ++it) mass.emplace_back(k * size + it.row(), k * size + j, it.value());
+      for (SparseMatrix::InnerIterator it(one.stiffness, j); it; ++it)
+        stiffness.emplace_back(k * size + it.row(), k * size + j, (1 + 0.2 * k) * it.value());
+    }
+    s.groups.push_back({k * size, size, 1e-6, 1e-5, 0.3, 3e-3});
+  }
+  for (int i = 0; i < 2 * (frames - 1); ++i) {
+    const int storey = i < frames - 1 ? 2 : 1, left = i % (frames - 1);
+    for (const auto& [frame, line, sign] : {std::tuple(left, 1, 1.0), {left + 1, 0, -1.0}}) {
+      const Eigen::SparseVector<double> row = one.motion(grid.node(storey, line), Dof::ux);
+      for (Eigen::SparseVector<double>::InnerIterator it(row); it; ++it)
+        closing.emplace_back(frame * size + it.row(), i, sign * it.value());
+    }
+  }
+  s.mass.resize(n, n);
+  s.mass.setFromTriplets(mass.begin(), mass.end());
+  s.stiffness.resize(n, n);
+  s.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
+  s.damping.resize(n, n);
+  s.load = Eigen::MatrixXd::Zero(n, 1);
+  s.closing.resize(n, 2 * (frames - 1));
+  s.closing.setFromTriplets(closing.begin(), closing.end());
+  return s;
+}
+
+// Links that share no frame share a solve: what each of them moves must stay its own.
+TEST(RowOfFrames, KeepsLinksApartThatAreSolvedTogether) {
+  const System system = row_of_frames(5);
+  ASSERT_GE(static_cast<int>(system.groups.size()), processes());
+  const Shift off = of_step(0.006), on = of_step(0.01);
+  for (const std::vector<int>& links : {std::vector<int>{0, 2}, {1, 3}, {0, 1, 2, 3, 6}, {0, 1, 2, 3, 4, 5, 6, 7}})
+    for (const int direct_below : {0, 1000000})
+      for (const bool on_ladder : {true, false}) {
+        SparseBase base(PETSC_COMM_WORLD, system, {.direct_below = direct_below});
+        base.shift(on, 0);
+        if (!on_ladder) base.shift(off, std::nullopt);
+        const Eigen::MatrixXd b = Eigen::MatrixXd(system.closing)(Eigen::all, links);
+        const Eigen::MatrixXd z = whole(system, on_ladder ? on : off).ldlt().solve(b), expected = b.transpose() * z;
+        Eigen::MatrixXd g;
+        ASSERT_TRUE(base.flexibility(links, g));
+        EXPECT_LT((g - expected).norm(), 1e-10 * expected.norm());
+        EXPECT_EQ((g.array() == 0).count(), (expected.array() == 0).count());
+        const Eigen::VectorXd f = some_vector(static_cast<int>(links.size()), 2);
+        Eigen::VectorXd y = Eigen::VectorXd::Zero(base.size()), u;
+        base.add_response(-0.5, links, f, y);
+        base.physical(y, u);
+        EXPECT_LT(difference(u, -0.5 * z * f), 1e-10);
+      }
+}
+
+// A column of A^-1 B for each link would make memory grow with the square of a row of buildings.
+TEST(RowOfFrames, NeedsMemoryInProportionToItsLength) {
+  if (processes() > 1) GTEST_SKIP() << "the frames of one process count";
+  const auto columns = [](int frames) {
+    const System system = row_of_frames(frames);
+    SparseBase base(PETSC_COMM_WORLD, system);
+    base.shift(of_step(0.01), 0);
+    const double factor = base.memory();
+    std::vector<int> links(system.links());
+    for (int i = 0; i < system.links(); ++i) links[i] = i;
+    Eigen::MatrixXd g;
+    EXPECT_TRUE(base.flexibility(links, g));
+    return (base.memory() - factor) / frames;
+  };
+  EXPECT_LT(columns(32), 2 * columns(8));
+}
+
+// A factor takes over what an earlier one knew of the pattern, and nothing else.
+TEST(OffTheLadder, AFactorDoesNotDependOnTheOneBefore) {
+  const Pair pair;
+  const Eigen::VectorXd b = some_vector(pair.system.size(), 1);
+  const auto solved = [&](std::initializer_list<double> steps) {
+    SparseBase base(PETSC_COMM_WORLD, pair.system, {.direct_below = 1000000});
+    base.shift(of_step(0.01), 0);
+    Eigen::VectorXd x;
+    for (const double h : steps) {
+      base.shift(of_step(h), std::nullopt);
+      x = base.coordinates(b);
+      EXPECT_TRUE(base.solve(x));
+    }
+    return x;
+  };
+  EXPECT_EQ(solved({0.006}), solved({0.0097, 0.0011, 0.006}));
 }
 
 TEST_P(SparseMatrices, AccelerateAndFollowAsTheStiffnessAsks) {

@@ -123,6 +123,25 @@ INSTANTIATE_TEST_SUITE_P(Laws, NearlySimultaneousContacts,
                                          "stereomechanical, restitution: 0.65"),
                          test::law_name);
 
+// Forty bodies that touch their walls when the run begins: one landing takes them all, not one after the other.
+TEST(TouchesAtTheStart, AreOneLanding) {
+  const auto run = [](int count) {
+    std::string structures = "structures:\n  w: {wall: {}}\n", links = "links:\n";
+    for (int i = 0; i < count; ++i) {
+      structures += fmt::format("  a{}: {{oscillator: {{mass: 100 t, period: 0.5, damping: 5 %}}, initial_velocity: {} m/s}}\n",
+                                i, 1 + 0.01 * i);
+      links += fmt::format("  - {{between: [a{}, w], gap: 0, law: kelvin_voigt, stiffness: 93.5 MN/m, restitution: 0.65}}\n", i);
+    }
+    return run_text(structures + links + "analysis: {duration: 0.01}\n");
+  };
+  const Outcome one = run(1), all = run(40);
+  EXPECT_EQ(all.summary.solver.events, 40);
+  EXPECT_LT(all.summary.solver.iterations, 3 * one.summary.solver.iterations);
+  ASSERT_EQ(all.results.impacts.size(), 40u);
+  for (const ImpactRow& row : all.results.impacts) EXPECT_EQ(row.t_start, 0);
+  EXPECT_DOUBLE_EQ(all.results.impacts[0].peak_force, one.results.impacts[0].peak_force);
+}
+
 TEST(ZeroGap, StaysUnilateral) {
   const Outcome run = run_text("ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
                                "structures:\n"

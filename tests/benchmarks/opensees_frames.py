@@ -3,13 +3,16 @@
 
     python3 opensees_frames.py plane LAW STEP MOTION
     python3 opensees_frames.py space SIZE SYSTEM ALGORITHM STEPS MOTION
+    python3 opensees_frames.py towers CASE SYSTEM STEPS
 
 plane: the pair of plane_frames.py, 20 s, BandGeneral, Newmark, Newton to increments of 1e-9; `wall_seconds` are those of the
 analysis loop alone. The recorder of the largest forces (one number a link) is part of the run.
 space: two regular 3D frames facing each other with linear links, 0.02 mm apart and started in the strong part of the motion,
 so that links are in contact; seconds of each step. MOTION: two columns, s and m/s^2, every 0.005 s.
+towers: those of towers.py with flexible floors, pressed, Newton; one Rayleigh damping for all, which costs what any does.
 """
 import json
+import resource
 import statistics
 import sys
 import tempfile
@@ -52,7 +55,7 @@ def plane_frame(storeys, bays, stiffer, x0, first_node, first_element):
     return node, tag
 
 
-def space_frame(storeys, bays, stiffer, x0, first_node, first_element):
+def space_frame(storeys, bays, stiffer, x0, first_node, first_element, y0=0.0):
     """Adds a 3D frame; returns node(floor, line, row) and the next free element tag."""
     along, across = bays
     node = lambda floor, line, row: first_node + (floor * (across + 1) + row) * (along + 1) + line
@@ -62,7 +65,7 @@ def space_frame(storeys, bays, stiffer, x0, first_node, first_element):
     lines = [(line, row) for row in range(across + 1) for line in range(along + 1)]
     for floor in range(storeys + 1):
         for line, row in lines:
-            ops.node(node(floor, line, row), x0 + line * BAY, row * BAY, floor * HEIGHT)
+            ops.node(node(floor, line, row), x0 + line * BAY, y0 + row * BAY, floor * HEIGHT)
             if floor == 0:
                 ops.fix(node(floor, line, row), *[1] * 6)
             else:
@@ -161,10 +164,59 @@ def space(size, system, algorithm, steps, file):
             "iterations_per_step": statistics.mean(iterations[1:]), "links_in_contact": statistics.mean(touching[1:])}
 
 
+def towers(case, system, steps):
+    import towers as of_program  # which measures the program
+
+    count, bays, _ = of_program.CASES[case]
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 6)
+    ops.geomTransf("Linear", 1, 0, 1, 0)
+    ops.geomTransf("Linear", 2, 0, -1, 0)
+    ops.geomTransf("Linear", 3, 1, 0, 0)
+    nodes, tag, width = {}, 1, bays * BAY
+    for k in range(of_program.ROWS[count][1]):
+        for i in range(of_program.ROWS[count][0]):
+            place = i * width, k * (width + of_program.ACROSS)
+            nodes[i, k], tag = space_frame(of_program.STOREYS, (bays, bays), of_program.stiffer(i, k), place[0], 1 + 100000 * len(nodes),
+                                           tag, place[1])
+            for floor in range(1, of_program.STOREYS + 1):
+                for row in range(bays + 1):
+                    for line in range(bays + 1):
+                        ops.setNodeVel(nodes[i, k](floor, line, row), 1, of_program.speed(count, i), "-commit")
+    tags = []
+    for axis, gap in enumerate((0.0, of_program.ACROSS)):
+        ops.uniaxialMaterial("ElasticPPGap", 1 + axis, of_program.BUMPER, -1e15, -gap, 0.0)
+        for a, b in ((a, b) for a, b, along in of_program.neighbours(count) if along == axis):
+            for floor in range(1, of_program.STOREYS + 1):
+                for edge in (0, bays):
+                    ends = (bays, edge), (0, edge)
+                    one, other = (nodes[t](floor, *(end if axis == 0 else end[::-1])) for t, end in zip((a, b), ends))
+                    # Nodes in one place need the axes told.
+                    ops.element("twoNodeLink", tag, one, other, "-mat", 1 + axis, "-dir", 1 + axis, "-orient", 1, 0, 0, 0, 1, 0)
+                    tags.append(tag)
+                    tag += 1
+    a0, b0 = plane_frames.pair()[2]
+    ops.rayleigh(a0, 0.0, b0, 0.0)
+    analysis(system, "Newton")
+    seconds, iterations = [], []
+    for _ in range(steps):
+        start = time.perf_counter()
+        if ops.analyze(1, of_program.STEP):
+            return {"failed_at": ops.getTime()}
+        seconds.append(time.perf_counter() - start)
+        iterations.append(ops.testIter())
+    touching = sum(ops.eleResponse(tag, "force")[0] != 0 for tag in tags)
+    return {"unknowns": ops.systemSize(), "links": len(tags), "seconds_per_step": of_program.quarter(seconds[1:]),
+            "iterations_per_step": statistics.mean(iterations[1:]), "pressed": touching,
+            "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024}
+
+
 if __name__ == "__main__":
     kind, *rest = sys.argv[1:]
     if kind == "plane":
         result = plane(rest[0], float(rest[1]), rest[2])
+    elif kind == "towers":
+        result = towers(rest[0], rest[1], int(rest[2]))
     else:
         result = space(rest[0], rest[1], rest[2], int(rest[3]), rest[4])
     print(json.dumps(result))

@@ -110,11 +110,62 @@ def space(rows):
     return "\n\n".join(text)
 
 
+def growth(rows):
+    """How the least and the largest model with flexible floors compare, on one process."""
+    ours = [r for r in rows if r["program"] == "pounding" and r["ranks"] == 1 and "pressed" in r and not r["case"].endswith("rigid")]
+    if len(ours) < 2:
+        return ""
+    small, large = (pick(ours, key=lambda r: r["unknowns"]) for pick in (min, max))
+    per = lambda row, how: row[how]["seconds_per_step"] / row["unknowns"]
+    memory = lambda row: row["pressed"]["memory_mb"] / row["unknowns"]
+    return (f"From {small['unknowns']} to {large['unknowns']} unknowns the time of a step per unknown grows {per(large, 'apart') / per(small, 'apart'):.2g} times "
+            f"apart and {per(large, 'pressed') / per(small, 'pressed'):.2g} times pressed, memory per unknown "
+            f"{memory(large) / memory(small):.2g} times (of which the process itself takes some 70 MB), reading per unknown "
+            f"{large['seconds_reading'] / large['unknowns'] / (small['seconds_reading'] / small['unknowns']):.2g} times.")
+
+
+def tower_steps(rows):
+    head = ["towers, floors", "unknowns", "processes", "reading", "set-up", "a step apart", "a step pressed", "pressed links", "memory"]
+    lines = []
+    for r in (r for r in rows if r["program"] == "pounding"):
+        if "failed" in r:
+            lines.append([r["case"], r["unknowns"], r["ranks"], r["failed"]] + [""] * 5)
+            continue
+        lines.append([r["case"], r["unknowns"], r["ranks"], seconds(r["seconds_reading"]), seconds(r["pressed"]["seconds_setup"]),
+                      *(f"{1e6 * r[how]['seconds_per_step']:.0f} us" for how in ("apart", "pressed")),
+                      f"{r['pressed']['pressed']} of {r['pressed']['links']}", f"{r['pressed']['memory_mb']:.0f} MB"])
+    return table(head, lines)
+
+
+def tower_runs(rows):
+    head = ["towers, floors", "processes", "run", "steps", "landings", "stepping", "in solves", "in factors"]
+    lines = [[r["case"], r["ranks"], name, f"{r[name]['steps']:.0f}", f"{r[name]['events']:.0f}", seconds(r[name]["seconds"]),
+              f"{100 * r[name]['solve_share']:.0f} %", f"{100 * r[name]['factor_share']:.0f} %"]
+             for r in rows if r["program"] == "pounding" for name in ("apart", "pressed", "stiff") if name in r]
+    return table(head, lines)
+
+
+def tower_peers(rows):
+    head = ["towers, floors", "equations", "OpenSees", "a step", "iterations", "memory", "pounding, a step", "ratio"]
+    ours = {r["case"]: r for r in rows if r["program"] == "pounding" and r["ranks"] == 1 and "pressed" in r}
+    lines = []
+    for r in (r for r in rows if r["program"] == "opensees"):
+        if "seconds_per_step" not in r:
+            lines.append([r["case"], "", r["system"], r.get("failed", f"Newton failed at {r.get('failed_at')} s")] + [""] * 4)
+            continue
+        own = ours[r["case"]]["pressed"]["seconds_per_step"] if r["case"] in ours else None
+        lines.append([r["case"], r["unknowns"], r["system"], seconds(r["seconds_per_step"]), f"{r['iterations_per_step']:.1f}",
+                      f"{r['memory_mb']:.0f} MB", seconds(own), f"{r['seconds_per_step'] / own:.3g}" if own else "-"])
+    return table(head, lines)
+
+
 def page(out):
     measured = {name: json.loads((out / f"{name}.json").read_text()) for name in ("machine", "two_oscillators", "frames")}
     about, pairs, frames = (measured[name] for name in ("machine", "two_oscillators", "frames"))
+    file = out / "towers.json"
+    towers = json.loads(file.read_text()) if file.exists() else None
     draw(pairs["laws"], frames, FOLDER / "plots")
-    quick = [name for name, part in (("two oscillators", pairs), ("frames", frames)) if part["quick"]]
+    quick = [name for name, part in (("two oscillators", pairs), ("frames", frames), ("towers", towers)) if part and part["quick"]]
     short = f" Shortened runs (`--quick`) of {' and '.join(quick)}." if quick else ""
     refused = "".join(f"\n\nLeft out: `{name}` ({why})" for name, why in pairs["refused"].items())
     busy = ""
@@ -128,6 +179,9 @@ def page(out):
         f"### Plane frames, error {FRAME_ERROR:.0e}\n\n" + plane(frames["plane"]),
         "![Error against time, plane frames](plots/plane_frames.png)",
         "### 3D frames in contact\n\n" + space(frames["space"]), "![Cost of a step](plots/space_frames.png)"]
+    if towers:
+        rows = towers["rows"]
+        parts += [f"### Towers in space, through the program\n\n{towers.get('about', '')}", tower_steps(rows), growth(rows), tower_runs(rows), tower_peers(rows)]
     if "overhead" in about:
         parts.append(f"### Overhead of a step\n\n```\n{about['overhead']}\n```")
     return "\n\n".join(parts)

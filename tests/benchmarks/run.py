@@ -72,6 +72,7 @@ def main():
         step(python, FOLDER / "two_oscillators.py", program, out / "two_oscillators.json", *quick)
         frames = built(build, "frames", *places)
         step(python, FOLDER / "frames.py", out / "frames.json", *([frames] if frames else []), *quick)
+        step(python, FOLDER / "towers.py", out / "towers.json", program, *quick)
         if overhead := built(build, "overhead", *places):
             done = subprocess.run([overhead], capture_output=True, text=True)
             about["overhead"] = done.stdout.strip() or f"exit code {done.returncode}"

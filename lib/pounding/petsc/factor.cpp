@@ -94,6 +94,13 @@ Factor::Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> va
     check(PCFactorSetMatSolverType(pc, MATSOLVERCHOLMOD));
   }
   check(KSPSetFromOptions(ksp_));
+  set_up();
+  if (ok_) inspect();
+}
+
+void Factor::set_up() {
+  PC pc = nullptr;
+  check(KSPGetPC(ksp_, &pc));
   try {
     check(KSPSetUp(ksp_));
     PCFailedReason reason = PC_NOERROR;
@@ -102,7 +109,18 @@ Factor::Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> va
   } catch (const SolverError&) {
     ok_ = false;
   }
-  if (ok_) inspect();
+}
+
+bool Factor::refactor(std::span<const double> values) {
+  const Mat matrix = product_.matrix();
+  if (processes(PetscObjectComm(reinterpret_cast<PetscObject>(matrix))) > 1) return false;
+  PetscScalar* entries = nullptr;
+  check(MatSeqAIJGetArray(matrix, &entries));
+  std::copy(values.begin(), values.end(), entries);
+  check(MatSeqAIJRestoreArray(matrix, &entries));
+  check(KSPSetOperators(ksp_, matrix, matrix));
+  set_up();
+  return true;
 }
 
 // The vector is any that has a part of every motion.

@@ -58,6 +58,9 @@ class Factor {
   Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix);
 
   bool ok() const { return ok_; }
+  /// Factors another matrix of the same pattern, on one process only: what the first one told of the pattern is kept, which
+  /// is a third of the work. False when that is not possible here; ok() is told anew otherwise.
+  bool refactor(std::span<const double> values);
   /// False when an iterative solver that was asked for did not converge.
   bool solve(const double* b, double* x) const;
   /// Every column; columns stand one after the other.
@@ -71,6 +74,7 @@ class Factor {
   PC preconditioner() const;
 
  private:
+  void set_up();
   void inspect();
   bool reproduces() const;
 

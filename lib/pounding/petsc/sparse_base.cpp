@@ -16,9 +16,9 @@ namespace {
 
 // Unknowns with mass in one structure up to which its modes are computed.
 constexpr int most_modes = 500;
-// Columns of Z are solved in blocks of this many links, always the same ones, so that their bits do not depend on which links
+// Columns of Z are solved in blocks of this many, always the same ones, so that their bits do not depend on which links
 // pressed first; several at once cost a third of one after the other.
-constexpr int links_together = 8;
+constexpr int columns_together = 8;
 // Off the ladder a factor of its own costs as much as conjugate gradients for this many right-hand sides: some 60 solves
 // against some 12 each.
 constexpr int most_links_by_gradients = 4;
@@ -135,13 +135,18 @@ struct SparseBase::Level {
   std::unique_ptr<Factor> factor;
   Level* near = nullptr;
   std::unique_ptr<NearSolver> gradients;
-  Eigen::MatrixXd z;       // columns A^-1 b
-  Eigen::MatrixXd g;       // [link, column of z] B^T Z
-  std::vector<int> place;  // of a link's column in z, -1 for none
-  double bytes = 0;        // of the factor, on the process where it is largest
+  std::vector<Eigen::MatrixXd> z;      // blocks of columns A^-1 b
+  std::vector<const double*> columns;  // of all blocks; a link's own is what stands in its groups
+  Eigen::MatrixXd ends;                // [slot, column] of B^T Z
+  std::vector<int> place;              // of a link's column, -1 for none
+  double bytes = 0;                    // of the factor, on the process where it is largest
   long used = 0;
 
-  double memory() const { return bytes + sizeof(double) * static_cast<double>(z.size() + g.size()); }
+  double memory() const {
+    Eigen::Index numbers = ends.size();
+    for (const Eigen::MatrixXd& block : z) numbers += block.size();
+    return bytes + sizeof(double) * static_cast<double>(numbers);
+  }
 };
 
 // A block of a matrix at some of the unknowns, with its factor.
@@ -285,9 +290,34 @@ SparseBase::SparseBase(MPI_Comm comm, const System& system, const SparseOptions&
       }
       if (!joined) continue;
       slots_[i].push_back(slot_count_++);
+      group_of_slot_.push_back(static_cast<int>(&group - system.groups.data()));
       if (!part.entries.empty()) parts_.push_back(std::move(part));
     }
+  bundle_links();
   work_.resize(size());
+}
+
+bool SparseBase::joins(int link, int group) const {
+  return std::any_of(slots_[link].begin(), slots_[link].end(), [&](int slot) { return group_of_slot_[slot] == group; });
+}
+
+// Each link goes to the first bundle that has none of its groups.
+void SparseBase::bundle_links() {
+  std::vector<std::vector<bool>> taken;
+  bundle_of_.resize(slots_.size());
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const auto is_free = [&](const std::vector<bool>& groups) {
+      return std::none_of(slots_[i].begin(), slots_[i].end(), [&](int slot) { return groups[group_of_slot_[slot]]; });
+    };
+    const std::size_t to = std::find_if(taken.begin(), taken.end(), is_free) - taken.begin();
+    if (to == taken.size()) {
+      taken.emplace_back(system_.groups.size());
+      bundles_.emplace_back();
+    }
+    for (const int slot : slots_[i]) taken[to][group_of_slot_[slot]] = true;
+    bundles_[to].push_back(static_cast<int>(i));
+    bundle_of_[i] = static_cast<int>(to);
+  }
 }
 
 bool SparseBase::agreed(bool mine) const {
@@ -414,8 +444,12 @@ std::vector<double> SparseBase::values(const Shift& shift) const {
   return a;
 }
 
-void SparseBase::factor(Level& level) const {
-  level.factor = std::make_unique<Factor>(solving_comm_, matrices_->pattern, values(level.shift), options_.prefix);
+void SparseBase::factor(Level& level) {
+  const std::vector<double> a = values(level.shift);
+  if (!level.rung && spare_ && spare_->refactor(a))
+    level.factor = std::move(spare_);
+  else
+    level.factor = std::make_unique<Factor>(solving_comm_, matrices_->pattern, a, options_.prefix);
   if (!agreed(level.factor->ok())) {
     level.factor.reset();
     const Shift& s = level.shift;
@@ -473,10 +507,11 @@ SparseBase::Level& SparseBase::rung(int number, const Shift& shift) {
 // The same on every process: they have the same levels with the same bytes.
 void SparseBase::make_room(const Level* needed) {
   for (;;) {
-    double bytes = off_ ? off_->memory() : 0;
+    double bytes = (off_ ? off_->memory() : 0) + (spare_ ? spare_->memory() : 0);
     for (const auto& level : rungs_) bytes += level->memory();
     if (processes_ > 1) MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_MAX, comm_);
     if (bytes <= options_.memory * 1e6) return;
+    spare_.reset();
     auto oldest = rungs_.end();
     for (auto level = rungs_.begin(); level != rungs_.end(); ++level) {
       const bool kept = level->get() == needed || level->get() == last_rung_ || (off_ && off_->near == level->get());
@@ -492,6 +527,7 @@ void SparseBase::drop_off() {
   if (!off_) return;
   if (off_->gradients) finished_iterations_ += off_->gradients->iterations();
   if (current_ == off_.get()) current_ = nullptr;
+  if (off_->factor) spare_ = std::move(off_->factor);
   off_.reset();
 }
 
@@ -544,6 +580,15 @@ bool SparseBase::solve_by(const Factor& factor, Eigen::Ref<Eigen::VectorXd> x) c
   return factor.is_direct() ? solved : agreed(solved);
 }
 
+// Appends columns of z.
+void SparseBase::add_columns(Level& level, Eigen::MatrixXd columns) const {
+  gather_ends(columns);
+  level.ends.conservativeResize(slot_count_, level.ends.cols() + columns.cols());
+  level.ends.rightCols(columns.cols()) = Eigen::MatrixXd::Map(ends_.data(), slot_count_, columns.cols());
+  level.z.push_back(std::move(columns));
+  for (const auto column : level.z.back().colwise()) level.columns.push_back(column.data());
+}
+
 // Appends columns `first` .. of z, the links of which stand in `place`.
 bool SparseBase::columns_by_factor(Level& level, int first, int count) {
   Eigen::MatrixXd b = Eigen::MatrixXd::Zero(size(), count), z;
@@ -551,12 +596,7 @@ bool SparseBase::columns_by_factor(Level& level, int first, int count) {
     if (const int at = level.place[part.link]; at >= first)
       for (const auto& [row, value] : part.entries) b(row, at - first) += value;
   const bool solved = level.factor->solve(b, z);
-  level.z.conservativeResize(size(), first + count);
-  level.z.rightCols(count) = z;
-  Eigen::MatrixXd g;
-  gather(z, g);
-  level.g.conservativeResize(system_.links(), first + count);
-  level.g.rightCols(count) = g;
+  add_columns(level, std::move(z));
   return agreed(solved);
 }
 
@@ -565,9 +605,11 @@ bool SparseBase::ensure(Level& level, std::span<const int> links) {
   if (level.rung) {
     for (const int link : links) {
       if (level.place[link] >= 0) continue;
-      const int begin = link - link % links_together, end = std::min(begin + links_together, system_.links());
-      const int first = static_cast<int>(level.z.cols());
-      for (int i = begin; i < end; ++i) level.place[i] = first + i - begin;
+      const int begin = bundle_of_[link] - bundle_of_[link] % columns_together;
+      const int end = std::min(begin + columns_together, static_cast<int>(bundles_.size()));
+      const int first = static_cast<int>(level.columns.size());
+      for (int k = begin; k < end; ++k)
+        for (const int i : bundles_[k]) level.place[i] = first + k - begin;
       if (!columns_by_factor(level, first, end - begin)) return false;
     }
     make_room(&level);
@@ -576,77 +618,107 @@ bool SparseBase::ensure(Level& level, std::span<const int> links) {
   const int count = static_cast<int>(links.size());
   // Off the ladder a level serves one trial: its links do not change but for stages of the same step.
   level.place.assign(system_.links(), -1);
-  level.z.resize(size(), 0);
-  level.g.resize(system_.links(), 0);
+  level.z.clear();
+  level.columns.clear();
+  level.ends.resize(slot_count_, 0);
   if (!level.factor && count > most_links_by_gradients) {
     factor(level);
     ++factorizations_;
   }
   if (!level.factor) {
-    if (!ensure(*level.near, links)) return false;
-    level.z.resize(size(), count);
+    Level& near = *level.near;
+    if (!ensure(near, links)) return false;
+    Eigen::MatrixXd z = Eigen::MatrixXd::Zero(size(), count);
     bool solved = true;
     for (int j = 0; j < count && solved; ++j) {
       work_.setZero();
       for (const Part& part : parts_)
         if (part.link == links[j])
           for (const auto& [row, value] : part.entries) work_[row] += value;
-      level.z.col(j) = level.near->z.col(level.near->place[links[j]]);
-      solved = level.gradients->solve(work_.data(), level.z.col(j).data(), true);
+      for (const Segment& s : segments_)
+        if (joins(links[j], s.group))
+          z.col(j).segment(s.first, s.count) = Eigen::VectorXd::Map(near.columns[near.place[links[j]]] + s.first, s.count);
+      solved = level.gradients->solve(work_.data(), z.col(j).data(), true);
     }
     if (agreed(solved)) {
-      gather(level.z, level.g);
+      add_columns(level, std::move(z));
       for (int j = 0; j < count; ++j) level.place[links[j]] = j;
       return true;
     }
     factor(level);
     ++factorizations_;
-    level.z.resize(size(), 0);
   }
-  for (int j = 0; j < count; ++j) level.place[links[j]] = j;
-  return columns_by_factor(level, 0, count);
+  std::vector<int> column(bundles_.size(), -1);
+  int columns = 0;
+  for (const int link : links) {
+    int& at = column[bundle_of_[link]];
+    if (at < 0) at = columns++;
+    level.place[link] = at;
+  }
+  return columns_by_factor(level, 0, columns);
 }
 
 bool SparseBase::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
   Level& level = *current_;
   if (!ensure(level, links)) return false;
   const int count = static_cast<int>(links.size());
-  g.resize(count, count);
-  for (int j = 0; j < count; ++j)
-    for (int i = 0; i < count; ++i) g(i, j) = level.g(links[i], level.place[links[j]]);
+  g.setZero(count, count);
+  std::vector<char> own(system_.groups.size(), 0);
+  for (int j = 0; j < count; ++j) {
+    const auto ends = level.ends.col(level.place[links[j]]);
+    for (const int slot : slots_[links[j]]) own[group_of_slot_[slot]] = 1;
+    for (int i = 0; i < count; ++i)
+      for (const int slot : slots_[links[i]])
+        if (own[group_of_slot_[slot]]) g(i, j) += ends[slot];
+    for (const int slot : slots_[links[j]]) own[group_of_slot_[slot]] = 0;
+  }
   return g.allFinite();
 }
 
 void SparseBase::add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
                               Eigen::Ref<Eigen::VectorXd> y) const {
   const Level& level = *current_;
-  const Eigen::Index n = y.size();
-  const auto column = [&](std::size_t j) { return level.z.col(level.place[links[j]]).data(); };
-  const auto scale = [&](std::size_t j) { return factor * f[static_cast<Eigen::Index>(j)]; };
-  // Z comes from far memory: four columns at a time, each read straight through, keep it busy.
-  std::size_t j = 0;
-  double* to = y.data();
-  for (; j + 4 <= links.size(); j += 4) {
-    const double *z0 = column(j), *z1 = column(j + 1), *z2 = column(j + 2), *z3 = column(j + 3);
-    const double f0 = scale(j), f1 = scale(j + 1), f2 = scale(j + 2), f3 = scale(j + 3);
-    for (Eigen::Index i = 0; i < n; ++i) to[i] += f0 * z0[i] + f1 * z1[i] + f2 * z2[i] + f3 * z3[i];
+  std::vector<const double*> columns;
+  std::vector<double> scales;
+  for (const Segment& s : segments_) {
+    columns.clear();
+    scales.clear();
+    for (std::size_t j = 0; j < links.size(); ++j) {
+      if (!joins(links[j], s.group)) continue;
+      columns.push_back(level.columns[level.place[links[j]]]);
+      scales.push_back(factor * f[static_cast<Eigen::Index>(j)]);
+    }
+    // Z comes from far memory: four columns at a time, each read straight through, keep it busy.
+    std::size_t j = 0;
+    double* to = y.data();
+    const int end = s.first + s.count;
+    for (; j + 4 <= columns.size(); j += 4) {
+      const double *z0 = columns[j], *z1 = columns[j + 1], *z2 = columns[j + 2], *z3 = columns[j + 3];
+      const double f0 = scales[j], f1 = scales[j + 1], f2 = scales[j + 2], f3 = scales[j + 3];
+      for (int i = s.first; i < end; ++i) to[i] += f0 * z0[i] + f1 * z1[i] + f2 * z2[i] + f3 * z3[i];
+    }
+    for (; j < columns.size(); ++j)
+      for (int i = s.first; i < end; ++i) to[i] += scales[j] * columns[j][i];
   }
-  for (; j < links.size(); ++j) y += scale(j) * level.z.col(level.place[links[j]]);
 }
 
-void SparseBase::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& closings) const {
-  const Eigen::Index columns = x.cols();
-  ends_.assign(static_cast<std::size_t>(slot_count_ * columns), 0.0);
+// B^T x by slot and column, the same on every process.
+void SparseBase::gather_ends(Eigen::Ref<const Eigen::MatrixXd> x) const {
+  ends_.assign(static_cast<std::size_t>(slot_count_ * x.cols()), 0.0);
   for (const Part& part : parts_)
-    for (Eigen::Index j = 0; j < columns; ++j) {
+    for (Eigen::Index j = 0; j < x.cols(); ++j) {
       double sum = 0;
       for (const auto& [row, value] : part.entries) sum += value * x(row, j);
       ends_[part.slot + slot_count_ * j] = sum;
     }
   combine(ends_);
-  closings.resize(system_.links(), columns);
+}
+
+void SparseBase::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& closings) const {
+  gather_ends(x);
+  closings.resize(system_.links(), x.cols());
   for (int i = 0; i < system_.links(); ++i)
-    for (Eigen::Index j = 0; j < columns; ++j) {
+    for (Eigen::Index j = 0; j < x.cols(); ++j) {
       double sum = 0;
       for (const int slot : slots_[i]) sum += ends_[slot + slot_count_ * j];
       closings(i, j) = sum;
@@ -687,7 +759,7 @@ void SparseBase::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& 
 int SparseBase::levels() const { return static_cast<int>(rungs_.size()) + (off_ && off_->factor ? 1 : 0); }
 
 double SparseBase::memory() const {
-  double bytes = off_ ? off_->memory() : 0;
+  double bytes = (off_ ? off_->memory() : 0) + (spare_ ? spare_->memory() : 0);
   for (const auto& level : rungs_) bytes += level->memory();
   return bytes * 1e-6;
 }

@@ -72,12 +72,16 @@ class SparseBase final : public Base {
   bool agreed(bool mine) const;
   std::vector<double> values(const Shift& shift) const;
   Level& rung(int number, const Shift& shift);
-  void factor(Level& level) const;
+  void factor(Level& level);
   void make_room(const Level* needed);
   void drop_off();
   bool solve_by(const Factor& factor, Eigen::Ref<Eigen::VectorXd> x) const;
   bool ensure(Level& level, std::span<const int> links);
   bool columns_by_factor(Level& level, int first, int count);
+  void add_columns(Level& level, Eigen::MatrixXd columns) const;
+  void bundle_links();
+  bool joins(int link, int group) const;
+  void gather_ends(Eigen::Ref<const Eigen::MatrixXd> x) const;
   [[noreturn]] void name_singular(const SparseMatrix& matrix, const char* what) const;
 
   MPI_Comm comm_, solving_comm_;  // all processes; those that share a factor
@@ -97,7 +101,11 @@ class SparseBase final : public Base {
   };
   std::vector<Part> parts_;
   std::vector<std::vector<int>> slots_;  // of each link
+  std::vector<int> group_of_slot_;
   int slot_count_ = 0;
+  // Links that share no group: A^-1 keeps their columns of B apart, so that one solve and one column of Z serve them all.
+  std::vector<std::vector<int>> bundles_;
+  std::vector<int> bundle_of_;  // each link
   mutable std::vector<double> ends_;  // B^T x by slot and column
   SparseMatrix observed_;             // the rows of this process
 
@@ -109,6 +117,7 @@ class SparseBase final : public Base {
   std::optional<Ladder> ladder_;
   std::vector<std::unique_ptr<Level>> rungs_;
   std::unique_ptr<Level> off_;
+  std::unique_ptr<Factor> spare_;  // of the last step off the ladder; the next one takes over its ordering
   Level* current_ = nullptr;
   Level* last_rung_ = nullptr;
   long clock_ = 0, finished_iterations_ = 0;
