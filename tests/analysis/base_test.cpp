@@ -219,7 +219,9 @@ TEST_P(SparseMatrices, GiveTheSameFlexibilityAndResponseByEveryWay) {
 
 // Frames of two storeys in a row, two links between neighbours: roofs first, then the floors below.
 System row_of_frames(int frames) {
-  GridFrame grid{.storeys = 2, .bays_x = 1};
+  GridFrame grid;
+  grid.storeys = 2;
+  grid.bays_x = 1;
   grid.storey_height = {3.2};
   grid.bay_width_x = {6.0};
   grid.column = {.area = 0.3, .inertia_y = 5e-3};

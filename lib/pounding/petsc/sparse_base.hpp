@@ -6,11 +6,11 @@
 #include <memory>
 
 #include <pounding/base.hpp>
+#include <pounding/petsc/link_ends.hpp>
+#include <pounding/petsc/system_matrices.hpp>
 #include <pounding/petsc/ts_pounding.hpp>
 
 namespace pounding::petsc {
-
-class Factor;
 
 struct SparseOptions {
   /// Of the options of every factor: `-pounding_lev_pc_factor_mat_solver_type mumps`; those of the conjugate gradients have
@@ -65,12 +65,8 @@ class SparseBase final : public Base {
   long iterations() const;
 
  private:
-  struct Matrices;
   struct Level;
-  struct Subset;
 
-  bool agreed(bool mine) const;
-  std::vector<double> values(const Shift& shift) const;
   Level& rung(int number, const Shift& shift);
   void factor(Level& level);
   void make_room(const Level* needed);
@@ -79,35 +75,12 @@ class SparseBase final : public Base {
   bool ensure(Level& level, std::span<const int> links);
   bool columns_by_factor(Level& level, int first, int count);
   void add_columns(Level& level, Eigen::MatrixXd columns) const;
-  void bundle_links();
-  bool joins(int link, int group) const;
-  void gather_ends(Eigen::Ref<const Eigen::MatrixXd> x) const;
-  [[noreturn]] void name_singular(const SparseMatrix& matrix, const char* what) const;
 
-  MPI_Comm comm_, solving_comm_;  // all processes; those that share a factor
-  int rank_ = 0, processes_ = 1;
   const System& system_;
   SparseOptions options_;
-  std::vector<int> first_row_;  // of each process, and the number of all
-  std::unique_ptr<Matrices> matrices_;
-  std::unique_ptr<Subset> heavy_;             // consistent masses
-  mutable std::unique_ptr<Subset> massless_;  // factored when first asked for
-  bool any_massless_ = false;
-
-  // A link's column of B in one group, on this process.
-  struct Part {
-    int link = 0, slot = 0;  // slot: place among the parts of all links on all processes
-    std::vector<std::pair<int, double>> entries;
-  };
-  std::vector<Part> parts_;
-  std::vector<std::vector<int>> slots_;  // of each link
-  std::vector<int> group_of_slot_;
-  int slot_count_ = 0;
-  // Links that share no group: A^-1 keeps their columns of B apart, so that one solve and one column of Z serve them all.
-  std::vector<std::vector<int>> bundles_;
-  std::vector<int> bundle_of_;  // each link
-  mutable std::vector<double> ends_;  // B^T x by slot and column
-  SparseMatrix observed_;             // the rows of this process
+  SystemMatrices matrices_;
+  LinkEnds ends_;
+  SparseMatrix observed_;  // the rows of this process
 
   // The first rung that was asked for: all others follow from it by powers of two.
   struct Ladder {
