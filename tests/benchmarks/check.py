@@ -10,6 +10,7 @@ import numpy as np
 
 import plane_frames
 import problem
+import towers
 from contact import Contact, integrate
 from measure import at_error, displacement_error, factor, peak_error, reference, verdict
 from reference import oscillators
@@ -98,6 +99,28 @@ class PlaneFrame(unittest.TestCase):
         self.assertEqual(len(faces), 6)
         for now, stored in zip(coefficients, reference("plane_frames")["rayleigh"]):
             self.assertAlmostEqual(now / stored, 1, delta=1e-9)
+
+
+class Towers(unittest.TestCase):
+    def test_neighbours_touch_and_close_at_one_speed(self):
+        self.assertEqual(len(towers.neighbours(8)), 10)
+        for count in (2, 8):
+            for a, b, axis in towers.neighbours(count):
+                self.assertEqual([b[0] - a[0], b[1] - a[1]], [1 - axis, axis])
+                closing = towers.speed(count, a[0]) - towers.speed(count, b[0])
+                self.assertAlmostEqual(closing, 0 if axis else towers.SPEED)
+
+    def test_every_tower_is_stiffer_than_its_neighbours_before_it(self):
+        for a, b, _ in towers.neighbours(8):
+            self.assertGreater(towers.stiffer(*b), towers.stiffer(*a))
+
+    def test_a_pair_has_the_unknowns_of_its_nodes(self):
+        # 36 nodes on each of 20 floors: six each, or three each and three of the floor.
+        self.assertEqual(towers.unknowns("2 flexible"), 2 * 20 * 36 * 6)
+        self.assertEqual(towers.unknowns("2 rigid"), 2 * 20 * (36 * 3 + 3))
+
+    def test_a_quarter_of_the_steps_is_quicker(self):
+        self.assertEqual(towers.quarter([9, 1, 5, 7, 3, 8, 2, 6]), 3)
 
 
 class Reading(unittest.TestCase):

@@ -22,8 +22,6 @@ import tempfile
 import time
 from pathlib import Path
 
-import h5py
-
 from measure import FOLDER, ONE_THREAD, run_json
 from plane_frames import BAY, BEAM, COLUMN, ELASTICITY, HEIGHT
 from problem import FLOOR_MASS, LINEAR_STIFFNESS
@@ -135,6 +133,8 @@ def quarter(values):
 
 def run(program, folder, case, ranks=1, **how):
     """One run of the program."""
+    import h5py  # here, so that models can be made without it
+
     yaml, results, log = folder / "model.yaml", folder / "results.h5", folder / "log.txt"
     yaml.write_text(model(*CASES[case], **how))
     seen = process([program, "run", yaml, "-o", results, "-q", "-pounding_ts_monitor", "-log_view", f":{log}"], ranks)
