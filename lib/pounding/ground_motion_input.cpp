@@ -21,10 +21,11 @@ namespace {
 constexpr std::array<std::string_view, 4> kinds = {"record", "harmonic", "pulse", "synthetic"};
 
 GroundMotion read_record_motion(const Input& section, std::initializer_list<std::string_view> beside) {
-  std::vector<std::string_view> allowed{"record", "units", "scale", "pga"};
+  std::vector<std::string_view> allowed{"record", "channel", "units", "scale", "pga"};
   allowed.insert(allowed.end(), beside);
   section.only_keys(allowed);
   const Input file = section.at("record");
+  const auto channel = section.find("channel");
   const auto units = section.find("units");
   const auto scale = section.find("scale");
   const auto pga = section.find("pga");
@@ -32,6 +33,7 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
 
   RecordOptions options;
   if (units) options.units = units->as_text();
+  if (channel) options.channel = channel->as_text();
   const Record record = [&] {
     try {
       return read_record(find_record(file.as_text(), section.directory()), options);
@@ -134,6 +136,7 @@ GroundMotion read_motion(const Input& section, std::initializer_list<std::string
     section.only_keys(allowed);
     section.fail("takes one of record, harmonic, pulse, synthetic; for a still ground leave \"ground_motion\" out");
   }
+  if (const auto channel = section.find("channel")) channel->fail_at_key("belongs to a record");
   for (const std::string_view key : {"units", "scale", "pga"})
     if (const auto found = section.find(key))
       found->fail_at_key(fmt::format("belongs to a record; a {} states its own strength", *kind));

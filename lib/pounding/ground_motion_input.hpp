@@ -8,7 +8,7 @@ namespace pounding {
 
 /// Reads the section, which holds exactly one of
 ///
-///     record: FILE         with units (when the file states none), and scale or pga
+///     record: FILE         with channel (when the file has several), units (when it states none), and scale or pga
 ///     harmonic:  {amplitude, period, duration}
 ///     pulse:     {shape: half_sine | sine | rectangle, amplitude, duration, start}
 ///     synthetic: {seed, duration, pga, soil: firm (unless named) | medium | soft}, or, instead of soil,

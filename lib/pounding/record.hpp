@@ -1,5 +1,5 @@
 #pragma once
-/// Accelerograms from files: PEER AT2, and two columns of time and acceleration.
+/// Accelerograms from files of the formats in which strong motion is published.
 
 #include <filesystem>
 #include <string>
@@ -24,32 +24,42 @@ struct RecordMeasures {
 RecordMeasures measure(const Samples& samples);
 
 struct Record {
-  std::string file;    ///< as it was named
-  std::string format;  ///< "PEER AT2" or "two columns"
-  std::string title;   ///< what the file says about itself; may be empty
-  std::string unit;    ///< of the accelerations in the file, as read
-  Samples samples;     ///< [s], [m/s^2]
+  std::string file;     ///< as it was named
+  std::string format;   ///< "PEER AT2", "CSMIP V2", "two columns", ...
+  std::string title;    ///< what the file says about itself, mostly the earthquake; may be empty
+  std::string station;  ///< code and name; empty when the file states none
+  std::string channel;  ///< number and component, as in "2: 90 deg" or "N-S"; empty when the file states none
+  std::string remark;   ///< "uncorrected" when the file says so, and what was done to the values; mostly empty
+  std::string unit;     ///< of the accelerations in the file, as read
+  Samples samples;      ///< [s], [m/s^2]
   RecordMeasures measures;
 
   std::size_t points() const noexcept { return samples.times.size(); }
   /// Spacing [s]; 0 when it varies.
   double step() const noexcept;
-  /// One line for reports: file name, points, spacing.
+  /// One line for reports: file name, format, unit, station and channel where stated, points, spacing, remark.
   std::string summary() const;
 };
 
 struct RecordOptions {
   /// Unit of the accelerations when the file states none: g, m/s^2, cm/s^2, gal. Where the file states one, it must be
   /// the same.
-  std::string units;
+  std::string units = {};
+  /// Number or component of the channel to read, as in the file. Needed where a file has several; where it has one, it must
+  /// be that one.
+  std::string channel = {};
 };
 
-/// Reads a record; the format is found from the content.
+/// Reads a record; the format is found from the content, never from the name.
 ///
-/// PEER AT2: a header that states NPTS and DT, in either order of word and number, and "UNITS OF G"; then the values.
+/// K-NET and KiK-net ASCII; ESM and ITACA (DYNA); COSMOS V1 and V2; CSMIP (CDMG) V1 and V2; USGS SMC; PEER AT2; two columns.
+/// The files in `records/` say what is read of each. Files of velocity, displacement, spectra and raw counts without a
+/// scale are refused. Values are taken as they are, with one exception: the counts of K-NET have an offset, so their mean
+/// is removed, and `remark` says so. Nothing is filtered and no baseline is corrected.
 /// Two columns: time [s] and acceleration, parted by comma, semicolon or blanks; lines that begin with # or % are
 /// comments; one line of names may come first and state the unit, as in "time,acc (g)". Times need not be even.
-/// Throws InputError with "file:line: " for whatever cannot be read as just said.
+/// Throws InputError with "file:line: " for whatever cannot be read as just said; where a file has several channels and
+/// none is chosen, the text lists them.
 Record read_record(const std::filesystem::path& file, const RecordOptions& options = {});
 
 /// The same from text; `name` stands for the file in messages.

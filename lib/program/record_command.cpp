@@ -21,19 +21,24 @@ namespace pounding::program {
 namespace {
 
 struct Words {
-  std::string file, units, csv;
+  std::string file, units, channel, csv;
   std::string damping = "5 %";
   std::string periods = "0.02:4:50";
   bool json = false;
 };
 
-Record read(const Words& words) { return read_record(find_record(words.file, {}), {.units = words.units}); }
+Record read(const Words& words) {
+  return read_record(find_record(words.file, {}), {.units = words.units, .channel = words.channel});
+}
 
 nlohmann::json as_json(const Record& record) {
   const RecordMeasures& m = record.measures;
   return {{"file", record.file},
           {"format", record.format},
           {"title", record.title},
+          {"station", record.station},
+          {"channel", record.channel},
+          {"remark", record.remark},
           {"unit", record.unit},
           {"npts", record.points()},
           {"dt", record.samples.uniform ? nlohmann::json(record.step()) : nlohmann::json(nullptr)},
@@ -49,10 +54,14 @@ nlohmann::json as_json(const Record& record) {
 
 void print_info(const Record& record) {
   const RecordMeasures& m = record.measures;
+  const auto stated = [](const std::string& text) { return text.empty() ? "not stated" : text; };
   const auto line = [](const char* name, const std::string& value) { fmt::print("{:<22} {}\n", name, value); };
   line("file", record.file);
   if (!record.title.empty()) line("title", record.title);
+  line("station", stated(record.station));
+  line("channel", stated(record.channel));
   line("format", fmt::format("{}, in {}", record.format, record.unit));
+  if (!record.remark.empty()) line("remark", record.remark);
   line("points", fmt::format("{}, {}", record.points(),
                              record.samples.uniform ? fmt::format("every {:g} s", record.step()) : "unevenly spaced"));
   line("duration", fmt::format("{:g} s", record.samples.times.back()));
@@ -128,8 +137,10 @@ void add_record(CLI::App& app) {
 
   const auto add = [&](const char* name, const char* what) {
     CLI::App* const command = record->add_subcommand(name, what);
-    command->add_option("file", words->file, "PEER AT2, or two columns of time and acceleration")->required();
+    command->add_option("file", words->file, "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USGS SMC, or two columns of time and acceleration")
+        ->required();
     command->add_option("--units", words->units, "Unit when the file states none: g, m/s^2, cm/s^2, gal");
+    command->add_option("--channel", words->channel, "Number or component, as in the file, when it has several channels");
     return command;
   };
   CLI::App* const info = add("info", "Points, spacing, peaks, Arias intensity, significant duration");

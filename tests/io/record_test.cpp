@@ -21,7 +21,7 @@ namespace {
 constexpr double g = 9.80665;
 constexpr double pi = std::numbers::pi;
 
-Record read(const std::string& text, const std::string& units = {}) { return read_record_text(text, "r.txt", {units}); }
+Record read(const std::string& text, const std::string& units = {}) { return read_record_text(text, "r.txt", {.units = units}); }
 
 std::string error_of(const std::string& text, const std::string& units = {}) {
   try {
@@ -145,7 +145,7 @@ TEST(TwoColumns, TimesNeedNotBeEven) {
   const Record record = read("0 0\n0.1 1\n0.15 2\n", "g");
   EXPECT_FALSE(record.samples.uniform);
   EXPECT_EQ(record.step(), 0);
-  EXPECT_EQ(record.summary(), "r.txt, 3 points unevenly spaced");
+  EXPECT_EQ(record.summary(), "r.txt, two columns in g, 3 points unevenly spaced");
 }
 
 TEST(TwoColumns, ErrorsSayWhere) {
@@ -186,7 +186,7 @@ TEST(Record, MissingFileIsNamed) {
 TEST(Record, BecomesAGroundMotion) {
   const GroundMotion motion = scaled(read("0 0\n0.02 1\n0.04 0\n", "m/s^2"), 3);
   EXPECT_DOUBLE_EQ(motion.acceleration(0.01), 1.5);
-  EXPECT_EQ(motion.source(), "r.txt, 3 points every 0.02 s, times 3");
+  EXPECT_EQ(motion.source(), "r.txt, two columns in m/s^2, 3 points every 0.02 s, times 3");
 }
 
 TEST(Measures, TriangleHasItsClosedForms) {
@@ -270,6 +270,7 @@ class RecordCommand : public testing::Test {
 
 TEST_F(RecordCommand, InfoShowsTheMeasures) {
   const std::string text = run("record info " + file_);
+  EXPECT_NE(text.find("station                not stated\nchannel                not stated\n"), std::string::npos) << text;
   EXPECT_NE(text.find("format                 two columns, in m/s^2\n"), std::string::npos) << text;
   EXPECT_NE(text.find("points                 3, every 1 s\n"), std::string::npos) << text;
   EXPECT_NE(text.find("PGA                    2 m/s^2 (0.2039 g)\n"), std::string::npos) << text;
