@@ -257,13 +257,13 @@ TEST_F(GroundMotionSection, RecordIsSoughtBesideTheInput) {
   const GroundMotion motion = read("record: record.csv");
   EXPECT_DOUBLE_EQ(motion.acceleration(0.02), 0.5 * 9.80665);
   EXPECT_DOUBLE_EQ(motion.sample_step(), 0.02);
-  EXPECT_EQ(motion.source(), "record.csv, 3 points every 0.02 s");
+  EXPECT_EQ(motion.source(), "record.csv, two columns in g, 3 points every 0.02 s");
 }
 
 TEST_F(GroundMotionSection, RecordIsScaledByFactorOrToItsPeak) {
   EXPECT_DOUBLE_EQ(read("{record: record.csv, scale: -2}").acceleration(0.02), -9.80665);
   EXPECT_DOUBLE_EQ(read("{record: record.csv, pga: 3 m/s^2}").peak(), 3);
-  EXPECT_EQ(read("{record: record.csv, scale: 150 %}").source(), "record.csv, 3 points every 0.02 s, times 1.5");
+  EXPECT_EQ(read("{record: record.csv, scale: 150 %}").source(), "record.csv, two columns in g, 3 points every 0.02 s, times 1.5");
 }
 
 TEST_F(GroundMotionSection, UnitsAreForFilesThatStateNone) {
@@ -278,6 +278,12 @@ TEST_F(GroundMotionSection, UnitsAreForFilesThatStateNone) {
   EXPECT_EQ(error("{record: bare.txt, units: kN}"),
             "m.yaml:1:10: record: bare.txt: units: \"kN\" is not the unit of an "
                                                     "acceleration; type g, m/s^2, cm/s^2 or gal");
+}
+
+TEST_F(GroundMotionSection, ChannelOfARecordIsNamedBesideIt) {
+  EXPECT_EQ(error("{record: record.csv, channel: 2}"),
+            "m.yaml:1:10: record: record.csv: the file has one channel without a name; remove \"channel\"");
+  EXPECT_EQ(error("{pulse: {amplitude: 1, duration: 1}, channel: 2}"), "m.yaml:1:38: channel: belongs to a record");
 }
 
 TEST_F(GroundMotionSection, RecordErrorsSayWhere) {

@@ -37,7 +37,8 @@ Part read_part(const Lines& lines, std::size_t i, std::string_view name, bool in
   static const std::regex number = pattern(R"(^\s*([0-9]{1,9})\s)");
   const std::string_view line = lines.at(i, fmt::format("the line that states {}", name));
   const auto count = captured(line, number);
-  if (!count || !contains(line, upper(name))) lines.fail(i, fmt::format("is not the line that states how many {} follow", name));
+  if (!count || !contains(line, upper(name)))
+    lines.fail(i, fmt::format("is not the line that states how many {} follow", name));
   Part part{.count = std::stoul(count->front()), .line = i};
   if (!in_columns) return part;
   const auto columns = fortran_columns(line);
@@ -96,7 +97,8 @@ Channel read_channel(const Lines& lines, std::size_t begin) {
 double read_step(const Lines& lines, const Series& series) {
   const auto real = [&](std::size_t number) {
     const Part& reals = series.reals;
-    if (number > reals.count) lines.fail(reals.line, fmt::format("states {} values; number {} is needed", reals.count, number));
+    if (number > reals.count)
+      lines.fail(reals.line, fmt::format("states {} values; number {} is needed", reals.count, number));
     return lines.number(reals.line + 1 + (number - 1) / reals.columns.per_line,
                         column_field(lines, reals.line + 1, reals.columns, number - 1));
   };

@@ -94,7 +94,8 @@ void read_pairs(const Lines& lines, std::size_t begin, const RecordOptions& opti
   if (!count_text) lines.fail(count_line, "has no \"No. of points =\"");
   if (!unit_text) lines.fail(unit_line, "has no \"Units of uncor data are sec and\"");
   const double unit = agreed_unit(lines, unit_line, unit_alone((*unit_text)[0]), options, record.unit);
-  const std::size_t count = checked_count(lines, count_line, "the number of points", lines.number(count_line, (*count_text)[0]));
+  const std::size_t count =
+      checked_count(lines, count_line, "the number of points", lines.number(count_line, (*count_text)[0]));
   const std::size_t first = begin + v1_pairs_line;
   const std::vector<double> values =
       read_columns(lines, first, pairs_columns, {2 * count, fmt::format("line {}, two for a point,", count_line + 1)});
@@ -110,7 +111,8 @@ void read_pairs(const Lines& lines, std::size_t begin, const RecordOptions& opti
 }
 
 void read_v1(const Lines& lines, std::size_t begin, const RecordOptions& options, Record& record) {
-  static const std::regex stated = pattern(R"(^\s*([0-9]+)\s+accelerogram points at\s*([0-9.]+)\s*pts/sec\s*in units of\s*(.*)$)");
+  static const std::regex stated =
+      pattern(R"(^\s*([0-9]+)\s+accelerogram points at\s*([0-9.]+)\s*pts/sec\s*in units of\s*(.*)$)");
   for (std::size_t i = begin; i < std::min(begin + v1_pairs_line + 1, lines.size()); ++i)
     if (const auto parts = captured(lines[i], stated)) {
       const double rate = checked_positive(lines, i, "the sampling rate", lines.number(i, (*parts)[1]), "a number");
@@ -131,7 +133,8 @@ void read_v2(const Lines& lines, std::size_t begin, const RecordOptions& options
 }
 
 Record read(const Lines& lines, const RecordOptions& options) {
-  if (begins_with(trimmed(lines[0]), v3_title)) lines.fail(0, "holds spectra (V3); take the file of accelerations, V1 or V2");
+  if (begins_with(trimmed(lines[0]), v3_title))
+    lines.fail(0, "holds spectra (V3); take the file of accelerations, V1 or V2");
   const Channel channel = chosen(lines, find_channels(lines), options);
   const std::size_t begin = channel.begin;
   const bool v1 = is_v1(lines, begin);
@@ -142,7 +145,8 @@ Record read(const Lines& lines, const RecordOptions& options) {
   static const std::regex number = pattern(R"(station no\.?\s*([0-9A-Z]+))");
   const auto code = captured(lines[text_line(lines, begin, 5)], number);
   // Columns 1 to 40; the owner of the station follows.
-  record.station = single_spaced(fmt::format("{} {}", code ? code->front() : "", lines[text_line(lines, begin, 6)].substr(0, 40)));
+  record.station = single_spaced(
+      fmt::format("{} {}", code ? code->front() : "", lines[text_line(lines, begin, 6)].substr(0, 40)));
   if (v1) {
     record.remark = "uncorrected";
     read_v1(lines, begin, options, record);

@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::size_t header_length = 64;
 
-bool recognises(const Lines& lines) { return lines.size() > 1 && lines[0].starts_with("EVENT_NAME:") && lines[1].starts_with("EVENT_ID:"); }
+bool recognises(const Lines& lines) {
+  return lines.size() > 1 && lines[0].starts_with("EVENT_NAME:") && lines[1].starts_with("EVENT_ID:");
+}
 
 /// A value of the header, and its line.
 struct Entry {
@@ -19,31 +21,34 @@ struct Entry {
   std::size_t line;
 };
 
-Entry entry(const Lines& lines, std::string_view key) {
-  for (std::size_t i = 0; i < header_length; ++i) {
-    const std::string_view line = lines.at(i, "the end of the header of 64 lines");
-    if (line.starts_with(key) && line.substr(key.size()).starts_with(':'))
-      return {std::string(trimmed(line.substr(key.size() + 1))), i};
-  }
-  lines.fail(header_length - 1, fmt::format("the header of 64 lines has no \"{}\"", key));
-}
-
-std::string optional_value(const Lines& lines, std::string_view key) {
+std::optional<Entry> find_entry(const Lines& lines, std::string_view key) {
   for (std::size_t i = 0; i < header_length; ++i)
     if (lines[i].starts_with(key) && lines[i].substr(key.size()).starts_with(':'))
-      return std::string(trimmed(lines[i].substr(key.size() + 1)));
-  return {};
+      return Entry{std::string(trimmed(lines[i].substr(key.size() + 1))), i};
+  return std::nullopt;
+}
+
+Entry entry(const Lines& lines, std::string_view key) {
+  const std::optional<Entry> found = find_entry(lines, key);
+  if (!found) lines.fail(header_length - 1, fmt::format("the header of 64 lines has no \"{}\"", key));
+  return *found;
+}
+
+/// Empty when there is none.
+std::string value(const Lines& lines, std::string_view key) {
+  return find_entry(lines, key).value_or(Entry{}).value;
 }
 
 Record read(const Lines& lines, const RecordOptions& options) {
+  lines.at(header_length - 1, "the end of the header of 64 lines");
   const Entry type = entry(lines, "DATA_TYPE");
   if (upper(type.value) != "ACCELERATION")
     lines.fail(type.line, fmt::format("holds \"{}\"; take the file of accelerations", type.value));
   Record record;
   record.format = "ESM";
-  record.title = single_spaced(fmt::format("{} {}", optional_value(lines, "EVENT_NAME"), optional_value(lines, "EVENT_DATE_YYYYMMDD")));
-  record.station = single_spaced(fmt::format("{} {} {}", optional_value(lines, "NETWORK"), entry(lines, "STATION_CODE").value,
-                                             optional_value(lines, "STATION_NAME")));
+  record.title = single_spaced(value(lines, "EVENT_NAME") + " " + value(lines, "EVENT_DATE_YYYYMMDD"));
+  record.station = single_spaced(fmt::format("{} {} {}", value(lines, "NETWORK"), entry(lines, "STATION_CODE").value,
+                                             value(lines, "STATION_NAME")));
   const Entry stream = entry(lines, "STREAM");
   record.channel = chosen(lines, {{.number = {}, .component = stream.value, .place = {}, .begin = stream.line}}, options).text();
   const Entry units = entry(lines, "UNITS");
@@ -51,7 +56,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const Entry step = entry(lines, "SAMPLING_INTERVAL_S"), npts = entry(lines, "NDATA");
   const double dt = checked_positive(lines, step.line, "SAMPLING_INTERVAL_S", lines.number(step.line, step.value), "a time");
   const std::size_t count = checked_count(lines, npts.line, "NDATA", lines.number(npts.line, npts.value));
-  if (contains(optional_value(lines, "BASELINE_CORRECTION"), "NOT REMOVED") || upper(optional_value(lines, "PROCESSING")) == "NONE")
+  if (contains(value(lines, "BASELINE_CORRECTION"), "NOT REMOVED") || upper(value(lines, "PROCESSING")) == "NONE")
     record.remark = "uncorrected";
 
   record.samples.accelerations = read_numbers(lines, header_length, {count, "NDATA"});

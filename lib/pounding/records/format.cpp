@@ -98,7 +98,7 @@ std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view na
 }
 
 double checked_positive(const Lines& lines, std::size_t i, std::string_view name, double value, std::string_view what) {
-  if (!(value > 0)) lines.fail(i, fmt::format("{} is {:g}; it must be {} > 0", name, value, what));
+  if (!(value > 0) || std::isinf(value)) lines.fail(i, fmt::format("{} is {:g}; it must be {} > 0", name, value, what));
   return value;
 }
 
