@@ -137,7 +137,7 @@ void add_record(CLI::App& app) {
 
   const auto add = [&](const char* name, const char* what) {
     CLI::App* const command = record->add_subcommand(name, what);
-    command->add_option("file", words->file, "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USGS SMC, or two columns of time and acceleration")
+    command->add_option("file", words->file, "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USGS SMC, or two columns, time and acceleration")
         ->required();
     command->add_option("--units", words->units, "Unit when the file states none: g, m/s^2, cm/s^2, gal");
     command->add_option("--channel", words->channel, "Number or component, as in the file, when it has several channels");

@@ -7,6 +7,7 @@
 
 #include <pounding/records/format.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

@@ -7,6 +7,8 @@
 
 #include <pounding/records/format.hpp>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace pounding::records {

@@ -6,6 +6,7 @@
 
 #include <pounding/records/format.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
