@@ -1,5 +1,6 @@
-// Small files built from the descriptions of the formats: NIED knetform_en.html; ESM's DYNA 1.2; COSMOS Strong Motion Data
-// Format 1.20 (2001); CSMIP OSMS 85-03 (1985); USGS smcfmt. Stations and values are invented.
+// Small files of each format: K-NET (NIED knetform_en.html), ESM's DYNA 1.2, COSMOS Strong Motion Data Format 1.20 (2001),
+// CSMIP OSMS 85-03 (1985), USGS smcfmt. K-NET is laid out as its description says, the others as headers of published files
+// and independent readers (gmprocess, pystrata, D. Boore's smcwrite) have them. Stations and values are invented.
 
 #include <pounding/record.hpp>
 
