@@ -84,6 +84,9 @@ class Beam {
                     const Material& material);
 
   bool is_truss() const { return is_truss_; }
+  const Section& section() const { return section_; }
+  const Material& material() const { return material_; }
+  const BeamOptions& options() const { return options_; }
   /// See BeamOptions; throws std::invalid_argument as the constructor does.
   void set_axial_force(double force);
   double axial_force() const { return options_.axial_force; }

@@ -109,10 +109,17 @@ Vector3d rotation_vector(const Matrix3d& r) {
 
 CorotationalBeam::CorotationalBeam(const Vector3d& start_node, const Vector3d& end_node, const Section& section,
                                    const Material& material, const BeamOptions& options, int dimension)
-    : is_plane_(dimension == 2), start_offset_(options.start_offset), end_offset_(options.end_offset),
-      undeformed_(end_node + options.end_offset - start_node - options.start_offset) {
-  if (options.axial_force != 0) refuse("a corotational member finds its own axial force; leave it out");
-  const Beam beam(start_node, end_node, section, material, options);
+    : CorotationalBeam(Beam(start_node, end_node, section, material, options), start_node, end_node, dimension) {}
+
+CorotationalBeam CorotationalBeam::truss(const Vector3d& start_node, const Vector3d& end_node, double area,
+                                         const Material& material, int dimension) {
+  return {Beam::truss(start_node, end_node, area, material), start_node, end_node, dimension};
+}
+
+CorotationalBeam::CorotationalBeam(const Beam& beam, const Vector3d& start_node, const Vector3d& end_node, int dimension)
+    : is_plane_(dimension == 2), start_offset_(beam.options().start_offset), end_offset_(beam.options().end_offset),
+      undeformed_(end_node + end_offset_ - start_node - start_offset_) {
+  if (beam.axial_force() != 0) refuse("a corotational member finds its own axial force; leave it out");
   length_ = beam.length();
   axes_ = beam.axes().transpose();
   // Beam has the releases condensed; displacements of the nodes that deform it locally, one by one.
@@ -151,6 +158,41 @@ CorotationalBeam::Vector7 CorotationalBeam::plane_deformation(const Vector12& u,
   d[3] = chord.elongation;
   d[5] = sense * std::remainder(u[10] - turn, 2 * std::numbers::pi);
   return d;
+}
+
+// The same as below in numbers instead of matrices, for motions in time: some five times as fast.
+CorotationalBeam::Response CorotationalBeam::plane_without_tangent(const Vector12& u) const {
+  struct Arm {
+    double x, z, by_x = 0, by_z = 0;  // turned; by how much it has moved
+    Arm(const Vector3d& offset, double turn) : x(offset.x()), z(offset.z()) {
+      if (x == 0 && z == 0) return;
+      const double half = std::sin(turn / 2), s = std::sin(turn), less = -2 * half * half;
+      by_x = less * x + s * z;
+      by_z = -s * x + less * z;
+      x += by_x;
+      z += by_z;
+    }
+  };
+  const Arm start(start_offset_, u[4]), end(end_offset_, u[10]);
+  const double change_x = u[6] + end.by_x - u[0] - start.by_x, change_z = u[8] + end.by_z - u[2] - start.by_z;
+  const double x = undeformed_.x() + change_x, z = undeformed_.z() + change_z, length = std::hypot(x, z);
+  const double elongation = (change_x * (undeformed_.x() + x) + change_z * (undeformed_.z() + z)) / (length + length_);
+  const double turn = std::atan2(undeformed_.z() * x - undeformed_.x() * z, undeformed_.x() * x + undeformed_.z() * z);
+  const double sense = axes_(1, 1);
+  const double d[3] = {sense * std::remainder(u[4] - turn, 2 * std::numbers::pi), elongation,
+                       sense * std::remainder(u[10] - turn, 2 * std::numbers::pi)};
+  double s[3];
+  Response out;
+  for (int i = 0; i < 3; ++i) {
+    s[i] = 0;
+    for (int j = 0; j < 3; ++j) s[i] += stiffness_(1 + 2 * i, 1 + 2 * j) * d[j];
+    out.energy += 0.5 * d[i] * s[i];
+  }
+  const double across = sense * (s[0] + s[2]) / (length * length), along = s[1] / length;
+  const double force_x = across * z - along * x, force_z = -across * x - along * z;  // on the start
+  out.force << force_x, 0, force_z, 0, sense * s[0] + start.z * force_x - start.x * force_z, 0,
+      -force_x, 0, -force_z, 0, sense * s[2] - end.z * force_x + end.x * force_z, 0;
+  return out;
 }
 
 CorotationalBeam::Response CorotationalBeam::plane_ends(const Vector12& u, const Chord& chord, bool with_tangent) const {
@@ -263,6 +305,7 @@ CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const
 }
 
 CorotationalBeam::Response CorotationalBeam::evaluate(const Vector12& u, bool with_tangent) const {
+  if (is_plane_ && !with_tangent) return plane_without_tangent(u);
   const Chord c = chord(u);
   Response out = is_plane_ ? plane_ends(u, c, with_tangent) : space_ends(u, c, with_tangent);
 
@@ -293,15 +336,30 @@ CorotationalBeam::Response CorotationalBeam::evaluate(const Vector12& u, bool wi
 Vector12 CorotationalBeam::end_forces(const Vector12& u) const {
   const Chord c = chord(u);
   const Response ends = is_plane_ ? plane_ends(u, c, false) : space_ends(u, c, false);
+  const Matrix3d to_local = axes(u);
+  Vector12 local;
+  for (int i : {0, 3, 6, 9}) local.segment<3>(i) = to_local * ends.force.segment<3>(i);
+  return local;
+}
+
+Matrix3d CorotationalBeam::axes(const Vector12& u) const {
   Matrix3d e;
-  e.col(0) = c.direction;
+  e.row(0) = chord(u).direction;
   const Vector3d mean_y =
       is_plane_ ? Vector3d(axes_.col(1)) : Vector3d((rotation(u.segment<3>(3)) + rotation(u.segment<3>(9))) * axes_.col(1));
-  e.col(2) = e.col(0).cross(mean_y).normalized();
-  e.col(1) = e.col(2).cross(e.col(0));
-  Vector12 local;
-  for (int i : {0, 3, 6, 9}) local.segment<3>(i) = e.transpose() * ends.force.segment<3>(i);
-  return local;
+  e.row(2) = e.row(0).cross(mean_y).normalized();
+  e.row(1) = e.row(2).cross(e.row(0));
+  return e;
+}
+
+std::vector<CorotationalMember> corotational_members(const Frame& frame) {
+  std::vector<CorotationalMember> members;
+  for (int member = 0; member < frame.members(); ++member) {
+    const auto [start, end] = frame.ends(member);
+    const Beam& beam = frame.beam(member);
+    members.push_back({start, end, beam.section(), beam.material(), beam.options(), beam.is_truss()});
+  }
+  return members;
 }
 
 CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std::vector<CorotationalMember>& members)
@@ -319,8 +377,10 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
       if (node < 0 || node >= nodes)
         refuse(where + "there is no node " + std::to_string(node) + " among " + std::to_string(nodes));
     try {
-      members_.push_back({CorotationalBeam(assembled.positions[m.start], assembled.positions[m.end], m.section, m.material,
-                                           m.options, assembled.dimension), {}, Matrix12::Zero()});
+      const Vector3d &from = assembled.positions[m.start], &to = assembled.positions[m.end];
+      members_.push_back({m.is_truss ? CorotationalBeam::truss(from, to, m.section.area, m.material, assembled.dimension)
+                                     : CorotationalBeam(from, to, m.section, m.material, m.options, assembled.dimension),
+                          {}, Matrix12::Zero()});
     } catch (const std::invalid_argument& error) {
       refuse(where + error.what());
     }
@@ -340,6 +400,8 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
   Eigen::SparseMatrix<double> turning(size(), size());
   turning.setFromTriplets(entries.begin(), entries.end());
   rest_ -= turning;
+  // What the members leave but for rounding.
+  rest_.prune([&](int i, int j, double value) { return std::abs(value) > 1e-12 * std::sqrt(linear_.coeff(i, i) * linear_.coeff(j, j)); });
   for (int j = 0; j < size(); ++j)
     if (rest_.coeff(j, j) < -1e-9 * turning.coeff(j, j))
       refuse("node " + std::to_string(assembled.unknowns[j].first) +
@@ -413,11 +475,26 @@ Eigen::SparseMatrix<double> CorotationalFrame::excess_tangent(const Eigen::Vecto
   return sum;
 }
 
-Vector12 CorotationalFrame::end_forces(int member, const Eigen::VectorXd& q) const {
+const CorotationalFrame::Member& CorotationalFrame::of(int member, const Eigen::VectorXd& q) const {
   if (member < 0 || member >= members())
     refuse("there is no member " + std::to_string(member) + " among " + std::to_string(members()));
   require_size(q, "q");
-  return members_[member].beam.end_forces(displacements(members_[member], q));
+  return members_[member];
+}
+
+Vector12 CorotationalFrame::end_forces(int member, const Eigen::VectorXd& q) const {
+  const Member& m = of(member, q);
+  return m.beam.end_forces(displacements(m, q));
+}
+
+Matrix3d CorotationalFrame::axes(int member, const Eigen::VectorXd& q) const {
+  const Member& m = of(member, q);
+  return m.beam.axes(displacements(m, q));
+}
+
+Vector12 CorotationalFrame::nodal_forces(int member, const Eigen::VectorXd& q) const {
+  const Member& m = of(member, q);
+  return m.beam.evaluate(displacements(m, q), false).force;
 }
 
 }  // namespace pounding

@@ -36,12 +36,18 @@ class CorotationalBeam {
   /// this member finds its own.
   CorotationalBeam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section,
                    const Material& material, const BeamOptions& options, int dimension);
+  /// A bar that carries axial force only, see Beam::truss.
+  static CorotationalBeam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
+                                const Material& material, int dimension);
 
   Response evaluate(const Vector12& displacements, bool with_tangent) const;
   /// On its two ends in local axes that turned with the chord; as Beam::end_forces for small displacements.
   Vector12 end_forces(const Vector12& displacements) const;
+  /// Rows: the local axes that have turned with the chord. Those of Beam for no displacements.
+  Eigen::Matrix3d axes(const Vector12& displacements) const;
 
  private:
+  CorotationalBeam(const Beam& beam, const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, int dimension);
   // In the turned axes: rotations of the start, elongation, rotations of the end.
   using Vector7 = Eigen::Matrix<double, 7, 1>;
   using Matrix7 = Eigen::Matrix<double, 7, 7>;
@@ -52,6 +58,7 @@ class CorotationalBeam {
 
   Chord chord(const Vector12& displacements) const;
   Vector7 plane_deformation(const Vector12& displacements, const Chord& chord) const;
+  Response plane_without_tangent(const Vector12& displacements) const;
   Response plane_ends(const Vector12& displacements, const Chord& chord, bool with_tangent) const;
   Response space_ends(const Vector12& displacements, const Chord& chord, bool with_tangent) const;
 
@@ -62,13 +69,17 @@ class CorotationalBeam {
   Matrix7 stiffness_;
 };
 
-/// A member of a frame that is to follow large rotations: what Frame::add_member was given.
+/// A member of a frame that is to follow large rotations: what Frame::add_member was given, or Frame::add_truss.
 struct CorotationalMember {
   int start = 0, end = 0;
   Section section;
   Material material;
   BeamOptions options{};
+  bool is_truss = false;  ///< of the section the area counts only
 };
+
+/// All members of a frame.
+std::vector<CorotationalMember> corotational_members(const Frame& frame);
 
 /// The same frame with some or all of its members corotational; everything else (springs, other members) stays linear, and
 /// constraints stay linear in the displacements: those with an arm hold for small turns of their master, with an error of
@@ -104,6 +115,10 @@ class CorotationalFrame {
 
   /// See CorotationalBeam::end_forces; members are numbered as they were given.
   Vector12 end_forces(int member, const Eigen::VectorXd& q) const;
+  /// See CorotationalBeam::axes.
+  Eigen::Matrix3d axes(int member, const Eigen::VectorXd& q) const;
+  /// On the nodes of the member, global axes.
+  Vector12 nodal_forces(int member, const Eigen::VectorXd& q) const;
 
   /// Equilibrium under `load` (n) applied in equal steps by Newton's method; where a step fails, at a limit point say, the
   /// path is followed by arc length until it reaches the whole load. First the undeformed state, last factor 1. A branch
@@ -128,6 +143,7 @@ class CorotationalFrame {
   class Path;
 
   static Vector12 displacements(const Member& member, const Eigen::VectorXd& q);
+  const Member& of(int member, const Eigen::VectorXd& q) const;
   void require_size(const Eigen::VectorXd& q, const char* what) const;
 
   std::vector<Member> members_;

@@ -592,7 +592,11 @@ class Reader {
 
   void read_gravity() {
     const auto geometry = body_.find("geometry"), gravity = body_.find("gravity");
-    if (geometry) model_.p_delta = geometry->as_choice("geometry", {"linear", "p_delta"}) == "p_delta";
+    if (geometry) {
+      const std::string choice = geometry->as_choice("geometry", {"linear", "p_delta", "corotational"});
+      model_.p_delta = choice == "p_delta";
+      model_.corotational = choice == "corotational";
+    }
     model_.gravity = gravity ? gravity->as_bool() : model_.loads || model_.p_delta;
     model_.loads = model_.loads || model_.gravity;
     if (model_.p_delta && !model_.loads)

@@ -47,6 +47,7 @@ struct FrameModel {
   bool gravity = false;  ///< the weights of the masses act
   bool loads = false;    ///< anything acts at rest: weights or loads
   bool p_delta = false;
+  bool corotational = false;  ///< members turn by large angles
   /// Where the nodes and the members stand in the file, for messages.
   std::vector<Input> node_places, member_places;
 };

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/corotational_forces.hpp>
 #include <pounding/frame_surface.hpp>
 
 namespace pounding {
@@ -65,11 +66,12 @@ double lowest_support(const FrameModel& model) {
   return lowest;
 }
 
-// Forces along x, and y in space, on the upper ends of what joins the nodes above the cut to those below.
+// Forces along x, and y in space, on the upper ends of what joins the nodes above the cut to those below; not of members
+// that turn.
 std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& frame, const std::vector<bool>& above) {
   const int directions = frame.dimension - 1;
   std::vector<Eigen::VectorXd> sums(directions, Eigen::VectorXd::Zero(frame.size()));
-  for (int member = 0; member < model.frame.members(); ++member) {
+  for (int member = 0; !model.corotational && member < model.frame.members(); ++member) {
     const auto [start, end] = model.frame.ends(member);
     if (above[start] == above[end]) continue;
     const Beam& beam = model.frame.beam(member);
@@ -245,12 +247,56 @@ MemberReport make_member_report(const FrameModel& model, const AssembledFrame& f
     report.members.push_back(member);
     const Eigen::SparseMatrix<double, Eigen::RowMajor> all = model.frame.end_force_rows(member, frame);
     std::vector<Row>& rows = report.forces.emplace_back();
-    for (const int place : report.places) rows.push_back(all.row(place).transpose());
-    const Vector12 held = model.loads ? model.frame.held_end_forces(member) : Vector12(Vector12::Zero());
+    for (const int place : report.places)
+      rows.push_back(model.corotational ? Row(frame.size()) : Row(all.row(place).transpose()));
+    const Vector12 held = model.loads && !model.corotational ? model.frame.held_end_forces(member) : Vector12(Vector12::Zero());
     std::vector<double>& loads = report.held.emplace_back();
     for (const int place : report.places) loads.push_back(held[place]);
   }
   return report;
+}
+
+// Reports that the turned members make, and the stiffness and the forces about the state at rest. What a linear report would
+// show wrong is refused.
+void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_ptr<const AssembledFrame>& frame,
+              const std::shared_ptr<const CorotationalFrame>& turning, Structure& s) {
+  if (model->supports.size() > 1)
+    throw std::invalid_argument("with geometry: corotational all supports move alike; leave out their delay and ground_motion, or "
+                                "type geometry: p_delta");
+  for (const Floor& floor : s.floors)
+    for (const Row& row : floor.motion)
+      for (Row::InnerIterator it(row); it; ++it)
+        if (it.value() != 0 && frame->massless[it.index()])
+          throw std::invalid_argument(fmt::format("node {}: floor {} is followed here, and with geometry: corotational it needs mass; "
+                                                  "type masses, or a density", frame->node_names[frame->unknowns[it.index()].first], floor.label));
+  s.storey_shears = [model, turning, above = cuts(*model)](const Eigen::VectorXd& q) {
+    const int directions = model->frame.dimension() - 1;
+    Eigen::VectorXd shears = Eigen::VectorXd::Zero(static_cast<int>(above.size()) * directions);
+    for (int member = 0; member < model->frame.members(); ++member) {
+      const auto [start, end] = model->frame.ends(member);
+      std::optional<Vector12> forces;
+      for (std::size_t floor = 0; floor < above.size(); ++floor) {
+        if (above[floor][start] == above[floor][end]) continue;
+        if (!forces) forces = turning->nodal_forces(member, q);
+        shears.segment(static_cast<int>(floor) * directions, directions) += forces->segment(above[floor][start] ? 0 : 6, directions);
+      }
+    }
+    return shears;
+  };
+  s.end_forces = [model, turning, members = s.members.members, places = s.members.places](const Eigen::VectorXd& q) {
+    Eigen::VectorXd all(static_cast<int>(members.size() * places.size()));
+    int at = 0;
+    for (const int member : members) {
+      Vector12 forces = turning->end_forces(member, q);
+      if (model->loads) {  // which keep their directions in space
+        const Eigen::Matrix3d turn = turning->axes(member, q) * model->frame.beam(member).axes().transpose();
+        const Vector12 held = model->frame.held_end_forces(member);
+        for (const int i : {0, 3, 6, 9}) forces.segment<3>(i) += turn * held.segment<3>(i);
+      }
+      for (const int place : places) all[at++] = forces[place];
+    }
+    return all;
+  };
 }
 
 Geometry make_geometry(const FrameModel& model) {
@@ -274,26 +320,39 @@ Geometry make_geometry(const FrameModel& model) {
 Structure make_structure(FrameModel given) {
   if (given.p_delta) given.frame.add_p_delta(given.gravity);
   const auto model = std::make_shared<const FrameModel>(std::move(given));
-  const auto frame = std::make_shared<const AssembledFrame>(model->frame.assemble(model->gravity));
+  const auto frame = std::make_shared<AssembledFrame>(model->frame.assemble(model->gravity));
   if (frame->size() == 0) throw std::invalid_argument("all its nodes are held; let one move, or type {wall: {}} instead of the frame");
   Structure s;
   s.kind = "frame";
   s.dimension = frame->dimension;
-  s.mass = frame->mass;
-  s.stiffness = frame->stiffness;
   s.damping = frame->damping;
   for (const auto& [node, dof] : frame->unknowns)
     s.unknowns.push_back(fmt::format("{}{} {}", node < model->given_nodes ? "node " : "", frame->node_names[node], name(dof)));
   // Also says which node gives way when nothing holds the frame.
-  const Eigen::VectorXd rest = model->frame.rest(*frame);
+  Eigen::VectorXd rest = model->frame.rest(*frame);
+  std::shared_ptr<const CorotationalFrame> turning;
+  if (model->corotational) {
+    turning = std::make_shared<const CorotationalFrame>(*frame, corotational_members(model->frame));
+    const auto forces = std::make_shared<const CorotationalForces>(turning, frame->load_at_rest);
+    rest = forces->at_rest();
+    frame->stiffness = forces->stiffness();
+    s.elastic = forces;
+  }
+  s.mass = frame->mass;
+  s.stiffness = frame->stiffness;
   if (model->loads) s.at_rest = rest;
   s.initial_displacement = s.initial_velocity = Eigen::VectorXd::Zero(frame->size());
   s.floors = make_floors(*model, *frame);
   s.nodes = make_node_report(*model, *frame);
   s.members = make_member_report(*model, *frame);
   s.supports = make_supports(*model, *frame, model->supports, s.members);
+  if (turning) let_turn(model, frame, turning, s);
   s.supports_along = [model, frame, members = s.members](const Vector3d& direction) {
-    return make_supports(*model, *frame, apart_along(*model, direction), members);
+    const std::vector<FrameSupport> apart = apart_along(*model, direction);
+    if (model->corotational && apart.size() > 1)
+      throw std::invalid_argument("a wave moves the supports of a frame one after the other, and with geometry: corotational all move "
+                                  "alike; type geometry: p_delta");
+    return make_supports(*model, *frame, apart, members);
   };
   s.geometry = make_geometry(*model);
   s.node_translations = [model, frame](const Eigen::VectorXd& q) {

@@ -20,7 +20,10 @@ namespace pounding {
 /// Unknowns are called "node 3.1 ux", those of masters "floor 3 rz". Rows of members are without what a load between
 /// their ends adds.
 ///
-/// Throws std::invalid_argument as Frame does, also for a frame that nothing holds and, with P-Delta, one that buckles.
+/// Members that turn by large angles: the stiffness is the tangent at rest, shears and end forces are those of the turned
+/// members, and supports that move differently or a floor that is followed at unknowns without mass are refused.
+///
+/// Throws std::invalid_argument as Frame does, also for a frame that nothing holds and, other than linear, one that buckles.
 Structure make_structure(FrameModel model);
 
 /// Reads a frame and makes its structure. Throws InputError at the place of what is wrong.

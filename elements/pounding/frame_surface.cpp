@@ -197,6 +197,8 @@ ContactPoint FrameSurface::on_arm(int node, const Vector3d& at, double mass) con
 }
 
 ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& at, double mass) const {
+  if (model_->corotational)
+    refuse("with geometry: corotational a member is not hit between its ends; put a node there");
   const Frame::PointOnMember on = model_->frame.point_on_member(member, along, *assembled_);
   ContactPoint point;
   point.position = at;

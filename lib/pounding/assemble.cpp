@@ -164,6 +164,7 @@ System assemble(const Model& model, bool with_links) {
     const double w = std::max(s.frequencies[0], 2 * M_PI);
     group.displacement_floor = std::max(group.displacement_floor, 1e-2 * peak / (w * w));
     group.velocity_floor = std::max(group.velocity_floor, 1e-2 * peak / w);
+    group.elastic = s.elastic.get();
     system.groups.push_back(group);
   }
   system.mass = sparse(mass, n, n);

@@ -71,6 +71,9 @@ class Base {
   /// y += factor B f.
   virtual void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
 
+  /// y += f, forces at all unknowns of the system, zero at those without mass; the same on every process.
+  virtual void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
+
   /// Columns of observed^T x, the same on every process.
   virtual void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const = 0;
 

@@ -295,6 +295,11 @@ void ModalBase::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<E
   }
 }
 
+void ModalBase::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
+  for (const Block& block : blocks_)
+    y.segment(block.coordinate, block.shapes.cols()).noalias() += block.shapes.transpose() * f.segment(block.first, block.shapes.rows());
+}
+
 void ModalBase::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
   values.setZero(observed_, x.cols());
   for (const View& view : views_)

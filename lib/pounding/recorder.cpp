@@ -243,6 +243,10 @@ double value(const Row& row, const Eigen::VectorXd& all, int first) {
   return sum;
 }
 
+void add(const Eigen::VectorXd& more, std::vector<double>& values, std::size_t from) {
+  for (Eigen::Index i = 0; i < more.size(); ++i) values[from + i] += more[i];
+}
+
 }  // namespace
 
 // Quantities that need every unknown.
@@ -283,8 +287,10 @@ void Recorder::sample_whole(double time, bool inside) {
         history.node_velocity.push_back(value(node[j], v, 0));
         history.node_acceleration.push_back(value(node[j], a, 0) + of_ground(s.nodes.directions[j]));
       }
+    const std::size_t shears = history.storey_shear.size();
     for (const Floor& floor : s.floors)
       for (const Row& shear : floor.storey_shear) history.storey_shear.push_back(value(shear, u, 0));
+    if (s.storey_shears) add(s.storey_shears(u), history.storey_shear, shears);
     sample_members(static_cast<int>(k), u, inside, time);
     if (s.supports.size() > 1) add_enforced(static_cast<int>(k), time);
   }
@@ -322,6 +328,7 @@ void Recorder::sample_members(int k, const Eigen::VectorXd& u, bool inside, doub
   for (std::size_t m = 0; m < s.members.forces.size(); ++m)
     for (std::size_t j = 0; j < components; ++j)
       history.end_forces.push_back(value(s.members.forces[m][j], u, 0) + s.members.held[m][j]);
+  if (s.end_forces) add(s.end_forces(u), history.end_forces, from);
   if (!linked_) return;
   for (std::size_t i = 0; i < model_.links.size(); ++i) {
     const Link& link = model_.links[i];

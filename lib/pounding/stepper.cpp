@@ -49,7 +49,11 @@ struct Parabola {
 }  // namespace
 
 Stepper::Stepper(const System& system, Base& base, const StepperOptions& options)
-    : system_(system), base_(base), options_(options), alpha_(GeneralizedAlpha::of(options.scheme.spectral_radius)) {
+    : system_(system),
+      base_(base),
+      options_(options),
+      alpha_(GeneralizedAlpha::of(options.scheme.spectral_radius)),
+      excess_(system) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) throw std::invalid_argument("tolerance must lie in (0, 1)");
   if (!(options.first_rung > 0)) throw std::invalid_argument("first_rung must be positive");
   const bool esdirk = options.scheme.kind == Scheme::Kind::esdirk4;
@@ -76,6 +80,7 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
     instant->closings = Eigen::MatrixXd::Zero(m, width());
     instant->ground = Eigen::VectorXd::Zero(grounds);
     if (moving_) instant->by_ground = Eigen::MatrixXd::Zero(m, 3);
+    if (excess_.any()) instant->excess = Eigen::VectorXd::Zero(n);
   }
   for (Trial* trial : {&trial_, &kept_}) {
     trial->a_middle = Eigen::VectorXd::Zero(n);
@@ -94,6 +99,7 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
         if (it.row() >= group.first && it.row() < group.first + group.count && std::find(joined.begin(), joined.end(), k) == joined.end())
           joined.push_back(k);
       }
+  for (const Base::Segment& segment : base.segments()) own_groups_.push_back(segment.group);
   displacement_scale_.assign(system.groups.size(), 0.0);
   velocity_scale_.assign(system.groups.size(), 0.0);
   rate_scale_.assign(m, 0.0);
@@ -266,6 +272,7 @@ void Stepper::balance_now() {
   if (moving_) closings_by_ground(now_.time, now_.ground, now_.by_ground);
   push(now_.ground);
   a_now = -push_ - x.col(ku) - x.col(cv);
+  if (excess_.any()) a_now -= now_.excess;
   now_motions_.resize(system_.links());
   for (int i = 0; i < system_.links(); ++i) now_motions_[i] = motion(i, now_);
   balance(now_motions_, now_.by_ground, false, now_.force, a_now);
@@ -289,6 +296,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u0, const Eigen::VectorX
   base_.follow(now_.motion.col(u));
   base_.follow(now_.motion.col(v));
   base_.stiffness_times(now_.motion.col(u), now_.motion.col(ku));
+  if (excess_.any()) excess_at(now_.motion.col(u), now_.excess);
   balance_now();
   before_ = kept_.end = trial_.end = now_;
   kept_.h = 0;
@@ -370,6 +378,11 @@ void Stepper::evaluate_middle() {
   for (int i = 0; i < n; ++i)
     r[i] = -pushed[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) -
            h / 8 * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
+  if (excess_.any()) {
+    work_ = 0.5 * (x.motion.col(u) + y.motion.col(u)) + h / 8 * (x.motion.col(v) - y.motion.col(v));
+    excess_at(work_, excess_forces_);
+    t.a_middle -= excess_forces_;
+  }
   balance(t.middle, t.by_ground_middle, true, t.force_middle, t.a_middle);
 }
 
@@ -546,6 +559,10 @@ Energies Stepper::energies() const {
   e.damping = sums[1];
   e.kinetic = sums[2];
   e.strain = sums[3];
+  if (excess_.any()) {
+    base_.physical(x.col(u), whole_);
+    e.strain += excess_.energy(whole_);
+  }
   for (const Spring* spring : system_.springs) {
     e.hysteretic += spring->lost();
     e.strain += spring->stored_correction();
@@ -560,6 +577,7 @@ void Stepper::show(const Instant& instant, State& state) const {
   base_.physical(instant.motion.col(u), state.u);
   base_.physical(instant.motion.col(v), state.v);
   base_.physical(instant.motion.col(a), state.a);
+  if (excess_.any()) excess_.complete(state.u, state.v, state.a);
   state.force = instant.force;
 }
 
@@ -611,6 +629,7 @@ void Stepper::interpolate(double time, Eigen::VectorXd& u_out, Eigen::VectorXd& 
   const Cubic cubic((time - x.time) / h, h);
   u_out = cubic.begin * x.u + cubic.end * y.u + cubic.slope_begin * x.v + cubic.slope_end * y.v;
   v_out = cubic.begin * x.v + cubic.end * y.v + cubic.slope_begin * x.a + cubic.slope_end * y.a;
+  if (excess_.any()) excess_.complete(u_out, v_out);
 }
 
 void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& out) const {
@@ -624,6 +643,11 @@ void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& out) const 
   Eigen::VectorXd middle;
   base_.follow(kept_.a_middle);
   base_.physical(kept_.a_middle, middle);
+  if (excess_.any()) {
+    Eigen::VectorXd u_middle, v_middle;
+    interpolate(0.5 * (x.time + y.time), u_middle, v_middle);
+    excess_.complete(u_middle, v_middle, middle);
+  }
   out = parabola.begin * x.a + parabola.middle * middle + parabola.end * y.a;
 }
 
@@ -654,6 +678,7 @@ void Stepper::Instant::swap(Instant& other) {
   force.swap(other.force);
   closings.swap(other.closings);
   by_ground.swap(other.by_ground);
+  excess.swap(other.excess);
 }
 
 void Stepper::Trial::swap(Trial& other) {
@@ -676,6 +701,7 @@ void Stepper::Instant::archive(Archive& archive) {
   archive(force);
   archive(closings);
   archive(by_ground);
+  archive(excess);
 }
 
 void Stepper::Trial::archive(Archive& archive) {

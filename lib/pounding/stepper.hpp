@@ -3,11 +3,13 @@
 /// contact changes phase inside it. Knows no PETSc: the TS type `pounding` drives it.
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include <pounding/archive.hpp>
 #include <pounding/base.hpp>
+#include <pounding/excess_forces.hpp>
 #include <pounding/friction.hpp>
 #include <pounding/scheme.hpp>
 #include <pounding/system.hpp>
@@ -20,7 +22,8 @@ struct StepperOptions {
   double first_rung = 0;  ///< longest step [s]; where steps form a ladder they are this divided by powers of two
 };
 
-/// Motion at one instant, at the unknowns of the system. `a` and `force` are those just after it.
+/// Motion at one instant, at the unknowns of the system, those without mass where they truly stand (see ExcessForces). `a`
+/// and `force` are those just after it.
 struct State {
   double time = 0;
   Eigen::VectorXd u, v;   ///< relative to the ground [m], [m/s]
@@ -45,7 +48,8 @@ struct Energies {
 };
 
 /// Steps of the chosen scheme with the link forces condensed out: the structures are solved once (a stage) with a matrix
-/// that does not change, then Newton on the few link forces with their exact slopes.
+/// that does not change, then Newton on the few link forces with their exact slopes. What elastic forces have beyond K u is
+/// found by repeating this until it does not change.
 ///
 /// attempt() is pure: a trial that is not accepted leaves no trace.
 class Stepper {
@@ -59,7 +63,7 @@ class Stepper {
   /// that adds to the energy counts as input.
   void start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v);
 
-  /// Solves a trial step of length h > 0. False when the link equations could not be solved.
+  /// Solves a trial step of length h > 0. False when the equations of the links or of large turns could not be solved.
   /// `end` is the time at its end when that is known better than by adding h.
   bool attempt(double h, std::optional<double> end = std::nullopt);
   /// Error of the trial in one step divided by what the tolerance allows; the trial is good when it is at most 1.
@@ -130,6 +134,7 @@ class Stepper {
     Eigen::VectorXd force;      // of every link
     Eigen::MatrixXd closings;   // B^T of the motion, [link, u v a c]
     Eigen::MatrixXd by_ground;  // what the ground and gravity add to it, [link, u v a]; empty when that is nothing
+    Eigen::VectorXd excess;     // see ExcessForces, [coordinate]; empty for none
     const double* at(Column column) const { return motion.col(column).data(); }
     double* at(Column column) { return motion.col(column).data(); }
     void swap(Instant& other);
@@ -179,6 +184,13 @@ class Stepper {
   void set_shift(double h);
   bool attempt_alpha(double h);
   bool attempt_esdirk(double h);
+  /// One stage: r_, forces, becomes the acceleration x. Its displacement is free + by_u x, where the excess forces count with
+  /// `weight`; `respond` makes x of forces without them. `guess` is an x to begin with.
+  bool solve_turning(const Eigen::VectorXd& free, double by_u, double weight, const Eigen::VectorXd& guess,
+                     const std::function<bool()>& respond);
+  void excess_at(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& excess) const;
+  double weighted_product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  double relative_size(const Eigen::VectorXd& change, const Eigen::VectorXd& displacement) const;
   /// The acceleration x that a stage has without the forces of active links becomes the one with them, which go to the end
   /// of the trial. The free motions are those that x belongs to; an acceleration changes them by by_u and by_v times
   /// itself, a force counts with `weight` in the equations of the stage.
@@ -247,6 +259,8 @@ class Stepper {
   GeneralizedAlpha alpha_;
   bool carries_ = false;  // an acceleration of the scheme that is not the balanced one
   double allowed_;  // local error that the tolerance allows
+  ExcessForces excess_;
+  std::vector<int> own_groups_;  // of which this process has rows
   bool moving_ = false;   // the ground or gravity adds to the closures
   int frictions_from_ = 0;                // the first link that is a column of a friction
   std::vector<int> contact_of_friction_;  // of each of these columns
@@ -286,6 +300,8 @@ class Stepper {
   std::vector<LinkMotion> now_motions_;
   mutable Eigen::VectorXd work_;
   mutable Eigen::MatrixXd work_closings_;
+  mutable Eigen::VectorXd whole_, whole_excess_;  // at all unknowns
+  Eigen::VectorXd excess_forces_, stage_free_, stage_guess_, link_guess_;
   std::vector<double> sums_;
   mutable Views<State> states_;
   mutable Views<Observed> observed_;

@@ -36,10 +36,13 @@ bool Stepper::attempt_alpha(double h) {
             alpha_f * (h * kv0[i] + by_c_in_u * (ka0[i] + part * (kc0[i] - ka0[i])) +
                        by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
   if (!active_.empty()) base_.add_forces(alpha_f - 1, now_.force, r_);
-  if (!base_.solve(r_)) return false;
 
-  t.end.force.setZero();
-  if (!active_.empty()) {
+  t.end.force = now_.force;
+  const auto respond = [&] {
+    if (!base_.solve(r_)) return false;
+    link_guess_ = t.end.force;
+    t.end.force.setZero();
+    if (active_.empty()) return true;
     base_.gather(r_, gathered_);
     free_.resize(active_.size());
     free_closing_.resize(static_cast<int>(active_.size()));
@@ -56,7 +59,15 @@ bool Stepper::attempt_alpha(double h) {
       const double begin = now_.by_ground(i, a), end = t.end.by_ground(i, a);
       free_closing_[static_cast<int>(k)] += end + (alpha_m - alpha_f) * (begin - end);
     }
-    if (!condense(beta * h * h, gamma * h, alpha_f, now_.force, r_)) return false;
+    return condense(beta * h * h, gamma * h, alpha_f, link_guess_, r_);
+  };
+  if (excess_.any()) {
+    r_ -= (1 - alpha_f) * now_.excess;
+    stage_guess_ = now_.motion.col(a) + part * (now_.motion.col(carried) - now_.motion.col(a));
+    stage_free_ = now_.motion.col(u) + h * now_.motion.col(v) + by_c_in_u * stage_guess_;
+    if (!solve_turning(stage_free_, beta * h * h, alpha_f, stage_guess_, respond)) return false;
+  } else if (!respond()) {
+    return false;
   }
 
   double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(carried);
@@ -67,11 +78,13 @@ bool Stepper::attempt_alpha(double h) {
     a1[i] = x;
   }
   hold_end();
+  if (excess_.any()) excess_at(t.end.motion.col(u), t.end.excess);
   if (carries_) {
     products(t.end, u, 2);
     auto balanced = t.end.motion.col(a);
     push(t.end.ground);
     balanced = -push_ - t.end.motion.col(ku) - t.end.motion.col(cv);
+    if (excess_.any()) balanced -= t.end.excess;
     if (!active_.empty()) base_.add_forces(-1, t.end.force, balanced);
     base_.accelerate(balanced);
     base_.follow(balanced);
@@ -157,8 +170,9 @@ bool Stepper::attempt_esdirk(double h) {
     push(stage_ground_);
     r_ = -push_ - now_.motion.col(ku) - now_.motion.col(cv) - ci * h * now_.motion.col(kv);
     for (int j = 0; j < i; ++j) r_ -= h * h * squared[i][j] * k_times(j) + h * esdirk4::a[i][j] * c_times(j);
-    if (!base_.solve(r_)) return false;
-    if (!active_.empty()) {
+    const auto respond = [&] {
+      if (!base_.solve(r_)) return false;
+      if (active_.empty()) return true;
       base_.gather(r_, gathered_);
       free_.resize(active_.size());
       free_closing_.resize(static_cast<int>(active_.size()));
@@ -175,9 +189,19 @@ bool Stepper::attempt_esdirk(double h) {
                     rate + ground_part(stage_by_ground_, link, v)};
         free_closing_[static_cast<int>(k)] = g + ground_part(stage_by_ground_, link, Stepper::a);
       }
-      const Eigen::VectorXd guess = t.end.force;
+      link_guess_ = t.end.force;
       t.end.force.setZero();
-      if (!condense(shift * shift * h * h, shift * h, 1, guess, r_)) return false;
+      return condense(shift * shift * h * h, shift * h, 1, link_guess_, r_);
+    };
+    if (excess_.any()) {
+      stage_free_ = now_.motion.col(u) + ci * h * now_.motion.col(v);
+      for (int j = 0; j < i; ++j) stage_free_ += h * h * squared[i][j] * acceleration(j);
+      stage_guess_ = acceleration(i - 1);
+      if (!solve_turning(stage_free_, shift * shift * h * h, 1, stage_guess_, respond)) return false;
+    } else if (!respond()) {
+      return false;
+    }
+    if (!active_.empty()) {
       base_.gather(r_, gathered_);
       stage_closings_.col(i) = gathered_;
     }
@@ -200,6 +224,7 @@ bool Stepper::attempt_esdirk(double h) {
     error_v_ += h * (esdirk4::a[stages - 1][j] - embedded[j]) * acceleration(j);
   }
   hold_end();
+  if (excess_.any()) excess_at(t.end.motion.col(u), t.end.excess);
   t.end.motion.col(Stepper::a) = acceleration(stages - 1);
   products(t.end, u, 3);
   base_.gather(t.end.motion.leftCols(width()), t.end.closings);

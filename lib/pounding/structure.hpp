@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <pounding/archive.hpp>
+#include <pounding/elastic_forces.hpp>
 #include <pounding/ground_components.hpp>
 #include <pounding/spring.hpp>
 
@@ -128,6 +129,7 @@ struct Structure {
   int dimension = 1;  ///< 1: along x only; 2: in x and z; 3: in space
   SparseMatrix mass, stiffness;  ///< n x n, symmetric [kg], [N/m]
   SparseMatrix damping;          ///< n x n, beside the Rayleigh damping [N s/m]
+  std::shared_ptr<const ElasticForces> elastic;  ///< where they are not K q; nothing else
   double by_mass = 0, by_stiffness = 0;  ///< Rayleigh damping: by_mass M + by_stiffness K [1/s], [s]
   std::vector<std::string> unknowns;     ///< what each unknown is, for messages
   /// The supports as a wave along a horizontal direction reaches them one after the other; empty where they are at one place.
@@ -144,6 +146,9 @@ struct Structure {
   std::shared_ptr<const Surface> surface;
   NodeReport nodes;
   MemberReport members;
+  /// Of members that turn, to be added to what the rows above say: storey shears floor by floor, and end forces member by
+  /// member with what their own loads add; by q + at_rest. Empty for none.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> storey_shears, end_forces;
   Geometry geometry;
   /// Translations of all nodes of the geometry, nodes x 3; empty without geometry.
   std::function<Eigen::MatrixX3d(const Eigen::VectorXd& q)> node_translations;

@@ -128,7 +128,13 @@ void read_initial_motion(const Input& place, const Input& body, Structure& s) {
 
 void read_ground(const Input& place, const std::optional<TravellingWave>& wave, Structure& s) {
   const std::optional<Input> delay = place.find("delay"), motion = place.find("ground_motion");
-  if (wave && !motion && s.supports_along) s.supports = s.supports_along(wave->direction);
+  if (wave && !motion && s.supports_along) {
+    try {
+      s.supports = s.supports_along(wave->direction);
+    } catch (const std::invalid_argument& error) {
+      place.fail(error.what());
+    }
+  }
   if (motion) {
     const GroundSection ground = read_ground_section(*motion);
     if (ground.wave) motion->fail("a wave belongs to the ground_motion of all structures; give this one a delay");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <pounding/contact.hpp>
+#include <pounding/elastic_forces.hpp>
 #include <pounding/ground_motion.hpp>
 #include <pounding/spring.hpp>
 
@@ -23,6 +24,8 @@ struct Group {
   double velocity_floor = 0;      ///< [m/s]
   double by_mass = 0;             ///< Rayleigh damping of this structure: by_mass M + by_stiffness K [1/s]
   double by_stiffness = 0;        ///< [s]
+  /// Instead of K u, which stays their part that is linear at rest, and what the damping goes by; nothing for K u alone.
+  const ElasticForces* elastic = nullptr;
 };
 
 /// Coulomb's friction where a contact presses, regularised: F_t = coefficient max(F_n, 0) v_t / sqrt(|v_t|^2 + sliding^2)
@@ -37,11 +40,12 @@ struct Friction {
 /// M a + C v + K u + B F = -P ag(t), displacements relative to the ground; the links feel the closures
 /// B^T u + S dg(t) + c, where the ground itself takes the two sides of a link differently.
 ///
-/// An unknown without mass has an empty row in M; no link and no dashpot may act on it.
+/// An unknown without mass has an empty row in M; no link and no dashpot may act on it, and nothing is observed of one in a
+/// group with elastic forces of its own. There the Rayleigh damping acts on the motion in which such unknowns follow linearly.
 ///
 /// Link i closes by column i of B times u: +1 at the left body, -1 at the right one. A positive link force pushes
 /// the bodies apart. The columns of the springs that yield follow those of the contacts, those of friction follow these.
-/// Contacts and springs are owned by the model and outlive the system.
+/// Contacts, springs and elastic forces are owned by the model and outlive the system.
 struct System {
   SparseMatrix mass;       ///< M, symmetric [kg]
   SparseMatrix damping;    ///< C without the Rayleigh damping of the groups [N s/m]

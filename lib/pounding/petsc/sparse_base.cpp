@@ -330,6 +330,10 @@ void SparseBase::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<
   ends_.add_forces(factor, f, y);
 }
 
+void SparseBase::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
+  y += f.segment(first_row_[rank_], size());
+}
+
 void SparseBase::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
   values.setZero(observed_.cols(), x.cols());
   for (Eigen::Index j = 0; j < x.cols(); ++j)

@@ -52,6 +52,7 @@ class SparseBase final : public Base {
                     Eigen::Ref<Eigen::VectorXd> y) const override;
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& closings) const override;
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
+  void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
   Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override;
   void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
