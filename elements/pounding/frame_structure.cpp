@@ -256,19 +256,11 @@ MemberReport make_member_report(const FrameModel& model, const AssembledFrame& f
   return report;
 }
 
-// Reports that the turned members make, and the stiffness and the forces about the state at rest. What a linear report would
-// show wrong is refused.
-void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_ptr<const AssembledFrame>& frame,
-              const std::shared_ptr<const CorotationalFrame>& turning, Structure& s) {
+// Reports of members that turn; what they would show wrong is refused.
+void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_ptr<const CorotationalFrame>& turning, Structure& s) {
   if (model->supports.size() > 1)
     throw std::invalid_argument("with geometry: corotational all supports move alike; leave out their delay and ground_motion, or "
                                 "type geometry: p_delta");
-  for (const Floor& floor : s.floors)
-    for (const Row& row : floor.motion)
-      for (Row::InnerIterator it(row); it; ++it)
-        if (it.value() != 0 && frame->massless[it.index()])
-          throw std::invalid_argument(fmt::format("node {}: floor {} is followed here, and with geometry: corotational it needs mass; "
-                                                  "type masses, or a density", frame->node_names[frame->unknowns[it.index()].first], floor.label));
   s.storey_shears = [model, turning, above = cuts(*model)](const Eigen::VectorXd& q) {
     const int directions = model->frame.dimension() - 1;
     Eigen::VectorXd shears = Eigen::VectorXd::Zero(static_cast<int>(above.size()) * directions);
@@ -346,7 +338,7 @@ Structure make_structure(FrameModel given) {
   s.nodes = make_node_report(*model, *frame);
   s.members = make_member_report(*model, *frame);
   s.supports = make_supports(*model, *frame, model->supports, s.members);
-  if (turning) let_turn(model, frame, turning, s);
+  if (turning) let_turn(model, turning, s);
   s.supports_along = [model, frame, members = s.members](const Vector3d& direction) {
     const std::vector<FrameSupport> apart = apart_along(*model, direction);
     if (model->corotational && apart.size() > 1)

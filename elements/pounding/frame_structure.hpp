@@ -21,7 +21,7 @@ namespace pounding {
 /// their ends adds.
 ///
 /// Members that turn by large angles: the stiffness is the tangent at rest, shears and end forces are those of the turned
-/// members, and supports that move differently or a floor that is followed at unknowns without mass are refused.
+/// members, and supports that move differently are refused.
 ///
 /// Throws std::invalid_argument as Frame does, also for a frame that nothing holds and, other than linear, one that buckles.
 Structure make_structure(FrameModel model);

@@ -1,5 +1,6 @@
 #include <pounding/excess_forces.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -136,6 +137,14 @@ double ExcessForces::energy(const VectorXd& u) const {
     sum += part->forces.energy(there) - 0.5 * linear.dot(part->stiffness * linear);
   }
   return sum;
+}
+
+bool ExcessForces::corrects(const SparseMatrix& of_unknowns) const {
+  for (int j = 0; j < of_unknowns.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(of_unknowns, j); it; ++it)
+      for (const auto& part : parts_)
+        if (it.value() != 0 && std::binary_search(part->light.begin(), part->light.end(), it.row() - part->first)) return true;
+  return false;
 }
 
 void ExcessForces::complete(VectorXd& u) const {

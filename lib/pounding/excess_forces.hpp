@@ -31,6 +31,8 @@ class ExcessForces {
   /// E of all groups.
   double energy(const Eigen::VectorXd& u) const;
 
+  /// Whether rows of this matrix that are not empty belong to unknowns that `complete` moves.
+  bool corrects(const SparseMatrix& of_unknowns) const;
   /// Sets the unknowns without mass to where they stand, how they move, and how that changes; from the others.
   void complete(Eigen::VectorXd& u) const;
   void complete(Eigen::VectorXd& u, Eigen::VectorXd& v) const;

@@ -100,6 +100,7 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
           joined.push_back(k);
       }
   for (const Base::Segment& segment : base.segments()) own_groups_.push_back(segment.group);
+  observed_follow_ = excess_.any() && excess_.corrects(system.observed);
   displacement_scale_.assign(system.groups.size(), 0.0);
   velocity_scale_.assign(system.groups.size(), 0.0);
   rate_scale_.assign(m, 0.0);
@@ -583,6 +584,14 @@ void Stepper::show(const Instant& instant, State& state) const {
 
 void Stepper::show(const Instant& instant, Observed& observed) const {
   observed.time = instant.time;
+  if (observed_follow_) {
+    State whole;
+    show(instant, whole);
+    observed.motion.resize(system_.observed.cols(), 3);
+    observed.motion << system_.observed.transpose() * whole.u, system_.observed.transpose() * whole.v,
+        system_.observed.transpose() * whole.a;
+    return;
+  }
   base_.observe(instant.motion.leftCols(3), observed.motion);
 }
 
@@ -658,7 +667,11 @@ void Stepper::interpolate_observed(double time, Eigen::MatrixXd& out) const {
     out = observed().motion;
     return;
   }
-  if (observed_a_middle_.size() == 0) {
+  if (observed_a_middle_.size() == 0 && observed_follow_) {
+    Eigen::VectorXd middle;
+    interpolate_acceleration(0.5 * (x.time + y.time), middle);
+    observed_a_middle_ = system_.observed.transpose() * middle;
+  } else if (observed_a_middle_.size() == 0) {
     base_.follow(kept_.a_middle);
     base_.observe(kept_.a_middle, observed_a_middle_);
   }

@@ -40,8 +40,8 @@ struct Friction {
 /// M a + C v + K u + B F = -P ag(t), displacements relative to the ground; the links feel the closures
 /// B^T u + S dg(t) + c, where the ground itself takes the two sides of a link differently.
 ///
-/// An unknown without mass has an empty row in M; no link and no dashpot may act on it, and nothing is observed of one in a
-/// group with elastic forces of its own. There the Rayleigh damping acts on the motion in which such unknowns follow linearly.
+/// An unknown without mass has an empty row in M; no link and no dashpot may act on it. In a group with elastic forces of
+/// its own the Rayleigh damping acts on the motion in which such unknowns follow as K says.
 ///
 /// Link i closes by column i of B times u: +1 at the left body, -1 at the right one. A positive link force pushes
 /// the bodies apart. The columns of the springs that yield follow those of the contacts, those of friction follow these.

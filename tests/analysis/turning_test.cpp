@@ -149,7 +149,7 @@ TEST(Turning, HalvingTheStepShowsTheOrderOfTheScheme) {
   const MastAtTheEnd& end = mast_at_the_end[1];
   for (const auto& [name, scheme, order] : test::schemes) {
     std::vector<double> errors;
-    const double h = order == 2 ? 1.0 / 4096 : 1.0 / 1024;
+    const double h = order == 2 ? 1.0 / 16384 : 1.0 / 4096;
     for (const double step : {h, h / 2}) {
       Motion m(mast(true), scheme, 1e-8);
       test::march_evenly(*m.stepper, 1, step);
