@@ -10,7 +10,7 @@ while the chords are held. Masses at the nodes move by the slope of the energy; 
 import numpy as np
 from scipy.integrate import solve_ivp
 
-MEMBERS, LENGTH, EA, EI, MASS = 4, 1.0, 1e8, 4e4, 50.0
+MEMBERS, LENGTH, EA, EI, MASS = 4, 1.0, 2e6, 4e4, 50.0
 SPEED, END, GRAVITY = 6.0, 1.0, 9.80665
 
 # Of the rotations, the foot held: 2 EI/L (2 own + other) at both ends of each member.
