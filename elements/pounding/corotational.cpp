@@ -175,12 +175,15 @@ CorotationalBeam::Response CorotationalBeam::plane_without_tangent(const Vector1
   };
   const Arm start(start_offset_, u[4]), end(end_offset_, u[10]);
   const double change_x = u[6] + end.by_x - u[0] - start.by_x, change_z = u[8] + end.by_z - u[2] - start.by_z;
-  const double x = undeformed_.x() + change_x, z = undeformed_.z() + change_z, length = std::hypot(x, z);
+  const double x = undeformed_.x() + change_x, z = undeformed_.z() + change_z, length = std::sqrt(x * x + z * z);
   const double elongation = (change_x * (undeformed_.x() + x) + change_z * (undeformed_.z() + z)) / (length + length_);
   const double turn = std::atan2(undeformed_.z() * x - undeformed_.x() * z, undeformed_.x() * x + undeformed_.z() * z);
   const double sense = axes_(1, 1);
-  const double d[3] = {sense * std::remainder(u[4] - turn, 2 * std::numbers::pi), elongation,
-                       sense * std::remainder(u[10] - turn, 2 * std::numbers::pi)};
+  const auto bend = [&](double rotation) {
+    const double angle = rotation - turn;
+    return sense * (std::abs(angle) < std::numbers::pi ? angle : std::remainder(angle, 2 * std::numbers::pi));
+  };
+  const double d[3] = {bend(u[4]), elongation, bend(u[10])};
   double s[3];
   Response out;
   for (int i = 0; i < 3; ++i) {

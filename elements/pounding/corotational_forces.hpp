@@ -15,7 +15,8 @@ class CorotationalForces final : public ElasticForces {
   /// carries where it has no stable equilibrium under the whole, and as StaticSolver where nothing holds it.
   CorotationalForces(std::shared_ptr<const CorotationalFrame> frame, const Eigen::VectorXd& load);
 
-  const Eigen::VectorXd& at_rest() const { return rest_; }  ///< displacements from the undeformed state
+  /// Displacements from the undeformed state.
+  const Eigen::VectorXd& at_rest() const override { return rest_; }
   Eigen::SparseMatrix<double> stiffness() const { return frame_->tangent(rest_); }
 
   double energy(const Eigen::VectorXd& u) const override;

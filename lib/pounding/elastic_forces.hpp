@@ -13,6 +13,8 @@ class ElasticForces {
  public:
   virtual ~ElasticForces() = default;
 
+  /// What u counts from: rounding of the forces goes with the whole displacements.
+  virtual const Eigen::VectorXd& at_rest() const = 0;
   virtual double energy(const Eigen::VectorXd& u) const = 0;                         ///< [J]
   virtual Eigen::VectorXd force(const Eigen::VectorXd& u) const = 0;                 ///< [N], [N m]
   virtual Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& u) const = 0;  ///< symmetric

@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
 // Of the displacements that their neighbours ask for; steps this small are rounding.
-constexpr double solved = 4e-15;
+constexpr double solved = 3e-14;
 // Where rounding is larger, of stiff members say, the steps stop shrinking at it.
 constexpr double nearly_solved = 1e-10;
 // With the factor at rest each step is to be this part of the one before, else the tangent is factored.
@@ -69,7 +69,7 @@ struct ExcessForces::Part {
   bool settle(VectorXd& u, VectorXd& f) const {
     f = forces.force(u);
     if (light.empty()) return true;
-    const double scale = std::sqrt((couplings * u.cwiseAbs()).cwiseAbs2().cwiseQuotient(diagonal).sum());
+    const double scale = std::sqrt((couplings * (u.cwiseAbs() + forces.at_rest().cwiseAbs())).cwiseAbs2().cwiseQuotient(diagonal).sum());
     double last = std::numeric_limits<double>::infinity();
     std::unique_ptr<Factor> tangent;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -78,7 +78,7 @@ struct ExcessForces::Part {
       const double length = std::sqrt(step.cwiseAbs2().dot(diagonal));
       if (!std::isfinite(length)) return false;
       if (length <= solved * scale || (length > 0.5 * last && length <= nearly_solved * scale)) return true;
-      if (!tangent && length > slow * last) tangent = std::make_unique<Factor>();
+      if (!tangent && length > slow * last && length > nearly_solved * scale) tangent = std::make_unique<Factor>();
       last = length;
       u(light) += step;
       f = forces.force(u);

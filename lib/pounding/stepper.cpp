@@ -100,6 +100,13 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
           joined.push_back(k);
       }
   for (const Base::Segment& segment : base.segments()) own_groups_.push_back(segment.group);
+  rest_size_.assign(system.groups.size(), 0.0);
+  for (std::size_t k = 0; k < system.groups.size(); ++k) {
+    const Group& group = system.groups[k];
+    if (!group.elastic) continue;
+    const auto masses = Eigen::VectorXd(system.mass.diagonal()).segment(group.first, group.count).eval();
+    rest_size_[k] = std::sqrt(masses.dot(group.elastic->at_rest().cwiseAbs2()) / masses.sum());
+  }
   observed_follow_ = excess_.any() && excess_.corrects(system.observed);
   displacement_scale_.assign(system.groups.size(), 0.0);
   velocity_scale_.assign(system.groups.size(), 0.0);

@@ -261,6 +261,7 @@ class Stepper {
   double allowed_;  // local error that the tolerance allows
   ExcessForces excess_;
   std::vector<int> own_groups_;  // of which this process has rows
+  std::vector<double> rest_size_;  // by group, of the displacements at rest that elastic forces count from
   bool observed_follow_ = false;  // something observed does not follow as the base has it
   bool moving_ = false;   // the ground or gravity adds to the closures
   int frictions_from_ = 0;                // the first link that is a column of a friction

@@ -11,7 +11,7 @@ namespace {
 
 // Changes of the displacement, of its size: as small as rounding lets them be; where stiff members make rounding larger they
 // stop shrinking at it.
-constexpr double solved = 1e-15;
+constexpr double solved = 1e-14;
 constexpr double nearly_solved = 1e-11;
 constexpr int most_iterations = 100;
 // Differences of two iterations that are kept.
@@ -46,7 +46,7 @@ double Stepper::relative_size(const Eigen::VectorXd& change, const Eigen::Vector
   base_.combine(sums);
   double worst = 0;
   for (std::size_t k = 0; k < system_.groups.size(); ++k) {
-    const double size = std::max(displacement_scale_[k], std::sqrt(sums[2 * k + 1] / base_.group_masses()[k]));
+    const double size = std::max({displacement_scale_[k], rest_size_[k], std::sqrt(sums[2 * k + 1] / base_.group_masses()[k])});
     const double ratio = std::sqrt(sums[2 * k] / base_.group_masses()[k]) / size;
     if (!(ratio <= worst)) worst = ratio;
   }

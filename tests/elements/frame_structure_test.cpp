@@ -427,5 +427,69 @@ TEST(FrameSurface, NodesAreTouchedByName) {
   refused([&] { s.surface->node("2.3"); }, "unknown node \"2.3\". Did you mean \"2.0\"?");
 }
 
+// A rod on a rotational spring at its foot, a weight on top: it falls over where the weight exceeds spring/length.
+std::string inverted_pendulum(double weight, const std::string& more = "") {
+  return "geometry: corotational\ngravity: true\nmaterial: {E: 1e9}\nsections: {s: {area: 1, inertia_y: 1}}\n"
+         "nodes: {a: [0, 0], b: [0, 2]}\nmembers: {rod: {between: [a, b], section: s}}\n"
+         "supports: {a: {fix: [ux, uz], springs: {ry: 4000}" + more + "}}\nmasses: {b: " + std::to_string(weight / 9.80665) + "}\nfloors: [{nodes: [b]}]\n";
+}
+
+TEST(TurningFrame, HasTheStiffnessOfItsStateAtRest) {
+  const Structure s = structure(inverted_pendulum(500));
+  ASSERT_TRUE(s.elastic);
+  const MatrixXd k = s.stiffness;
+  EXPECT_LT((MatrixXd(s.elastic->tangent(VectorXd::Zero(s.size()))) - k).norm(), 1e-14 * k.norm());
+  EXPECT_EQ(s.elastic->force(VectorXd::Zero(s.size())), VectorXd::Zero(s.size()));
+  EXPECT_EQ(s.elastic->energy(VectorXd::Zero(s.size())), 0);
+  // Sideways at the top, all else free: k/L^2 - P/L.
+  VectorXd load = VectorXd::Zero(s.size());
+  load[unknown(s, "node b ux")] = 1;
+  EXPECT_NEAR(1 / solve(s, load)[unknown(s, "node b ux")], 4000 / 4.0 - 500 / 2.0, 1e-2);
+}
+
+TEST(TurningFrame, ThatFallsOverIsRefusedWithWhatItCarries) {
+  refused([] { structure(inverted_pendulum(2500)); },
+          "test.yaml:1:1: the frame buckles under its own loads; it carries 0.800 of them");
+  structure(inverted_pendulum(1990));
+}
+
+TEST(TurningFrame, RefusesWhatItWouldShowWrong) {
+  const auto portal = [](const std::string& foot) {
+    return "geometry: corotational\nmaterial: {E: 30 GPa}\nsections: {s: {rectangle: [0.4, 0.4], shear: false}}\n"
+           "nodes: {a: [0, 0], b: [0, 3], c: [5, 3], d: [5, 0]}\n"
+           "members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, c], section: s}}\n"
+           "supports: {a: fixed, d: " + foot + "}\nmasses: {b: 1000, c: 1000}\nfloors: [{nodes: [b, c]}]\n";
+  };
+  refused([&] { structure(portal("{fix: [ux, uz, ry], delay: 1 s}")); },
+          "test.yaml:1:1: with geometry: corotational all supports move alike; leave out their delay and ground_motion, or type geometry: p_delta");
+  const Structure s = structure(portal("fixed"));
+  refused([&] { s.supports_along({1, 0, 0}); },
+          "a wave moves the supports of a frame one after the other, and with geometry: corotational all move alike; type geometry: p_delta");
+  EXPECT_EQ(s.supports_along({0, 0, 1}).size(), 1u);
+  refused([&] { s.surface->column(1.5, Side::plus_x, 0); },
+          "with geometry: corotational a member is not hit between its ends; put a node there");
+  EXPECT_GT(s.surface->column(3, Side::plus_x, 0).mass, 0);
+}
+
+// The forces of turned members about the state of rest are those of a rigid turn of the whole: none, and its axes turn.
+TEST(TurningFrame, TrussesTurnToo) {
+  const Structure s = structure("geometry: corotational\nmaterial: {E: 1e9}\nsections: {s: {area: 0.01, inertia_y: 1e-5}}\n"
+                                "nodes: {a: [0, 0], b: [3, 4]}\nmembers: {bar: {between: [a, b], truss: 0.01}}\n"
+                                "supports: {a: pinned, b: {springs: {ux: 1, uz: 1}}}\nmasses: {b: 1000}\nreport: {members: all}\n");
+  // From (3, 4) to (-4, 3): a quarter turn, no strain, the springs alone.
+  VectorXd u = VectorXd::Zero(s.size());
+  u[unknown(s, "node b ux")] = -7;
+  u[unknown(s, "node b uz")] = -1;
+  EXPECT_NEAR(s.elastic->energy(u), 0.5 * (49 + 1), 1e-6);
+  EXPECT_LT((s.elastic->force(u) - u).norm(), 1e-6);
+  u *= 1.1;  // beyond: to (-4.7, 2.9)
+  const double stretch = std::hypot(4.7, 2.9) - 5, force = 1e7 / 5 * stretch;
+  const VectorXd ends = s.end_forces(u);
+  ASSERT_EQ(ends.size(), 6);
+  EXPECT_NEAR(ends[0], -force, 1e-6 * std::abs(force));
+  EXPECT_NEAR(ends[3], force, 1e-6 * std::abs(force));
+  EXPECT_NEAR(ends[4], 0, 1e-6 * std::abs(force));
+}
+
 }  // namespace
 }  // namespace pounding

@@ -22,6 +22,27 @@ analysis: {duration: 3.0}
 """
 #: The same, for longer than any test waits.
 LONG = OSCILLATORS.replace("duration: 3.0}}", "duration: 500}}").replace("{duration: 3.0}", "{duration: 500, tolerance: 1e-9, output_step: 10 ms}")
+_MAST = """\
+  {name}:
+    frame:
+      origin: [{origin}]
+      geometry: corotational
+      gravity: true
+      material: {{E: 10 GPa}}
+      sections: {{s: {{area: 2 cm^2, inertia_y: 400 cm^4}}}}
+      nodes: {{a: [0, 0], b: [0, 1], c: [0, 2], d: [0, 3], e: [0, 4]}}
+      members: {{m1: {{between: [a, b], section: s}}, m2: {{between: [b, c], section: s}}, m3: {{between: [c, d], section: s}},
+                m4: {{between: [d, e], section: s}}}}
+      supports: {{a: fixed}}
+      masses: {{b: 50, c: 50, d: 50, e: 50}}
+      floors: [{{nodes: [e]}}]
+      report: {{nodes: all, members: all}}
+    damping: 1 %
+"""
+#: A slender mast that is thrown against another one; both turn by half a radian.
+MASTS = ("structures:\n" + _MAST.format(name="mast", origin=0) + "    initial_velocity: 6 m/s\n" + _MAST.format(name="neighbour", origin=0.4) +
+         "links: [{between: [mast, neighbour], gap: 400 mm, law: hertz_damped, stiffness: 1e7, restitution: 0.6}]\n"
+         "analysis: {duration: 0.4, tolerance: 1e-5, output_step: 10 ms}\n")
 #: No step resolves a contact as stiff as this.
 UNSOLVABLE = """\
 structures:

@@ -11,7 +11,7 @@ import unittest
 
 import h5py
 import numpy as np
-from support import OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
+from support import MASTS, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
 
 LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 #: Open MPI refuses root and more processes than cores unless it is told.
@@ -141,12 +141,16 @@ class Answers(Processes):
     def test_of_frames_too_big_for_modes_are_those_of_one(self):
         self.agree(frames(), [2], base={2: "on 2 processes, each with whole structures"})
 
+    def test_of_frames_that_turn_are_those_of_one(self):
+        self.agree(MASTS, [2], *SPARSE, base={2: "on 2 processes, each with whole structures"})
+
 
 class AnswersOfMore(Answers):
     """More processes than structures share one factor. Slow where there are fewer cores than processes."""
 
     test_of_a_small_model_are_those_of_one = None
     test_of_frames_too_big_for_modes_are_those_of_one = None
+    test_of_frames_that_turn_are_those_of_one = None
 
     def test_than_structures_are_those_of_one(self):
         self.agree(frames(2, "[1, 1]", 0.02), [3, 4], *SPARSE,

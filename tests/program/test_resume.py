@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 import numpy as np
-from support import OSCILLATORS, PROGRAM, ProgramTest
+from support import MASTS, OSCILLATORS, PROGRAM, ProgramTest
 
 #: Durations that take a second or two of run time.
 SCHEMES = {"spectral_radius: 1": 12, "spectral_radius: 0.8": 12, "integrator: esdirk4": 600}
@@ -139,6 +139,16 @@ class Stopped(Resumed):
         self.assertEqual(again.returncode, 3, again.stderr)
         self.done("--resume", "out.h5", "-pounding_ts_rtol", "1e-6")
         self.same("whole.h5", "out.h5")
+
+    def test_of_frames_that_turn_goes_on(self):
+        for integrator in ("generalized_alpha", "esdirk4"):
+            with self.subTest(integrator):
+                self.write(MASTS.replace("tolerance: 1e-5", f"tolerance: 1e-5, integrator: {integrator}"))
+                self.done("model.yaml", "-o", "whole.h5")
+                cut = self.pounding("run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "150")
+                self.assertEqual(cut.returncode, 3, cut.stderr)
+                self.done("--resume", "out.h5")
+                self.same("whole.h5", "out.h5")
 
     def test_beside_a_run_without_links_goes_on_in_another_file(self):
         self.write(model(duration=12, more="compare: no_pounding\n"))
