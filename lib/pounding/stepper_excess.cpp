@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <pounding/stepper.hpp>
@@ -64,7 +65,7 @@ bool Stepper::solve_turning(const Eigen::VectorXd& free, double by_u, double wei
   std::vector<Secant> secants;
   const Eigen::VectorXd forces = r_;
   Eigen::VectorXd x = guess, displacement, residual, last_x, last_residual;
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), last_size = 1;
   int since_least = 0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     displacement = free + by_u * x;
@@ -75,7 +76,9 @@ bool Stepper::solve_turning(const Eigen::VectorXd& free, double by_u, double wei
     residual = r_ - x;
     const double size = relative_size(by_u * residual, displacement);
     if (!std::isfinite(size)) return false;
-    if (size <= solved) return true;
+    // r_ is nearer by about as much as x came nearer before.
+    if (size * std::min(1.0, size / last_size) <= solved) return true;
+    last_size = size;
     since_least = size < 0.5 * least ? 0 : since_least + 1;
     least = std::min(least, size);
     if (since_least >= 3 && size <= nearly_solved) return true;

@@ -434,6 +434,15 @@ std::string inverted_pendulum(double weight, const std::string& more = "") {
          "supports: {a: {fix: [ux, uz], springs: {ry: 4000}" + more + "}}\nmasses: {b: " + std::to_string(weight / 9.80665) + "}\nfloors: [{nodes: [b]}]\n";
 }
 
+void refused_input(const std::string& yaml, const std::string& text) {
+  try {
+    structure(yaml);
+    ADD_FAILURE() << "not refused: " << text;
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), text);
+  }
+}
+
 TEST(TurningFrame, HasTheStiffnessOfItsStateAtRest) {
   const Structure s = structure(inverted_pendulum(500));
   ASSERT_TRUE(s.elastic);
@@ -448,8 +457,7 @@ TEST(TurningFrame, HasTheStiffnessOfItsStateAtRest) {
 }
 
 TEST(TurningFrame, ThatFallsOverIsRefusedWithWhatItCarries) {
-  refused([] { structure(inverted_pendulum(2500)); },
-          "test.yaml:1:1: the frame buckles under its own loads; it carries 0.800 of them");
+  refused_input(inverted_pendulum(2500), "test.yaml:1:1: the frame buckles under its own loads; it carries 0.800 of them");
   structure(inverted_pendulum(1990));
 }
 
@@ -460,8 +468,7 @@ TEST(TurningFrame, RefusesWhatItWouldShowWrong) {
            "members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, c], section: s}}\n"
            "supports: {a: fixed, d: " + foot + "}\nmasses: {b: 1000, c: 1000}\nfloors: [{nodes: [b, c]}]\n";
   };
-  refused([&] { structure(portal("{fix: [ux, uz, ry], delay: 1 s}")); },
-          "test.yaml:1:1: with geometry: corotational all supports move alike; leave out their delay and ground_motion, or type geometry: p_delta");
+  refused_input(portal("{fix: [ux, uz, ry], delay: 1 s}"), "test.yaml:1:1: with geometry: corotational all supports move alike; leave out their delay and ground_motion, or type geometry: p_delta");
   const Structure s = structure(portal("fixed"));
   refused([&] { s.supports_along({1, 0, 0}); },
           "a wave moves the supports of a frame one after the other, and with geometry: corotational all move alike; type geometry: p_delta");
