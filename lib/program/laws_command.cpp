@@ -38,6 +38,7 @@ std::string_view need_text(laws::Need need) {
 
 nlohmann::json law_json(const laws::Entry& entry) {
   nlohmann::json law{{"name", entry.name}, {"force", entry.shape}, {"summary", entry.summary}, {"source", entry.source},
+                     {"symbols", entry.symbols}, {"range", entry.range}, {"beware", entry.beware},
                      {"restitution", entry.takes_restitution}, {"impact_velocity", entry.takes_impact_velocity},
                      {"reduced_mass", entry.takes_reduced_mass}, {"may_pull", entry.may_pull},
                      {"leaves_indentation", entry.leaves_indentation}, {"instantaneous", entry.instantaneous}};
@@ -47,7 +48,7 @@ nlohmann::json law_json(const laws::Entry& entry) {
                                  {"need", need_text(p.need)}});
   law["formulas"] = nlohmann::json::array();
   for (const laws::Formula& f : entry.formulas)
-    law["formulas"].push_back({{"name", f.name}, {"source", f.source}, {"note", f.note}});
+    law["formulas"].push_back({{"name", f.name}, {"equation", f.equation}, {"source", f.source}, {"note", f.note}});
   return law;
 }
 
@@ -98,13 +99,13 @@ void print_formulas(const laws::Entry& entry) {
     fmt::print("\n");
   }
   fmt::print("\n");
-  for (const laws::Formula& f : entry.formulas) fmt::print("  {:<24}{}; {}\n", f.name, f.source, f.note);
+  for (const laws::Formula& f : entry.formulas)
+    fmt::print("  {:<24}{}\n  {:<24}{}; {}\n", f.name, f.equation, "", f.source, f.note);
 }
 
 void print_law(const laws::Entry& entry) {
-  fmt::print("{}: {}\n\n  {}\n\nSource: {}\n", entry.name, entry.summary, entry.shape, entry.source);
-  if (entry.may_pull) fmt::print("The force may pull near separation, as published.\n");
-  if (entry.leaves_indentation) fmt::print("The indentation left at zero force is added to the gap.\n");
+  fmt::print("{}: {}\n\n  {}\n\n", entry.name, entry.summary, entry.shape);
+  fmt::print("With {}.\nRange: {}.\nBeware: {}.\nSource: {}\n", entry.symbols, entry.range, entry.beware, entry.source);
   print_parameters(entry);
   if (!entry.formulas.empty()) print_formulas(entry);
 }

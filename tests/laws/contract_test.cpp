@@ -206,11 +206,12 @@ TYPED_TEST(LawContract, TouchAtRestHasFiniteDamping) {
 TYPED_TEST(LawContract, TableIsComplete) {
   const Entry& entry = find_law(TypeParam::name);
   EXPECT_FALSE(entry.summary.empty() || entry.shape.empty() || entry.source.empty());
+  EXPECT_FALSE(entry.symbols.empty() || entry.range.empty() || entry.beware.empty());
   for (const ParameterInfo& p : entry.parameters) {
     EXPECT_FALSE(p.meaning.empty());
     EXPECT_GT(p.typical, 0) << p.name;
   }
-  for (const Formula& f : entry.formulas) EXPECT_FALSE(f.name.empty() || f.source.empty() || f.note.empty());
+  for (const Formula& f : entry.formulas) EXPECT_FALSE(f.name.empty() || f.equation.empty() || f.source.empty() || f.note.empty());
   EXPECT_EQ(entry.formulas.empty(), !has_damping<TypeParam>);
   if (!entry.formulas.empty()) {
     EXPECT_EQ(entry.formulas.front().name, "exact");

@@ -24,10 +24,19 @@ struct AdamsImpact {
   static constexpr std::string_view name = "adams_impact", shape = "F = max(0, k d^n + c STEP(d/depth) d')";
   static constexpr std::string_view summary = "IMPACT function of multibody programs, damping grows up to a depth";
   static constexpr std::string_view source = "Altair MotionSolve, SolidWorks Motion: IMPACT function";
+  static constexpr std::string_view symbols =
+      "k [N/m^n] contact stiffness, n [-] exponent, c [N s/m] full damping, depth [m] where it is reached; STEP(s) = "
+      "s^2 (3 - 2 s), 1 beyond s = 1";
+  static constexpr std::string_view range = "n >= 1, depth > 0";
+  static constexpr std::string_view beware =
+      "with a given c the restitution depends on the closing speed, a slow touch stays short of the depth and loses "
+      "next to nothing; with a restitution c is found at each impact; the pull is cut, and with n < 2 the spring can "
+      "press again before the penetration is zero";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "root of the integrated impact, at each closing speed", "gives what is asked", &exact_adams_impact}};
+      Formula{"exact", "root of e(c) = e at each closing speed", "integrated impact", "gives what is asked",
+              &exact_adams_impact}};
 
   double stiffness = 0;                       ///< k [N/m^n]
   double exponent = 1.5;                      ///< n [-]

@@ -35,6 +35,9 @@ struct Settings {
 /// What the tables of a law say.
 struct Entry {
   std::string_view name, shape, summary, source;
+  std::string_view symbols;  ///< what the letters of the shape mean, with units, beside F, d, d', v and m
+  std::string_view range;    ///< where the law holds
+  std::string_view beware;   ///< jumps, tension, what depends on the speed
   std::span<const ParameterInfo> parameters;  ///< beside restitution, impact_velocity and reduced_mass
   std::span<const Formula> formulas;          ///< "exact" first; empty when there is no damping to choose
   bool takes_restitution = false, takes_impact_velocity = false, takes_reduced_mass = false;
@@ -132,6 +135,9 @@ constexpr Entry entry() {
           .shape = L::shape,
           .summary = L::summary,
           .source = L::source,
+          .symbols = L::symbols,
+          .range = L::range,
+          .beware = L::beware,
           .parameters = parameter_infos<L>,
           .formulas = {},
           .takes_restitution = requires(L law) { law.restitution; },

@@ -22,21 +22,34 @@ struct HertzDamped {
   static constexpr std::string_view name = "hertz_damped", shape = "F = k d^n (1 + a d'/v)";
   static constexpr std::string_view summary = "Hertz spring, damping proportional to d^n (Hertzdamp, Hunt-Crossley)";
   static constexpr std::string_view source = "Hunt & Crossley 1975; Muthukumar & DesRoches 2006, EESD 35:811";
+  static constexpr std::string_view symbols =
+      "k [N/m^n] contact stiffness, n [-] exponent, a [-] damping factor, zeta = a k/v [N s/m^(n+1)]";
+  static constexpr std::string_view range =
+      "free impacts, n >= 1, a < 1/e; bodies torn apart faster than v/a meet a force cut at zero";
+  static constexpr std::string_view beware =
+      "the restitution follows from a alone, whatever k, m, n and v, but most published formulas for a miss it; the "
+      "damping is calibrated by the closing speed v of each impact, or by a fixed impact_velocity";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m^(n+1)"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "root of a(1+e) = ln[(1+a)/(1-a e)]", "gives what is asked", &exact_factor},
-      Formula{"lankarani_nikravesh", "Lankarani & Nikravesh 1990, J. Mech. Des. 112:369; paper Eq. 12", "0.50 asked gives 0.725",
-              &lankarani_nikravesh},
-      Formula{"hunt_crossley", "Hunt & Crossley 1975", "0.50 asked gives 0.663", &hunt_crossley},
-      Formula{"ye_2009", "Ye, Li & Zhu 2009, EESD 38:1135; Flores et al. 2011; paper Eq. 14", "0.50 asked gives 0.470", &ye_2009},
-      Formula{"hu_guo", "Hu & Guo 2015; paper Eq. 13 on a Hertz spring", "0.50 asked gives 0.488", &hu_guo},
-      Formula{"gonthier", "Gonthier et al. 2004", "0.50 asked gives 0.488", &gonthier},
-      Formula{"herbert_mcwhannell", "Herbert & McWhannell 1977", "0.50 asked gives 0.594", &herbert_mcwhannell},
-      Formula{"lee_wang", "Lee & Wang 1983", "0.50 asked gives 0.799", &lee_wang},
-      Formula{"zhiying_qishao", "Zhiying & Qishao 2006", "0.50 asked gives 0.483", &zhiying_qishao},
-      Formula{"gharib_hurmuzlu", "Gharib & Hurmuzlu 2012", "for small restitutions only; 0.50 asked gives 0.411", &gharib_hurmuzlu},
-      Formula{"naderpour_2015", "Naderpour, Barros & Khatami 2015, Eqs. 15-17, Table 2",
+      Formula{"exact", "root of a(1+e) = ln[(1+a)/(1-a e)]", "closed form", "gives what is asked", &exact_factor},
+      Formula{"lankarani_nikravesh", "a = 3(1-e^2)/4", "Lankarani & Nikravesh 1990, J. Mech. Des. 112:369; paper Eq. 12",
+              "0.50 asked gives 0.725", &lankarani_nikravesh},
+      Formula{"hunt_crossley", "a = 3(1-e)/2", "Hunt & Crossley 1975", "0.50 asked gives 0.663", &hunt_crossley},
+      Formula{"ye_2009", "a = 8(1-e)/(5e)", "Ye, Li & Zhu 2009, EESD 38:1135; Flores et al. 2011; paper Eq. 14",
+              "0.50 asked gives 0.470", &ye_2009},
+      Formula{"hu_guo", "a = 3(1-e)/(2e)", "Hu & Guo 2015; paper Eq. 13 on a Hertz spring", "0.50 asked gives 0.488",
+              &hu_guo},
+      Formula{"gonthier", "a = (1-e^2)/e", "Gonthier et al. 2004", "0.50 asked gives 0.488", &gonthier},
+      Formula{"herbert_mcwhannell", "a = 6(1-e)/[(2e-1)^2 + 3]", "Herbert & McWhannell 1977", "0.50 asked gives 0.594",
+              &herbert_mcwhannell},
+      Formula{"lee_wang", "a = 3(1-e)/4", "Lee & Wang 1983", "0.50 asked gives 0.799", &lee_wang},
+      Formula{"zhiying_qishao", "a = 3(1-e^2) exp[2(1-e)]/4", "Zhiying & Qishao 2006", "0.50 asked gives 0.483",
+              &zhiying_qishao},
+      Formula{"gharib_hurmuzlu", "a = 1/e", "Gharib & Hurmuzlu 2012", "for small restitutions only; 0.50 asked gives 0.411",
+              &gharib_hurmuzlu},
+      Formula{"naderpour_2015", "a = (k/v)^(N-1) (1-e^2)/e^M, N and M from a table over e",
+              "Naderpour, Barros & Khatami 2015, Eqs. 15-17, Table 2",
               "not homogeneous: k/v taken in kN, m, s as printed; 0.1 <= e <= 0.9", &naderpour_2015}};
 
   double stiffness = 0;                       ///< k [N/m^n]

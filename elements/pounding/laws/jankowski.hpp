@@ -26,15 +26,22 @@ struct Jankowski {
                                     shape = "F = k d^1.5 + c d' for d' > 0, k d^1.5 for d' <= 0; c = 2 xi sqrt(k sqrt(d) m)";
   static constexpr std::string_view summary = "Hertz spring, nonlinear dashpot in the approach only";
   static constexpr std::string_view source = "Jankowski 2005, EESD 34:595";
+  static constexpr std::string_view symbols = "k [N/m^1.5] contact stiffness, xi [-] damping ratio, c [N s/m]";
+  static constexpr std::string_view range = "any xi >= 0";
+  static constexpr std::string_view beware =
+      "the slope by d' jumps at the reversal; the slope by d is infinite at the touch, where the law gives a bounded "
+      "one, and the force is not altered; it never pulls";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^1.25"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "closed form: a linear oscillator in stretched time, z = 2 xi/sqrt(5)", "gives what is asked",
-              &exact_jankowski},
-      Formula{"jankowski_2005", "Jankowski 2005, EESD 34:595; paper Eq. 10", "0.50 asked gives 0.558", &jankowski_2005},
-      Formula{"jankowski_2006", "Jankowski 2006, EESD 35:517", "0.50 asked gives 0.495", &jankowski_2006},
-      Formula{"naderpour_2015_eq38", "Naderpour, Barros & Khatami 2015, Eq. 38", "far too much damping below 0.85",
-              &naderpour_2015_eq38}};
+      Formula{"exact", "xi = sqrt(5) z/2, z the root of e = exp(-z arccos(z)/sqrt(1-z^2))",
+              "closed form: a linear oscillator in stretched time", "gives what is asked", &exact_jankowski},
+      Formula{"jankowski_2005", "xi = sqrt(5) (1-e^2)/(2 pi e)", "Jankowski 2005, EESD 34:595; paper Eq. 10",
+              "0.50 asked gives 0.558", &jankowski_2005},
+      Formula{"jankowski_2006", "xi = 9 sqrt(5)/2 (1-e^2)/{e [e (9 pi-16) + 16]}", "Jankowski 2006, EESD 35:517",
+              "0.50 asked gives 0.495", &jankowski_2006},
+      Formula{"naderpour_2015_eq38", "xi = [2 (1-e^2)/(e sqrt(pi))]^2", "Naderpour, Barros & Khatami 2015, Eq. 38",
+              "far too much damping below 0.85", &naderpour_2015_eq38}};
 
   double stiffness = 0;                 ///< k [N/m^1.5]
   std::optional<double> restitution{};    ///< e in (0, 1], or

@@ -21,12 +21,19 @@ struct KelvinVoigt {
   static constexpr std::string_view name = "kelvin_voigt", shape = "F = k d + c d', c = 2 zeta sqrt(k m)";
   static constexpr std::string_view summary = "linear spring and dashpot as published: pulls near separation";
   static constexpr std::string_view source = "Anagnostopoulos 1988, EESD 16:443";
+  static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
+  static constexpr std::string_view range = "zeta < 1; from 1 on free bodies never part";
+  static constexpr std::string_view beware =
+      "the force jumps to c v at the touch, and pulls near separation, as published: contact lasts until d = 0; "
+      "kelvin_voigt_no_tension cuts the pull";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
   static constexpr bool may_pull = true;
 
   static constexpr std::array formulas{
-      Formula{"exact", "closed form, contact until d = 0", "the same as anagnostopoulos", &anagnostopoulos},
-      Formula{"anagnostopoulos", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7", "exact for this law", &anagnostopoulos}};
+      Formula{"exact", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "closed form, contact until d = 0",
+              "the same as anagnostopoulos", &anagnostopoulos},
+      Formula{"anagnostopoulos", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
+              "exact for this law", &anagnostopoulos}};
 
   double stiffness = 0;                 ///< k [N/m]
   std::optional<double> restitution{};    ///< e in (0, 1], or

@@ -21,11 +21,17 @@ struct KelvinVoigtNoTension {
   static constexpr std::string_view name = "kelvin_voigt_no_tension", shape = "F = max(0, k d + c d'), c = 2 zeta sqrt(k m)";
   static constexpr std::string_view summary = "linear spring and dashpot, pull cut off";
   static constexpr std::string_view source = "Anagnostopoulos 2004, EESD 33:897";
+  static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
+  static constexpr std::string_view range = "any zeta >= 0";
+  static constexpr std::string_view beware =
+      "the force jumps to c v at the touch; it is released at d > 0, so that the published ratio, made for contact "
+      "until d = 0, gives more than asked";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "closed form, contact until F = 0", "gives what is asked", &exact_cut_ratio},
-      Formula{"anagnostopoulos", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
+      Formula{"exact", "root of e = exp(-2 zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form, contact until F = 0",
+              "gives what is asked", &exact_cut_ratio},
+      Formula{"anagnostopoulos", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
               "assumes contact until d = 0; 0.50 asked gives 0.55 here", &anagnostopoulos}};
 
   double stiffness = 0;                 ///< k [N/m]

@@ -21,12 +21,18 @@ struct Komodromos {
   static constexpr std::string_view name = "komodromos", shape = "F = k d + c d' until F = 0, then the contact ends; c = 2 zeta sqrt(k m)";
   static constexpr std::string_view summary = "linear spring and dashpot; ends at zero force, indentation widens the gap";
   static constexpr std::string_view source = "Komodromos et al. 2007, EESD 36:1917";
+  static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
+  static constexpr std::string_view range = "any zeta >= 0";
+  static constexpr std::string_view beware =
+      "the force jumps to c v at the touch; the penetration that is left at F = 0 is added to the gap, which is "
+      "wider for the following impacts of the run";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
   static constexpr bool leaves_indentation = true;
 
   static constexpr std::array formulas{
-      Formula{"exact", "closed form, contact until F = 0", "gives what is asked", &exact_cut_ratio},
-      Formula{"anagnostopoulos", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
+      Formula{"exact", "root of e = exp(-2 zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form, contact until F = 0",
+              "gives what is asked", &exact_cut_ratio},
+      Formula{"anagnostopoulos", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "Anagnostopoulos 1988, EESD 16:443; paper Eq. 7",
               "assumes contact until d = 0; 0.50 asked gives 0.55 here", &anagnostopoulos}};
 
   double stiffness = 0;                 ///< k [N/m]

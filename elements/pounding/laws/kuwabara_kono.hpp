@@ -26,10 +26,17 @@ struct KuwabaraKono {
   static constexpr std::string_view name = "kuwabara_kono", shape = "F = max(0, k d^1.5 + (3/2) A k d^0.5 d')";
   static constexpr std::string_view summary = "viscoelastic Hertz contact, restitution falls with speed";
   static constexpr std::string_view source = "Kuwabara & Kono 1987; Brilliantov et al. 1996";
+  static constexpr std::string_view symbols = "k [N/m^1.5] contact stiffness, A [s] dissipation time";
+  static constexpr std::string_view range = "spheres, any A >= 0";
+  static constexpr std::string_view beware =
+      "with a given dissipation_time, or a fixed impact_velocity, the restitution falls with the closing speed; with "
+      "a restitution alone A is found at each impact; the pull near separation is cut; the slope by d is infinite at "
+      "the touch, where the law gives a bounded one";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"dissipation_time", "s"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "root of the integrated impact", "gives what is asked", &exact_kuwabara_kono}};
+      Formula{"exact", "A = A* D/v, D = (m v^2/k)^(2/5), A* the root of e(A*) = e", "integrated impact",
+              "gives what is asked", &exact_kuwabara_kono}};
 
   double stiffness = 0;                    ///< k [N/m^1.5]
   std::optional<double> restitution{};       ///< e in (0, 1], or

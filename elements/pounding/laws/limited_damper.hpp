@@ -24,10 +24,16 @@ struct LimitedDamper {
   static constexpr std::string_view name = "limited_damper", shape = "F = k d^n + clamp(c d', -k d^n, k d^n)";
   static constexpr std::string_view summary = "power-law spring, dashpot limited to the spring's force";
   static constexpr std::string_view source = "Modelica ElastoGap; MapleSim contact";
+  static constexpr std::string_view symbols = "k [N/m^n] contact stiffness, n [-] exponent, c [N s/m]";
+  static constexpr std::string_view range = "n >= 1, any c >= 0";
+  static constexpr std::string_view beware =
+      "where the dashpot outweighs the spring in the approach the force is 2 k d^n, and in restitution zero: the "
+      "slopes jump there; with a given c the restitution depends on the closing speed";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "root of the integrated impact", "gives what is asked", &exact_limited_damper}};
+      Formula{"exact", "c = c* m v/D, D = (m v^2/k)^(1/(n+1)), c* the root of e(c*) = e", "integrated impact",
+              "gives what is asked", &exact_limited_damper}};
 
   double stiffness = 0;                       ///< k [N/m^n]
   double exponent = 1.5;                      ///< n [-]

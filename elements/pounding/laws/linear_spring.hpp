@@ -15,6 +15,9 @@ struct LinearSpring {
   static constexpr std::string_view name = "linear_spring", shape = "F = k d";
   static constexpr std::string_view summary = "linear elastic spring, loses no energy";
   static constexpr std::string_view source = "Maison & Kasai 1990";
+  static constexpr std::string_view symbols = "k [N/m] contact stiffness";
+  static constexpr std::string_view range = "any penetration";
+  static constexpr std::string_view beware = "restitution 1 whatever the bodies: energy is lost in the structures alone";
 
   double stiffness = 0;  ///< k [N/m]
 

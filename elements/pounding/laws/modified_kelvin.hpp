@@ -20,12 +20,18 @@ struct ModifiedKelvin {
   static constexpr std::string_view name = "modified_kelvin", shape = "F = k d (1 + a d'/v)";
   static constexpr std::string_view summary = "linear spring, damping proportional to the penetration";
   static constexpr std::string_view source = "Ye, Li & Zhu 2009, Earthq. Eng. Eng. Vib. 8:433";
+  static constexpr std::string_view symbols = "k [N/m] contact stiffness, a [-] damping factor, zeta = a k/v [N s/m^2]";
+  static constexpr std::string_view range =
+      "free impacts, a < 1/e; bodies torn apart faster than v/a meet a force cut at zero";
+  static constexpr std::string_view beware =
+      "the damping is calibrated by the closing speed v of each impact, or by a fixed impact_velocity; the force "
+      "starts from zero and does not pull in a free impact";
   static constexpr Quantity number{"damping_factor", ""}, coefficient{"damping_coefficient", "N s/m^2"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "root of a(1+e) = ln[(1+a)/(1-a e)]", "gives what is asked", &exact_factor},
-      Formula{"ye_2009_linear", "Ye, Li & Zhu 2009, Earthq. Eng. Eng. Vib. 8:433; paper Eq. 13", "0.50 asked gives 0.488",
-              &hu_guo}};
+      Formula{"exact", "root of a(1+e) = ln[(1+a)/(1-a e)]", "closed form", "gives what is asked", &exact_factor},
+      Formula{"ye_2009_linear", "a = 3(1-e)/(2e)", "Ye, Li & Zhu 2009, Earthq. Eng. Eng. Vib. 8:433; paper Eq. 13",
+              "0.50 asked gives 0.488", &hu_guo}};
 
   double stiffness = 0;                       ///< k [N/m]
   std::optional<double> restitution{};          ///< e in (0, 1], or

@@ -21,14 +21,21 @@ struct ModifiedLinearViscoelastic {
   static constexpr std::string_view name = "modified_linear_viscoelastic", shape = "F = k d + c d' for d' > 0, k d for d' <= 0; c = 2 zeta sqrt(k m)";
   static constexpr std::string_view summary = "linear spring, dashpot in the approach only";
   static constexpr std::string_view source = "Mahmoud & Jankowski 2011, Iran. J. Sci. Tech. 35(C1):51";
+  static constexpr std::string_view symbols = "k [N/m] contact stiffness, zeta [-] damping ratio, c [N s/m]";
+  static constexpr std::string_view range = "any zeta >= 0";
+  static constexpr std::string_view beware =
+      "the force jumps to c v at the touch and is continuous at the reversal, where its slope by d' jumps; it never "
+      "pulls";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "closed form, e = exp(-zeta arccos(zeta)/sqrt(1-zeta^2))", "gives what is asked", &exact_approach_ratio},
-      Formula{"mahmoud_jankowski_2011", "Mahmoud & Jankowski 2011", "0.50 asked gives 0.506", &mahmoud_jankowski_2011},
-      Formula{"simple", "paper Table 4", "0.50 asked gives 0.558", &simple_approach},
-      Formula{"naderpour_2015_eq38", "Naderpour, Barros & Khatami 2015, Eq. 38", "0.50 asked gives 0.161; near only at 0.88",
-              &naderpour_2015_eq38}};
+      Formula{"exact", "root of e = exp(-zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form", "gives what is asked",
+              &exact_approach_ratio},
+      Formula{"mahmoud_jankowski_2011", "zeta = (1-e^2)/{e [e (pi-2) + 2]}", "Mahmoud & Jankowski 2011",
+              "0.50 asked gives 0.506", &mahmoud_jankowski_2011},
+      Formula{"simple", "zeta = (1-e^2)/(pi e)", "paper Table 4", "0.50 asked gives 0.558", &simple_approach},
+      Formula{"naderpour_2015_eq38", "zeta = [2 (1-e^2)/(e sqrt(pi))]^2", "Naderpour, Barros & Khatami 2015, Eq. 38",
+              "0.50 asked gives 0.161; near only at 0.88", &naderpour_2015_eq38}};
 
   double stiffness = 0;                 ///< k [N/m]
   std::optional<double> restitution{};    ///< e in (0, 1], or

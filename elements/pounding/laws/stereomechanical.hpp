@@ -16,6 +16,11 @@ struct Stereomechanical {
   static constexpr std::string_view name = "stereomechanical", shape = "v+ = -e v-";
   static constexpr std::string_view summary = "rigid impact: a velocity jump at the touch, no force history";
   static constexpr std::string_view source = "Goldsmith 1960";
+  static constexpr std::string_view symbols = "e [-] restitution, v- and v+ [m/s] relative velocity before and after";
+  static constexpr std::string_view range = "impacts that are short beside the periods of the structures";
+  static constexpr std::string_view beware =
+      "no force, no duration, no penetration: peak forces cannot be asked for, accelerations at the touch are "
+      "infinite";
   static constexpr bool instantaneous = true;
 
   double restitution = 0;  ///< e in (0, 1]

@@ -41,9 +41,9 @@ struct Asked {
 /// Gives the law's dimensionless damping number (its `number`: a, zeta, xi ...) for a restitution.
 using DampingFormula = double (*)(const Asked&);
 
-/// A published damping formula, or the exact calibration.
+/// A published damping formula, or the exact calibration: the number that gives the restitution e.
 struct Formula {
-  std::string_view name, source, note;
+  std::string_view name, equation, source, note;
   DampingFormula function = nullptr;
 };
 

@@ -26,12 +26,19 @@ struct ViscousHertz {
   static constexpr std::string_view name = "viscous_hertz", shape = "F = max(0, k d^n + alpha sqrt(m k) d^((n-1)/2) d')";
   static constexpr std::string_view summary = "Hertz spring, dashpot of speed-independent restitution, pull cut off";
   static constexpr std::string_view source = "Tsuji et al. 1992; Antypov & Elliott 2011";
+  static constexpr std::string_view symbols = "k [N/m^n] contact stiffness, n [-] exponent, alpha [-] damping ratio";
+  static constexpr std::string_view range = "n >= 1, any alpha >= 0";
+  static constexpr std::string_view beware =
+      "the pull near separation is cut, so that the published alpha, made for contact until d = 0, gives more than "
+      "asked; the slope by d is infinite at the touch for n < 3, where the law gives a bounded one, and the force is "
+      "not altered";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_prefactor", "N s/m^((n+1)/2)"};
 
   static constexpr std::array formulas{
-      Formula{"exact", "closed form in stretched time, contact until F = 0", "gives what is asked", &exact_viscous},
-      Formula{"antypov_elliott", "Antypov & Elliott 2011; Feng 2026", "assumes contact until d = 0; 0.50 asked gives 0.55 here",
-              &antypov_elliott}};
+      Formula{"exact", "alpha = sqrt(2 (n+1)) z, z the root of e = exp(-2 z arccos(z)/sqrt(1-z^2))",
+              "closed form in stretched time, contact until F = 0", "gives what is asked", &exact_viscous},
+      Formula{"antypov_elliott", "alpha = sqrt(2 (n+1)) (-ln e)/sqrt(pi^2 + ln^2 e)", "Antypov & Elliott 2011; Feng 2026",
+              "assumes contact until d = 0; 0.50 asked gives 0.55 here", &antypov_elliott}};
 
   double stiffness = 0;                 ///< k [N/m^n]
   double exponent = 1.5;                ///< n [-]
