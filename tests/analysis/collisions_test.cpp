@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "support/book.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -18,6 +19,9 @@ using test::run_text;
 class TwoBodies : public testing::TestWithParam<const char*> {};
 
 TEST_P(TwoBodies, KeepTheirMomentumAndObeyTheIdentitiesOfAnImpact) {
+  test::Book book("Collisions whose outcome is known without integration",
+                  "two free bodies by any law: conservation of momentum, impulse m (1 + e) v, loss m v^2 (1 - e^2)/2",
+                  "run at tolerance 1e-7; before the touch nothing but rounding");
   const double m1 = 1e5, m2 = 1.5e5, v1 = 1.2, v2 = 0.2, m = m1 * m2 / (m1 + m2);
   const Outcome run = run_text(std::string("structures:\n"
                                            "  a: {body: {mass: 100 t}, initial_velocity: 1.2 m/s}\n"
@@ -27,21 +31,22 @@ TEST_P(TwoBodies, KeepTheirMomentumAndObeyTheIdentitiesOfAnImpact) {
   ASSERT_EQ(run.results.impacts.size(), 1u);
   const ImpactRow& row = run.results.impacts[0];
   const double end1 = run.results.structures[0].velocity.back(), end2 = run.results.structures[1].velocity.back();
-  EXPECT_NEAR(m1 * end1 + m2 * end2, m1 * v1 + m2 * v2, 1e-9 * m1);
-  EXPECT_NEAR(row.t_start, 0.01, 1e-12);
-  EXPECT_NEAR(row.v_approach, 1.0, 1e-12);
-  EXPECT_NEAR(row.v_separation, end2 - end1, 1e-9);
-  // Of any law: impulse m (1 + e) v, energy lost m v^2 (1 - e^2)/2.
+  book.near("momentum [N s]", m1 * end1 + m2 * end2, m1 * v1 + m2 * v2, 1e-9 * m1);
+  book.near("touch [s]", row.t_start, 0.01, 1e-12);
+  book.near("approach [m/s]", row.v_approach, 1.0, 1e-12);
+  book.near("separation [m/s]", row.v_separation, end2 - end1, 1e-9);
   const double e = row.restitution;
-  EXPECT_NEAR(row.impulse, m * (1 + e), 1e-6 * m);
-  EXPECT_NEAR(row.energy_lost, 0.5 * m * (1 - e * e), 1e-6 * m);
+  book.near("impulse [N s]", row.impulse, m * (1 + e), 1e-6 * m);
+  book.near("energy lost [J]", row.energy_lost, 0.5 * m * (1 - e * e), 1e-6 * m);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryLaw, TwoBodies, testing::ValuesIn(test::every_law), test::law_name);
 
-// Code_Aster's SDND102: the mirror plane between two equal oscillators is a rigid wall. A link of stiffness k that is
-// pressed from both sides is a link of stiffness 2 k between one oscillator and the wall.
 TEST(MirroredOscillators, EqualOneOscillatorAgainstAWallOfHalfTheGap) {
+  test::Book book("Collisions whose outcome is known without integration",
+                  "Code_Aster's SDND102: the mirror plane between two equal oscillators is a rigid wall, and a link "
+                  "of stiffness k pressed from both sides one of 2 k",
+                  "the same steps: rounding");
   const std::string oscillator = "{oscillator: {mass: 100 t, period: 0.5, damping: 5 %}, initial_velocity: ";
   const Outcome pair = run_text("structures:\n  a: " + oscillator + "1 m/s}\n  b: " + oscillator +
                                 "-1 m/s}\nlinks:\n  - {between: [a, b], gap: 20 mm, law: kelvin_voigt_no_tension, "
@@ -53,16 +58,17 @@ TEST(MirroredOscillators, EqualOneOscillatorAgainstAWallOfHalfTheGap) {
   ASSERT_EQ(pair.results.impacts.size(), alone.results.impacts.size());
   ASSERT_GT(alone.results.impacts.size(), 2u);
   for (std::size_t i = 0; i < alone.results.impacts.size(); ++i) {
-    EXPECT_NEAR(pair.results.impacts[i].t_start, alone.results.impacts[i].t_start, 1e-12);
-    EXPECT_NEAR(pair.results.impacts[i].peak_force, alone.results.impacts[i].peak_force,
+    book.near("touch [s]", pair.results.impacts[i].t_start, alone.results.impacts[i].t_start, 1e-12);
+    book.near("peak force [N]",
+              pair.results.impacts[i].peak_force, alone.results.impacts[i].peak_force,
                 1e-11 * alone.results.impacts[0].peak_force);
   }
   const auto &a = pair.results.structures[0].displacement, &b = pair.results.structures[1].displacement,
              &single = alone.results.structures[0].displacement;
   ASSERT_EQ(a.size(), single.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_NEAR(a[i], single[i], 1e-12);
-    EXPECT_NEAR(a[i], -b[i], 1e-13);
+    book.near("displacement [m]", a[i], single[i], 1e-12);
+    book.near("displacement of the other oscillator [m]", a[i], -b[i], 1e-13);
   }
 }
 
@@ -104,9 +110,11 @@ TEST(IdenticalOscillators, NeverTouchAtZeroGap) {
   EXPECT_GT(run.summary.structures[0].peak_displacement[0], 0.01);
 }
 
-// Newton's cradle with elastic links: three equal bodies that touch pass the speed to the last one only when the
-// contacts work one after the other; here a gap makes them do so.
+// Bodies that touch would do so only when the contacts work one after the other; here a gap makes them do so.
 TEST(RowOfBodies, PassesTheSpeedOn) {
+  test::Book book("Collisions whose outcome is known without integration",
+                  "Newton's cradle with elastic links and gaps: equal bodies pass the speed to the last one",
+                  "run at tolerance 1e-7");
   const Outcome run = run_text("structures:\n"
                                "  a: {body: {mass: 10 t}, initial_velocity: 1 m/s}\n"
                                "  b: {body: {mass: 10 t}}\n"
@@ -116,9 +124,9 @@ TEST(RowOfBodies, PassesTheSpeedOn) {
                                "  - {between: [b, c], gap: 50 mm, law: hertz, stiffness: 2.75e9}\n"
                                "analysis: {duration: 0.3, tolerance: 1e-7}\n");
   EXPECT_EQ(run.results.impacts.size(), 2u);
-  EXPECT_NEAR(run.results.structures[0].velocity.back(), 0, 1e-6);
-  EXPECT_NEAR(run.results.structures[1].velocity.back(), 0, 1e-6);
-  EXPECT_NEAR(run.results.structures[2].velocity.back(), 1, 1e-6);
+  book.near("speed of the first body [m/s]", run.results.structures[0].velocity.back(), 0, 1e-6);
+  book.near("speed of the second body [m/s]", run.results.structures[1].velocity.back(), 0, 1e-6);
+  book.near("speed of the third body [m/s]", run.results.structures[2].velocity.back(), 1, 1e-6);
 }
 
 // Naderpour, Barros & Khatami 2015, Eq. 2: [m1 0; 0 m2], [c1 + c, -c; -c, c2 + c], [k1 + s, -s; -s, k2 + s]. (The paper

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "support/book.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -14,9 +15,12 @@ using test::every_law;
 class Energy : public testing::TestWithParam<const char*> {};
 
 TEST_P(Energy, ClosesBelowTheToleranceOfTheRun) {
+  test::Book book("Energies",
+                  "input = kinetic + strain + damping + impact, two oscillators by every law",
+                  "the tolerance of the run");
   const double coarse = test::run_text(test::two_oscillators(GetParam(), 1e-4)).summary.energy.error;
   const Outcome fine = test::run_text(test::two_oscillators(GetParam(), 1e-6));
-  EXPECT_LT(fine.summary.energy.error, 1e-6);
+  book.below(test::law_of(GetParam()) + ": imbalance of the energies over the input [-]", fine.summary.energy.error, 1e-6);
   EXPECT_LT(fine.summary.energy.error, 0.1 * coarse) << "the imbalance falls with the tolerance";
   EXPECT_GE(fine.results.impacts.size(), 3u);
   EXPECT_GT(fine.summary.energy.input, 1e5);

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "analysis/direct.hpp"
+#include "support/book.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -59,6 +60,9 @@ void expect_same_impacts(const Outcome& a, const Outcome& b, double relative, do
 }
 
 TEST(Frames, WithRigidBeamsAreTwoOscillators) {
+  test::Book book("Runs of frames",
+                  "two portals with stiff beams are two oscillators: DOP853 with located events",
+                  "as for the oscillators: displacement to 1e-5 and half a unit of the last digit, force to 1e-4");
   const std::string links = "links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65, formula: exact}]\n";
   const Outcome frames = test::run_text(shaken + "structures:\n" + portal("left", 0, 100e3, 0.8) + portal("right", 5.02, 150e3, 0.4) + links + converged);
   const Outcome sticks = test::run_text(shaken + "structures:\n"
@@ -67,9 +71,10 @@ TEST(Frames, WithRigidBeamsAreTwoOscillators) {
   for (int i = 0; i < 2; ++i)
     EXPECT_NEAR(frames.summary.structures[i].peak_displacement[0], sticks.summary.structures[i].peak_displacement[0], 1e-6 * 0.1);
   expect_same_impacts(frames, sticks, 1e-6, 1e-7);
-  // And those of the published benchmark, see tests/verification/two_oscillators_test.cpp.
-  EXPECT_NEAR(frames.summary.structures[0].peak_displacement[0], 0.130228, 1e-5 * 0.13 + 0.5e-6);
-  EXPECT_NEAR(frames.summary.links[0].peak_force, 9154322.9, 1e-4 * 9154322.9);
+  // See tests/verification/two_oscillators_test.cpp.
+  book.near("two portals: peak displacement [m]",
+            frames.summary.structures[0].peak_displacement[0], 0.130228, 1e-5 * 0.13 + 0.5e-6);
+  book.near("two portals: peak force [N]", frames.summary.links[0].peak_force, 9154322.9, 1e-4 * 9154322.9);
 }
 
 std::string grid(const std::string& name, const std::string& origin, const std::string& bays, const std::string& widths, int storeys,
@@ -190,6 +195,9 @@ TEST(Frames, AnEccentricContactTwistsBoth) {
 
 // Cantilevers of 4 m that their loads bend towards each other: u = F h^3/3EI + w h^4/8EI.
 TEST(Frames, LeanTowardsEachOtherUnderGravity) {
+  test::Book book("Runs of frames",
+                  "two masts at rest under forces, loads and weight: P L^3/(3 EI) + w L^4/(8 EI), N L/(EA), statics",
+                  "rounding; 1e-9 where the run may not move it");
   const auto mast = [](const std::string& name, double x, double sign) {
     return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, nodes: {{foot: [0, 0], top: [0, 4]}},\n"
                        "    members: {{c: {{between: [foot, top], section: {{area: 0.1, inertia_y: 1e-3}}, load: [{} N/m, 0]}}}},\n"
@@ -201,19 +209,19 @@ TEST(Frames, LeanTowardsEachOtherUnderGravity) {
                            "links: [{between: [a, b], gap: 50 mm, law: hertz, stiffness: 1e9}]\nanalysis: {duration: 0.2}\n";
   const double ei = 30e6, lean = 5e3 * 64 / (3 * ei) + 300 * 256 / (8 * ei);
   const Outcome run = test::run_text(yaml);
-  EXPECT_NEAR(run.results.links[0].penetration.front(), 2 * lean - 0.05, 1e-12);
-  EXPECT_NEAR(run.results.links[0].penetration.back(), 2 * lean - 0.05, 1e-9) << "nothing moves";
+  book.near("masts: penetration at the start [m]", run.results.links[0].penetration.front(), 2 * lean - 0.05, 1e-12);
+  book.near("masts: penetration at the end [m]", run.results.links[0].penetration.back(), 2 * lean - 0.05, 1e-9);
   EXPECT_TRUE(run.results.impacts.empty());
   for (int s = 0; s < 2; ++s) {
     const double sign = s == 0 ? 1 : -1;
     const StructureHistory& h = run.results.structures[s];
-    EXPECT_NEAR(h.displacement.back(), sign * lean, 1e-12);
+    book.near("masts: displacement [m]", h.displacement.back(), sign * lean, 1e-12);
     // Nodes foot and top along x, z, ry.
-    EXPECT_NEAR(h.node_displacement[3], sign * lean, 1e-12);
-    EXPECT_NEAR(h.node_displacement[4], -20e3 * 9.80665 * 4 / 3e9, 1e-12);
+    book.near("masts: displacement of the node [m]", h.node_displacement[3], sign * lean, 1e-12);
+    book.near("masts: shortening [m]", h.node_displacement[4], -20e3 * 9.80665 * 4 / 3e9, 1e-12);
     // Local x up, z along -x: N, Vz, My at the foot, then at the top.
     const double expected[] = {20e3 * 9.80665, sign * (5e3 + 1200), -sign * (5e3 * 4 + 300 * 8), -20e3 * 9.80665, -sign * 5e3, 0};
-    for (int j = 0; j < 6; ++j) EXPECT_NEAR(h.end_forces[j], expected[j], 1e-6) << s << " " << j;
+    for (int j = 0; j < 6; ++j) book.near("masts: end forces [N, N m]", h.end_forces[j], expected[j], 1e-6);
   }
   EXPECT_THROW(test::model_of(with(yaml, "gap: 50 mm", fmt::format("gap: {:.9g}", 2 * lean - 1e-6))), InputError);
 }
@@ -227,6 +235,10 @@ double ground_displacement(double amplitude, double period, double t) {
 // So slow that each instant is at rest: a stiff beam on equal columns takes half of what the right foot goes ahead, each
 // column is bent by the other half, and their shears cancel. The right column is 0.75 of the way out at its middle.
 TEST(Frames, FollowTheirSupportsStatically) {
+  test::Book book("Runs of frames",
+                  "a portal whose foot goes ahead slowly: half of it reaches the floor, each column is bent by the "
+                  "other half; 12 EI/h^3",
+                  "what is left of the motion, 1e-5; the foot itself to rounding");
   const double period = 400, amplitude = 1e-5, t = 100;
   const std::string foot = fmt::format("{{fix: fixed, ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 400}}}}}}", amplitude, period);
   const Outcome run = test::run_text("structures:\n" + portal("p", 0, 100e3, 0.1, "5 %", foot) +
@@ -235,29 +247,34 @@ TEST(Frames, FollowTheirSupportsStatically) {
   const double d = ground_displacement(amplitude, period, t);
   const StructureHistory& h = run.results.structures[0];
   const std::size_t last = run.results.time.size() - 1;
-  EXPECT_NEAR(h.displacement[last], 0.5 * d, 1e-5 * d);
-  EXPECT_NEAR(h.drift[last], 0.5 * d, 1e-5 * d);
+  book.near("slow foot: displacement [m]", h.displacement[last], 0.5 * d, 1e-5 * d);
+  book.near("slow foot: drift [m]", h.drift[last], 0.5 * d, 1e-5 * d);
   const auto node = [&](int i, int j) { return h.node_displacement[(last * 4 + i) * 3 + j]; };
   EXPECT_EQ(node(0, 0), 0);
-  EXPECT_NEAR(node(1, 0), 0.5 * d, 1e-5 * d);
-  EXPECT_NEAR(node(3, 0), d, 1e-12 * d) << "the foot itself";
-  EXPECT_NEAR(h.node_velocity[(last * 4 + 3) * 3], amplitude * period / (2 * pi) * (1 - std::cos(2 * pi * t / period)), 1e-12);
-  EXPECT_NEAR(h.node_acceleration[(last * 4 + 3) * 3], amplitude * std::sin(2 * pi * t / period), 1e-12);
-  EXPECT_NEAR(run.results.links[0].penetration.back(), 0.75 * d - 1, 1e-5 * d);
+  book.near("slow foot: node of the floor [m]", node(1, 0), 0.5 * d, 1e-5 * d);
+  book.near("slow foot: the foot itself [m]", node(3, 0), d, 1e-12 * d);
+  book.near("slow foot: its velocity [m/s]",
+            h.node_velocity[(last * 4 + 3) * 3], amplitude * period / (2 * pi) * (1 - std::cos(2 * pi * t / period)), 1e-12);
+  book.near("slow foot: its acceleration [m/s^2]",
+            h.node_acceleration[(last * 4 + 3) * 3], amplitude * std::sin(2 * pi * t / period), 1e-12);
+  book.near("slow foot: penetration at 0.75 of its way [m]",
+            run.results.links[0].penetration.back(), 0.75 * d - 1, 1e-5 * d);
   // A column: 12 E I/h^3 times d/2; local z points along -x.
   const double shear = 12 * young * inertia_of(100e3, 0.1) / 27 * d / 2, moment = shear * height / 2;
   const auto force = [&](int member, int j) { return h.end_forces[(last * 3 + member) * 6 + j]; };
-  EXPECT_NEAR(force(0, 1), shear, 1e-5 * shear);
-  EXPECT_NEAR(force(0, 4), -shear, 1e-5 * shear);
-  EXPECT_NEAR(force(2, 1), -shear, 1e-5 * shear);
-  EXPECT_NEAR(force(2, 4), shear, 1e-5 * shear);
-  EXPECT_NEAR(std::abs(force(2, 2)), moment, 1e-5 * moment);
+  book.near("slow foot: end force of a column [N]", force(0, 1), shear, 1e-5 * shear);
+  book.near("slow foot: end force of a column [N]", force(0, 4), -shear, 1e-5 * shear);
+  book.near("slow foot: end force of a column [N]", force(2, 1), -shear, 1e-5 * shear);
+  book.near("slow foot: end force of a column [N]", force(2, 4), shear, 1e-5 * shear);
+  book.near("slow foot: end moment of a column [N m]", std::abs(force(2, 2)), moment, 1e-5 * moment);
   EXPECT_NEAR(force(2, 2), -force(0, 2), 1e-5 * moment);
-  EXPECT_NEAR(h.storey_shear[last], 0, 1e-5 * shear);
+  book.near("slow foot: storey shear [N]", h.storey_shear[last], 0, 1e-5 * shear);
 }
 
-// In absolute coordinates: m x'' = -k/2 (x - g1) - k/2 (x - g2).
 TEST(Frames, WithADelayedFootMoveAsInAbsoluteCoordinates) {
+  test::Book book("Runs of frames",
+                  "independent integration in absolute coordinates, m x'' = -k/2 (x - g1) - k/2 (x - g2)",
+                  "run at tolerance 1e-9; velocities and accelerations of the same error times the frequencies");
   const double mass = 100e3, period = 0.4, delay = 0.13, amplitude = 3, ground_period = 0.6, duration = 1.0, end = 1.5;
   const Outcome run = test::run_text("ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 1}}\nstructures:\n" +
                                      portal("p", 0, mass, period, "0", "{fix: fixed, delay: 0.13 s}") +
@@ -271,15 +288,20 @@ TEST(Frames, WithADelayedFootMoveAsInAbsoluteCoordinates) {
   };
   const Eigen::VectorXd y = test::integrate(f, Eigen::VectorXd::Zero(6), 0, end, 0.1, {duration, delay, duration + delay});
   const StructureHistory& h = run.results.structures[0];
-  EXPECT_NEAR(h.displacement.back(), y[0] - y[1], 1e-7);
-  EXPECT_NEAR(h.velocity.back(), y[3] - y[4], 1e-6);
-  EXPECT_NEAR(h.acceleration.back(), -0.5 * k / mass * (2 * y[0] - y[1] - y[2]), 1e-5);
-  EXPECT_NEAR(h.storey_shear.back(), 0.5 * k * (2 * y[0] - y[1] - y[2]), 1e-6 * k);
-  EXPECT_NEAR(h.node_displacement[h.node_displacement.size() - 3], y[2] - y[1], 1e-9);
+  book.near("delayed foot: displacement [m]", h.displacement.back(), y[0] - y[1], 1e-7);
+  book.near("delayed foot: velocity [m/s]", h.velocity.back(), y[3] - y[4], 1e-6);
+  book.near("delayed foot: acceleration [m/s^2]",
+            h.acceleration.back(), -0.5 * k / mass * (2 * y[0] - y[1] - y[2]), 1e-5);
+  book.near("delayed foot: storey shear [N]", h.storey_shear.back(), 0.5 * k * (2 * y[0] - y[1] - y[2]), 1e-6 * k);
+  book.near("delayed foot: displacement of the foot [m]",
+            h.node_displacement[h.node_displacement.size() - 3], y[2] - y[1], 1e-9);
 }
 
-// Thrown as a whole it swings about its place, whatever moves its supports later: u = v/w sin(w t).
+// Thrown as a whole it swings about its place, whatever moves its supports later.
 TEST(Frames, AreThrownAsAWhole) {
+  test::Book book("Runs of frames",
+                  "free vibration: u = v/w sin(w t)",
+                  "run at tolerance 1e-8; velocities of the same error times the frequency");
   for (const char* foot : {"fixed", "{fix: fixed, delay: 0.5 s}"}) {
     SCOPED_TRACE(foot);
     const Outcome run = test::run_text("ground_motion: {pulse: {shape: half_sine, amplitude: 1, start: 5, duration: 1}}\nstructures:\n" +
@@ -287,14 +309,18 @@ TEST(Frames, AreThrownAsAWhole) {
                                        "analysis: {duration: 1, output_step: 0.05, tolerance: 1e-8, integrator: esdirk4}\n");
     const double w = 2 * pi / 0.4;
     for (std::size_t i = 0; i < run.results.time.size(); ++i) {
-      EXPECT_NEAR(run.results.structures[0].displacement[i], 0.3 / w * std::sin(w * run.results.time[i]), 1e-7);
-      EXPECT_NEAR(run.results.structures[0].velocity[i], 0.3 * std::cos(w * run.results.time[i]), 2e-6);
+      book.near("thrown: displacement [m]",
+                run.results.structures[0].displacement[i], 0.3 / w * std::sin(w * run.results.time[i]), 1e-7);
+      book.near("thrown: velocity [m/s]",
+                run.results.structures[0].velocity[i], 0.3 * std::cos(w * run.results.time[i]), 2e-6);
     }
   }
 }
 
-// A mass on a column: w^2 = EA/hm; from rest u = -A/(w^2 - W^2) (sin W t - W/w sin w t).
 TEST(Frames, AreShakenUpAndDown) {
+  test::Book book("Runs of frames",
+                  "a mass on a column, shaken along it: u = -A/(w^2 - W^2) (sin W t - W/w sin w t), w^2 = EA/(h m)",
+                  "run at tolerance 1e-9");
   const Outcome run = test::run_text(
       "ground_motion: {components: {z: {harmonic: {amplitude: 2, period: 0.25, duration: 1}}}}\nstructures:\n"
       "  p: {frame: {material: {E: 30 GPa}, nodes: {foot: [0, 0], top: [0, 3]},\n"
@@ -305,10 +331,11 @@ TEST(Frames, AreShakenUpAndDown) {
   const StructureHistory& h = run.results.structures[0];
   for (std::size_t i = 0; i + 1 < run.results.time.size(); ++i) {
     const double t = run.results.time[i], u = -2 / (w * w - o * o) * (std::sin(o * t) - o / w * std::sin(w * t));
-    EXPECT_NEAR(h.node_displacement[6 * i + 4], u, 1e-8) << t;
-    EXPECT_NEAR(h.node_acceleration[6 * i + 4], -w * w * u, 1e-5) << t;
-    EXPECT_NEAR(h.node_acceleration[6 * i + 1], 2 * std::sin(o * t), 1e-9) << "the ground, at " << t;
-    EXPECT_NEAR(h.end_forces[6 * i + 3], k * u, 1e-8 * k) << t;
+    book.near("up and down: displacement [m]", h.node_displacement[6 * i + 4], u, 1e-8);
+    book.near("up and down: acceleration [m/s^2]", h.node_acceleration[6 * i + 4], -w * w * u, 1e-5);
+    book.near("up and down: acceleration of the ground [m/s^2]",
+              h.node_acceleration[6 * i + 1], 2 * std::sin(o * t), 1e-9);
+    book.near("up and down: end force [N]", h.end_forces[6 * i + 3], k * u, 1e-8 * k);
     EXPECT_EQ(h.node_displacement[6 * i + 3], 0);
   }
 }
@@ -361,8 +388,11 @@ TEST(Frames, StandInEquilibriumAtEveryInstant) {
   EXPECT_GT(pressed, 0) << "or no push was";
 }
 
-// A body hits a column 1 m up; its ends are too heavy to move: P a b^2/L^2 and P a^2 b/L^2, P b^2 (3a + b)/L^3 and P a^2 (a + 3b)/L^3.
+// A body hits a column 1 m up; its ends are too heavy to move.
 TEST(Frames, AColumnThatIsHitHoldsTheForceAtItsEnds) {
+  test::Book book("Runs of frames",
+                  "a column hit between heavy ends: P a b^2/L^2, P a^2 b/L^2, P b^2 (3a + b)/L^3",
+                  "a thousandth of the peak force");
   const Outcome run = test::run_text(
       "structures:\n  ball: {body: {mass: 10 t}, initial_velocity: 1 m/s}\n"
       "  b: {frame: {material: {E: 30 GPa}, nodes: {foot: [0, 0], top: [0, 3]},\n"
@@ -381,9 +411,9 @@ TEST(Frames, AColumnThatIsHitHoldsTheForceAtItsEnds) {
     if (t < run.results.impacts[0].t_start || t > run.results.impacts[0].t_end) {
       EXPECT_NEAR(p, 0, 100) << t;
     }
-    EXPECT_NEAR(f[1], p * b * b * (3 * a + b) / (l * l * l), 100) << t;
-    EXPECT_NEAR(f[2], -p * a * b * b / (l * l), 100) << t;
-    EXPECT_NEAR(f[5], p * a * a * b / (l * l), 100) << t;
+    book.near("column that is hit: end force [N]", f[1], p * b * b * (3 * a + b) / (l * l * l), 100);
+    book.near("column that is hit: end moment [N m]", f[2], -p * a * b * b / (l * l), 100);
+    book.near("column that is hit: other end moment [N m]", f[5], p * a * a * b / (l * l), 100);
   }
   EXPECT_GT(largest, 1e5);
   EXPECT_NEAR(largest, run.results.impacts[0].peak_force, 1e-3 * largest);

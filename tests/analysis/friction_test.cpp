@@ -14,6 +14,7 @@
 #include <pounding/modal_base.hpp>
 #include <pounding/stepper.hpp>
 #include "analysis/direct.hpp"
+#include "support/book.hpp"
 
 namespace pounding {
 namespace {
@@ -92,6 +93,9 @@ double time_between(double v0, double v, double sliding) {
 }
 
 TEST_P(WithFriction, ABlockSlidesToRest) {
+  test::Book book("Friction where a contact presses",
+                  "sliding block in closed form, friction mu N v/sqrt(v^2 + s^2)",
+                  "run at tolerance 1e-5");
   const double v0 = 1.0, stop = Block::mass * v0 / (Block::coefficient * Block::pressed);
   double last = 1e300;
   for (const double sliding : {0.1, 0.01, 1e-3, 1e-5}) {
@@ -101,16 +105,17 @@ TEST_P(WithFriction, ABlockSlidesToRest) {
     Stepper stepper(block.system, base, {.tolerance = 1e-5, .scheme = scheme, .first_rung = 0.05});
     stepper.start(0, block.u, v0 * Eigen::VectorXd::Unit(2, 1));
     long tries = test::march(stepper, 0.5 * stop, 0.05);
-    EXPECT_NEAR(time_between(v0, stepper.state().v[1], sliding), 0.5 * stop, 1e-5 * stop);
-    EXPECT_NEAR(stepper.state().force[1], Block::coefficient * Block::pressed / std::hypot(1, sliding / stepper.state().v[1]),
+    book.near("time to a speed on the way [s]", time_between(v0, stepper.state().v[1], sliding), 0.5 * stop, 1e-5 * stop);
+    book.near("friction force [N]",
+              stepper.state().force[1], Block::coefficient * Block::pressed / std::hypot(1, sliding / stepper.state().v[1]),
                 1e-4 * Block::pressed);
     tries += test::march(stepper, 3 * stop, 0.05);
-    EXPECT_NEAR(stepper.state().u[1], way_to_rest(v0, sliding), 2e-5 * way_to_rest(v0, sliding));
-    EXPECT_LT(std::abs(stepper.state().v[1]), 1e-5);
+    book.near("way to rest [m]", stepper.state().u[1], way_to_rest(v0, sliding), 2e-5 * way_to_rest(v0, sliding));
+    book.below("speed after that [m/s]", std::abs(stepper.state().v[1]), 1e-5);
     const double coulomb = 0.5 * v0 * stop, off = std::abs(stepper.state().u[1] - coulomb);
     EXPECT_LT(off, last) << "nearer to Coulomb's law the smaller the sliding velocity is";
     last = std::max(off, 2e-5 * coulomb);
-    EXPECT_NEAR(stepper.friction_work()[0], 0.5 * Block::mass * v0 * v0, 1e-4 * Block::mass);
+    book.near("work of the friction [J]", stepper.friction_work()[0], 0.5 * Block::mass * v0 * v0, 1e-4 * Block::mass);
     EXPECT_LT(tries, 20000) << "the change to rest must not stall the steps";
   }
 }
@@ -134,6 +139,9 @@ TEST_P(WithFriction, SlidingInTwoDirectionsKeepsItsDirection) {
 
 // A wall that slides along the block takes it along; the force works on the ground.
 TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
+  test::Book book("Friction where a contact presses",
+                  "a wall that slides takes a block along: F t/m, then its speed",
+                  "the wall gains its speed in a moment, not at once; then the tolerance 1e-6");
   const double sliding = 1e-3, speed = 0.5, acceleration = 10;
   Block block(sliding);
   block.system.grounds = {GroundMotion(Pulse{Pulse::Shape::rectangle, -acceleration, speed / acceleration})};
@@ -145,9 +153,9 @@ TEST_P(WithFriction, AWallThatSlidesTakesTheBlockAlong) {
   test::march(stepper, 0.2, 0.02);
   // From a wall that is faster at once it would be F t / m; the wall gains its speed in a moment.
   const double force = Block::coefficient * Block::pressed;
-  EXPECT_NEAR(stepper.state().v[1], force / Block::mass * 0.2, 0.01 * force / Block::mass * 0.2);
+  book.near("speed on the way [m/s]", stepper.state().v[1], force / Block::mass * 0.2, 0.01 * force / Block::mass * 0.2);
   test::march(stepper, 2, 0.02);
-  EXPECT_NEAR(stepper.state().v[1], speed, 1e-6);
+  book.near("speed in the end [m/s]", stepper.state().v[1], speed, 1e-6);
   const Energies e = stepper.energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.impact, 1e-5 * e.kinetic);
   EXPECT_GT(stepper.friction_work()[0], 0.4 * e.kinetic);
@@ -221,6 +229,9 @@ struct Oblique {
 };
 
 TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
+  test::Book book("Friction where a contact presses",
+                  "independent integration of an oblique impact in absolute coordinates",
+                  "run at tolerance 1e-6, ten times as much after three impacts");
   const double end = 1.5;
   static const Eigen::VectorXd expected = Oblique::direct(end);
   Oblique problem;
@@ -229,11 +240,13 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
   stepper.start(0, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero());
   test::march(stepper, end, 0.01);
   EXPECT_GE(problem.link.impacts().size(), 3u);
-  EXPECT_LT((stepper.state().u - expected.head(4)).norm(), 1e-5 * expected.head(4).norm());
-  EXPECT_LT((stepper.state().v - expected.segment(4, 4)).norm(), 1e-5 * expected.segment(4, 4).norm());
+  book.below("oblique impact: displacements, difference over size [-]",
+             (stepper.state().u - expected.head(4)).norm(), 1e-5 * expected.head(4).norm());
+  book.below("oblique impact: velocities, difference over size [-]",
+             (stepper.state().v - expected.segment(4, 4)).norm(), 1e-5 * expected.segment(4, 4).norm());
   const double lost = 1e6 * expected[12];
   EXPECT_GT(lost, 1e3);
-  EXPECT_NEAR(stepper.friction_work()[0], lost, 1e-5 * lost);
+  book.near("oblique impact: work of the friction [J]", stepper.friction_work()[0], lost, 1e-5 * lost);
   const Energies e = stepper.energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.damping + e.impact, 1e-5 * lost);
   EXPECT_DOUBLE_EQ(e.impact, stepper.friction_work()[0] + problem.link.work());
@@ -241,6 +254,9 @@ TEST_P(WithFriction, AnObliqueImpactIsThatOfAnIndependentIntegration) {
 
 // Steady normal force, so that friction is smooth: the block on a spring is slowed down.
 TEST_P(WithFriction, StepsKeepTheirOrder) {
+  test::Book book("Friction where a contact presses",
+                  "order of the scheme, against an independent integration",
+                  "the next order of the error");
   const double sliding = 0.3, k = 8e4, end = 0.8;
   const auto f = [&](double, const Eigen::VectorXd& y) {
     Eigen::VectorXd out(2);
@@ -258,7 +274,8 @@ TEST_P(WithFriction, StepsKeepTheirOrder) {
     test::march_evenly(stepper, end, h);
     errors.push_back((Eigen::Vector2d(stepper.state().u[1], 0.2 * stepper.state().v[1]) - Eigen::Vector2d(expected[0], 0.2 * expected[1])).norm());
   }
-  EXPECT_NEAR(std::log2(errors[errors.size() - 2] / errors.back()), GetParam().order, 0.3);
+  book.near("observed order with friction [-]",
+            std::log2(errors[errors.size() - 2] / errors.back()), GetParam().order, 0.3);
 }
 
 std::vector<std::uint64_t> bits_of(const Stepper& stepper) {

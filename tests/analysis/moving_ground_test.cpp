@@ -12,6 +12,7 @@
 #include <pounding/modal_base.hpp>
 #include <pounding/stepper.hpp>
 #include "analysis/direct.hpp"
+#include "support/book.hpp"
 
 namespace pounding {
 namespace {
@@ -75,6 +76,9 @@ struct Delayed {
 };
 
 TEST_P(MovingGround, TwoOscillatorsMoveAsInAbsoluteCoordinates) {
+  test::Book book("Supports that the ground moves one by one",
+                  "independent integration in absolute coordinates of two oscillators, the motion delayed at one",
+                  "run at tolerance 1e-6");
   static const Eigen::VectorXd expected = Delayed::direct();
   Delayed problem;
   ModalBase base(problem.system);
@@ -84,8 +88,10 @@ TEST_P(MovingGround, TwoOscillatorsMoveAsInAbsoluteCoordinates) {
   EXPECT_GE(problem.link.impacts().size(), 4u);
   const Eigen::MatrixXd& motion = stepper.observed().motion;
   for (int i = 0; i < 2; ++i) {
-    EXPECT_NEAR(motion(i, 0) + problem.system.grounds[i].displacement(Delayed::end), expected[i], 1e-6) << i;
-    EXPECT_NEAR(motion(i, 1) + problem.system.grounds[i].velocity(Delayed::end), expected[2 + i], 1e-5) << i;
+    book.near("absolute displacement [m]",
+              motion(i, 0) + problem.system.grounds[i].displacement(Delayed::end), expected[i], 1e-6);
+    book.near("absolute velocity [m/s]",
+              motion(i, 1) + problem.system.grounds[i].velocity(Delayed::end), expected[2 + i], 1e-5);
   }
   const Energies e = stepper.energies();
   EXPECT_NEAR(e.input, e.kinetic + e.strain + e.damping + e.impact, 1e-6 * e.damping);
@@ -153,6 +159,10 @@ struct BeforeWall {
 const GroundMotion towards(Pulse{Pulse::Shape::rectangle, -1, 0.1});
 
 TEST_P(MovingGround, AWallThatDriftsThrowsARigidMassAhead) {
+  test::Book book("Supports that the ground moves one by one",
+                  "a wall that drifts at 0.1 m/s throws a rigid mass ahead, e = 0.6: impulse times the velocity of "
+                  "the wall",
+                  "nothing but rounding");
   const double restitution = 0.6;
   BeforeWall problem(std::make_unique<RigidGapLink>(restitution, 0.02), towards);
   ModalBase base(problem.system);
@@ -161,17 +171,20 @@ TEST_P(MovingGround, AWallThatDriftsThrowsARigidMassAhead) {
   test::march(stepper, 1, 0.05);
   ASSERT_EQ(problem.contact->impacts().size(), 1u);
   const ImpactRow& impact = problem.contact->impacts()[0];
-  EXPECT_NEAR(impact.t_start, 0.25, 1e-11);
-  EXPECT_NEAR(impact.v_approach, 0.1, 1e-12);
-  EXPECT_NEAR(stepper.state().v[0], -0.16, 1e-12);
-  EXPECT_NEAR(stepper.state().u[0], -0.16 * 0.75, 1e-10);
+  book.near("touch [s]", impact.t_start, 0.25, 1e-11);
+  book.near("approach [m/s]", impact.v_approach, 0.1, 1e-12);
+  book.near("speed after it [m/s]", stepper.state().v[0], -0.16, 1e-12);
+  book.near("displacement at 1 s [m]", stepper.state().u[0], -0.16 * 0.75, 1e-10);
   const Energies e = stepper.energies();
-  EXPECT_NEAR(e.kinetic, 0.5 * BeforeWall::mass * 0.16 * 0.16, 1e-7);
-  EXPECT_NEAR(e.input, BeforeWall::mass * 0.16 * 0.1, 1e-7) << "impulse times the velocity of the wall";
-  EXPECT_NEAR(e.impact, 0.5 * BeforeWall::mass * 0.01 * (1 - restitution * restitution), 1e-7);
+  book.near("kinetic energy [J]", e.kinetic, 0.5 * BeforeWall::mass * 0.16 * 0.16, 1e-7);
+  book.near("input [J]", e.input, BeforeWall::mass * 0.16 * 0.1, 1e-7);
+  book.near("energy lost [J]", e.impact, 0.5 * BeforeWall::mass * 0.01 * (1 - restitution * restitution), 1e-7);
 }
 
 TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
+  test::Book book("Supports that the ground moves one by one",
+                  "a wall that drifts at 0.1 m/s throws a mass ahead by a linear spring: half a period of contact",
+                  "run at tolerance 1e-6");
   const double stiffness = 9.35e7;
   BeforeWall problem(std::make_unique<GapLink<laws::LinearSpring>>(laws::LinearSpring{.stiffness = stiffness}, 0.02), towards);
   ModalBase base(problem.system);
@@ -181,17 +194,20 @@ TEST_P(MovingGround, AWallThatDriftsThrowsAnElasticMassAhead) {
   ASSERT_EQ(problem.contact->impacts().size(), 1u);
   const ImpactRow& impact = problem.contact->impacts()[0];
   const double w = std::sqrt(stiffness / BeforeWall::mass);
-  EXPECT_NEAR(impact.t_start, 0.25, 1e-11);
-  EXPECT_NEAR(impact.t_end, 0.25 + pi / w, 1e-7);
-  EXPECT_NEAR(impact.peak_penetration, 0.1 / w, 1e-6 * 0.1 / w);
-  EXPECT_NEAR(stepper.state().v[0], -0.2, 1e-7);
+  book.near("touch [s]", impact.t_start, 0.25, 1e-11);
+  book.near("separation [s]", impact.t_end, 0.25 + pi / w, 1e-7);
+  book.near("largest penetration [m]", impact.peak_penetration, 0.1 / w, 1e-6 * 0.1 / w);
+  book.near("speed after it [m/s]", stepper.state().v[0], -0.2, 1e-7);
   const Energies e = stepper.energies();
-  EXPECT_NEAR(e.input, 0.5 * BeforeWall::mass * 0.04, 1e-6 * e.input);
+  book.near("input [J]", e.input, 0.5 * BeforeWall::mass * 0.04, 1e-6 * e.input);
   EXPECT_NEAR(e.input, e.kinetic + e.impact, 1e-6 * e.input);
 }
 
 // The wall pushes the mass while it gains speed, and leaves it when it slows down.
 TEST_P(MovingGround, AMassRestsOnAWallThatAccelerates) {
+  test::Book book("Supports that the ground moves one by one",
+                  "a mass that a wall pushes while it gains speed: m a, then A T/pi",
+                  "run at tolerance 1e-5");
   const double amplitude = 2, duration = 0.8, half = duration / 2;
   BeforeWall problem(std::make_unique<RigidGapLink>(0.5, 0.0), GroundMotion(Pulse{Pulse::Shape::sine, -amplitude, duration}));
   ModalBase base(problem.system);
@@ -199,17 +215,18 @@ TEST_P(MovingGround, AMassRestsOnAWallThatAccelerates) {
   stepper.start(0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
   test::march(stepper, 0.3, 0.02);
   EXPECT_EQ(problem.contact->phase(), ContactPhase::resting);
-  EXPECT_NEAR(stepper.state().u[0], problem.system.grounds[0].displacement(0.3), 1e-14);
-  EXPECT_NEAR(stepper.state().force[0], BeforeWall::mass * amplitude * std::sin(2 * pi * 0.3 / duration),
+  book.near("displacement while it rests [m]", stepper.state().u[0], problem.system.grounds[0].displacement(0.3), 1e-14);
+  book.near("force while it rests [N]",
+            stepper.state().force[0], BeforeWall::mass * amplitude * std::sin(2 * pi * 0.3 / duration),
               1e-6 * BeforeWall::mass * amplitude);
   test::march(stepper, 1, 0.02);
   EXPECT_EQ(problem.contact->phase(), ContactPhase::open);
   const double speed = amplitude * duration / pi, way = amplitude * duration / (2 * pi) * half;
-  EXPECT_NEAR(stepper.state().v[0], -speed, 1e-6 * speed);
-  EXPECT_NEAR(stepper.state().u[0], -way - speed * (1 - half), 1e-6 * speed);
+  book.near("speed after that [m/s]", stepper.state().v[0], -speed, 1e-6 * speed);
+  book.near("displacement after that [m]", stepper.state().u[0], -way - speed * (1 - half), 1e-6 * speed);
   const Energies e = stepper.energies();
   EXPECT_NEAR(e.input, e.kinetic + e.impact, 1e-5 * e.kinetic);
-  EXPECT_NEAR(e.kinetic, 0.5 * BeforeWall::mass * speed * speed, 1e-5 * e.kinetic);
+  book.near("kinetic energy [J]", e.kinetic, 0.5 * BeforeWall::mass * speed * speed, 1e-5 * e.kinetic);
 }
 
 TEST_P(MovingGround, WhatGravityHasClosedIsMissingInTheGap) {
@@ -232,6 +249,9 @@ TEST_P(MovingGround, WhatGravityHasClosedIsMissingInTheGap) {
 
 // A mass on a spring that gravity presses on a spring at the wall, which moves harmonically: linear while they press.
 TEST_P(MovingGround, StepsKeepTheirOrder) {
+  test::Book book("Supports that the ground moves one by one",
+                  "order of the scheme, against an independent integration",
+                  "the next order of the error");
   const double k = 4e6, contact = 6e6, closed = 0.05, amplitude = 0.4, period = 0.5, end = 0.45;
   const double rest = -contact * closed / (k + contact);
   const auto expected = [&] {
@@ -254,7 +274,8 @@ TEST_P(MovingGround, StepsKeepTheirOrder) {
     EXPECT_TRUE(presses(problem.contact->phase()));
     errors.push_back(std::hypot(stepper.state().u[0] - expected[0], 0.1 * (stepper.state().v[0] - expected[1])));
   }
-  EXPECT_NEAR(std::log2(errors[errors.size() - 2] / errors.back()), GetParam().order, 0.25);
+  book.near("observed order on a moving ground [-]",
+            std::log2(errors[errors.size() - 2] / errors.back()), GetParam().order, 0.25);
 }
 
 // Everywhere a report may ask.

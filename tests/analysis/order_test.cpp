@@ -12,6 +12,7 @@
 #include <pounding/laws/free_impact.hpp>
 #include <pounding/modal_base.hpp>
 #include <pounding/stepper.hpp>
+#include "support/book.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -81,6 +82,9 @@ double observed_order(const std::vector<double>& errors) {
 class SpectralRadius : public testing::TestWithParam<double> {};
 
 TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
+  test::Book book("Orders of the time schemes",
+                  "free vibration of a damped oscillator in closed form",
+                  "the next order of the error");
   const double w = 7.0, z = 0.05;
   std::vector<double> errors;
   for (const double h : {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512}) {
@@ -92,7 +96,7 @@ TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
     march(stepper, p.end, h);
     errors.push_back(std::abs(stepper.state().u[0] - exact_oscillation(w, z, p.end)));
   }
-  EXPECT_NEAR(observed_order(errors), 2.0, 0.06);
+  book.near("generalized-alpha: order in free vibration [-]", observed_order(errors), 2.0, 0.06);
 }
 
 // Error of position and speed after an impact that parts at `parting` with the speed `speed`; a single one of them may
@@ -121,22 +125,29 @@ double order_of(const std::vector<double>& errors) {
 }
 
 TEST_P(SpectralRadius, AHertzImpactIsSecondOrder) {
+  test::Book book("Orders of the time schemes",
+                  "free impact of a Hertz spring in closed form",
+                  "the next order of the error");
   const laws::Hertz law{.stiffness = 2.75e9};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
   for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, 1.0, h, {.spectral_radius = GetParam()}));
-  EXPECT_NEAR(order_of(errors), 2.0, 0.15);
-  EXPECT_NEAR(observed_order(errors), 2.0, 0.2);
+  book.near("generalized-alpha: order through a Hertz impact, least squares [-]", order_of(errors), 2.0, 0.15);
+  book.near("generalized-alpha: order through a Hertz impact, last two steps [-]", observed_order(errors), 2.0, 0.2);
 }
 
 TEST_P(SpectralRadius, AKelvinVoigtImpactIsSecondOrderAlthoughItsForceJumps) {
+  test::Book book("Orders of the time schemes",
+                  "free impact of a Kelvin-Voigt contact in closed form, whose force jumps at the touch",
+                  "the next order of the error");
   const double asked = 0.65;
   const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = asked, .reduced_mass = 6e4};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
   for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, asked, h, {.spectral_radius = GetParam()}));
-  EXPECT_NEAR(order_of(errors), 2.0, 0.15);
-  EXPECT_NEAR(observed_order(errors), 2.0, 0.2);
+  book.near("generalized-alpha: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 2.0, 0.15);
+  book.near("generalized-alpha: order through a Kelvin-Voigt impact, last two steps [-]",
+            observed_order(errors), 2.0, 0.2);
 }
 
 INSTANTIATE_TEST_SUITE_P(GeneralizedAlpha, SpectralRadius, testing::Values(1.0, 0.8, 0.0));
@@ -157,6 +168,9 @@ TEST(SpectralRadiusBelowOne, CostsNoMoreStepsThanOne) {
 // The scheme of order four.
 
 TEST(Esdirk4, MeetsTheConditionsOfItsOrder) {
+  test::Book book("Orders of the time schemes",
+                  "conditions of order four of Runge-Kutta methods, of order three for the embedded one",
+                  "rounding");
   using namespace esdirk4;
   double rows = 0, b1 = 0, b2 = 0, b3 = 0, b4 = 0, b31 = 0, b41 = 0, b42 = 0, b43 = 0, e1 = 0, e2 = 0, e3 = 0, e31 = 0;
   const double* b = a[stages - 1];
@@ -177,25 +191,28 @@ TEST(Esdirk4, MeetsTheConditionsOfItsOrder) {
     b31 += b[i] * ac[i], b41 += b[i] * c[i] * ac[i], b42 += b[i] * acc[i], b43 += b[i] * aac[i];
     e1 += embedded[i], e2 += embedded[i] * c[i], e3 += embedded[i] * c[i] * c[i], e31 += embedded[i] * ac[i];
   }
-  EXPECT_LT(rows, 1e-15);
-  EXPECT_NEAR(b1, 1, 1e-14);
-  EXPECT_NEAR(b2, 1.0 / 2, 1e-14);
-  EXPECT_NEAR(b3, 1.0 / 3, 1e-14);
-  EXPECT_NEAR(b31, 1.0 / 6, 1e-14);
-  EXPECT_NEAR(b4, 1.0 / 4, 1e-14);
-  EXPECT_NEAR(b41, 1.0 / 8, 1e-14);
-  EXPECT_NEAR(b42, 1.0 / 12, 1e-14);
-  EXPECT_NEAR(b43, 1.0 / 24, 1e-14);
-  EXPECT_NEAR(e1, 1, 1e-14);
-  EXPECT_NEAR(e2, 1.0 / 2, 1e-14);
-  EXPECT_NEAR(e3, 1.0 / 3, 1e-14);
-  EXPECT_NEAR(e31, 1.0 / 6, 1e-14);
+  book.below("ESDIRK4(3): row sums less c [-]", rows, 1e-15);
+  book.near("ESDIRK4(3): sum b [-]", b1, 1, 1e-14);
+  book.near("ESDIRK4(3): b c [-]", b2, 1.0 / 2, 1e-14);
+  book.near("ESDIRK4(3): b c^2 [-]", b3, 1.0 / 3, 1e-14);
+  book.near("ESDIRK4(3): b A c [-]", b31, 1.0 / 6, 1e-14);
+  book.near("ESDIRK4(3): b c^3 [-]", b4, 1.0 / 4, 1e-14);
+  book.near("ESDIRK4(3): b c A c [-]", b41, 1.0 / 8, 1e-14);
+  book.near("ESDIRK4(3): b A c^2 [-]", b42, 1.0 / 12, 1e-14);
+  book.near("ESDIRK4(3): b A A c [-]", b43, 1.0 / 24, 1e-14);
+  book.near("ESDIRK4(3): embedded: sum b [-]", e1, 1, 1e-14);
+  book.near("ESDIRK4(3): embedded: b c [-]", e2, 1.0 / 2, 1e-14);
+  book.near("ESDIRK4(3): embedded: b c^2 [-]", e3, 1.0 / 3, 1e-14);
+  book.near("ESDIRK4(3): embedded: b A c [-]", e31, 1.0 / 6, 1e-14);
   for (int i = 1; i < stages; ++i) EXPECT_EQ(a[i][i], shift) << "one matrix for all stages";
 }
 
 constexpr Scheme fourth{.kind = Scheme::Kind::esdirk4};
 
 TEST(Esdirk4, FreeVibrationFromRestIsOfOrderFour) {
+  test::Book book("Orders of the time schemes",
+                  "free vibration of a damped oscillator in closed form",
+                  "the next order of the error");
   const double w = 7.0, z = 0.05;
   std::vector<double> errors;
   for (const double h : {1.0 / 16, 1.0 / 32, 1.0 / 64, 1.0 / 128}) {
@@ -206,18 +223,20 @@ TEST(Esdirk4, FreeVibrationFromRestIsOfOrderFour) {
     march(stepper, p.end, h);
     errors.push_back(std::abs(stepper.state().u[0] - exact_oscillation(w, z, p.end)));
   }
-  EXPECT_NEAR(observed_order(errors), 4.0, 0.1);
+  book.near("ESDIRK4: order in free vibration [-]", observed_order(errors), 4.0, 0.1);
 }
 
-// The force jumps at the touch and is smooth after it: the order is that of the scheme because steps end there.
 TEST(Esdirk4, AKelvinVoigtImpactIsOfOrderFour) {
+  test::Book book("Orders of the time schemes",
+                  "free impact of a Kelvin-Voigt contact in closed form, whose force jumps at the touch",
+                  "the next order of the error");
   const double asked = 0.65;
   const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = asked, .reduced_mass = 6e4};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
   for (double h = 1.6e-2; h > 1e-3; h /= 2) errors.push_back(error_after_impact(law, duration, asked, h, fourth));
-  EXPECT_NEAR(order_of(errors), 4.0, 0.3);
-  EXPECT_LT(errors.back(), 1e-6);
+  book.near("ESDIRK4: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 4.0, 0.3);
+  book.below("ESDIRK4: error after a Kelvin-Voigt impact, shortest step [-]", errors.back(), 1e-6);
 }
 
 // d^(3/2) has no second derivative at the touch: of order 5/2 and better, however high that of the scheme.
@@ -230,6 +249,7 @@ TEST(Esdirk4, AHertzImpactIsOfTheOrderOfItsForce) {
 }
 
 TEST(Esdirk4, EstimatesAnErrorOfOrderFour) {
+  test::Book book("Orders of the time schemes", "order of the embedded error estimate", "the next order of the error");
   Problem p = damped_oscillator(7.0, 0.05);
   ModalBase base(p.system);
   Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = fourth, .first_rung = 0.1});
@@ -237,10 +257,11 @@ TEST(Esdirk4, EstimatesAnErrorOfOrderFour) {
   ASSERT_TRUE(stepper.attempt(4e-3));
   const double coarse = stepper.error_ratio();
   ASSERT_TRUE(stepper.attempt(2e-3));
-  EXPECT_NEAR(std::log2(coarse / stepper.error_ratio()), 4.0, 0.2);
+  book.near("ESDIRK4: order of the error estimate [-]", std::log2(coarse / stepper.error_ratio()), 4.0, 0.2);
 }
 
 TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
+  test::Book book("Orders of the time schemes", "order of the local error", "the next order of the error");
   Problem p = damped_oscillator(7.0, 0.05);
   ModalBase base(p.system);
   Stepper stepper(p.system, base, {.tolerance = 1e-3, .first_rung = 0.1});
@@ -248,7 +269,7 @@ TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
   ASSERT_TRUE(stepper.attempt(1e-2));
   const double coarse = stepper.error_ratio();
   ASSERT_TRUE(stepper.attempt(5e-3));
-  EXPECT_NEAR(std::log2(coarse / stepper.error_ratio()), 3.0, 0.15);
+  book.near("generalized-alpha: order of the error estimate [-]", std::log2(coarse / stepper.error_ratio()), 3.0, 0.15);
 }
 
 // The estimate is the error that the step really makes, within a small factor.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <pounding/beam.hpp>
+#include "support/book.hpp"
 #include "support/refusal.hpp"
 
 namespace pounding {
@@ -47,8 +48,12 @@ Eigen::Matrix<double, 12, 6> rigid_motions(const Vector3d& start, const Vector3d
   return motions;
 }
 
-// Timoshenko, Strength of Materials: tip of a cantilever along x under each tip force and moment; shear adds FL/(G As).
+// The beam lies along x.
 TEST(Beam, ActsAsACantileverUnderEveryTipLoad) {
+  test::Book book("A beam-column alone",
+                  "Timoshenko, Strength of Materials: tip of a cantilever under each tip force and moment; shear "
+                  "adds F L/(G As)",
+                  "rounding");
   for (const Section& s : {slender, deep}) {
     const double l = 3.7, e = concrete.young, g = concrete.shear, iy = s.inertia_y, iz = s.inertia_z;
     Matrix6 flexibility = Matrix6::Zero();
@@ -64,12 +69,13 @@ TEST(Beam, ActsAsACantileverUnderEveryTipLoad) {
     const Matrix6 found = tip(beam.stiffness()).inverse();
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
-        EXPECT_NEAR(found(i, j), flexibility(i, j), 1e-12 * std::sqrt(flexibility(i, i) * flexibility(j, j)))
-            << i << " " << j;
+        book.near("flexibility of the tip, i j over sqrt(ii jj) [m/N, 1/N, 1/(N m)]",
+                  found(i, j), flexibility(i, j), 1e-12 * std::sqrt(flexibility(i, i) * flexibility(j, j)));
   }
 }
 
 TEST(Beam, OfAPlaneFrameIsThePartWithUxUzRy) {
+  test::Book book("A beam-column alone", "slope-deflection: 12 EI/L^3, 6 EI/L^2, 4 EI/L, 2 EI/L, EA/L", "rounding");
   const double l = 2.5, ea = concrete.young * slender.area / l, ei = concrete.young * slender.inertia_y;
   const double a = 12 * ei / (l * l * l), b = 6 * ei / (l * l), c = 4 * ei / l;
   Matrix6 expected;  // the textbook's matrix with the rotations reversed, since ry turns z into x
@@ -79,7 +85,8 @@ TEST(Beam, OfAPlaneFrameIsThePartWithUxUzRy) {
       -ea, 0, 0, ea, 0, 0,
       0, -a, b, 0, a, b,
       0, -b, c / 2, 0, b, c;
-  EXPECT_LT(distance(in_plane(Beam({0, 0, 0}, {l, 0, 0}, slender, concrete).stiffness()), expected), 1e-14);
+  book.below("stiffness of a plane member, largest difference over the largest entry [-]",
+             distance(in_plane(Beam({0, 0, 0}, {l, 0, 0}, slender, concrete).stiffness()), expected), 1e-14);
   // Bending about the other axis and the twist have no part in it, so they need not be given.
   const Section plane{.area = slender.area, .inertia_y = slender.inertia_y};
   EXPECT_LT(distance(in_plane(Beam({0, 0, 0}, {l, 0, 0}, plane, {.young = 30e9}).stiffness()), expected), 1e-14);
@@ -105,6 +112,9 @@ Eigen::Matrix4d integral(double l, const std::function<Eigen::Vector4d(double)>&
 }
 
 TEST(Beam, HasMassAndGeometricStiffnessOfItsShapeFunctions) {
+  test::Book book("A beam-column alone",
+                  "integrals of the exact shape functions of a beam with shear, by Gauss's rule",
+                  "rounding; that of slopes by differences");
   for (const Section& s : {slender, deep}) {
     const double l = 1.9, h = 1e-3;
     for (const bool about_y : {true, false}) {
@@ -122,9 +132,11 @@ TEST(Beam, HasMassAndGeometricStiffnessOfItsShapeFunctions) {
       const auto part = [&](const Matrix12& m) -> Eigen::Matrix4d {
         return sign.asDiagonal() * m(at, at) * sign.asDiagonal();
       };
-      EXPECT_LT(distance(part(beam_mass(s, concrete, l)),
+      book.below("consistent mass, largest difference over the largest entry [-]",
+                 distance(part(beam_mass(s, concrete, l)),
                          concrete.density * s.area * integral(l, [&](double x) { return shape(x, l, phi); })), 1e-13);
-      EXPECT_LT(distance(part(beam_geometric_stiffness(s, concrete, l)), integral(l, slope)), 1e-11);
+      book.below("geometric stiffness, largest difference over the largest entry [-]",
+                 distance(part(beam_geometric_stiffness(s, concrete, l)), integral(l, slope)), 1e-11);
     }
   }
 }
@@ -145,6 +157,9 @@ TEST(Beam, GivesNoForceToTheMotionOfARigidBody) {
 
 // A moving rigid bar: m v^2/2, and m L^2/12 + m r^2 about an axis across it; twist with the section's polar inertia.
 TEST(Beam, HasTheKineticEnergyOfARigidBar) {
+  test::Book book("A beam-column alone",
+                  "a rigid bar: m, m L^2/12 + m r^2, and the polar inertia of the section",
+                  "rounding");
   const double l = 4.0, m = concrete.density * deep.area * l;
   const Vector3d start(1, 0, 0), end(1 + l, 0, 0);
   const Beam bar(start, end, deep, concrete, {.mass = BeamMass::consistent});
@@ -152,7 +167,8 @@ TEST(Beam, HasTheKineticEnergyOfARigidBar) {
   const double about = m * l * l / 12 + m * std::pow(1 + l / 2, 2);
   const double polar = m / deep.area * (deep.inertia_y + deep.inertia_z);
   const Eigen::Vector<double, 6> expected(m, m, m, polar, about, about);
-  EXPECT_LT(distance((motions.transpose() * bar.mass() * motions).diagonal(), expected), 1e-14);
+  book.below("inertia of a moving bar, largest difference over the largest entry [-]",
+             distance((motions.transpose() * bar.mass() * motions).diagonal(), expected), 1e-14);
   EXPECT_EQ(bar.total_mass(), m);
 
   // Offsets neither add nor lose mass, and releases do not either.
@@ -160,7 +176,8 @@ TEST(Beam, HasTheKineticEnergyOfARigidBar) {
   const Beam shorter(start, end, deep, concrete, options);
   const double mass = concrete.density * deep.area * 3.5;
   for (int axis = 0; axis < 3; ++axis)
-    EXPECT_NEAR(motions.col(axis).dot(shorter.mass() * motions.col(axis)), mass, 1e-12 * mass);
+    book.near("mass with offsets and releases [kg]",
+              motions.col(axis).dot(shorter.mass() * motions.col(axis)), mass, 1e-12 * mass);
   for (const int released : {6, 10}) EXPECT_TRUE(shorter.mass().row(released).isZero(0));
 }
 
@@ -213,14 +230,16 @@ TEST(Beam, IsTheSameInEveryOrientation) {
 }
 
 TEST(Beam, CarriesNothingThroughAReleasedEnd) {
+  test::Book book("A beam-column alone", "a member with a hinge at its end: 3 EI/L^3", "rounding");
   const double l = 3, ei = concrete.young * slender.inertia_y, three = 3 * ei / (l * l * l);
   const Beam pinned({0, 0, 0}, {l, 0, 0}, slender, concrete, {.end_releases = {Dof::ry}});
   const Matrix12 k = pinned.stiffness();
-  EXPECT_NEAR(k(8, 8), three, 1e-12 * three);
-  EXPECT_NEAR(k(4, 4), three * l * l, 1e-12 * three * l * l);
+  book.near("stiffness across at the hinge [N/m]", k(8, 8), three, 1e-12 * three);
+  book.near("stiffness of the other end's turn, 3 EI/L [N m]", k(4, 4), three * l * l, 1e-12 * three * l * l);
   EXPECT_TRUE(k.row(10).isZero(0));
   // The other bending is whole.
-  EXPECT_NEAR(k(7, 7), 12 * concrete.young * slender.inertia_z / (l * l * l), 1e-12 * k(7, 7));
+  book.near("the other bending, 12 EI/L^3 [N/m]",
+            k(7, 7), 12 * concrete.young * slender.inertia_z / (l * l * l), 1e-12 * k(7, 7));
 
   const Beam truss({0, 0, 0}, {l, 0, 0}, slender, concrete,
                    {.start_releases = {Dof::ry, Dof::rz, Dof::rx}, .end_releases = {Dof::ry, Dof::rz}});
@@ -231,33 +250,38 @@ TEST(Beam, CarriesNothingThroughAReleasedEnd) {
 
   // Releases stand in local axes: the same of a column is about global y too.
   const Beam column({0, 0, 0}, {0, 0, l}, slender, concrete, {.end_releases = {Dof::ry}});
-  EXPECT_NEAR(column.stiffness()(6, 6), three, 1e-12 * three);
+  book.near("stiffness across at the hinge of a column [N/m]", column.stiffness()(6, 6), three, 1e-12 * three);
 }
 
-// A rod hinged at both ends that carries N turns as a string does: N/L across.
+// A rod hinged at both ends that carries N turns as a string does.
 TEST(Beam, HingedAtBothEndsHasTheStiffnessOfAString) {
+  test::Book book("A beam-column alone", "a string under N: N/L", "the difference of stiffnesses 1e4 times larger");
   const double l = 3, n = -2e5;
   const BeamOptions hinged{.start_releases = {Dof::ry}, .end_releases = {Dof::ry}, .axial_force = n};
   const Beam rod({0, 0, 0}, {l, 0, 0}, slender, concrete, hinged);
-  EXPECT_NEAR(rod.stiffness()(8, 8), n / l, 1e-9 * -n / l);  // the difference of stiffnesses 1e4 times larger
+  book.near("stiffness across of a hinged rod [N/m]", rod.stiffness()(8, 8), n / l, 1e-9 * -n / l);  // the difference of stiffnesses 1e4 times larger
 }
 
-// Unit-load theorem: a cantilever L with a rigid arm a at its tip has EI w/F = L^3/3 + L^2 a + L a^2.
 TEST(Beam, HasRigidOffsets) {
+  test::Book book("A beam-column alone",
+                  "unit-load theorem: EI w/F = L^3/3 + L^2 a + L a^2 with a rigid arm a; L/EA + d^2 L/EI below the "
+                  "nodes",
+                  "rounding");
   const double l = 2, a = 0.4, b = 0.3, ei = concrete.young * slender.inertia_y;
   const Beam beam({0, 0, 0}, {b + l + a, 0, 0}, slender, concrete, {.start_offset = {b, 0, 0}, .end_offset = {-a, 0, 0}});
   EXPECT_NEAR(beam.length(), l, 1e-15);
   const double w = (l * l * l / 3 + l * l * a + l * a * a) / ei;
-  EXPECT_NEAR(tip(beam.stiffness()).inverse()(2, 2), w, 1e-12 * w);
+  book.near("deflection with a rigid arm [m/N]", tip(beam.stiffness()).inverse()(2, 2), w, 1e-12 * w);
 
   // A beam below its nodes: an axial force F at the node bends it with F d, and moves the node by the end's turn too.
   const double d = 0.5;
   const Beam below({0, 0, 0}, {l, 0, 0}, slender, concrete, {.start_offset = {0, 0, -d}, .end_offset = {0, 0, -d}});
   const double u = l / (concrete.young * slender.area) + d * d * l / ei;
-  EXPECT_NEAR(tip(below.stiffness()).inverse()(0, 0), u, 1e-12 * u);
+  book.near("stretch of a beam below its nodes [m/N]", tip(below.stiffness()).inverse()(0, 0), u, 1e-12 * u);
 }
 
 TEST(Beam, ReturnsTheForcesOnItsEndsInLocalAxes) {
+  test::Book book("A beam-column alone", "statics of a column with a force at its top", "rounding");
   const double l = 3, f = 5e3;
   const Beam column({0, 0, 0}, {0, 0, l}, slender, concrete);
   Vector12 u = Vector12::Zero();
@@ -266,7 +290,7 @@ TEST(Beam, ReturnsTheForcesOnItsEndsInLocalAxes) {
   u.tail<6>() = tip(column.stiffness()).inverse() * load;
   Vector12 expected;  // local x is global z, local z is global -x
   expected << 2 * f, 0, f, 0, -f * l, 0, -2 * f, 0, -f, 0, 0, 0;
-  EXPECT_LT(distance(column.end_forces(u), expected), 1e-11);
+  book.below("end forces, largest difference over the largest [-]", distance(column.end_forces(u), expected), 1e-11);
 }
 
 TEST(Beam, RefusesWhatCannotBe) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <pounding/corotational.hpp>
+#include "support/book.hpp"
 #include "support/refusal.hpp"
 
 namespace pounding {
@@ -267,6 +268,10 @@ Tip elastica(double p) {
 }
 
 TEST(CorotationalFrame, FollowsTheElasticaUnderATipForce) {
+  test::Book book("Frames with large displacements",
+                  "Mattiasson, IJNME 17 (1981) 145-153, table 1, and elliptic integrals by Bisshopp & Drucker, "
+                  "Quart. Appl. Math. 3 (1945) 272-275",
+                  "20 members, whose error falls with the square of their length; the table has five decimals");
   for (const int dimension : {2, 3}) {
     const int members = 20;
     const Model model = slender_cantilever(dimension, members);
@@ -274,15 +279,18 @@ TEST(CorotationalFrame, FollowsTheElasticaUnderATipForce) {
     ASSERT_EQ(path.size(), 11u);
     for (const Tip& tip : mattiasson) {
       const VectorXd& q = path[static_cast<int>(tip.p)].q;
-      EXPECT_NEAR(-displacement(model, q, members, Dof::ux), tip.shortening, 1e-3) << tip.p;
-      EXPECT_NEAR(displacement(model, q, members, Dof::uz), tip.deflection, 1e-3) << tip.p;
-      EXPECT_NEAR(elastica(tip.p).shortening, tip.shortening, 6e-6);
-      EXPECT_NEAR(elastica(tip.p).deflection, tip.deflection, 6e-6);
+      book.near("elastica: tip's way along [L]", -displacement(model, q, members, Dof::ux), tip.shortening, 1e-3);
+      book.near("elastica: tip's way across [L]", displacement(model, q, members, Dof::uz), tip.deflection, 1e-3);
+      book.near("elastica by elliptic integrals: along, beside the table [L]",
+                elastica(tip.p).shortening, tip.shortening, 6e-6);
+      book.near("elastica by elliptic integrals: across, beside the table [L]",
+                elastica(tip.p).deflection, tip.deflection, 6e-6);
     }
   }
 }
 
 TEST(CorotationalFrame, ConvergesToTheElasticaWithTheSquareOfTheMembersLength) {
+  test::Book book("Frames with large displacements", "elastica: order two", "the next order of the error");
   const Tip exact = elastica(10);
   std::vector<double> errors;
   for (const int members : {8, 16, 32}) {
@@ -290,13 +298,17 @@ TEST(CorotationalFrame, ConvergesToTheElasticaWithTheSquareOfTheMembersLength) {
     const VectorXd q = model.corotational().solve(10 * unit_load(model, members, Dof::uz), 10).back().q;
     errors.push_back(std::abs(displacement(model, q, members, Dof::uz) - exact.deflection));
   }
-  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.1);
-  EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2, 0.1);
+  book.near("order between 8 and 16 members [-]", std::log2(errors[0] / errors[1]), 2, 0.1);
+  book.near("order between 16 and 32 members [-]", std::log2(errors[1] / errors[2]), 2, 0.1);
 }
 
 // Under an end moment 2 pi EI/L the cantilever closes to a circle. A constant moment bends members of equal length alike, so
 // that they lie on a regular polygon, exactly, with each end turned as that of the arc is: m L/EI.
 TEST(CorotationalFrame, RollsIntoACircleUnderAnEndMoment) {
+  test::Book book("Frames with large displacements",
+                  "a cantilever under an end moment up to two turns: members of equal length lie on a regular "
+                  "polygon, ends turned by m L/EI",
+                  "convergence of the equilibrium");
   const int members = 12;
   for (const int dimension : {2, 3}) {
     const Model model = slender_cantilever(dimension, members);
@@ -304,12 +316,12 @@ TEST(CorotationalFrame, RollsIntoACircleUnderAnEndMoment) {
     const auto path = model.corotational().solve(2 * pi * most * unit_load(model, members, Dof::ry), 20);
     for (const auto& [factor, q] : path) {
       const double turn = 2 * pi * most * factor, part = turn / members;
-      EXPECT_NEAR(displacement(model, q, members, Dof::ry), turn, 1e-7);
+      book.near("circle: turn of the tip [rad]", displacement(model, q, members, Dof::ry), turn, 1e-7);
       Vector3d tip(0, 0, 0);  // each member turned against the one before, half of that at the support
       for (int i = 0; i < members; ++i)
         tip += Vector3d(std::cos((i + 0.5) * part), 0, -std::sin((i + 0.5) * part)) / members;
-      EXPECT_NEAR(1 + displacement(model, q, members, Dof::ux), tip.x(), 1e-7);
-      EXPECT_NEAR(displacement(model, q, members, Dof::uz), tip.z(), 1e-7);
+      book.near("circle: x of the tip [L]", 1 + displacement(model, q, members, Dof::ux), tip.x(), 1e-7);
+      book.near("circle: z of the tip [L]", displacement(model, q, members, Dof::uz), tip.z(), 1e-7);
       if (dimension == 2 && std::abs(factor - 0.5) < 1e-12) {
         EXPECT_LT(tip.norm(), 1e-14);
       }
@@ -345,10 +357,13 @@ Model lees_frame(int members) {
   return model;
 }
 
-// References: an independent solution of the extensible elastica of the frame by shooting (Runge-Kutta of fourth order), largest
-// load 18.5567 kN at a sag of 48.6 cm, then least -9.4144 kN at 58.2 cm beyond a largest sag of 61.0 cm.
-// The member's error falls with the square of its length: 5.5e-3, 1.4e-3, 3.4e-4 of the load with 10, 20, 40 a leg.
+// Load and sag both turn back: the largest load at a sag of 48.6 cm, then the least beyond the largest sag.
 TEST(CorotationalFrame, FollowsLeesFrameThroughItsLimitPoints) {
+  test::Book book("Frames with large displacements",
+                  "Lee's frame (Lee, Manuel & Rossow, J. Eng. Mech. Div. ASCE 94 (1968) 521-547): independent "
+                  "solution of its extensible elastica by shooting, Runge-Kutta of fourth order",
+                  "the member's error falls with the square of its length: 5.5e-3, 1.4e-3, 3.4e-4 of the load with "
+                  "10, 20, 40 a leg");
   double error = 0;
   for (const int members : {10, 20}) {
     const int loaded = members + members / 5;
@@ -358,8 +373,8 @@ TEST(CorotationalFrame, FollowsLeesFrameThroughItsLimitPoints) {
     const auto path = frame.follow(load, 4.0, 160);
     const double coarser = std::exchange(error, limit(path) - 18.5567);
     if (members == 20) {
-      EXPECT_NEAR(limit(path), 18.5567, 2e-3 * 18.5567);
-      EXPECT_NEAR(coarser / error, 4, 0.2);
+      book.near("Lee's frame: largest load, 20 members a leg [kN]", limit(path), 18.5567, 2e-3 * 18.5567);
+      book.near("Lee's frame: error with 10 members over that with 20 [-]", coarser / error, 4, 0.2);
     }
     // Load and sag both turn back before the load turns to tension.
     double least = 0, sag_at_least = 0, most_before = 0, most = 0;
@@ -373,9 +388,9 @@ TEST(CorotationalFrame, FollowsLeesFrameThroughItsLimitPoints) {
       }
       EXPECT_LT((frame.force(q) - factor * load).norm(), 1e-6 * std::max(1.0, std::abs(factor)));
     }
-    EXPECT_NEAR(least, -9.4144, members == 10 ? 0.25 : 0.06);
-    EXPECT_NEAR(sag_at_least, 58.2, 1);
-    EXPECT_NEAR(most_before, 61.0, 0.5);
+    book.near("Lee's frame: least load [kN]", least, -9.4144, members == 10 ? 0.25 : 0.06);
+    book.near("Lee's frame: sag at the least load [cm]", sag_at_least, 58.2, 1);
+    book.near("Lee's frame: largest sag before [cm]", most_before, 61.0, 0.5);
   }
 }
 
@@ -397,6 +412,11 @@ TEST(CorotationalFrame, SolvesForALoadBeyondALimitPoint) {
 // torsion constant, for which many take the polar moment 1/6 as here instead of 0.1406. The tight reference is an independent
 // solution of the curved extensible Kirchhoff rod with 1/6 by shooting: 15.68536, 47.15215, 53.47176.
 TEST(CorotationalFrame, BendsTheArcOfBatheAndBolourchi) {
+  test::Book book("Frames with large displacements",
+                  "arc of Bathe & Bolourchi, IJNME 14 (1979) 961-986; tips of Simo & Vu-Quoc, CMAME 58 (1986) "
+                  "79-116, and of an independent solution of the curved extensible Kirchhoff rod by shooting",
+                  "0.3 % of the deflection with eight members; tips in the literature scatter by as much. The error "
+                  "falls with the square of the length");
   const Vector3d simo(15.79, 47.23, 53.37), rod(15.68536, 47.15215, 53.47176);
   const Section square{.area = 1, .inertia_y = 1.0 / 12, .inertia_z = 1.0 / 12, .torsion = 1.0 / 6};
   std::vector<double> errors;
@@ -412,17 +432,20 @@ TEST(CorotationalFrame, BendsTheArcOfBatheAndBolourchi) {
     Vector3d tip = model.frame.position(members);
     for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz}) tip[static_cast<int>(dof)] += displacement(model, q, members, dof);
     if (members == 8) {
-      EXPECT_LT((tip - simo).cwiseAbs().maxCoeff(), 0.16);  // 0.3 % of the deflection
+      book.below("arc: tip with 8 members, off Simo & Vu-Quoc's [-]", (tip - simo).cwiseAbs().maxCoeff(), 0.16);  // 0.3 % of the deflection
     }
     errors.push_back((tip - rod).norm());
   }
-  EXPECT_LT(errors.back(), 5e-3);
-  EXPECT_NEAR(errors[0] / errors[1], 4, 0.3);
-  EXPECT_NEAR(errors[1] / errors[2], 4, 0.3);
+  book.below("arc: tip with 32 members, off the rod's [-]", errors.back(), 5e-3);
+  book.near("arc: error with 8 members over that with 16 [-]", errors[0] / errors[1], 4, 0.3);
+  book.near("arc: error with 16 members over that with 32 [-]", errors[1] / errors[2], 4, 0.3);
 }
 
-// A column of length and EI 1: its sway stiffness under the compression P is P/(tan u/u - 1), u^2 = P.
+// A column of length and EI 1.
 TEST(CorotationalFrame, SwaysUnderAxialLoadAsByGeometricStiffness) {
+  test::Book book("Frames with large displacements",
+                  "sway stiffness of a column under P: P/(tan u/u - 1), u^2 = P L^2/(EI)",
+                  "the error of 8 and 16 members");
   const Section section{.area = 1e6, .inertia_y = 1};
   const Material material{.young = 1, .shear = 0, .density = 0};
   const double euler = pi * pi / 4;
@@ -442,11 +465,12 @@ TEST(CorotationalFrame, SwaysUnderAxialLoadAsByGeometricStiffness) {
       for (int i = 0; i <= members; ++i) linear.add_node({0, 0, 1.0 * i / members});
       linear.fix(0);
       for (int i = 0; i < members; ++i) linear.add_member(i, i + 1, section, material, {.axial_force = -p});
-      EXPECT_NEAR(stiffness(linear.assemble().stiffness), exact, 1e-4 * exact) << share;
+      book.near("sway stiffness by geometric stiffness [EI/L^3]",
+                stiffness(linear.assemble().stiffness), exact, 1e-4 * exact);
       errors.push_back(std::abs(found - exact));
     }
-    EXPECT_LT(errors[1], 3e-3) << share;  // of the stiffness 3 without the load
-    EXPECT_NEAR(errors[0] / errors[1], 4, 0.2) << share;
+    book.below("sway stiffness, 16 members, error [EI/L^3]", errors[1], 3e-3);  // of the stiffness 3 without the load
+    book.near("sway: error with 8 members over that with 16 [-]", errors[0] / errors[1], 4, 0.2);
   }
 }
 

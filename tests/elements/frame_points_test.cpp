@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <pounding/frame.hpp>
+#include "support/book.hpp"
 #include "support/refusal.hpp"
 
 namespace pounding {
@@ -35,9 +36,11 @@ VectorXd under(const Frame& frame, AssembledFrame f, const VectorXd& load) {
   return frame.rest(f);
 }
 
-// Roark: fixed at both ends, P at a from the start: moments P a b^2/L^2 and P a^2 b/L^2, force at the start
-// P b^2 (3a + b)/L^3.
 TEST(PointOnMember, HasTheHeldEndForcesOfAFixedBeam) {
+  test::Book book("Points between the ends of members, supports that move apart",
+                  "Roark: fixed at both ends, P at a from the start: moments P a b^2/L^2 and P a^2 b/L^2, force at "
+                  "the start P b^2 (3a + b)/L^3",
+                  "rounding");
   const double l = 5, a = 1.7, b = l - a;
   const Beam beam({0, 0, 0}, {l, 0, 0}, slender, steel);
   const Eigen::Matrix<double, 12, 3> held = beam.held_end_forces_at(a / l);
@@ -47,14 +50,16 @@ TEST(PointOnMember, HasTheHeldEndForcesOfAFixedBeam) {
   in_x << -b / l, 0, 0, 0, 0, 0, -a / l, 0, 0, 0, 0, 0;
   in_y << 0, -start, 0, 0, 0, -near, 0, start - 1, 0, 0, 0, far;
   in_z << 0, 0, -start, 0, near, 0, 0, 0, start - 1, 0, -far, 0;
-  EXPECT_LT(relative(held.col(0), in_x), 1e-14);
-  EXPECT_LT(relative(held.col(1), in_y), 1e-14);
-  EXPECT_LT(relative(held.col(2), in_z), 1e-14);
+  book.below("held end forces along, largest difference over the largest [-]", relative(held.col(0), in_x), 1e-14);
+  book.below("held end forces in y, largest difference over the largest [-]", relative(held.col(1), in_y), 1e-14);
+  book.below("held end forces in z, largest difference over the largest [-]", relative(held.col(2), in_z), 1e-14);
 }
 
-// Simply supported, P at a: it goes down by P a^2 b^2/(3 EI L) there; of this P a^3 b^3/(3 EI L^3) is the bending between
-// held ends. Its end moments are none.
 TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
+  test::Book book("Points between the ends of members, supports that move apart",
+                  "simply supported beam, P at a: it goes down by P a^2 b^2/(3 EI L) there, of which P a^3 b^3/(3 EI "
+                  "L^3) is the bending between held ends",
+                  "rounding");
   const double l = 5, a = 1.7, b = l - a, p = 3e4, ei = steel.young * slender.inertia_y;
   Frame frame(2);
   frame.add_node({0, 0, 0});
@@ -66,12 +71,13 @@ TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
   const auto point = frame.point_on_member(0, a / l, f);
   const VectorXd q = under(frame, f, -p * VectorXd(point.motion[2]));
   const double whole = p * a * a * b * b / (3 * ei * l), held = p * a * a * a * b * b * b / (3 * ei * l * l * l);
-  EXPECT_NEAR(point.motion[2].dot(q), -(whole - held), 1e-12 * whole);
+  book.near("deflection of the point without the bending between held ends [m]",
+            point.motion[2].dot(q), -(whole - held), 1e-12 * whole);
   const Vector12 ends = frame.end_force_rows(0, f) * q + point.held_ends * Vector3d(0, 0, -p);
-  EXPECT_NEAR(ends[2], p * b / l, 1e-11 * p);
-  EXPECT_NEAR(ends[8], p * a / l, 1e-11 * p);
-  EXPECT_NEAR(ends[4], 0, 1e-11 * p * l);
-  EXPECT_NEAR(ends[10], 0, 1e-11 * p * l);
+  book.near("left support [N]", ends[2], p * b / l, 1e-11 * p);
+  book.near("right support [N]", ends[8], p * a / l, 1e-11 * p);
+  book.near("left end moment [N m]", ends[4], 0, 1e-11 * p * l);
+  book.near("right end moment [N m]", ends[10], 0, 1e-11 * p * l);
 }
 
 // The same frame with a node at the point: everything else moves alike and the ends carry the same forces; the point
@@ -288,8 +294,10 @@ TEST(SupportMotion, IsThePartitionOfTheFreeFrame) {
     }
 }
 
-// One foot of a portal: half of its motion reaches a rigid floor on equal columns; on columns k1 and k2, k1/(k1 + k2) does.
 TEST(SupportMotion, OfAPortalByHand) {
+  test::Book book("Points between the ends of members, supports that move apart",
+                  "one foot of a portal moves: of columns k1 and k2 a rigid floor goes along by k1/(k1 + k2)",
+                  "rounding");
   Frame frame(2);
   for (const Vector3d& at : {Vector3d(0, 0, 0), {4, 0, 0}, {0, 0, 3}, {4, 0, 3}}) frame.add_node(at);
   Section stiffer = slender;
@@ -304,13 +312,16 @@ TEST(SupportMotion, OfAPortalByHand) {
   const AssembledFrame f = frame.assemble();
   ASSERT_EQ(f.size(), 1);
   const auto left = frame.support_motion({0}, f), right = frame.support_motion({1}, f);
-  EXPECT_NEAR(left.influence(0, 0), 0.25, 1e-14);
-  EXPECT_NEAR(right.influence(0, 0), 0.75, 1e-14);
-  EXPECT_NEAR(left.load(0, 0), 100, 1e-11);
+  book.near("part of the left foot's motion [-]", left.influence(0, 0), 0.25, 1e-14);
+  book.near("part of the right foot's motion [-]", right.influence(0, 0), 0.75, 1e-14);
+  book.near("load of the left foot's motion [kg]", left.load(0, 0), 100, 1e-11);
   EXPECT_TRUE(left.influence.col(2).isZero(0));
 }
 
 TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
+  test::Book book("Points between the ends of members, supports that move apart",
+                  "two springs on one mass: in proportion to their stiffness",
+                  "rounding");
   Frame frame(2);
   frame.add_node({0, 0, 0}, "pier");
   frame.add_node({1, 0, 0}, "deck");
@@ -320,9 +331,9 @@ TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
   for (const int node : {0, 1}) frame.fix(node, {Dof::ry}), frame.fix(node, {Dof::uz});
   frame.add_mass(1, 8);
   const AssembledFrame f = frame.assemble();
-  EXPECT_NEAR(frame.support_motion({0}, f).influence(0, 0), 0.75, 1e-15);
-  EXPECT_NEAR(frame.support_motion({0, 0}, f).influence(0, 0), 0.75, 1e-15);  // named twice
-  EXPECT_NEAR(frame.support_motion({1}, f).load(0, 0), 2, 1e-14);
+  book.near("part of the first spring's motion [-]", frame.support_motion({0}, f).influence(0, 0), 0.75, 1e-15);
+  book.near("the same, named twice [-]", frame.support_motion({0, 0}, f).influence(0, 0), 0.75, 1e-15);  // named twice
+  book.near("load of the second spring's motion [kg]", frame.support_motion({1}, f).load(0, 0), 2, 1e-14);
 
   frame.add_node({2, 0, 0}, "tip");
   frame.add_member(1, 2, slender, steel);
@@ -330,8 +341,10 @@ TEST(SupportMotion, ReachesAMassThroughItsSpringsInProportion) {
             "node tip: it is no support: neither fixed nor on a spring to the ground");
 }
 
-// A static push of 1 g along x: the columns' shears at the ground add up to the mass above times g.
 TEST(GridFrame, CarriesItsInertiaToTheGround) {
+  test::Book book("Points between the ends of members, supports that move apart",
+                  "statics: under a push of 1 g the columns' shears at the ground are the mass above times g",
+                  "rounding");
   for (const int bays_y : {0, 2})
     for (const bool rigid : {false, true}) {
       GridFrame grid;
@@ -362,7 +375,7 @@ TEST(GridFrame, CarriesItsInertiaToTheGround) {
         // Of the columns, the lower halves of the first storey stand on the ground.
         const double columns = 3.0 * (bays_y + 1) * (9.3 - 1.75), beams = 3 * (12.0 * (bays_y + 1) + (bays_y > 0 ? 30 : 0));
         const double mass = 12e4 + steel.density * (deep.area * columns + slender.area * beams);
-        EXPECT_NEAR(shear, mass * g, 1e-9 * mass * g) << bays_y << rigid << axis;
+        book.near("shear at the ground [N]", shear, mass * g, 1e-9 * mass * g);
       }
     }
 }

@@ -12,6 +12,7 @@
 
 #include <pounding/frame.hpp>
 #include <pounding/static_solver.hpp>
+#include "support/book.hpp"
 #include "support/refusal.hpp"
 
 namespace pounding {
@@ -37,8 +38,11 @@ Vector12 true_end_forces(const Frame& frame, int member, const AssembledFrame& f
   return frame.end_force_rows(member, f) * q + frame.held_end_forces(member, gravity);
 }
 
-// A king post, P at the foot of the post: joints by hand, deflection by the unit-load theorem, sum of N^2 L/(EA)/P.
+// P at the foot of the post; the deflection is the sum of N^2 L/(EA)/P.
 TEST(Truss, CarriesTheKingPostBridge) {
+  test::Book book("Frames at rest",
+                  "king post, P at the foot of the post: joints by hand, deflection by the unit-load theorem",
+                  "rounding");
   const double l = 4, h = 3, p = 5e4, area = 2e-3, d = std::hypot(l, h);
   for (const int dimension : {2, 3}) {
     Frame frame(dimension);
@@ -58,17 +62,17 @@ TEST(Truss, CarriesTheKingPostBridge) {
     double work = 0;
     for (int i = 0; i < 5; ++i) {
       const Vector12 forces = frame.end_forces(i, f, q);
-      EXPECT_NEAR(forces[6], expected[i], 1e-11 * p);
-      EXPECT_NEAR(forces[0], -expected[i], 1e-11 * p);
-      EXPECT_NEAR(forces.norm(), std::hypot(forces[0], forces[6]), 1e-11 * p);
+      book.near("axial force of each bar [N]", forces[6], expected[i], 1e-11 * p);
+      book.near("axial force at the other end [N]", forces[0], -expected[i], 1e-11 * p);
+      book.near("nothing but axial force [N]", forces.norm(), std::hypot(forces[0], forces[6]), 1e-11 * p);
       work += expected[i] * expected[i] * lengths[i] / (steel.young * area);
     }
-    EXPECT_NEAR(displacement(f, q, 1, Dof::uz), -work / p, 1e-11 * work / p);
+    book.near("deflection under P [m]", displacement(f, q, 1, Dof::uz), -work / p, 1e-11 * work / p);
   }
 }
 
-// Three bars to one point that make a sphere's corner: each by the equilibrium of the point.
 TEST(Truss, CarriesASpaceTripod) {
+  test::Book book("Frames at rest", "three bars to one point in space: equilibrium of the point", "rounding");
   Frame frame(3);
   const std::vector<Vector3d> feet{{2, 0, 0}, {-1, 1.5, 0}, {-1, -2, 0.5}};
   const Vector3d top(0.2, 0.1, 3), force(3e4, -2e4, -8e4);
@@ -84,15 +88,19 @@ TEST(Truss, CarriesASpaceTripod) {
   ASSERT_EQ(f.size(), 3);
   const Vector3d n = directions.inverse() * force, u = frame.rest(f);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(frame.end_forces(i, f, u)[6], n[i], 1e-10 * force.norm());
+    book.near("axial force [N]", frame.end_forces(i, f, u)[6], n[i], 1e-10 * force.norm());
     const double stretch = n[i] * (top - feet[i]).norm() / (steel.young * 1e-3 * (1 + i));
-    EXPECT_NEAR(directions.col(i).dot(u), stretch, 1e-10 * u.norm());
+    book.near("stretch [m]", directions.col(i).dot(u), stretch, 1e-10 * u.norm());
   }
 }
 
 // Patch: displacements that are linear in the place put the same strain into every bar of an irregular mesh and no force
 // on the nodes inside; the motions of a rigid body put none anywhere.
 TEST(Truss, PassesThePatchTest) {
+  test::Book book("Frames at rest",
+                  "patch test: displacements linear in the place put the same strain into every bar, a rigid motion "
+                  "none",
+                  "rounding");
   for (const int dimension : {2, 3}) {
     Frame frame(dimension);
     const std::vector<double> stations{0, 0.7, 1.1, 2.6, 3};
@@ -108,8 +116,9 @@ TEST(Truss, PassesThePatchTest) {
       turned[j] = 0.3 + across[static_cast<int>(dof)];
     }
     for (int i = 0; i < 4; ++i) {
-      EXPECT_NEAR(frame.end_forces(i, f, stretched)[6], steel.young * 1e-3 * 1e-3, 1e-9 * steel.young * 1e-6);
-      EXPECT_NEAR(frame.end_forces(i, f, turned)[6], 0, 1e-9 * steel.young * 1e-6);
+      book.near("axial force under a uniform strain [N]",
+                frame.end_forces(i, f, stretched)[6], steel.young * 1e-3 * 1e-3, 1e-9 * steel.young * 1e-6);
+      book.near("axial force under a turn [N]", frame.end_forces(i, f, turned)[6], 0, 1e-9 * steel.young * 1e-6);
     }
     const VectorXd forces = f.stiffness * stretched;
     const int each = dimension;  // translations of a node
@@ -119,22 +128,26 @@ TEST(Truss, PassesThePatchTest) {
 }
 
 TEST(Truss, HangsHalfItsMassAtEachEndAndTakesAPullAcrossAsAString) {
+  test::Book book("Frames at rest", "a truss member: half of its mass at each end, N/L across", "rounding");
   Frame frame(2);
   frame.add_node({0, 0, 0});
   frame.add_node({2.5, 0, 0});
   frame.add_truss(0, 1, 1e-2, steel);
   frame.fix(0);
   AssembledFrame f = frame.assemble();
-  EXPECT_NEAR(f.mass.coeff(1, 1), steel.density * 1e-2 * 2.5 / 2, 1e-12);
+  book.near("mass at an end [kg]", f.mass.coeff(1, 1), steel.density * 1e-2 * 2.5 / 2, 1e-12);
   EXPECT_EQ(f.stiffness.coeff(1, 1), 0);
   frame.set_axial_force(0, 7e4);
   f = frame.assemble();
-  EXPECT_NEAR(f.stiffness.coeff(1, 1), 7e4 / 2.5, 1e-9);
+  book.near("stiffness across [N/m]", f.stiffness.coeff(1, 1), 7e4 / 2.5, 1e-9);
 }
 
-// Roark: fixed at one end, on a roller at the other, w all along: roller 3wL/8, fixing moment wL^2/8, its turn
-// wL^3/(48 EI). The shear's compliance comes on both sides of the roller's condition.
+// The shear's compliance comes on both sides of the roller's condition.
 TEST(MemberLoad, SolvesTheProppedBeam) {
+  test::Book book("Frames at rest",
+                  "Roark: fixed at one end, on a roller at the other, w all along: roller 3wL/8, fixing moment "
+                  "wL^2/8, its turn wL^3/(48 EI); with shear by the roller's condition",
+                  "rounding");
   const double l = 6, w = 2e4;
   for (const Section& s : {slender, deep})
     for (const int members : {1, 3}) {
@@ -160,13 +173,16 @@ TEST(MemberLoad, SolvesTheProppedBeam) {
         const int moment = turn == 1 ? 5 : 4;
         const Vector3d end(last[6], last[7], last[8]), start(first[0], first[1], first[2]);
         const Eigen::Matrix3d axes = frame.beam(0).axes();
-        EXPECT_NEAR((axes.transpose() * end)[axis], roller, 1e-10 * w * l);
-        EXPECT_NEAR((axes.transpose() * start)[axis], w * l - roller, 1e-10 * w * l);
-        EXPECT_NEAR(std::abs(first[moment]), w * l * l / 2 - roller * l, 1e-10 * w * l * l);
-        EXPECT_NEAR(last[6 + moment], 0, 1e-10 * w * l * l);
+        book.near("propped beam: roller [N]", (axes.transpose() * end)[axis], roller, 1e-10 * w * l);
+        book.near("propped beam: force at the fixed end [N]",
+                  (axes.transpose() * start)[axis], w * l - roller, 1e-10 * w * l);
+        book.near("propped beam: fixing moment [N m]",
+                  std::abs(first[moment]), w * l * l / 2 - roller * l, 1e-10 * w * l * l);
+        book.near("propped beam: moment at the roller [N m]", last[6 + moment], 0, 1e-10 * w * l * l);
         const Dof rotation = turn == 1 ? Dof::rz : Dof::ry;
         const double slope = w * l * l * l / (6 * ei) - roller * l * l / (2 * ei);
-        EXPECT_NEAR(std::abs(displacement(f, q, members, rotation)), std::abs(slope), 1e-10 * w * l * l * l / ei);
+        book.near("propped beam: turn at the roller [rad]",
+                  std::abs(displacement(f, q, members, rotation)), std::abs(slope), 1e-10 * w * l * l * l / ei);
         if (std::isinf(ga)) {
           EXPECT_NEAR(roller, 3 * w * l / 8, 1e-12 * w * l);
           EXPECT_NEAR(std::abs(slope), w * l * l * l / (48 * ei), 1e-12 * w * l * l * l / ei);
@@ -177,6 +193,9 @@ TEST(MemberLoad, SolvesTheProppedBeam) {
 
 // A hinge at the roller's end instead of an end that may turn: the load's held forces go around the hinge.
 TEST(MemberLoad, GoesAroundAReleasedEnd) {
+  test::Book book("Frames at rest",
+                  "Roark: the propped beam with a hinge instead of the roller: 3wL/8, 5wL/8, wL^2/8",
+                  "rounding");
   const double l = 6, w = 2e4;
   Frame frame(2);
   frame.add_node({0, 0, 0});
@@ -186,17 +205,19 @@ TEST(MemberLoad, GoesAroundAReleasedEnd) {
   frame.fix(0);
   frame.fix(1);
   const Vector12 held = frame.held_end_forces(0);
-  EXPECT_NEAR(held[8], 3 * w * l / 8, 1e-12 * w * l);
-  EXPECT_NEAR(held[2], 5 * w * l / 8, 1e-12 * w * l);
-  EXPECT_NEAR(held[4], -w * l * l / 8, 1e-12 * w * l * l);
+  book.near("hinge: force [N]", held[8], 3 * w * l / 8, 1e-12 * w * l);
+  book.near("hinge: force at the fixed end [N]", held[2], 5 * w * l / 8, 1e-12 * w * l);
+  book.near("hinge: fixing moment [N m]", held[4], -w * l * l / 8, 1e-12 * w * l * l);
   EXPECT_EQ(held[10], 0);
   const AssembledFrame f = frame.assemble();
   EXPECT_EQ(frame.rest(f).size(), 0);
 }
 
-// Timoshenko's deep cantilever: w L^4/(8 EI) + w L^2/(2 G As), divided or not, in both planes; the load along it stretches
-// it by p L^2/(2 EA).
+// Divided or not, in both planes.
 TEST(MemberLoad, BendsAndShearsTheDeepCantilever) {
+  test::Book book("Frames at rest",
+                  "Timoshenko's deep cantilever: w L^4/(8 EI) + w L^2/(2 G As), p L^2/(2 EA) along it",
+                  "rounding");
   const double l = 0.8, w = 3e5;
   for (const int members : {1, 4}) {
     Frame frame(3);
@@ -213,15 +234,20 @@ TEST(MemberLoad, BendsAndShearsTheDeepCantilever) {
       return w * std::pow(l, 4) / (8 * steel.young * inertia) + w * l * l / (2 * steel.shear * shear_area);
     };
     // Local z of a column is global -x, local y global y.
-    EXPECT_NEAR(displacement(f, q, members, Dof::ux) / tip(deep.inertia_y, deep.shear_area_z), 1, 1e-11);
-    EXPECT_NEAR(displacement(f, q, members, Dof::uy) / (2 * tip(deep.inertia_z, deep.shear_area_y)), 1, 1e-11);
-    EXPECT_NEAR(displacement(f, q, members, Dof::uz) / (3 * w * l * l / (2 * steel.young * deep.area)), 1, 1e-11);
+    book.near("tip deflection along x over closed form [-]",
+              displacement(f, q, members, Dof::ux) / tip(deep.inertia_y, deep.shear_area_z), 1, 1e-11);
+    book.near("tip deflection along y over closed form [-]",
+              displacement(f, q, members, Dof::uy) / (2 * tip(deep.inertia_z, deep.shear_area_y)), 1, 1e-11);
+    book.near("stretch over closed form [-]",
+              displacement(f, q, members, Dof::uz) / (3 * w * l * l / (2 * steel.young * deep.area)), 1, 1e-11);
   }
 }
 
-// Kleinlogel, Rahmenformeln, frame 48 (fixed portal, members of constant length), w on the beam: k = Ib h/(Ic l),
-// M_foot = w l^2/(12 (k + 2)), M_corner = -2 M_foot, thrust 3 M_foot/h.
 TEST(MemberLoad, SolvesThePortalOfKleinlogel) {
+  test::Book book("Frames at rest",
+                  "Kleinlogel, Rahmenformeln, frame 48 (fixed portal, members of constant length), w on the beam: k "
+                  "= Ib h/(Ic l), M_foot = w l^2/(12 (k + 2)), M_corner = -2 M_foot, thrust 3 M_foot/h",
+                  "rounding");
   const double h = 4, l = 7, w = 2.5e4;
   Section girder = slender;
   girder.inertia_y = 4.1e-3;
@@ -239,18 +265,21 @@ TEST(MemberLoad, SolvesThePortalOfKleinlogel) {
   const VectorXd q = frame.rest(f);
   const double k = girder.inertia_y * h / (slender.inertia_y * l), foot = w * l * l / (12 * (k + 2));
   const Vector12 left = true_end_forces(frame, 0, f, q), beam = true_end_forces(frame, 1, f, q);
-  EXPECT_NEAR(std::abs(left[4]), foot, 1e-11 * w * l * l);
-  EXPECT_NEAR(std::abs(left[10]), 2 * foot, 1e-11 * w * l * l);
+  book.near("portal: moment at the foot [N m]", std::abs(left[4]), foot, 1e-11 * w * l * l);
+  book.near("portal: moment at the corner [N m]", std::abs(left[10]), 2 * foot, 1e-11 * w * l * l);
   EXPECT_GT(left[4] * left[10], 0);  // the moments on both ends turn the same way
-  EXPECT_NEAR(std::abs(left[2]), 3 * foot / h, 1e-11 * w * l);
-  EXPECT_NEAR(beam[4], -2 * foot, 1e-11 * w * l * l);
-  EXPECT_NEAR(beam[10], 2 * foot, 1e-11 * w * l * l);
-  EXPECT_NEAR(beam[2], w * l / 2, 1e-11 * w * l);
-  EXPECT_NEAR(displacement(f, q, 1, Dof::ux), 0, 1e-16);
+  book.near("portal: thrust [N]", std::abs(left[2]), 3 * foot / h, 1e-11 * w * l);
+  book.near("portal: left end moment of the beam [N m]", beam[4], -2 * foot, 1e-11 * w * l * l);
+  book.near("portal: right end moment of the beam [N m]", beam[10], 2 * foot, 1e-11 * w * l * l);
+  book.near("portal: end force of the beam [N]", beam[2], w * l / 2, 1e-11 * w * l);
+  book.near("portal: sway [m]", displacement(f, q, 1, Dof::ux), 0, 1e-16);
 }
 
-// A bar that hangs: rho g L^2/(2E) at its end, whether lumped or consistent; a cantilever: m g L^4/(8 EI) when consistent.
 TEST(Gravity, LoadsWithTheWeightOfAllMasses) {
+  test::Book book("Frames at rest",
+                  "a bar that hangs: rho g L^2/(2E) + M g L/(EA), lumped or consistent; a heavy cantilever: m g "
+                  "L^4/(8 EI)",
+                  "rounding");
   const double l = 5, extra = 300;
   for (const int dimension : {2, 3})
     for (const BeamMass kind : {BeamMass::lumped, BeamMass::consistent}) {
@@ -266,25 +295,30 @@ TEST(Gravity, LoadsWithTheWeightOfAllMasses) {
       hanging.add_mass(3, extra);
       const AssembledFrame f = hanging.assemble(true), c = cantilever.assemble(true);
       const double stretch = steel.density * g * l * l / (2 * steel.young) + extra * g * l / (steel.young * slender.area);
-      EXPECT_NEAR(displacement(f, hanging.rest(f), 3, Dof::uz) / -stretch, 1, 1e-11);
+      book.near("stretch by weight over closed form [-]",
+                displacement(f, hanging.rest(f), 3, Dof::uz) / -stretch, 1, 1e-11);
       EXPECT_TRUE(hanging.assemble().load_at_rest.isZero(0));
 
       const double weight = steel.density * slender.area * g, ei = steel.young * slender.inertia_y;
       const VectorXd q = cantilever.rest(c);
       const Vector12 foot = true_end_forces(cantilever, 0, c, q, true);
       if (kind == BeamMass::consistent) {
-        EXPECT_NEAR(displacement(c, q, 3, Dof::uz) / (-weight * std::pow(l, 4) / (8 * ei)), 1, 1e-11);
-        EXPECT_NEAR(foot[2], weight * l, 1e-10 * weight * l);
-        EXPECT_NEAR(foot[4], -weight * l * l / 2, 1e-10 * weight * l * l);
+        book.near("heavy cantilever: tip over closed form [-]",
+                  displacement(c, q, 3, Dof::uz) / (-weight * std::pow(l, 4) / (8 * ei)), 1, 1e-11);
+        book.near("heavy cantilever: force at the foot [N]", foot[2], weight * l, 1e-10 * weight * l);
+        book.near("heavy cantilever: moment at the foot [N m]", foot[4], -weight * l * l / 2, 1e-10 * weight * l * l);
       } else {
-        EXPECT_NEAR(foot[2], weight * l * 5 / 6, 1e-10 * weight * l);  // the half member at the foot hangs on the support
+        book.near("heavy cantilever, lumped: force at the foot [N]", foot[2], weight * l * 5 / 6, 1e-10 * weight * l);  // the half member at the foot hangs on the support
       }
     }
 }
 
-// The end of a column on which P rests, pushed by H: tip H L^3/(3 EI) 3 (tan u - u)/u^3 with u^2 = P L^2/(EI); Timoshenko
-// & Gere, Theory of Elastic Stability, section 1.11. The error of cubic shape functions falls by 16 when they halve.
+// The end of a column on which P rests, pushed by H.
 TEST(PDelta, AmplifiesTheSwayOfAColumn) {
+  test::Book book("Frames at rest",
+                  "Timoshenko & Gere, Theory of Elastic Stability, section 1.11: tip H L^3/(3 EI) 3 (tan u - u)/u^3 "
+                  "with u^2 = P L^2/(EI)",
+                  "16 members of cubic shape functions, whose error falls by 16 when they halve");
   const double l = 4, h = 1e3, ei = steel.young * slender.inertia_y, p = 0.6 * M_PI * M_PI * ei / (4 * l * l);
   const double u = std::sqrt(p * l * l / ei);
   const double exact = h * l * l * l / (3 * ei) * 3 * (std::tan(u) - u) / (u * u * u);
@@ -303,13 +337,13 @@ TEST(PDelta, AmplifiesTheSwayOfAColumn) {
     return displacement(f, frame.rest(f), members, Dof::ux) / exact - 1;
   };
   EXPECT_GT(u / std::sqrt(3.0), 0.7);  // P-Delta more than doubles the sway
-  EXPECT_NEAR(error(16, 2), 0, 1e-6);
-  EXPECT_NEAR(error(16, 3), error(16, 2), 1e-9);
-  EXPECT_NEAR(error(2, 2) / error(4, 2), 16, 1);
+  book.near("P-Delta: sway over closed form, less one [-]", error(16, 2), 0, 1e-6);
+  book.near("P-Delta: sway in space, less that in a plane [-]", error(16, 3), error(16, 2), 1e-9);
+  book.near("P-Delta: error with 2 members over that with 4 [-]", error(2, 2) / error(4, 2), 16, 1);
 }
 
-// A hinged bar that leans on a spring: (k - P/h) u = H, exactly.
 TEST(PDelta, LetsAHingedColumnLeanOnTheRest) {
+  test::Book book("Frames at rest", "a hinged bar that leans on a spring: (k - P/h) u = H", "rounding");
   const double h = 3, k = 4e6, p = 3e6, push = 1e4;
   Frame frame(2);
   frame.add_node({0, 0, 0});
@@ -321,11 +355,13 @@ TEST(PDelta, LetsAHingedColumnLeanOnTheRest) {
   frame.add_load(1, Dof::ux, push);
   frame.add_p_delta(false);
   const AssembledFrame f = frame.assemble();
-  EXPECT_NEAR(displacement(f, frame.rest(f), 1, Dof::ux), push / (k - p / h), 1e-9 * push / k);
+  book.near("leaning column: displacement [m]",
+            displacement(f, frame.rest(f), 1, Dof::ux), push / (k - p / h), 1e-9 * push / k);
 }
 
-// Euler, for the load factor at which add_p_delta finds the stiffness no longer positive.
+// The load at which add_p_delta finds the stiffness no longer positive.
 TEST(PDelta, RefusesAColumnBeyondEulersLoad) {
+  test::Book book("Frames at rest", "Euler: pi^2 EI/(4 L^2)", "eight members");
   const double l = 4, ei = steel.young * slender.inertia_y, euler = M_PI * M_PI * ei / (4 * l * l);
   const auto column = [&](double load) {
     Frame frame(2);
@@ -340,7 +376,7 @@ TEST(PDelta, RefusesAColumnBeyondEulersLoad) {
     const double middle = (stands + falls) / 2;
     (refusal([&] { column(middle); }) == "taken" ? stands : falls) = middle;
   }
-  EXPECT_NEAR(stands / euler, 1, 1e-3);
+  book.near("load at which P-Delta finds a column unstable, over Euler's [-]", stands / euler, 1, 1e-3);
   // What is named is the head and one of its equally pressed parts.
   const std::string text = refusal([&] { column(1.1 * euler); });
   EXPECT_EQ(text.find("node head: ux: the frame buckles here under its axial forces, the largest compression of which is "),
@@ -432,6 +468,9 @@ TEST(Rest, NamesWhatNothingHolds) {
 
 // What is stiff beside what is weak is no mechanism.
 TEST(Rest, HoldsWhatIsOnlyWeak) {
+  test::Book book("Frames at rest",
+                  "cantilever of 300 members: L^3/(3 EI)",
+                  "rounding, which 300 members beside a spring of 1e15 N/m amplify");
   const int n = 300;
   const double l = 30, ei = steel.young * slender.inertia_y;
   Frame frame(2);
@@ -441,7 +480,8 @@ TEST(Rest, HoldsWhatIsOnlyWeak) {
   frame.add_spring(n / 2, Dof::ux, 1e15);
   frame.add_load(n, Dof::uz, 1);
   const AssembledFrame f = frame.assemble();
-  EXPECT_NEAR(displacement(f, frame.rest(f), n, Dof::uz) / (l * l * l / (3 * ei)), 1, 1e-6);
+  book.near("tip over closed form, weak beside stiff [-]",
+            displacement(f, frame.rest(f), n, Dof::uz) / (l * l * l / (3 * ei)), 1, 1e-6);
 }
 
 TEST(Frame, RefusesAMotionThatItsMassesDoNotDetermine) {

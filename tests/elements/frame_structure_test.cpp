@@ -16,6 +16,7 @@
 #include <pounding/error.hpp>
 #include <pounding/frame_structure.hpp>
 #include <pounding/sections.hpp>
+#include "support/book.hpp"
 
 namespace pounding {
 namespace {
@@ -105,33 +106,41 @@ TEST(FrameStructure, FloorsHaveMassElevationAndMotion) {
 }
 
 TEST(FrameStructure, MembersWithDensityWeighOnTheirFloors) {
+  test::Book book("Frames as structures: floors, shears, weight",
+                  "masses of a beam and of the upper halves of two columns",
+                  "rounding");
   const Structure s = structure(
       "material: {E: 30 GPa, density: 2500 kg/m^3}\n"
       "grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {area: 0.1, inertia_y: 1e-3}, beams: {area: 0.2, inertia_y: 1e-3}}\n");
-  EXPECT_NEAR(s.floors[0].mass, 2500 * (0.2 * 6 + 2 * 0.1 * 1.5), 1e-9);
+  book.near("mass of a floor [kg]", s.floors[0].mass, 2500 * (0.2 * 6 + 2 * 0.1 * 1.5), 1e-9);
 }
 
-// Stiff beams: V = 3 columns x 12 EI/h^3 x drift. Statics: V is what acts above.
+// Stiff beams.
 TEST(FrameStructure, StoreyShearIsStiffnessTimesDriftAndTheLoadAbove) {
+  test::Book book("Frames as structures: floors, shears, weight",
+                  "statics: the load above; three columns of 12 EI/h^3",
+                  "rounding for statics; the beams bend by some EI/h of a column over EI/L of a beam, 3e-6");
   const Structure s = structure(shear_grid);
   VectorXd load = VectorXd::Zero(s.size());
   load += 10e3 * s.floors[0].motion[0] + 7e3 * s.floors[1].motion[0];
   const VectorXd q = solve(s, load);
   const double first = s.floors[0].storey_shear[0].dot(q), second = s.floors[1].storey_shear[0].dot(q);
-  EXPECT_NEAR(second, 7e3, 1e-4) << "by statics";
-  EXPECT_NEAR(first, 17e3, 1e-4) << "by statics";
-  // Columns that do not shorten, or the stiff floors would tilt. The beams bend by some EI/h of a column over EI/L of a
-  // beam, 3e-6.
+  book.near("shear of the second storey [N]", second, 7e3, 1e-4);
+  book.near("shear of the first storey [N]", first, 17e3, 1e-4);
+  // Columns that do not shorten, or the stiff floors would tilt.
   const Structure stocky = structure(std::string(shear_grid).replace(shear_grid.find(column), column.size(),
                                                                      "{area: 1e3, inertia_y: 2e-3}"));
   const VectorXd p = solve(stocky, load);
   const double sway_1 = stocky.floors[0].motion[0].dot(p), sway_2 = stocky.floors[1].motion[0].dot(p) - sway_1;
-  EXPECT_NEAR(3 * 12 * 60e6 / 64 * sway_1, 17e3, 3e-5 * 17e3);
-  EXPECT_NEAR(3 * 12 * 60e6 / 27 * sway_2, 7e3, 3e-5 * 7e3);
+  book.near("stiffness times drift of the first storey [N]", 3 * 12 * 60e6 / 64 * sway_1, 17e3, 3e-5 * 17e3);
+  book.near("stiffness times drift of the second storey [N]", 3 * 12 * 60e6 / 27 * sway_2, 7e3, 3e-5 * 7e3);
 }
 
-// Inclined legs, a brace, a spring that spans the storey, columns drawn downwards: section equilibrium holds all the same.
 TEST(FrameStructure, StoreyShearOfABracedSplayedFrameIsTheLoadAbove) {
+  test::Book book("Frames as structures: floors, shears, weight",
+                  "statics: the loads above, with inclined legs, a brace, a spring that spans the storey, columns "
+                  "drawn downwards",
+                  "rounding");
   const Structure s = structure(
       "dimension: 3\n" + material + "sections: {s: {rectangle: [0.4, 0.3]}}\n"
       "nodes: {a: [0, 0, 0], b: [8, 0, 0], c: [8, 7, 0.5], d: [0, 7, 0], e: [1, 1, 3], f: [7, 1, 3], g: [7, 6, 3], h: [1, 6, 3]}\n"
@@ -149,8 +158,8 @@ TEST(FrameStructure, StoreyShearOfABracedSplayedFrameIsTheLoadAbove) {
   load[unknown(s, "node h uz")] = -9e3;
   const VectorXd q = solve(s, load);
   ASSERT_EQ(s.floors[0].storey_shear.size(), 2u);
-  EXPECT_NEAR(s.floors[0].storey_shear[0].dot(q), 10e3, 1e-5);
-  EXPECT_NEAR(s.floors[0].storey_shear[1].dot(q), -4e3, 1e-5);
+  book.near("shear of a braced storey along x [N]", s.floors[0].storey_shear[0].dot(q), 10e3, 1e-5);
+  book.near("shear of a braced storey along y [N]", s.floors[0].storey_shear[1].dot(q), -4e3, 1e-5);
 }
 
 // The cut at 2 m: what acts above it counts, what acts below does not.
@@ -238,22 +247,28 @@ const std::string cantilever =
     "supports: {foot: fixed}\nmasses: {top: 20 t}\nfloors: [{nodes: [top]}]\n";
 
 TEST(FrameStructure, RestsWhereItsWeightTakesIt) {
+  test::Book book("Frames as structures: floors, shears, weight", "a column: P L/(EA), H L^3/(3 EI)", "rounding");
   EXPECT_EQ(structure(cantilever).at_rest.size(), 0);
   const Structure s = structure(cantilever + "gravity: true\nloads: {top: {ux: 5 kN}}\n");
   const double weight = 20e3 * 9.80665;
-  EXPECT_NEAR(s.at_rest[unknown(s, "node top uz")], -weight * 4 / (30e9 * 0.1), 1e-14);
-  EXPECT_NEAR(s.at_rest[unknown(s, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3), 1e-13);
+  book.near("shortening by its weight [m]", s.at_rest[unknown(s, "node top uz")], -weight * 4 / (30e9 * 0.1), 1e-14);
+  book.near("deflection by a force at its top [m]",
+            s.at_rest[unknown(s, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3), 1e-13);
   const Structure light = structure(cantilever + "gravity: false\nloads: {top: {ux: 5 kN}}\n");
   EXPECT_NEAR(light.at_rest[unknown(light, "node top uz")], 0, 1e-18);
-  EXPECT_NEAR(light.at_rest[unknown(light, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3), 1e-13);
+  book.near("the same without weight [m]",
+            light.at_rest[unknown(light, "node top ux")], 5e3 * 64 / (3 * 30e9 * 1e-3), 1e-13);
 }
 
-// Consistent geometric stiffness of a beam: 12 EI/L^3 - 6/5 P/L.
 TEST(FrameStructure, PDeltaSoftensByTheWeight) {
+  test::Book book("Frames as structures: floors, shears, weight",
+                  "consistent geometric stiffness of a beam: 12 EI/L^3 - 6/5 P/L",
+                  "rounding");
   const Structure s = structure(cantilever + "geometry: p_delta\n");
   const int ux = unknown(s, "node top ux");
   const double weight = 20e3 * 9.80665;
-  EXPECT_NEAR(s.stiffness.coeff(ux, ux), 12 * 30e6 / 64 - 1.2 * weight / 4, 1e-5);
+  book.near("stiffness across under its weight [N/m]",
+            s.stiffness.coeff(ux, ux), 12 * 30e6 / 64 - 1.2 * weight / 4, 1e-5);
   EXPECT_THROW(structure("material: {E: 30 GPa}\nnodes: {foot: [0, 0], top: [0, 4 m]}\n"
                          "members: {c: {between: [foot, top], section: {area: 0.1, inertia_y: 1e-3}}}\n"
                          "supports: {foot: fixed}\nmasses: {top: 500 t}\ngeometry: p_delta\n"),

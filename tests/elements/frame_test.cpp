@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <pounding/frame.hpp>
+#include "support/book.hpp"
 #include "support/refusal.hpp"
 
 namespace pounding {
@@ -62,9 +63,11 @@ std::vector<double> equal_stations(double length, int members) {
   return stations;
 }
 
-// Roark: fixed at one end, on a roller at the other, P at midspan: roller 5P/16, fixing moment 3PL/16, deflection there
-// 7PL^3/(768 EI).
 TEST(Frame, SolvesTheProppedBeam) {
+  test::Book book("Linear frames",
+                  "Roark: fixed at one end, on a roller at the other, P at midspan: roller 5P/16, fixing moment "
+                  "3PL/16, deflection 7PL^3/(768 EI)",
+                  "rounding");
   const double l = 6, p = 1e4;
   Frame frame = row(2, {0, l / 2, l});
   frame.fix(0);
@@ -72,17 +75,20 @@ TEST(Frame, SolvesTheProppedBeam) {
   const AssembledFrame f = frame.assemble();
   const VectorXd q = solve(f, load_at(f, 1, Dof::uz, -p));
   const double w = 7 * p * l * l * l / (768 * ei);
-  EXPECT_NEAR(displacement(f, q, 1, Dof::uz), -w, 1e-12 * w);
+  book.near("deflection under P [m]", displacement(f, q, 1, Dof::uz), -w, 1e-12 * w);
   const Vector12 first = frame.end_forces(0, f, q), second = frame.end_forces(1, f, q);
-  EXPECT_NEAR(second[8], 5 * p / 16, 1e-10 * p);
-  EXPECT_NEAR(first[2], 11 * p / 16, 1e-10 * p);
-  EXPECT_NEAR(first[4], -3 * p * l / 16, 1e-10 * p * l);
-  EXPECT_NEAR(second[10], 0, 1e-10 * p * l);
+  book.near("roller [N]", second[8], 5 * p / 16, 1e-10 * p);
+  book.near("force at the fixed end [N]", first[2], 11 * p / 16, 1e-10 * p);
+  book.near("fixing moment [N m]", first[4], -3 * p * l / 16, 1e-10 * p * l);
+  book.near("moment at the roller [N m]", second[10], 0, 1e-10 * p * l);
 }
 
-// Chopra, Dynamics of Structures, example 1.1, for any bay: k = 24 EIc/h^3 (6r + 1)/(6r + 4), r = (Ib/l)/(Ic/h), with
-// members that do not change their length.
+// For any bay, with members that do not change their length.
 TEST(Frame, HasTheSwayStiffnessOfThePortal) {
+  test::Book book("Linear frames",
+                  "Chopra, Dynamics of Structures, example 1.1: k = 24 EIc/h^3 (6r + 1)/(6r + 4), r = (Ib/l)/(Ic/h); "
+                  "the columns' end moments carry F h",
+                  "rounding");
   const double h = 4, l = 7, force = 3e4;
   Section beam = section;
   beam.inertia_y = 2.5e-3;
@@ -101,14 +107,14 @@ TEST(Frame, HasTheSwayStiffnessOfThePortal) {
   const VectorXd q = solve(f, load_at(f, 2, Dof::ux, force));
   const double r = beam.inertia_y / l / (section.inertia_y / h);
   const double k = 24 * ei / (h * h * h) * (6 * r + 1) / (6 * r + 4);
-  EXPECT_NEAR(displacement(f, q, 1, Dof::ux), force / k, 1e-12 * force / k);
-  // The columns' end moments carry the storey: F h.
+  book.near("sway of a portal [m]", displacement(f, q, 1, Dof::ux), force / k, 1e-12 * force / k);
   double moments = 0;
   for (const int column : {0, 2}) moments += frame.end_forces(column, f, q)[4] + frame.end_forces(column, f, q)[10];
-  EXPECT_NEAR(std::abs(moments), force * h, 1e-10 * force * h);
+  book.near("sum of the columns' end moments [N m]", std::abs(moments), force * h, 1e-10 * force * h);
 }
 
 TEST(Frame, CarriesAxialForceAndPureBendingThroughUnequalMembers) {
+  test::Book book("Linear frames", "axial force and pure bending: N x/EA, M x^2/(2 EI), M x/EI", "rounding");
   const double l = 5, n = 2e5, m = 3e4, ea = steel.young * section.area;
   for (const int dimension : {2, 3}) {
     Frame frame = row(dimension, {0, 0.3, 1.9, 2.0, 4.1, l});
@@ -117,19 +123,21 @@ TEST(Frame, CarriesAxialForceAndPureBendingThroughUnequalMembers) {
     const VectorXd q = solve(f, load_at(f, 5, Dof::ux, n) + load_at(f, 5, Dof::ry, m));
     for (int node = 1; node < frame.nodes(); ++node) {
       const double x = frame.position(node).x();
-      EXPECT_NEAR(displacement(f, q, node, Dof::ux), n * x / ea, 1e-11 * n * l / ea);
-      EXPECT_NEAR(displacement(f, q, node, Dof::uz), -m * x * x / (2 * ei), 1e-11 * m * l * l / ei);
-      EXPECT_NEAR(displacement(f, q, node, Dof::ry), m * x / ei, 1e-11 * m * l / ei);
+      book.near("displacement along [m]", displacement(f, q, node, Dof::ux), n * x / ea, 1e-11 * n * l / ea);
+      book.near("deflection [m]", displacement(f, q, node, Dof::uz), -m * x * x / (2 * ei), 1e-11 * m * l * l / ei);
+      book.near("slope [rad]", displacement(f, q, node, Dof::ry), m * x / ei, 1e-11 * m * l / ei);
       const Vector12 forces = frame.end_forces(node - 1, f, q);
-      EXPECT_NEAR(forces[6], n, 1e-9 * n);
-      EXPECT_NEAR(forces[10], m, 1e-9 * m);
-      EXPECT_NEAR(forces[8], 0, 1e-7 * m);
+      book.near("axial force [N]", forces[6], n, 1e-9 * n);
+      book.near("moment [N m]", forces[10], m, 1e-9 * m);
+      book.near("shear [N]", forces[8], 0, 1e-7 * m);
     }
   }
 }
 
-// Timoshenko's deep beam has the same tip deflection however it is divided: FL^3/3EI + FL/(G As).
 TEST(Frame, DividesATimoshenkoBeamWithoutError) {
+  test::Book book("Linear frames",
+                  "Timoshenko's deep cantilever, however it is divided: F L^3/(3 EI) + F L/(G As)",
+                  "rounding");
   Section deep = section;
   deep.shear_area_z = 0.1;
   const double l = 0.5, w = l * l * l / (3 * ei) + l / (steel.shear * deep.shear_area_z);
@@ -140,7 +148,7 @@ TEST(Frame, DividesATimoshenkoBeamWithoutError) {
     frame.fix(0);
     const AssembledFrame f = frame.assemble();
     const int tip = frame.nodes() - 1;
-    EXPECT_NEAR(displacement(f, solve(f, load_at(f, tip, Dof::uz, 1)), tip, Dof::uz), w, 1e-12 * w);
+    book.near("tip deflection [m/N]", displacement(f, solve(f, load_at(f, tip, Dof::uz, 1)), tip, Dof::uz), w, 1e-12 * w);
   }
 }
 
@@ -170,9 +178,11 @@ TEST(Frame, BucklesAtEulersLoad) {
   at(euler * 4, none, clamped);
 }
 
-// Chopra, section 17.1: 1.8751^2 sqrt(EI/(m L^4)). Cubic shape functions are of fourth order, and a consistent mass is
-// never too slow.
 TEST(Frame, WithConsistentMassHasTheFrequencyOfACantilever) {
+  test::Book book("Linear frames",
+                  "Chopra, section 17.1: 1.8751^2 sqrt(EI/(m L^4)); cubic shape functions are of fourth order, and a "
+                  "consistent mass is never too slow",
+                  "short of 16 by the next even order: 1.22, 0.30, 0.07 for 2, 4, 8 members");
   const double l = 5, exact = std::pow(1.875104068711961, 4) * ei / (steel.density * section.area * std::pow(l, 4));
   const auto excess = [&](int members) {
     Frame frame = row(2, equal_stations(l, members), {.mass = BeamMass::consistent});
@@ -180,11 +190,12 @@ TEST(Frame, WithConsistentMassHasTheFrequencyOfACantilever) {
     return frequencies_squared(frame.assemble())[0] / exact - 1;
   };
   EXPECT_GT(excess(4), 0);
-  EXPECT_LT(excess(4), 1e-4);
-  EXPECT_NEAR(excess(8) / excess(16), 16, 0.1);  // short of it by the next even order: 1.22, 0.30, 0.07 for 2, 4, 8 members
+  book.below("square of the frequency with 4 members over exact, less one [-]", excess(4), 1e-4);
+  book.near("error with 8 members over that with 16 [-]", excess(8) / excess(16), 16, 0.1);  // short of it by the next even order: 1.22, 0.30, 0.07 for 2, 4, 8 members
 }
 
 TEST(Frame, CountsItsWholeMassInEveryDirection) {
+  test::Book book("Linear frames", "the sum of the masses", "rounding");
   for (const int dimension : {2, 3}) {
     for (const BeamMass kind : {BeamMass::lumped, BeamMass::consistent}) {
       Frame frame = row(dimension, {0, 1, 3}, {.mass = kind});
@@ -194,7 +205,8 @@ TEST(Frame, CountsItsWholeMassInEveryDirection) {
       const double mass = steel.density * section.area * 3 + 40;
       for (int axis = 0; axis < 3; ++axis) {
         const double expected = dimension == 2 && axis == 1 ? 0 : mass;
-        EXPECT_NEAR(f.influence.col(axis).dot(f.mass * f.influence.col(axis)), expected, 1e-11 * mass);
+        book.near("mass that a uniform motion meets [kg]",
+                  f.influence.col(axis).dot(f.mass * f.influence.col(axis)), expected, 1e-11 * mass);
       }
       EXPECT_LT(relative(f.load, f.mass * f.influence), 1e-13);
     }
@@ -367,9 +379,11 @@ GridFrame concrete(int storeys, int bays_x, int bays_y, double scale) {
           .floor_mass = {36e3 * bays_x * std::max(bays_y, 1)}};
 }
 
-// OpenSees 3.7.1 (openseespy), elasticBeamColumn and lumped masses, `eigen`; its matrices, printed by GimmeMCK, agree with
-// these to 1e-15 of the largest entry. The periods carry the rounding of both eigensolvers.
 TEST(GridFrame, HasThePeriodsOfOpenSees) {
+  test::Book book("Frames beside OpenSees: matrices and periods",
+                  "OpenSees 3.7.1 (openseespy), elasticBeamColumn and lumped masses, `eigen`; its matrices, printed "
+                  "by GimmeMCK, agree with these to 1e-15 of the largest entry",
+                  "rounding of both eigensolvers");
   struct Peer {
     GridFrame grid;
     int unknowns;
@@ -388,11 +402,11 @@ TEST(GridFrame, HasThePeriodsOfOpenSees) {
   for (const Peer& peer : peers) {
     const AssembledFrame f = make_frame(peer.grid).assemble();
     ASSERT_EQ(f.size(), peer.unknowns);
-    EXPECT_NEAR(f.stiffness.diagonal().sum(), peer.trace, 1e-12 * peer.trace);
-    EXPECT_NEAR(f.load.col(0).sum(), peer.grid.storeys * peer.grid.floor_mass[0], 1e-6);
+    book.near("trace of the stiffness matrix [N/m, N m]", f.stiffness.diagonal().sum(), peer.trace, 1e-12 * peer.trace);
+    book.near("mass [kg]", f.load.col(0).sum(), peer.grid.storeys * peer.grid.floor_mass[0], 1e-6);
     const VectorXd found = frequencies_squared(f);
     for (std::size_t i = 0; i < peer.periods.size(); ++i)
-      EXPECT_NEAR(period(found, i), peer.periods[i], 1e-11 * peer.periods[i]);
+      book.near("periods [s]", period(found, i), peer.periods[i], 1e-11 * peer.periods[i]);
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include <pounding/damping.hpp>
 #include <pounding/modes.hpp>
+#include "support/book.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -21,12 +22,13 @@ using test::model_of;
 double damping_ratio(const Structure& s, int mode) { return modes(s)[mode].damping_ratio; }
 
 TEST(Oscillator, HasTheMatricesOfItsMassAndSpring) {
+  test::Book book("Oscillators and shear buildings", "oscillator: 2 pi sqrt(m/k)", "rounding");
   const Structure s = make_oscillator(1e5, 4e6, 0.05);
   EXPECT_EQ(s.mass.coeff(0, 0), 1e5);
   EXPECT_EQ(s.stiffness.coeff(0, 0), 4e6);
   EXPECT_DOUBLE_EQ(s.damping.coeff(0, 0), 2 * 0.05 * std::sqrt(4e6 * 1e5));
-  EXPECT_NEAR(modes(s)[0].period, 2 * M_PI * std::sqrt(1e5 / 4e6), 1e-12);
-  EXPECT_NEAR(damping_ratio(s, 0), 0.05, 1e-14);
+  book.near("period [s]", modes(s)[0].period, 2 * M_PI * std::sqrt(1e5 / 4e6), 1e-12);
+  book.near("damping ratio [-]", damping_ratio(s, 0), 0.05, 1e-14);
 }
 
 TEST(Oscillator, FollowsFromItsPeriod) {
@@ -57,8 +59,10 @@ TEST(ShearBuilding, HasTheMatricesOfItsStoreysFromTheGroundUp) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(s.floors[i].label, std::to_string(i + 1));
 }
 
-// Chopra, Dynamics of Structures: w_j = 2 sqrt(k/m) sin((2j-1) pi/(2(2N+1))).
 TEST(ShearBuilding, OfEqualStoreysHasTheFrequenciesOfTheClosedForm) {
+  test::Book book("Oscillators and shear buildings",
+                  "Chopra, Dynamics of Structures: w_j = 2 sqrt(k/m) sin((2j-1) pi/(2(2N+1)))",
+                  "an eigenvalue carries rounding of the largest one");
   for (const int storeys : {1, 2, 7, 40}) {
     const double m = 2.5e5, k = 2.2e8;
     const Structure s = make_shear_building(std::vector<double>(storeys, m), std::vector<double>(storeys, k));
@@ -66,13 +70,17 @@ TEST(ShearBuilding, OfEqualStoreysHasTheFrequenciesOfTheClosedForm) {
     ASSERT_EQ(found.size(), static_cast<std::size_t>(storeys));
     for (int j = 1; j <= storeys; ++j) {
       const double w = 2 * std::sqrt(k / m) * std::sin((2 * j - 1) * M_PI / (2 * (2 * storeys + 1)));
-      // An eigenvalue carries rounding of the largest one.
-      EXPECT_NEAR(std::pow(2 * M_PI / found[j - 1].period, 2), w * w, 1e-12 * 4 * k / m) << "mode " << j << " of " << storeys;
+      book.near("squares of the frequencies, " + std::to_string(storeys) + " equal storeys [1/s^2]",
+                std::pow(2 * M_PI / found[j - 1].period, 2), w * w, 1e-12 * 4 * k / m);
     }
   }
 }
 
 TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
+  test::Book book("Oscillators and shear buildings",
+                  "completeness of the modes: effective masses add up to the mass, participations rebuild a unit "
+                  "displacement",
+                  "rounding");
   const Structure s = make_shear_building({3e5, 2.5e5, 2e5, 1e5}, {4e8, 1e8, 3e8, 2e8});
   double effective = 0;
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(4);
@@ -81,9 +89,9 @@ TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
     moved += mode.participation[0] * mode.shape.col(0);
     EXPECT_DOUBLE_EQ(mode.shape(3, 0), 1) << "shapes are told by the top floor";
   }
-  EXPECT_NEAR(effective, 8.5e5, 1e-9 * 8.5e5);
+  book.near("sum of the effective masses [kg]", effective, 8.5e5, 1e-9 * 8.5e5);
   // Participation factors times shapes rebuild the unit displacement of every floor.
-  for (const double floor : moved) EXPECT_NEAR(floor, 1, 1e-11);
+  for (const double floor : moved) book.near("sum of participation times shape [-]", floor, 1, 1e-11);
 }
 
 TEST(Modes, OfABodyIsOneOfInfinitePeriodAndAWallHasNone) {
@@ -100,9 +108,12 @@ Structure building(const std::string& damping) {
 }
 
 TEST(RayleighDamping, HasItsRatioInItsTwoModes) {
+  test::Book book("Oscillators and shear buildings",
+                  "Rayleigh damping: the ratio that was asked in modes 1 and 3",
+                  "rounding");
   const Structure s = building("{rayleigh: {ratio: 3 %, modes: [1, 3]}}");
-  EXPECT_NEAR(damping_ratio(s, 0), 0.03, 1e-12);
-  EXPECT_NEAR(damping_ratio(s, 2), 0.03, 1e-12);
+  book.near("damping ratio of mode 1 [-]", damping_ratio(s, 0), 0.03, 1e-12);
+  book.near("damping ratio of mode 3 [-]", damping_ratio(s, 2), 0.03, 1e-12);
   EXPECT_LT(damping_ratio(s, 1), 0.03) << "between the two modes it is less";
   EXPECT_GT(damping_ratio(s, 3), 0.03) << "beyond them it is more";
 }
@@ -127,8 +138,11 @@ TEST(RayleighDamping, MayBeGivenByPeriods) {
 }
 
 TEST(ModalDamping, HasItsRatioInEveryMode) {
+  test::Book book("Oscillators and shear buildings",
+                  "modal damping: the ratio that was asked in every mode",
+                  "rounding");
   const Structure s = building("{modal: {ratio: 3 %}}");
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(damping_ratio(s, i), 0.03, 1e-12);
+  for (int i = 0; i < 4; ++i) book.near("damping ratio of each mode [-]", damping_ratio(s, i), 0.03, 1e-12);
   const Eigen::MatrixXd damping = s.whole_damping();
   EXPECT_LT((damping - damping.transpose()).norm(), 1e-12 * damping.norm());
 }

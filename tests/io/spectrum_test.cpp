@@ -11,6 +11,7 @@
 
 #include <pounding/record.hpp>
 #include <pounding/synthetic.hpp>
+#include "support/book.hpp"
 
 namespace pounding {
 namespace {
@@ -47,6 +48,7 @@ double sd_by_runge_kutta(const Samples& samples, double period, double damping, 
 }
 
 TEST(OscillatorStep, FreeVibrationFollowsTheClosedForm) {
+  test::Book book("Response spectra", "free vibration of a damped oscillator", "rounding");
   const double w = 7, zeta = 0.1, h = 0.05, wd = w * std::sqrt(1 - zeta * zeta);
   const OscillatorStep step(w, zeta, h);
   OscillatorState s{.displacement = 0.3, .velocity = -2};
@@ -55,29 +57,33 @@ TEST(OscillatorStep, FreeVibrationFollowsTheClosedForm) {
     s = step.advance(s, 0, 0);
     const double t = i * h, e = std::exp(-zeta * w * t);
     const double b = (s0.velocity + zeta * w * s0.displacement) / wd;
-    EXPECT_NEAR(s.displacement, e * (s0.displacement * std::cos(wd * t) + b * std::sin(wd * t)), 1e-14);
+    book.near("displacement in free vibration [m]",
+              s.displacement, e * (s0.displacement * std::cos(wd * t) + b * std::sin(wd * t)), 1e-14);
   }
 }
 
 TEST(OscillatorStep, ConstantGroundAccelerationFollowsTheClosedForm) {
+  test::Book book("Response spectra", "constant acceleration: -a/w^2 (1 - cos w t)", "rounding");
   const double w = 3, h = 0.1, a = 2;
   const OscillatorStep step(w, 0, h);
   OscillatorState s;
   for (int i = 1; i <= 50; ++i) {
     s = step.advance(s, a, a);
-    EXPECT_NEAR(s.displacement, -a / (w * w) * (1 - std::cos(w * i * h)), 1e-14);
-    EXPECT_NEAR(s.velocity, -a / w * std::sin(w * i * h), 1e-14);
+    book.near("displacement under a constant acceleration [m]",
+              s.displacement, -a / (w * w) * (1 - std::cos(w * i * h)), 1e-14);
+    book.near("velocity under a constant acceleration [m/s]", s.velocity, -a / w * std::sin(w * i * h), 1e-14);
   }
 }
 
 TEST(OscillatorStep, RampFollowsTheClosedFormEvenForTinySteps) {
+  test::Book book("Response spectra", "ramp: -r t^3/6 and -r t^2/2 for w t -> 0", "the next order of w t");
   // u'' + w^2 u = -r t:  u = -r/w^2 (t - sin(w t)/w), about -r t^3/6 for w t -> 0.
   const double r = 5;
   for (const double w : {2.0, 1e-4}) {
     const double h = 1e-3;
     const OscillatorState s = OscillatorStep(w, 0, h).advance({}, 0, r * h);
-    EXPECT_NEAR(s.displacement / (-r * h * h * h / 6), 1, 1e-6) << w;
-    EXPECT_NEAR(s.velocity / (-r * h * h / 2), 1, 1e-6) << w;
+    book.near("displacement under a ramp over the limit [-]", s.displacement / (-r * h * h * h / 6), 1, 1e-6);
+    book.near("velocity under a ramp over the limit [-]", s.velocity / (-r * h * h / 2), 1, 1e-6);
   }
 }
 
@@ -94,38 +100,51 @@ TEST(OscillatorStep, TwoHalfStepsAreOneStepAtAnyDamping) {
 }
 
 TEST(Spectrum, ResonanceOfAnUndampedOscillatorFollowsTheClosedForm) {
+  test::Book book("Response spectra", "resonance without damping: peak n pi A/(2 w^2)", "motion straight between its samples, peak of a cubic");
   // u'' + w^2 u = -A sin w t:  u = -A/(2 w^2) (sin w t - w t cos w t), whose peak at w t = n pi is n pi A/(2 w^2).
   const double period = 0.6, w = 2 * pi / period, amplitude = 3;
   const GroundMotion motion(Harmonic{amplitude, period, 10 * period});
-  EXPECT_NEAR(sd(motion, period, 0) / (20 * pi * amplitude / (2 * w * w)), 1, 2e-5);
+  book.near("spectral displacement over closed form, resonance [-]",
+            sd(motion, period, 0) / (20 * pi * amplitude / (2 * w * w)), 1, 2e-5);
 }
 
 TEST(Spectrum, DampedResonanceApproachesOneOverTwiceTheDamping) {
+  test::Book book("Response spectra", "resonance with damping: 1/(2 zeta)", "motion straight between its samples, peak of a cubic");
   const double period = 0.5, w = 2 * pi / period, zeta = 0.05;
   const GroundMotion motion(Harmonic{1, period, 60 * period});
-  EXPECT_NEAR(sd(motion, period, zeta) * w * w * 2 * zeta, 1, 2e-5);
+  book.near("amplification times twice the damping [-]", sd(motion, period, zeta) * w * w * 2 * zeta, 1, 2e-5);
 }
 
 TEST(Spectrum, RectangleDoublesTheStaticDisplacement) {
+  test::Book book("Response spectra",
+                  "rectangular pulse: 2, or 2 sin(pi d/T) when it is short",
+                  "motion straight between its samples, peak of a cubic");
   // Lasts longer than half a period, no damping: the peak is twice the static one. Shorter: 2 sin(pi d/T).
   const GroundMotion motion(Pulse{Pulse::Shape::rectangle, 2, 0.3, 0.1});
   for (const double period : {0.05, 0.31, 0.6}) {
     const double w = 2 * pi / period;
-    EXPECT_NEAR(sd(motion, period, 0) * w * w / 2, 2, 1e-5) << period;
+    book.near("amplification of a long rectangle [-]", sd(motion, period, 0) * w * w / 2, 2, 1e-5);
   }
   const double w = 2 * pi / 1.5;  // here the peak comes after the end of the motion
-  EXPECT_NEAR(sd(motion, 1.5, 0) * w * w / 2, 2 * std::sin(pi * 0.3 / 1.5), 1e-5);
+  book.near("amplification of a short rectangle [-]", sd(motion, 1.5, 0) * w * w / 2, 2 * std::sin(pi * 0.3 / 1.5), 1e-5);
 }
 
 TEST(Spectrum, HalfSineFollowsTheClosedFormAfterItsEnd) {
+  test::Book book("Response spectra",
+                  "half sine, Chopra, Dynamics of Structures, 4.8: 2 b cos(pi/(2 b))/(b^2 - 1), b = T/(2 d)",
+                  "motion straight between its samples, peak of a cubic");
   // Shorter than half a period: amplification 2 b cos(pi/(2 b))/(b^2 - 1) with b = T/(2 d) (Chopra, Dynamics of
   // Structures, 4.8).
   const double d = 0.2, period = 0.9, b = period / (2 * d), w = 2 * pi / period;
   const GroundMotion motion(Pulse{Pulse::Shape::half_sine, 4, d, 0});
-  EXPECT_NEAR(sd(motion, period, 0) * w * w / 4, 2 * b * std::cos(pi / (2 * b)) / (b * b - 1), 2e-5);
+  book.near("amplification of a short half sine [-]",
+            sd(motion, period, 0) * w * w / 4, 2 * b * std::cos(pi / (2 * b)) / (b * b - 1), 2e-5);
 }
 
 TEST(Spectrum, AgreesWithFineRungeKuttaOnIrregularSamples) {
+  test::Book book("Response spectra",
+                  "classical Runge-Kutta method of fourth order with fine steps",
+                  "peak between the steps of the reference");
   Samples samples;
   for (int i = 0; i <= 300; ++i) {
     samples.times.push_back(0.02 * i + 0.006 * std::sin(1.3 * i) + 0.01);
@@ -135,7 +154,7 @@ TEST(Spectrum, AgreesWithFineRungeKuttaOnIrregularSamples) {
   for (const double period : {0.05, 0.2, 0.777, 3.0})
     for (const double damping : {0.0, 0.02, 0.4}) {
       const double expected = sd_by_runge_kutta(samples, period, damping, 400);
-      EXPECT_NEAR(sd(motion, period, damping) / expected, 1, 1e-5) << period << " " << damping;
+      book.near("spectral displacement over reference [-]", sd(motion, period, damping) / expected, 1, 1e-5);
     }
 }
 

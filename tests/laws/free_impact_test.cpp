@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <pounding/laws/free_impact.hpp>
+#include "support/book.hpp"
 
 namespace pounding::laws {
 namespace {
@@ -54,11 +55,15 @@ TEST(FreeImpact, ClosedFormsAgreeWithIntegration) {
 }
 
 TEST(FreeImpact, EnergyAndImpulseFollowFromTheRestitution) {
-  for_every_law(0.5, [](const Entry&, const AnyLaw& law) {
+  test::Book book("Free impacts: restitution, identities, limits",
+                  "momentum and energy: the loss is m v^2 (1 - e^2)/2, the impulse m v (1 + e), for any law",
+                  "a tenth of the 1e-10 that the integration promises of a single value");
+  for_every_law(0.5, [&book](const Entry&, const AnyLaw& law) {
     const double v = 0.8;
     const FreeImpact r = integrated_free_impact(law, mass, v);
-    EXPECT_NEAR(r.energy_lost / (0.5 * mass * v * v), 1 - r.restitution * r.restitution, 1e-11);
-    EXPECT_NEAR(r.impulse / (mass * v), 1 + r.restitution, 1e-11);
+    book.near("energy lost over m v^2/2 [-]",
+              r.energy_lost / (0.5 * mass * v * v), 1 - r.restitution * r.restitution, 1e-11);
+    book.near("impulse over m v [-]", r.impulse / (mass * v), 1 + r.restitution, 1e-11);
   });
 }
 
@@ -92,17 +97,23 @@ TEST(FreeImpact, ExactFactorReachesExtremeRestitutions) {
 }
 
 TEST(FreeImpact, SpotValuesOfTheClosedForms) {
-  EXPECT_NEAR(restitution_of_factor(0.5), 0.7484349316, 0.51e-10);
-  EXPECT_NEAR(restitution_of_factor(1.0), 0.5936242600, 0.51e-10);
-  EXPECT_NEAR(restitution_to_zero_force(1.0), std::exp(-2), 1e-15);
-  EXPECT_NEAR(restitution_of_approach(1.0), std::exp(-1), 1e-15);
+  test::Book book("Free impacts: restitution, identities, limits",
+                  "values of the closed forms, printed to six or ten digits",
+                  "half a unit of the last digit printed, or rounding");
+  book.near("restitution for a damping factor 0.5 [-]", restitution_of_factor(0.5), 0.7484349316, 0.51e-10);
+  book.near("restitution for a damping factor 1 [-]", restitution_of_factor(1.0), 0.5936242600, 0.51e-10);
+  book.near("restitution of critical damping, until F = 0: exp(-2) [-]",
+            restitution_to_zero_force(1.0), std::exp(-2), 1e-15);
+  book.near("restitution of critical damping in the approach: exp(-1) [-]",
+            restitution_of_approach(1.0), std::exp(-1), 1e-15);
   EXPECT_EQ(restitution_to_zero_penetration(1.0), 0);
   const double e = 0.65;
-  EXPECT_NEAR(exact_factor({.restitution = e}), 0.793101, 0.51e-6);
-  EXPECT_NEAR(anagnostopoulos({.restitution = e}), 0.135851, 0.51e-6);
-  EXPECT_NEAR(exact_cut_ratio({.restitution = e}), 0.149939, 0.51e-6);
-  EXPECT_NEAR(exact_approach_ratio({.restitution = e}), 0.329294, 0.51e-6);
-  EXPECT_NEAR(exact_jankowski({.restitution = e}), 0.368162, 0.51e-6);
+  book.near("exact damping factor for e = 0.65 [-]", exact_factor({.restitution = e}), 0.793101, 0.51e-6);
+  book.near("Anagnostopoulos' ratio for e = 0.65 [-]", anagnostopoulos({.restitution = e}), 0.135851, 0.51e-6);
+  book.near("exact ratio until F = 0 for e = 0.65 [-]", exact_cut_ratio({.restitution = e}), 0.149939, 0.51e-6);
+  book.near("exact ratio of approach damping for e = 0.65 [-]",
+            exact_approach_ratio({.restitution = e}), 0.329294, 0.51e-6);
+  book.near("exact xi of Jankowski for e = 0.65 [-]", exact_jankowski({.restitution = e}), 0.368162, 0.51e-6);
 }
 
 TEST(FreeImpact, AngleRatioIsSmoothAcrossCriticalDamping) {
@@ -112,27 +123,36 @@ TEST(FreeImpact, AngleRatioIsSmoothAcrossCriticalDamping) {
   EXPECT_NEAR(angle_ratio(3.0), std::acosh(3.0) / std::sqrt(8.0), 1e-15);
 }
 
-// a -> (3/2)(1-e) as e -> 1 and a -> 1/e as e -> 0.
 TEST(FreeImpact, ExactFactorHasTheRightAsymptotes) {
-  EXPECT_NEAR(exact_factor({.restitution = 1 - 1e-6}) / 1.5e-6, 1, 1e-5);
-  EXPECT_NEAR(exact_factor({.restitution = 0.03}) * 0.03, 1, 1e-12);
+  test::Book book("Free impacts: restitution, identities, limits",
+                  "limits: a -> 3(1-e)/2 as e -> 1, a -> 1/e as e -> 0",
+                  "the next order of the limit");
+  book.near("a over 3(1-e)/2, 1 - e = 1e-6 [-]", exact_factor({.restitution = 1 - 1e-6}) / 1.5e-6, 1, 1e-5);
+  book.near("a e, e = 0.03 [-]", exact_factor({.restitution = 0.03}) * 0.03, 1, 1e-12);
   EXPECT_LT(exact_factor({.restitution = 0.1}) * 0.1, 1);
 }
 
 TEST(FreeImpact, PublishedFormulasOfFirstOrderMeetTheExactOneNearOne) {
+  test::Book book("Free impacts: restitution, identities, limits",
+                  "limits of the published formulas over the exact one as e -> 1",
+                  "ten times 1 - e = 1e-5");
   const Asked q{.restitution = 1 - 1e-5};
   for (const DampingFormula f : {hunt_crossley, herbert_mcwhannell, lankarani_nikravesh, zhiying_qishao, hu_guo})
-    EXPECT_NEAR(f(q) / exact_factor(q), 1, 1e-4);
-  EXPECT_NEAR(lee_wang(q) / exact_factor(q), 0.5, 1e-4);
-  EXPECT_NEAR(gonthier(q) / exact_factor(q), 4.0 / 3, 1e-4);
-  EXPECT_NEAR(ye_2009(q) / exact_factor(q), 16.0 / 15, 1e-4);
+    book.near("Hunt-Crossley and others of first order over exact [-]", f(q) / exact_factor(q), 1, 1e-4);
+  book.near("Lee-Wang over exact: 1/2 [-]", lee_wang(q) / exact_factor(q), 0.5, 1e-4);
+  book.near("Gonthier over exact: 4/3 [-]", gonthier(q) / exact_factor(q), 4.0 / 3, 1e-4);
+  book.near("Ye over exact: 16/15 [-]", ye_2009(q) / exact_factor(q), 16.0 / 15, 1e-4);
 }
 
 TEST(FreeImpact, RestitutionOfProportionalDampingIgnoresStiffnessMassExponentAndSpeed) {
+  test::Book book("Free impacts: restitution, identities, limits",
+                  "root of a(1+e) = ln[(1+a)/(1-a e)] for a = 1: 0.59362426",
+                  "a unit of the last digit");
   for (const double n : {1.0, 1.5, 2.2})
     for (const double k : {1.0, 2.75e9})
       for (const double v : {0.01, 10.0})
-        EXPECT_NEAR(integrated_free_impact(HertzDamped{.stiffness = k, .exponent = n, .damping_factor = 1.0}, 5 * k, v).restitution,
+        book.near("restitution for any k, m, n, v [-]",
+                  integrated_free_impact(HertzDamped{.stiffness = k, .exponent = n, .damping_factor = 1.0}, 5 * k, v).restitution,
                     0.59362426, 1e-8);
 }
 
@@ -163,6 +183,9 @@ TEST(FreeImpact, GivenCoefficientsMakeTheRestitutionFallWithSpeed) {
 // Small damping loses the work of the dashpot along the elastic motion: for F = k d^1.5 + (3/2) A k d^0.5 d' in units of
 // k = m = v = 1 this is 1 - e = (3/2) A integral of d^0.5 sqrt(1 - (d/d_m)^2.5) dd over one way and back, all over one.
 TEST(FreeImpact, KuwabaraKonoHasTheRightLimitOfSmallDamping) {
+  test::Book book("Free impacts: restitution, identities, limits",
+                  "first order of small damping: work of the dashpot along the elastic motion, by quadrature",
+                  "ten times the damping number 1e-5");
   const double number = 1e-5, dm = std::pow(1.25, 0.4);
   double integral = 0;
   constexpr int points = 200000;
@@ -172,7 +195,8 @@ TEST(FreeImpact, KuwabaraKonoHasTheRightLimitOfSmallDamping) {
     integral += std::sqrt(d) * std::sqrt(1 - std::pow(s, 2.5)) * dm * std::sin(2 * angle) * std::numbers::pi / 2 / points;
   }
   const KuwabaraKono law{.stiffness = 1, .dissipation_time = number, .reduced_mass = 1};
-  EXPECT_NEAR((1 - free_impact(law, 1, 1).restitution) / (2 * 1.5 * number * integral), 1, 1e-4);
+  book.near("loss of Kuwabara-Kono over that of first order [-]",
+            (1 - free_impact(law, 1, 1).restitution) / (2 * 1.5 * number * integral), 1, 1e-4);
 }
 
 TEST(FreeImpact, BilinearLawWithoutYieldIsElastic) {
@@ -226,9 +250,12 @@ struct Cubic {
 };
 
 TEST(FreeImpact, UserLawsAreIntegrated) {
+  test::Book book("Free impacts: restitution, identities, limits",
+                  "F = d^3, m = 2, v = 3: d_max^4 = 36, no loss",
+                  "what the integration promises");
   const FreeImpact r = free_impact(Cubic{}, 2, 3);
-  EXPECT_NEAR(r.restitution, 1, 1e-11);
-  EXPECT_NEAR(r.peak_penetration, std::pow(36, 0.25), 1e-10);
+  book.near("restitution of a user's law [-]", r.restitution, 1, 1e-11);
+  book.near("largest penetration of a user's law [m]", r.peak_penetration, std::pow(36, 0.25), 1e-10);
 }
 
 TEST(FreeImpact, RefusesNoMassAndNoSpeed) {
@@ -240,9 +267,12 @@ TEST(FreeImpact, RefusesNoMassAndNoSpeed) {
 }
 
 TEST(Extrapolation, ErrorFallsWithTheThirteenthPowerOfTheStep) {
+  test::Book book("Free impacts: restitution, identities, limits",
+                  "order of the extrapolation method",
+                  "the next order of the error");
   const auto f = [](double x, const std::array<double, 1>& y) { return std::array<double, 1>{y[0] * std::cos(x)}; };
   const auto error = [&](double h) { return std::abs(extrapolated_step<1>(f, 0, {1}, h, 1).state[0] - std::exp(std::sin(h))); };
-  EXPECT_NEAR(std::log2(error(2.0) / error(1.0)), 13, 1.5);
+  book.near("observed order of the extrapolation [-]", std::log2(error(2.0) / error(1.0)), 13, 1.5);
 }
 
 TEST(FindRoot, FindsRootsAndRefusesBracketsWithoutOne) {

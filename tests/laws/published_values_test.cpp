@@ -1,6 +1,5 @@
-/// Damping values and the restitution they give, against reference tables computed by an independent script (closed forms
-/// confirmed by an 8th-order Runge-Kutta integration to 1e-11) and printed to two to six decimals: hence the tolerances of
-/// half a unit of the last digit printed. The time integration meets the same tables in tests/verification.
+/// Damping values and the restitution they give, against reference tables. The time integration meets the same tables in
+/// tests/verification.
 
 #include <cmath>
 #include <string>
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <pounding/laws/free_impact.hpp>
+#include "support/book.hpp"
 #include "support/jankowski_in_both_phases.hpp"
 #include "support/published_tables.hpp"
 
@@ -18,6 +18,10 @@ namespace {
 
 using reference::asked;
 using reference::half_unit;
+
+constexpr const char* subject = "Published damping formulas: the damping and the restitution they give";
+constexpr const char* source = "tables of an independent script: closed forms, confirmed by an 8th-order Runge-Kutta integration to 1e-11";
+constexpr const char* reason = "half a unit of the last digit printed there";
 
 struct ExactRow {
   std::string_view law, formula;
@@ -72,43 +76,50 @@ void for_each_published(Check&& check) {
 }
 
 TEST(PublishedValues, ExactDampingAgreesWithTheReference) {
+  test::Book book(subject, source, reason);
   for (const ExactRow& row : exact_damping)
     for (std::size_t i = 0; i < 9; ++i)
-      EXPECT_NEAR(damping_number(law_with({row.law, row.formula}, asked(i)), 1), row.values[i], half_unit(6))
-          << row.law << ' ' << asked(i);
+      book.near("damping number of " + std::string(row.law) + ", " + std::string(row.formula) + " [-]",
+                damping_number(law_with({row.law, row.formula}, asked(i)), 1), row.values[i], half_unit(6));
 }
 
 TEST(PublishedValues, EveryPublishedFormulaGivesItsValues) {
-  for_each_published([](const auto& row, const auto& asking, std::size_t i, const AnyLaw& law) {
+  test::Book book(subject, source, reason);
+  for_each_published([&book](const auto& row, const auto& asking, std::size_t i, const AnyLaw& law) {
     if (row.damping) {
-      EXPECT_NEAR(damping_number(law, asking.speed), (*row.damping)[i], half_unit(5));
+      book.near("damping number of " + std::string(asking.law) + " by published formulas [-]",
+                damping_number(law, asking.speed), (*row.damping)[i], half_unit(5));
     }
   });
 }
 
 TEST(PublishedValues, ObtainedRestitutionIsThatOfTheReference) {
-  for_each_published([](const auto& row, const auto& asking, std::size_t i, const AnyLaw& law) {
-    EXPECT_NEAR(free_impact(law, typical_reduced_mass, asking.speed).restitution, row.obtained[i], half_unit(4));
+  test::Book book(subject, source, reason);
+  for_each_published([&book](const auto& row, const auto& asking, std::size_t i, const AnyLaw& law) {
+    book.near(std::string(asking.law) + " by " + std::string(row.name) + " [-]",
+              free_impact(law, typical_reduced_mass, asking.speed).restitution, row.obtained[i], half_unit(4));
   });
 }
 
 TEST(PublishedValues, ErrorInPercentIsThatOfTheReference) {
-  for_each_published([](const auto& row, const auto& asking, std::size_t i, const AnyLaw& law) {
+  test::Book book(subject, source, reason);
+  for_each_published([&book](const auto& row, const auto& asking, std::size_t i, const AnyLaw& law) {
     const double e = free_impact(law, typical_reduced_mass, asking.speed).restitution;
-    EXPECT_NEAR(100 * (e / asked(i) - 1), row.percent[i], half_unit(2));
+    book.near("obtained over asked restitution, less one [%]", 100 * (e / asked(i) - 1), row.percent[i], half_unit(2));
   });
 }
 
 // Above z = 1 the bodies creep back for ever.
 TEST(PublishedValues, JankowskiDashpotInBothPhasesGivesTheReference) {
+  test::Book book(subject, source, reason);
   const reference::FormulaRow& row = reference::jankowski_in_both_phases;
   const double stiffness = 2.75e9, mass = typical_reduced_mass;
   for (std::size_t i = 0; i < 9; ++i) {
     const double xi = jankowski_2005({.restitution = asked(i)}), z = 2 * xi / std::sqrt(5.0);
     const auto law = reference::jankowski_in_both_phases_of(xi, stiffness, mass);
     const double e = z < 1 ? integrated_free_impact(law, mass, 0.8).restitution : 0;
-    EXPECT_NEAR(e, row.obtained[i], half_unit(4)) << asked(i);
-    EXPECT_NEAR(100 * (e / asked(i) - 1), row.percent[i], half_unit(2)) << asked(i);
+    book.near("restitution of Jankowski's dashpot left on in both phases [-]", e, row.obtained[i], half_unit(4));
+    book.near("the same over what was asked, less one [%]", 100 * (e / asked(i) - 1), row.percent[i], half_unit(2));
     EXPECT_NEAR(e, restitution_to_zero_penetration(z), 1e-9) << asked(i);
   }
 }
@@ -122,9 +133,13 @@ TEST(PublishedValues, Eq38GivesTheSameRatioToBothLawsThatOfferIt) {
 
 // Between two rows of the paper's Table 2 both exponents are straight lines.
 TEST(PublishedValues, NaderpourFormulaIsLinearBetweenTheRowsOfItsTable) {
+  test::Book book("Published damping formulas: the damping and the restitution they give",
+                  "Naderpour, Barros & Khatami 2015, Eqs. 15-17, between two rows of its Table 2",
+                  "rounding");
   const double e = 0.65, N = 0.5 * (0.9973 + 0.9775), M = 0.5 * (0.9754 + 0.9668);
   const HertzDamped law{.stiffness = 3e7, .restitution = e, .formula = naderpour_2015};
-  EXPECT_NEAR(law.damping_number(10), std::pow(3000, N - 1) * (1 - e * e) / std::pow(e, M), 1e-13);
+  book.near("hertz_damped: damping factor for e = 0.65 [-]",
+            law.damping_number(10), std::pow(3000, N - 1) * (1 - e * e) / std::pow(e, M), 1e-13);
 }
 
 TEST(PublishedValues, NaderpourFormulaIsRefusedOutsideItsTable) {
@@ -136,6 +151,7 @@ TEST(PublishedValues, NaderpourFormulaIsRefusedOutsideItsTable) {
 
 // The restitution where the design penetration is reached exactly: sqrt(1 - loss/energy under the loading curve).
 TEST(PublishedValues, BilinearCurveAgreesWithTheReference) {
+  test::Book book(subject, source, reason);
   using namespace reference::bilinear;
   for (const reference::BilinearRow& row : rows) {
     SCOPED_TRACE(row.asked);
@@ -143,15 +159,16 @@ TEST(PublishedValues, BilinearCurveAgreesWithTheReference) {
                             .formula = muthukumar_desroches};
     const double reaching = reaching_speed(row);
     const auto curve = law.curve(touch(law, reaching));
-    EXPECT_NEAR(law.damping_number(reaching) * 0.5 * mass * design_speed * design_speed, row.loss, half_unit(6));
-    EXPECT_NEAR(curve.k1, row.stiffness_1, half_unit(6));
-    EXPECT_NEAR(curve.k2, row.stiffness_2, half_unit(6));
-    EXPECT_NEAR(curve.yield, row.yield, half_unit(6));
+    book.near("bilinear_hertz: loss at the design penetration [J]",
+              law.damping_number(reaching) * 0.5 * mass * design_speed * design_speed, row.loss, half_unit(6));
+    book.near("bilinear_hertz: K1 [N/m]", curve.k1, row.stiffness_1, half_unit(6));
+    book.near("bilinear_hertz: K2 [N/m]", curve.k2, row.stiffness_2, half_unit(6));
+    book.near("bilinear_hertz: yield penetration [m]", curve.yield, row.yield, half_unit(6));
     for (const FreeImpact& r : {free_impact(law, mass, reaching), integrated_free_impact(law, mass, reaching)}) {
-      EXPECT_NEAR(r.peak_penetration, 1, half_unit(6));
-      EXPECT_NEAR(r.peak_force, row.stiffness, half_unit(6));
-      EXPECT_NEAR(r.energy_lost, row.loss, half_unit(6));
-      EXPECT_NEAR(r.restitution, row.restitution, half_unit(6));
+      book.near("bilinear_hertz: largest penetration [m]", r.peak_penetration, 1, half_unit(6));
+      book.near("bilinear_hertz: largest force [N]", r.peak_force, row.stiffness, half_unit(6));
+      book.near("bilinear_hertz: energy lost [J]", r.energy_lost, row.loss, half_unit(6));
+      book.near("bilinear_hertz: restitution [-]", r.restitution, row.restitution, half_unit(6));
     }
   }
 }

@@ -37,11 +37,11 @@ inline constexpr const char* every_law[] = {
     "stereomechanical, restitution: 0.65",
 };
 
+/// The name of a law that stands as after "law: ".
+inline std::string law_of(const std::string& text) { return text.substr(0, text.find(',')); }
+
 /// The name of a test over every_law.
-inline std::string law_name(const testing::TestParamInfo<const char*>& test) {
-  const std::string text = test.param;
-  return text.substr(0, text.find(','));
-}
+inline std::string law_name(const testing::TestParamInfo<const char*>& test) { return law_of(test.param); }
 
 /// Two oscillators of the benchmark (m1 = 100 t, T1 = 0.8 s, m2 = 150 t, T2 = 0.4 s, 5 %, gap 20 mm,
 /// ag = 3 sin(2 pi t/0.6) for 3 s) with this text after "law: ".

@@ -1,9 +1,5 @@
-// Every law and formula, restitution 0.1 to 0.9: the time integration of a ball on a wall against the closed form, or
-// against the companion's own integrator (another scheme, 1e-10) where the law has none.
-//
-// Run at tolerance 1e-8, as it comes out of the program: link, events and error control included. Restitution to 1e-6;
-// peak force and penetration to 1e-5 of themselves (a maximum between two kept steps is found by a parabola); duration
-// to 1e-6 of itself. `exact` gives what is asked to 1e-6.
+// Every law and formula, restitution 0.1 to 0.9: a ball on a wall as it comes out of the program, link, events and error
+// control included.
 
 #include <gtest/gtest.h>
 
@@ -15,6 +11,7 @@
 
 #include <pounding/error.hpp>
 #include <pounding/laws/free_impact.hpp>
+#include "support/book.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -47,6 +44,11 @@ constexpr double least_of_bilinear_hertz = 0.354;
 class FreeImpact : public testing::TestWithParam<Case> {};
 
 TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
+  test::Book book("A ball on a wall: the time integration with every law and formula",
+                  "closed form of the impact, or where the law has none the free impact's own integrator "
+                  "(extrapolation to 1e-10)",
+                  "run at tolerance 1e-8: 1e-6 of restitution, duration, energy and impulse; 1e-5 of peak force and "
+                  "penetration, of which a maximum between two kept steps is found by a parabola");
   const Case& c = GetParam();
   const double mass = 6e4, speed = 0.8;
   for (int tenths = 1; tenths <= 9; ++tenths) {
@@ -72,17 +74,18 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
     SCOPED_TRACE(fmt::format("asked {}", asked));
     ASSERT_EQ(run.results.impacts.size(), 1u);
     const ImpactRow& row = run.results.impacts[0];
-    EXPECT_NEAR(row.restitution, expected.restitution, 1e-6);
+    book.near(c.law + ": restitution [-]", row.restitution, expected.restitution, 1e-6);
     if (c.formula == "exact") {
-      EXPECT_NEAR(row.restitution, asked, 1e-6);
+      book.near(c.law + ": restitution of exact, as asked [-]", row.restitution, asked, 1e-6);
     }
-    EXPECT_NEAR(row.peak_force, expected.peak_force, 1e-5 * expected.peak_force);
-    EXPECT_NEAR(row.peak_penetration, expected.peak_penetration, 1e-5 * expected.peak_penetration);
+    book.near(c.law + ": peak force [N]", row.peak_force, expected.peak_force, 1e-5 * expected.peak_force);
+    book.near(c.law + ": largest penetration [m]",
+              row.peak_penetration, expected.peak_penetration, 1e-5 * expected.peak_penetration);
     // adams_impact presses again in the last micrometre, with a millionth of its peak force, until the bodies part.
     const double released = c.law == "adams_impact" ? row.t_end : row.t_release;
-    EXPECT_NEAR(released - row.t_start, expected.duration, 1e-6 * expected.duration);
-    EXPECT_NEAR(row.energy_lost, expected.energy_lost, 1e-6 * 0.5 * mass * speed * speed);
-    EXPECT_NEAR(row.impulse, expected.impulse, 1e-6 * mass * speed);
+    book.near(c.law + ": duration [s]", released - row.t_start, expected.duration, 1e-6 * expected.duration);
+    book.near(c.law + ": energy lost [J]", row.energy_lost, expected.energy_lost, 1e-6 * 0.5 * mass * speed * speed);
+    book.near(c.law + ": impulse [N s]", row.impulse, expected.impulse, 1e-6 * mass * speed);
     if (c.formula.empty()) break;
   }
 }

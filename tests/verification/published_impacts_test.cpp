@@ -1,8 +1,4 @@
-// Published formulas and examples: the time integration against the tables of an independent script (8th-order
-// Runge-Kutta at 1e-12 and closed forms).
-//
-// Run at tolerance 1e-8, as it comes out of the program: link, events and error control included. Every value is compared
-// to half a unit of the last digit printed there, plus 1e-6 of the value for the integration.
+// Published formulas and examples, as they come out of the program: link, events and error control included.
 
 #include <gtest/gtest.h>
 
@@ -10,12 +6,14 @@
 #include <limits>
 #include <memory>
 #include <ostream>
+#include <source_location>
 #include <string>
 
 #include <fmt/format.h>
 
 #include <pounding/gap_link.hpp>
 #include <pounding/laws/all.hpp>
+#include "support/book.hpp"
 #include "support/jankowski_in_both_phases.hpp"
 #include "support/published_tables.hpp"
 #include "support/runs.hpp"
@@ -29,9 +27,18 @@ namespace {
 
 using reference::asked;
 
-void expect_printed(double value, double printed, int decimals, const char* what) {
-  EXPECT_NEAR(value, printed, reference::half_unit(decimals) + 1e-6 * std::abs(printed)) << what;
-}
+// Against a table, by the time integration.
+class PrintedBook : public test::Book {
+ public:
+  explicit PrintedBook(const char* subject)
+      : Book(subject, "tables of an independent script: 8th-order Runge-Kutta at 1e-12 and closed forms",
+             "half a unit of the last digit printed there, plus 1e-6 of the value for the run at tolerance 1e-8") {}
+
+  void printed(const std::string& quantity, double value, double in_table, int decimals,
+               std::source_location at = std::source_location::current()) {
+    near(quantity, value, in_table, reference::half_unit(decimals) + 1e-6 * std::abs(in_table), at);
+  }
+};
 
 // A ball of this mass [kg] thrown against a wall; `link` is the text after "law: ". The bodies get time to part.
 std::string ball_on_wall(double mass, double speed, const std::string& link, double duration) {
@@ -52,6 +59,7 @@ ImpactRow only_impact(const Outcome& run) {
 class PublishedFormula : public testing::TestWithParam<reference::FormulaRow> {};
 
 TEST_P(PublishedFormula, GivesTheRestitutionOfTheReference) {
+  PrintedBook book("Published damping formulas in the time integration");
   const reference::FormulaRow& row = GetParam();
   for (const reference::Asking& asking : row.askings)
     for (std::size_t i = 0; i < 9; ++i) {
@@ -64,7 +72,7 @@ TEST_P(PublishedFormula, GivesTheRestitutionOfTheReference) {
                                       : fmt::format("restitution: {}, formula: {}", asked(i), asking.formula);
       const Outcome run = test::run_text(
           ball_on_wall(6e4, asking.speed, fmt::format("{}, stiffness: {}, {}", asking.law, stiffness, damping), 20));
-      expect_printed(only_impact(run).restitution, row.obtained[i], 4, "restitution");
+      book.printed(fmt::format("{} by {} [-]", asking.law, row.name), only_impact(run).restitution, row.obtained[i], 4);
     }
 }
 
@@ -76,6 +84,7 @@ INSTANTIATE_TEST_SUITE_P(All, PublishedFormula, testing::ValuesIn(reference::for
 
 // For z >= 1 the bodies never part, so there is no impact to end: the run is left with the ball still creeping out.
 TEST(JankowskiInBothPhases, GivesTheRestitutionOfTheReference) {
+  PrintedBook book("Published damping formulas in the time integration");
   const reference::FormulaRow& row = reference::jankowski_in_both_phases;
   const double mass = 6e4, speed = 0.8, stiffness = 2.75e9;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -87,13 +96,14 @@ TEST(JankowskiInBothPhases, GivesTheRestitutionOfTheReference) {
         reference::jankowski_in_both_phases_of(xi, stiffness, mass), link.gap);
     const ImpactRow impact = only_impact(run(model));
     if (2 * xi / std::sqrt(5.0) < 1)
-      expect_printed(impact.restitution, row.obtained[i], 4, "restitution");
+      book.printed("restitution by " + std::string(row.name) + " [-]", impact.restitution, row.obtained[i], 4);
     else
       EXPECT_TRUE(std::isnan(impact.t_end));
   }
 }
 
 TEST(PaperSection51, OfTheTimeIntegrationAgreesWithTheReference) {
+  PrintedBook book("Two floors that collide at 15 m/s, in the time integration");
   using namespace reference::section_5_1;
   const auto collide = [](const std::string& link) {
     return only_impact(test::run_text(
@@ -104,32 +114,33 @@ TEST(PaperSection51, OfTheTimeIntegrationAgreesWithTheReference) {
   for (const reference::Section51Row& row : rows) {
     SCOPED_TRACE(fmt::format("{} {} {}", row.law, row.formula, row.asked));
     const ImpactRow impact = collide(fmt::format("{}, formula: {}, restitution: {}", row.law, row.formula, row.asked));
-    expect_printed(impact.restitution, row.restitution, 5, "restitution");
-    expect_printed(impact.peak_penetration, row.penetration, 6, "penetration [m]");
-    expect_printed(impact.peak_force / 1e3, row.force, 2, "force [kN]");
-    expect_printed(impact.t_release - impact.t_start, row.duration, 6, "duration [s]");
-    expect_printed(impact.energy_lost / 1e3, row.lost, 3, "energy lost [kJ]");
-    expect_printed(impact.impulse / 1e3, row.impulse, 3, "impulse [kN s]");
+    book.printed(std::string(row.law) + ": restitution [-]", impact.restitution, row.restitution, 5);
+    book.printed(std::string(row.law) + ": largest penetration [m]", impact.peak_penetration, row.penetration, 6);
+    book.printed(std::string(row.law) + ": peak force [kN]", impact.peak_force / 1e3, row.force, 2);
+    book.printed(std::string(row.law) + ": duration [s]", impact.t_release - impact.t_start, row.duration, 6);
+    book.printed(std::string(row.law) + ": energy lost [kJ]", impact.energy_lost / 1e3, row.lost, 3);
+    book.printed(std::string(row.law) + ": impulse [kN s]", impact.impulse / 1e3, row.impulse, 3);
   }
   const ImpactRow elastic = collide("hertz");
-  expect_printed(elastic.peak_penetration, elastic_penetration, 6, "penetration [m]");
-  expect_printed(elastic.peak_force / 1e3, elastic_force, 3, "force [kN]");
-  expect_printed(elastic.t_end - elastic.t_start, elastic_duration, 6, "duration [s]");
+  book.printed("hertz: largest penetration [m]", elastic.peak_penetration, elastic_penetration, 6);
+  book.printed("hertz: peak force [kN]", elastic.peak_force / 1e3, elastic_force, 3);
+  book.printed("hertz: duration [s]", elastic.t_end - elastic.t_start, elastic_duration, 6);
 }
 
 TEST(KelvinVoigt, OfTheTimeIntegrationAgreesWithTheReferenceWithAndWithoutPull) {
+  PrintedBook book("Kelvin-Voigt impact with and without pull, in the time integration");
   using namespace reference::kelvin_voigt;
   for (const reference::KelvinVoigtRow& row : rows) {
     SCOPED_TRACE(row.asked);
-    const auto check = [&row](const char* law, double restitution, double duration) {
+    const auto check = [&](const char* law, double restitution, double duration) {
       SCOPED_TRACE(law);
       const ImpactRow impact = only_impact(test::run_text(ball_on_wall(
           mass, speed,
           fmt::format("{}, stiffness: {}, restitution: {}, formula: anagnostopoulos", law, stiffness, row.asked), 1)));
-      expect_printed(impact.restitution, restitution, 6, "restitution");
-      expect_printed(impact.t_release - impact.t_start, duration, 8, "duration [s]");
-      expect_printed(impact.peak_penetration, row.penetration, 8, "penetration [m]");
-      expect_printed(impact.peak_force, row.force, 1, "force [N]");
+      book.printed(std::string(law) + ": restitution [-]", impact.restitution, restitution, 6);
+      book.printed(std::string(law) + ": duration [s]", impact.t_release - impact.t_start, duration, 8);
+      book.printed(std::string(law) + ": largest penetration [m]", impact.peak_penetration, row.penetration, 8);
+      book.printed(std::string(law) + ": peak force [N]", impact.peak_force, row.force, 1);
     };
     check("kelvin_voigt", row.restitution_to_zero_penetration, row.duration_to_zero_penetration);
     check("kelvin_voigt_no_tension", row.restitution_to_zero_force, row.duration_to_zero_force);
@@ -137,6 +148,7 @@ TEST(KelvinVoigt, OfTheTimeIntegrationAgreesWithTheReferenceWithAndWithoutPull) 
 }
 
 TEST(PaperSection5, OfTheTimeIntegrationAgreesWithTheReference) {
+  PrintedBook book("Impact of 755.76 kg at 10 m/s, in the time integration");
   using namespace reference::section_5;
   for (const reference::Section5Row& row : rows) {
     SCOPED_TRACE(row.formula);
@@ -145,16 +157,17 @@ TEST(PaperSection5, OfTheTimeIntegrationAgreesWithTheReference) {
         fmt::format("hertz_damped, stiffness: {}, restitution: {}, formula: {}", stiffness, reference::section_5::asked,
                     row.formula),
         1)));
-    expect_printed(impact.restitution, row.restitution, 5, "restitution");
-    expect_printed(impact.peak_penetration, row.penetration, 6, "penetration [m]");
-    expect_printed(impact.peak_force / 1e3, row.force, 3, "force [kN]");
-    expect_printed(impact.energy_lost / 1e3, row.lost, 5, "energy lost [kJ]");
+    book.printed("hertz_damped: restitution [-]", impact.restitution, row.restitution, 5);
+    book.printed("hertz_damped: largest penetration [m]", impact.peak_penetration, row.penetration, 6);
+    book.printed("hertz_damped: peak force [kN]", impact.peak_force / 1e3, row.force, 3);
+    book.printed("hertz_damped: energy lost [kJ]", impact.energy_lost / 1e3, row.lost, 5);
   }
 }
 
 // The design penetration is 1 m at impact_velocity; the actual speed is the one that reaches it along the bilinear curve,
 // where the force is the effective stiffness times 1 m.
 TEST(BilinearHertz, OfTheTimeIntegrationAtItsDesignPenetrationAgreesWithTheReference) {
+  PrintedBook book("Bilinear law at its design penetration, in the time integration");
   using namespace reference::bilinear;
   for (const reference::BilinearRow& row : rows) {
     SCOPED_TRACE(row.asked);
@@ -163,10 +176,10 @@ TEST(BilinearHertz, OfTheTimeIntegrationAtItsDesignPenetrationAgreesWithTheRefer
         fmt::format("bilinear_hertz, stiffness: 1, impact_velocity: {}, restitution: {}, formula: muthukumar_desroches",
                     design_speed, row.asked),
         20)));
-    expect_printed(impact.peak_penetration, 1, 6, "penetration [m]");
-    expect_printed(impact.peak_force, row.stiffness, 6, "force [N]");
-    expect_printed(impact.energy_lost, row.loss, 6, "energy lost [J]");
-    expect_printed(impact.restitution, row.restitution, 6, "restitution");
+    book.printed("bilinear_hertz: largest penetration [m]", impact.peak_penetration, 1, 6);
+    book.printed("bilinear_hertz: peak force [N]", impact.peak_force, row.stiffness, 6);
+    book.printed("bilinear_hertz: energy lost [J]", impact.energy_lost, row.loss, 6);
+    book.printed("bilinear_hertz: restitution [-]", impact.restitution, row.restitution, 6);
   }
 }
 

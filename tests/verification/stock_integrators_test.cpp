@@ -22,12 +22,15 @@
 #include <pounding/laws/all.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/version.hpp>
+#include "support/book.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
 namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd, petsc::check, petsc::Handle;
+
+constexpr const char* subject = "The engine beside PETSc's own integrators";
 
 laws::AnyLaw law_of(const Link& link) {
   laws::Settings settings{.law = link.law, .formula = link.formula, .reduced_mass = link.reduced_mass};
@@ -355,8 +358,7 @@ VectorXd differences(const PlainModel& stock, const Outcome& engine) {
   return parts;
 }
 
-// The order in which TSALPHA2 comes near the engine. Where in a step a touch falls is chance, and so is a part of the
-// error: hence root mean squares over five lengths, and over five that are a quarter of them.
+// The order in which TSALPHA2 comes near the engine: over five lengths, and over five that are a quarter of them.
 double observed_order(const char* law) {
   const std::string yaml = test::two_oscillators(law, 1e-8);
   const Outcome engine = test::run_text(yaml);
@@ -370,40 +372,51 @@ double observed_order(const char* law) {
   return std::log2(coarse / fine) / 4;
 }
 
+constexpr const char* fixed_steps = "PETSc's TSALPHA2 with fixed steps on the same equations";
+constexpr const char* chance =
+    "where in a step a touch falls is chance, and so is a part of the error: root mean squares over five lengths";
+
 TEST(StockAlpha2, ComesNearTheEngineWithTheSquareOfItsStepForHertz) {
-  EXPECT_NEAR(observed_order("hertz, stiffness: 2.75e9"), 2, 0.3);
+  test::Book book(subject, fixed_steps, chance);
+  book.near("order in which TSALPHA2 comes near, Hertz [-]", observed_order("hertz, stiffness: 2.75e9"), 2, 0.3);
 }
 
 TEST(StockAlpha2, ComesNearTheEngineWithTheSquareOfItsStepForASpring) {
-  EXPECT_NEAR(observed_order("linear_spring, stiffness: 9.35e7"), 2, 0.3);
+  test::Book book(subject, fixed_steps, chance);
+  book.near("order in which TSALPHA2 comes near, linear spring [-]",
+            observed_order("linear_spring, stiffness: 9.35e7"), 2, 0.3);
 }
 
-// A touch is seen up to a step late, which loses c v h of momentum.
 TEST(StockAlpha2, ComesNearTheEngineWithItsStepWhereTheForceJumps) {
-  EXPECT_NEAR(observed_order("kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65"), 1, 0.3);
+  test::Book book(subject, fixed_steps, chance);
+  book.near("order in which TSALPHA2 comes near, Kelvin-Voigt, where a touch seen a step late loses c v h of momentum [-]",
+            observed_order("kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65"), 1, 0.3);
 }
 
-// The engine's 1e-8, ten times as much for what impacts make of the errors before them: where the bodies stand apart by
-// 1e-8 of the peak at the start, no speed or force of these impacts moves by more than 1e-7. TSRK at 1e-11 adds nothing.
 constexpr double tolerance = 1e-8, allowed = 10 * tolerance;
 
-void expect_the_same_impacts(const std::string& yaml) {
+void expect_the_same_impacts(const std::string& problem, const std::string& law, const std::string& yaml) {
+  test::Book book(subject, "PETSc's TSRK (5dp, 1e-11) with PETSc's events, " + problem,
+                  "the engine's tolerance 1e-8, ten times as much for what impacts make of the errors before them: "
+                  "where the bodies stand apart by 1e-8 of the peak at the start, no speed or force of these impacts "
+                  "moves by more than 1e-7");
   const Outcome engine = test::run_text(yaml);
   const PlainModel stock = runge_kutta::march(test::model_of(yaml));
   const double widest = *std::max_element(stock.peaks.begin(), stock.peaks.begin() + stock.u.size());
   EXPECT_DOUBLE_EQ(stock.time, stock.duration);
-  EXPECT_LT(differences(stock, engine).cwiseAbs().maxCoeff(), allowed);
+  book.below(law + ": differences of peak displacements and forces, as parts [-]", differences(stock, engine).cwiseAbs().maxCoeff(), allowed);
   for (std::size_t i = 0; i < stock.links.size(); ++i) {
     std::vector<ImpactRow> rows;
     for (const ImpactRow& row : engine.results.impacts)
       if (row.link == static_cast<int>(i)) rows.push_back(row);
     const std::vector<Hit>& hits = stock.links[i].hits;
     ASSERT_EQ(rows.size(), hits.size()) << "link " << i;
+    book.equal(law + ": impacts of a link", static_cast<double>(rows.size()), static_cast<double>(hits.size()));
     for (std::size_t k = 0; k < hits.size(); ++k) {
       SCOPED_TRACE(fmt::format("link {}, impact {}", i, k));
-      EXPECT_NEAR(rows[k].t_start, hits[k].time, allowed * widest / hits[k].approach);
-      EXPECT_NEAR(rows[k].v_approach, hits[k].approach, allowed * hits[k].approach);
-      EXPECT_NEAR(rows[k].peak_force, hits[k].peak_force, allowed * hits[k].peak_force);
+      book.near(law + ": touch [s]", rows[k].t_start, hits[k].time, allowed * widest / hits[k].approach);
+      book.near(law + ": approach [m/s]", rows[k].v_approach, hits[k].approach, allowed * hits[k].approach);
+      book.near(law + ": peak force [N]", rows[k].peak_force, hits[k].peak_force, allowed * hits[k].peak_force);
     }
   }
 }
@@ -411,12 +424,13 @@ void expect_the_same_impacts(const std::string& yaml) {
 class StockRungeKutta : public testing::TestWithParam<const char*> {};
 
 TEST_P(StockRungeKutta, FindsTheSameImpactsOfTwoOscillators) {
-  expect_the_same_impacts(test::two_oscillators(GetParam(), tolerance));
+  expect_the_same_impacts("two oscillators", test::law_of(GetParam()), test::two_oscillators(GetParam(), tolerance));
 }
 
 // Thirteen or fourteen impacts on three floors that touch one soon after the other.
 TEST_P(StockRungeKutta, FindsTheSameImpactsOnThreeFloors) {
   expect_the_same_impacts(
+      "three floors, thirteen or fourteen impacts", test::law_of(GetParam()),
       fmt::format("ground_motion: {{harmonic: {{amplitude: 3.0, period: 0.6, duration: 3.0}}}}\n"
                   "structures:\n"
                   "  left:  {{shear_building: {{storeys: 3, mass: 250 t, stiffness: 220 MN/m}}, damping: 5 %}}\n"

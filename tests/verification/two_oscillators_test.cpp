@@ -1,15 +1,12 @@
-// Two oscillators under a harmonic motion, seven laws.
-//
-// Source: DOP853 (scipy) at relative tolerance 1e-11 with located events, confirmed by a fixed-step Runge-Kutta program at
-// 2e-7 s; the digits are those of the published table (displacements to 1e-6 m, forces to 0.1 N, times to 1e-6 s,
-// velocities to 1e-6 m/s). Run at tolerance 1e-6. Displacements to 1e-5 relative, forces to 1e-4, times to 1e-6 s: half a
-// unit of the last printed digit is added where the digit is coarser than that.
+// Two oscillators under a harmonic motion, seven laws. The digits are those of a table: displacements to 1e-6 m, forces to
+// 0.1 N, times to 1e-6 s, velocities to 1e-6 m/s.
 
 #include <gtest/gtest.h>
 
 #include <ostream>
 #include <string>
 
+#include "support/book.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -48,37 +45,55 @@ const Reference references[] = {
      {0.548291, 0.987919, 3619597.2}, 0.603336, {1.130971, 1.613933, 6460768.8}},
 };
 
+constexpr const char* source =
+    "DOP853 (scipy) at relative tolerance 1e-11 with located events, confirmed by a fixed-step Runge-Kutta program at 2e-7 s";
+
+// "hertz_damped exact: "
+std::string law_and_formula(const Reference& reference) {
+  const std::string text = reference.law, formula = ", formula: ";
+  const std::size_t at = text.find(formula);
+  return test::law_of(text) + (at == text.npos ? "" : " " + text.substr(at + formula.size())) + ": ";
+}
+
 class TwoOscillators : public testing::TestWithParam<Reference> {};
 
 TEST_P(TwoOscillators, AgreeWithAnIndependentIntegrator) {
+  test::Book book("Two oscillators under a harmonic motion, seven laws", source,
+                  "run at tolerance 1e-6: displacements and velocities to 1e-5, forces to 1e-4, times to 1e-6 s, "
+                  "plus half a unit of the last digit printed");
   const Reference& expected = GetParam();
+  const std::string law = law_and_formula(expected);
   const Outcome run = test::run_text(test::two_oscillators(expected.law, 1e-6));
   const double digit = 0.5e-6;
   const double u1 = run.summary.structures[0].peak_displacement[0], u2 = run.summary.structures[1].peak_displacement[0];
-  EXPECT_NEAR(u1, expected.u1, 1e-5 * expected.u1 + digit);
-  EXPECT_NEAR(u2, expected.u2, 1e-5 * expected.u2 + digit);
-  EXPECT_NEAR(run.summary.links[0].peak_force, expected.force, 1e-4 * expected.force);
+  book.near(law + "peak displacement, left [m]", u1, expected.u1, 1e-5 * expected.u1 + digit);
+  book.near(law + "peak displacement, right [m]", u2, expected.u2, 1e-5 * expected.u2 + digit);
+  book.near(law + "peak force [N]", run.summary.links[0].peak_force, expected.force, 1e-4 * expected.force);
   ASSERT_EQ(run.results.impacts.size(), expected.impacts);
+  book.equal(law + "impacts", static_cast<double>(run.results.impacts.size()), static_cast<double>(expected.impacts));
   const Impact impacts[] = {expected.first, expected.second};
   for (int i = 0; i < 2; ++i) {
     const ImpactRow& row = run.results.impacts[i];
-    EXPECT_NEAR(row.t_start, impacts[i].time, 1e-6 + digit);
-    EXPECT_NEAR(row.v_approach, impacts[i].approach, 1e-5 + digit);
-    EXPECT_NEAR(row.peak_force, impacts[i].force, 1e-4 * impacts[i].force);
+    book.near(law + "touch of the first two impacts [s]", row.t_start, impacts[i].time, 1e-6 + digit);
+    book.near(law + "approach of the first two impacts [m/s]", row.v_approach, impacts[i].approach, 1e-5 + digit);
+    book.near(law + "peak force of the first two impacts [N]", row.peak_force, impacts[i].force, 1e-4 * impacts[i].force);
   }
-  EXPECT_NEAR(run.results.impacts[0].v_separation, expected.separation, 1e-5 + digit);
+  book.near(law + "first separation [m/s]", run.results.impacts[0].v_separation, expected.separation, 1e-5 + digit);
 }
 
 INSTANTIATE_TEST_SUITE_P(SevenLaws, TwoOscillators, testing::ValuesIn(references),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// The tolerance is kept: what the default 1e-4 gives lies within 1e-4 of the converged answer.
 TEST_P(TwoOscillators, KeepTheDefaultTolerance) {
+  test::Book book("Two oscillators under a harmonic motion, seven laws", source,
+                  "the tolerance is kept: what the default 1e-4 gives lies within 1e-4 of the converged answer");
   const Reference& expected = GetParam();
   const Outcome run = test::run_text(test::two_oscillators(expected.law, 1e-4));
-  EXPECT_NEAR(run.summary.structures[0].peak_displacement[0], expected.u1, 1e-4 * expected.u1);
-  EXPECT_NEAR(run.summary.structures[1].peak_displacement[0], expected.u2, 1e-4 * expected.u2);
-  EXPECT_NEAR(run.summary.links[0].peak_force, expected.force, 1e-4 * expected.force);
+  book.near("peak displacement, left [m]",
+            run.summary.structures[0].peak_displacement[0], expected.u1, 1e-4 * expected.u1);
+  book.near("peak displacement, right [m]",
+            run.summary.structures[1].peak_displacement[0], expected.u2, 1e-4 * expected.u2);
+  book.near("peak force [N]", run.summary.links[0].peak_force, expected.force, 1e-4 * expected.force);
 }
 
 // The steps of the scheme of order 4 are so long that accelerations turn inside them.

@@ -1,0 +1,37 @@
+"""What tests/support/book.hpp is to the tests in C++: numbers of a source of its own, written down for the verification book."""
+
+import json
+import os
+
+
+class Book:
+    """The comparisons of one test with one source; appended to the file POUNDING_BOOK when the test ends."""
+
+    def __init__(self, test, subject, source, reason):
+        self.test = test
+        module, name, method = test.id().rsplit(".", 2)
+        self.entry = {"subject": subject, "source": source, "reason": reason, "file": f"tests/program/{module}.py",
+                      "test": f"{name}.{method}"}
+        self.rows = {}
+        test.addCleanup(self.write)
+
+    def near(self, quantity, obtained, expected, tolerance):
+        """A quantity ends with its unit: "peak force [N]". Numbers of the same name are cases of one row."""
+        self.rows.setdefault(quantity, []).append((float(expected), float(obtained), float(tolerance)))
+        self.test.assertLessEqual(abs(obtained - expected), tolerance, quantity)
+
+    def below(self, quantity, obtained, limit):
+        """A difference that is less than the limit."""
+        self.rows.setdefault(quantity, []).append((0.0, float(obtained), float(limit)))
+        self.test.assertLess(obtained, limit, quantity)
+
+    def equal(self, quantity, obtained, expected):
+        """A count."""
+        self.rows.setdefault(quantity, []).append((float(expected), float(obtained), 0.0))
+        self.test.assertEqual(obtained, expected, quantity)
+
+    def write(self):
+        if "POUNDING_BOOK" in os.environ:
+            rows = [{"quantity": quantity, "cases": cases} for quantity, cases in self.rows.items()]
+            with open(os.environ["POUNDING_BOOK"], "a") as file:
+                file.write(json.dumps(self.entry | {"rows": rows}) + "\n")

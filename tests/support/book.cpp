@@ -1,0 +1,64 @@
+#include "support/book.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <utility>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace pounding::test {
+namespace {
+
+// A failure names the line of the test.
+testing::ScopedTrace trace(const std::source_location& at, const std::string& quantity) {
+  return {at.file_name(), static_cast<int>(at.line()), quantity};
+}
+
+}  // namespace
+
+Book::Book(std::string subject, std::string source, std::string reason)
+    : subject_(std::move(subject)), source_(std::move(source)), reason_(std::move(reason)) {}
+
+void Book::near(const std::string& quantity, double obtained, double expected, double tolerance, std::source_location at) {
+  const auto here = trace(at, quantity);
+  EXPECT_NEAR(obtained, expected, tolerance);
+  write_down(quantity, {expected, obtained, tolerance});
+}
+
+void Book::below(const std::string& quantity, double obtained, double limit, std::source_location at) {
+  const auto here = trace(at, quantity);
+  EXPECT_LT(obtained, limit);
+  write_down(quantity, {0, obtained, limit});
+}
+
+void Book::equal(const std::string& quantity, double obtained, double expected, std::source_location at) {
+  const auto here = trace(at, quantity);
+  EXPECT_EQ(obtained, expected);
+  write_down(quantity, {expected, obtained, 0});
+}
+
+void Book::write_down(const std::string& quantity, const Case& found) {
+  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& one) { return one.quantity == quantity; });
+  if (row == rows_.end())
+    rows_.push_back({quantity, {found}});
+  else
+    row->cases.push_back(found);
+}
+
+Book::~Book() {
+  const char* path = std::getenv("POUNDING_BOOK");
+  if (!path) return;
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  nlohmann::json entry{{"subject", subject_}, {"source", source_}, {"reason", reason_}, {"file", test->file()},
+                       {"test", std::string(test->test_suite_name()) + "." + test->name()}};
+  for (const Row& row : rows_) {
+    nlohmann::json cases;
+    for (const Case& one : row.cases) cases.push_back({one.expected, one.obtained, one.tolerance});
+    entry["rows"].push_back({{"quantity", row.quantity}, {"cases", cases}});
+  }
+  std::ofstream(path, std::ios::app) << entry.dump() << '\n';
+}
+
+}  // namespace pounding::test
