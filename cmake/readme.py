@@ -55,7 +55,7 @@ def laws(program):
     for law in json.loads(output(program, "laws", "--json")):
         formulas = ", ".join(f"`{f['name']}`" for f in law["formulas"]) or "-"
         direct = [p["name"] for p in law["parameters"] if p["need"].startswith("instead")]
-        rows.append(f"| `{law['name']}` | {law['force']} | {formulas} | {', '.join(f'`{d}`' for d in direct) or '-'} |")
+        rows.append(f"| [`{law['name']}`](elements/pounding/laws/pages/{law['name']}.md) | {law['force']} | {formulas} | {', '.join(f'`{d}`' for d in direct) or '-'} |")
     return "\n".join(rows)
 
 

@@ -125,7 +125,7 @@ def tolerance(cases):
     if most - least <= 1e-9 * most:
         return short(most)
     relative = [abs(case[2] / case[0]) if case[0] else math.inf for case in cases if case[0] or case[2]]
-    if max(relative) - min(relative) <= 1e-6 * max(relative):
+    if math.isfinite(max(relative)) and max(relative) - min(relative) <= 1e-6 * max(relative):
         return f"{short(relative[0])} of it"
     return f"{short(least)} ... {short(most)}"
 
@@ -191,21 +191,24 @@ def page(written):
     return "\n".join([INTRODUCTION.format(cases=cases, quantities=rows), *contents, "", *body]).rstrip("\n") + "\n"
 
 
-def same_number(a, b):
-    """To a unit of the last digit that is shown."""
+def same_number(a, b, tolerance="0"):
+    """To a unit of the last digit that is shown, or a tenth of the tolerance that a cell of the table states."""
     if a == b:
         return True
     try:
-        unit = max(10.0 ** (int(exponent or 0) - len(decimals or "")) for decimals, exponent in
-                   (re.fullmatch(r"-?\d+(?:\.(\d*))?(?:e([+-]\d+))?", text).groups() for text in (a, b)))
-        return abs(float(a) - float(b)) <= 1.01 * unit
+        allowed = max(10.0 ** (int(exponent or 0) - len(decimals or "")) for decimals, exponent in
+                      (re.fullmatch(r"-?\d+(?:\.(\d*))?(?:e([+-]\d+))?", text).groups() for text in (a, b)))
+        first = tolerance.split()[0]
+        if first != "equal":
+            allowed = max(allowed, 0.1 * float(first) * (abs(float(a)) if tolerance.endswith("of it") else 1))
+        return abs(float(a) - float(b)) <= 1.01 * allowed
     except (AttributeError, ValueError):
         return False
 
 
-def same_cell(a, b):
+def same_cell(a, b, tolerance="0"):
     first, second = a.split(), b.split()
-    return len(first) == len(second) and all(map(same_number, first, second))
+    return len(first) == len(second) and all(same_number(*pair, tolerance) for pair in zip(first, second))
 
 
 def same_line(a, b):
@@ -214,7 +217,7 @@ def same_line(a, b):
     if not (a.startswith("| ") and b.startswith("| ")):
         return False
     first, second = ([cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in (a, b))
-    return (len(first) == len(second) == 6 and first[:2] == second[:2] and same_cell(first[2], second[2])
+    return (len(first) == len(second) == 6 and first[:2] == second[:2] and same_cell(first[2], second[2], first[4])
             and same_cell(first[4], second[4]))
 
 

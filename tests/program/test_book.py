@@ -24,6 +24,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual(book.tolerance([(1.0, 1.0, 1e-5), (3.0, 3.0, 3e-5)]), "1e-05 of it")
         self.assertEqual(book.row("x [m]", [(0.0, 1e-9, 1e-6), (0.0, -2.5e-8, 1e-6)]), "| x [m] | 2 | 0 | 2.5e-08 | 1e-06 | 0.03 |")
         self.assertEqual(book.tolerance([(0.0, 0.0, 0.0), (3.0, 3.0, 3e-5)]), "1e-05 of it")
+        self.assertEqual(book.tolerance([(0.0, 0.0, 1e-5), (3.0, 3.0, 3e-5)]), "1e-05 ... 3e-05")
         self.assertEqual(book.tolerance([(5.0, 5.0, 0.0)]), "equal")
 
 
@@ -35,6 +36,10 @@ class Check(unittest.TestCase):
         self.assertTrue(self.same(ROW, ROW))
         self.assertTrue(self.same(ROW, ROW.replace("1.251", "1.249").replace("0.20", "0.31")))
         self.assertTrue(self.same(ROW, ROW.replace("1.250", "1.251")))
+        forces = "| force [N] | 2 | 0 ... 846861 | 0 ... 846860 | 1e+02 | 0.20 |"
+        self.assertTrue(self.same(forces, forces.replace("846861", "846868")))
+        self.assertFalse(self.same(forces, forces.replace("846861", "846881")))
+        self.assertTrue(self.same(forces.replace("1e+02", "0.0001 of it"), forces.replace("1e+02", "0.0001 of it").replace("846861", "846868")))
 
     def test_refuses_another_quantity_count_expectation_and_tolerance(self):
         for before, now in (("force", "forces"), ("| 3 |", "| 4 |"), ("7.000", "7.003"), ("1.250 ... 7.000", "7.000"), ("0.005", "0.5")):
