@@ -65,7 +65,7 @@ bool Stepper::solve_turning(const Eigen::VectorXd& free, double by_u, double wei
   std::vector<Secant> secants;
   const Eigen::VectorXd forces = r_;
   Eigen::VectorXd x = guess, displacement, residual, last_x, last_residual;
-  double least = std::numeric_limits<double>::infinity(), last_size = 1;
+  double least = std::numeric_limits<double>::infinity(), slope = 0;
   int since_least = 0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     displacement = free + by_u * x;
@@ -76,9 +76,12 @@ bool Stepper::solve_turning(const Eigen::VectorXd& free, double by_u, double wei
     residual = r_ - x;
     const double size = relative_size(by_u * residual, displacement);
     if (!std::isfinite(size)) return false;
-    // r_ is nearer by about as much as x came nearer before.
-    if (size * std::min(1.0, size / last_size) <= solved) return true;
-    last_size = size;
+    // r_ is nearer than x by what R makes of a difference.
+    if (iteration > 0) {
+      const Eigen::VectorXd step = x - last_x, answer = step + residual - last_residual;
+      slope = std::max(slope, std::sqrt(weighted_product(answer, answer) / weighted_product(step, step)));
+    }
+    if (size * (iteration > 0 ? slope : 1) <= solved) return true;
     since_least = size < 0.5 * least ? 0 : since_least + 1;
     least = std::min(least, size);
     if (since_least >= 3 && size <= nearly_solved) return true;
