@@ -25,7 +25,8 @@ def contents(path):
 
     def look(name, item):
         if isinstance(item, h5py.Dataset) and "wall" not in name:
-            found[name] = item[()]
+            # Texts are objects of Python, whose bytes are addresses.
+            found[name] = item.asstr()[()].astype(str) if item.dtype.hasobject and item.shape else item[()]
 
     with h5py.File(path) as file:
         file.visititems(look)
