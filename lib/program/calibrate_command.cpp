@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <pounding/error.hpp>
+#include <pounding/laws/cyclic_calibration.hpp>
 #include <pounding/laws/free_impact.hpp>
 #include <pounding/units.hpp>
 #include "commands.hpp"
@@ -22,7 +23,7 @@ namespace {
 struct Words {
   std::string law, restitution, m1, m2 = "wall", stiffness, velocity, exponent;
   std::vector<std::string> parameters;
-  bool json = false;
+  bool json = false, cyclic = false;
 };
 
 /// The collision that the command line describes, and which of its values are only typical ones.
@@ -150,7 +151,7 @@ std::string quantity_header(const laws::Quantity& q, double exponent) {
   return fmt::format("{} [{}]", q.name, unit.empty() ? "-" : unit);
 }
 
-void print(const Collision& c, const std::vector<Row>& rows) {
+void print_head(const Collision& c) {
   fmt::print("{}: {}\n", c.law.name, c.law.shape);
   fmt::print("Free impact: reduced mass {:g} kg, closing speed {:g} m/s", c.settings.reduced_mass, c.velocity);
   for (const laws::ParameterInfo& p : c.law.parameters)
@@ -158,6 +159,10 @@ void print(const Collision& c, const std::vector<Row>& rows) {
       fmt::print(", {} {:g}{}{}", p.name, set->second, p.unit.empty() ? "" : " ", laws::resolved_unit(p.unit, c.exponent));
   fmt::print("\n");
   if (!c.assumed.empty()) fmt::print("Typical values taken, not given: {}\n", fmt::join(c.assumed, ", "));
+}
+
+void print(const Collision& c, const std::vector<Row>& rows) {
+  print_head(c);
   const bool dissipates = !c.law.number.name.empty();
   const bool two = dissipates && c.law.number.name != c.law.coefficient.name;
   const std::string number = quantity_header(c.law.number, c.exponent);
@@ -200,6 +205,74 @@ void print_json(const Collision& c, const std::vector<Row>& rows) {
   fmt::print("{}\n", result.dump(2));
 }
 
+/// One formula through the cyclic process.
+struct CyclicRow {
+  std::string_view formula;
+  laws::CyclicCalibration process;
+  double number = 0;    ///< damping number at the end
+  std::string refused;  ///< why the process does not end
+};
+
+std::vector<CyclicRow> calibrate_cyclically(const Collision& c) {
+  if (c.law.formulas.empty() || c.law.instantaneous)
+    throw InputError(fmt::format("--cyclic: {} has no damping formula to correct by its hysteresis loop", c.law.name));
+  std::vector<CyclicRow> rows;
+  for (const laws::Formula& f : c.law.formulas) {
+    CyclicRow row{.formula = f.name, .process = {}, .refused = {}};
+    laws::Settings settings = c.settings;
+    settings.formula = f.name;
+    try {
+      row.process = laws::calibrate_cyclically(settings, *c.settings.restitution, c.settings.reduced_mass, c.velocity);
+      settings.restitution = row.process.assumed();
+      std::visit(
+          [&](const auto& chosen) {
+            if constexpr (laws::has_damping<std::decay_t<decltype(chosen)>>) row.number = chosen.damping_number(c.velocity);
+          },
+          laws::make_law(settings));
+    } catch (const std::invalid_argument& error) {
+      if (f.name == "exact") throw;
+      row.refused = error.what();
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+void print(const Collision& c, const std::vector<CyclicRow>& rows) {
+  print_head(c);
+  fmt::print("Kinetic energy loss wanted: {:.6g} J\n", rows.front().process.kinetic_loss);
+  const std::string number = quantity_header(c.law.number, c.exponent);
+  fmt::print("\n{:<24}{:>25}{:>12}{:>17}{:>18}{:>{}}\n", "formula", "restitution to assume [-]", "analyses", "loop area [J]",
+             "restitution [-]", number, number.size() + 2);
+  for (const CyclicRow& r : rows) {
+    fmt::print("{:<24}", r.formula);
+    if (!r.refused.empty()) {
+      fmt::print("  {}\n", r.refused);
+      continue;
+    }
+    const laws::CyclicAnalysis& last = r.process.analyses.back();
+    fmt::print("{:>25.9f}{:>12}{:>17.6g}{:>18.6f}{:>{}.6g}\n", last.assumed, r.process.analyses.size(), last.loop_area,
+               last.restitution, r.number, number.size() + 2);
+  }
+}
+
+void print_json(const Collision& c, const std::vector<CyclicRow>& rows) {
+  nlohmann::json result{{"law", c.law.name}, {"reduced_mass", c.settings.reduced_mass}, {"closing_speed", c.velocity},
+                        {"parameters", c.settings.values}, {"assumed", c.assumed}, {"restitution", *c.settings.restitution},
+                        {"kinetic_loss", rows.front().process.kinetic_loss}, {"formulas", nlohmann::json::array()}};
+  for (const CyclicRow& r : rows) {
+    if (!r.refused.empty()) {
+      result["formulas"].push_back({{"formula", r.formula}, {"refused", r.refused}});
+      continue;
+    }
+    nlohmann::json analyses = nlohmann::json::array();
+    for (const laws::CyclicAnalysis& a : r.process.analyses)
+      analyses.push_back({{"assumed", a.assumed}, {"loop_area", a.loop_area}, {"restitution", a.restitution}});
+    result["formulas"].push_back({{"formula", r.formula}, {std::string(c.law.number.name), r.number}, {"analyses", analyses}});
+  }
+  fmt::print("{}\n", result.dump(2));
+}
+
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
@@ -214,9 +287,16 @@ void add_calibrate(CLI::App& app) {
   command->add_option("--velocity", words->velocity, "Closing speed");
   command->add_option("--exponent", words->exponent, "Exponent n of the law");
   command->add_option("--parameter", words->parameters, "Another parameter of the law, NAME=VALUE");
+  command->add_flag("--cyclic", words->cyclic,
+                    "By the cyclic process of Naderpour et al. 2015: change what the formula is given until the area of the "
+                    "hysteresis loop is the kinetic energy loss");
   command->add_flag("--json", words->json, "Print JSON");
   command->callback([words] {
     const Collision collision = read_collision(*words);
+    if (words->cyclic) {
+      const std::vector<CyclicRow> rows = calibrate_cyclically(collision);
+      return words->json ? print_json(collision, rows) : print(collision, rows);
+    }
     const std::vector<Row> rows = calibrate(collision);
     words->json ? print_json(collision, rows) : print(collision, rows);
   });

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   add_plot(app);
   add_animate(app);
   add_export(app);
+  add_reproduce(app);
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);

@@ -1,0 +1,115 @@
+/// `reproduce`: computed here, drawn and set by Python.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/error.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/replace_file.hpp>
+#include "commands.hpp"
+#include "python_process.hpp"
+#include "reproduce/items.hpp"
+
+namespace pounding::program {
+namespace {
+
+namespace fs = std::filesystem;
+using reproduce::Item, reproduce::ItemMaker, reproduce::Verdict;
+
+struct Words {
+  std::vector<std::string> only;
+  std::string directory = "reproduction";
+  bool json = false;
+};
+
+std::vector<const ItemMaker*> chosen(const std::vector<std::string>& only) {
+  std::vector<const ItemMaker*> result;
+  for (const std::string& name : only) reproduce::item_maker(name);  // refuses
+  for (const ItemMaker& maker : reproduce::item_makers())
+    if (only.empty() || std::ranges::find(only, maker.name) != only.end()) result.push_back(&maker);
+  return result;
+}
+
+void write(const fs::path& file, const std::string& text) { replace_file(file.string(), std::as_bytes(std::span(text))); }
+
+/// A line on the terminal that the next one overwrites.
+void show(const std::string& text) {
+  if (isatty(STDERR_FILENO) != 0) std::fputs(("\r\033[K" + text).c_str(), stderr);
+}
+
+void print(const std::vector<Item>& items, const std::string& report) {
+  int counts[3] = {0, 0, 0};
+  for (const Item& item : items) {
+    fmt::print("{}: {} ({})\n", item.name, item.title, item.sections);
+    for (const Verdict& v : item.verdicts) {
+      ++counts[static_cast<int>(v.judgement)];
+      fmt::print("  {:<18}  {}\n", word(v.judgement), v.place);
+    }
+    fmt::print("\n");
+  }
+  fmt::print("{} agree, {} do not agree, {} cannot be checked\nreport       {}\n", counts[0], counts[1], counts[2], report);
+}
+
+void print_json(const std::vector<Item>& items, const std::string& report) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Item& item : items) {
+    nlohmann::json verdicts = nlohmann::json::array();
+    for (const Verdict& v : item.verdicts)
+      verdicts.push_back({{"place", v.place}, {"judgement", word(v.judgement)}, {"printed", v.printed}, {"ours", v.ours}});
+    list.push_back({{"name", item.name}, {"verdicts", verdicts}});
+  }
+  fmt::print("{}\n", nlohmann::json{{"report", report}, {"items", list}}.dump());
+}
+
+void reproduce_paper(const Words& words) {
+  const std::vector<const ItemMaker*> makers = chosen(words.only);
+  const fs::path directory = words.directory;
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw InputError(fmt::format("-o {}: the folder cannot be made: {}", words.directory, error.message()));
+
+  const petsc::Environment environment;
+  std::vector<Item> items;
+  std::vector<double> seconds;
+  for (const ItemMaker* maker : makers) {
+    show(fmt::format("[{}/{}] {}: {} ", items.size() + 1, makers.size(), maker->name, maker->title));
+    const auto begin = std::chrono::steady_clock::now();
+    items.push_back(maker->make());
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    for (const reproduce::Figure& figure : items.back().figures) write(directory / (figure.name + ".csv"), to_csv(figure));
+  }
+  const std::string data = (directory / "report.json").string(), report = (directory / "report.html").string();
+  write(data, to_json(items, seconds));
+  show("drawing ");
+  run_python({.module = "reproduce", .product = "report"}, {"-o", report}, {data});
+  show("");
+  words.json ? print_json(items, report) : print(items, report);
+}
+
+}  // namespace
+
+void add_reproduce(CLI::App& app) {
+  const auto words = std::make_shared<Words>();
+  CLI::App* command = app.add_subcommand(
+      "reproduce", "Recompute Naderpour, Barros & Khatami 2015, with a verdict on each equation, table and figure");
+  std::string names;
+  for (const ItemMaker& maker : reproduce::item_makers()) names += (names.empty() ? "" : ", ") + std::string(maker.name);
+  command->add_option("--only", words->only, "A part of the paper, or several: " + names)->delimiter(',');
+  command->add_option("-o,--output", words->directory, "Folder of report.html, report.json, and of the figures as PNG and CSV")
+      ->capture_default_str();
+  command->add_flag("--json", words->json, "Print the verdicts as one JSON object");
+  command->callback([words] { reproduce_paper(*words); });
+}
+
+}  // namespace pounding::program

@@ -1,0 +1,106 @@
+#include "reproduce/impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include <pounding/error.hpp>
+#include <pounding/input.hpp>
+#include <pounding/laws/free_impact.hpp>
+#include <pounding/structures.hpp>
+
+namespace pounding::reproduce {
+namespace {
+
+// Far below what a drawing or a printed digit shows.
+constexpr double tolerance = 1e-8;
+
+}  // namespace
+
+Outcome run_text(const std::string& yaml) {
+  const Model model = read_model(Input::read_text(yaml, "reproduce.yaml"), kinds());
+  return run(model);
+}
+
+std::string Asking::yaml() const {
+  const laws::Entry& entry = laws::find_law(law);
+  std::string text = law;
+  for (const laws::ParameterInfo& p : entry.parameters)
+    if (p.need == laws::Need::required)
+      text += fmt::format(", {}: {}", p.name, p.name == "stiffness" && stiffness > 0 ? stiffness : p.typical);
+  if (entry.takes_restitution) text += fmt::format(", restitution: {}", restitution);
+  if (!formula.empty()) text += ", formula: " + formula;
+  return text;
+}
+
+laws::AnyLaw Asking::made(double reduced_mass) const {
+  laws::Settings settings = laws::typical_settings(laws::find_law(law));
+  settings.formula = formula;
+  settings.reduced_mass = reduced_mass;
+  if (stiffness > 0) settings.values["stiffness"] = stiffness;
+  if (settings.restitution) settings.restitution = restitution;
+  return laws::make_law(settings);
+}
+
+laws::FreeImpact Asking::free_impact(double reduced_mass, double speed) const {
+  return laws::free_impact(made(reduced_mass), reduced_mass, speed);
+}
+
+Loop collide(const std::string& law, double mass, double speed) {
+  // A body that creeps out of a contact leaves slowly; a long free flight costs nothing.
+  const double gap = 1e-3 * speed, duration = 100;
+  const Outcome outcome = run_text(fmt::format(
+      "structures:\n  body: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n  wall: {{wall: {{}}}}\n"
+      "links: [{{between: [body, wall], gap: {}, law: {}}}]\n"
+      "analysis: {{duration: {}, output_step: 1, tolerance: {}, integrator: esdirk4}}\n",
+      mass, speed, gap, law, duration, tolerance));
+  if (outcome.results.impacts.size() != 1)
+    throw SolverError(fmt::format("a thrown body meets the wall {} times with {}", outcome.results.impacts.size(), law));
+  return loop_of(outcome.results.links.at(0), outcome.results.impacts[0]);
+}
+
+Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points) {
+  const auto first = std::ranges::lower_bound(link.time, impact.t_start) - link.time.begin();
+  // The slack phase behind the release has no force to show.
+  const auto last = std::ranges::upper_bound(link.time, impact.t_release) - link.time.begin();
+  const double stride = std::max(1.0, static_cast<double>(last - first) / points);
+  Loop loop{.time = {}, .penetration = {}, .velocity = {}, .force = {}, .impact = impact};
+  const auto keep = [&](std::size_t i) {
+    loop.time.push_back(link.time[i] - impact.t_start);
+    loop.penetration.push_back(link.penetration[i]);
+    loop.velocity.push_back(link.velocity[i]);
+    loop.force.push_back(link.force[i]);
+  };
+  for (double place = static_cast<double>(first); place < static_cast<double>(last) - 1; place += stride)
+    keep(static_cast<std::size_t>(place));
+  if (last > first) keep(static_cast<std::size_t>(last - 1));
+  return loop;
+}
+
+double damping_number(const laws::AnyLaw& law, double closing_speed) {
+  return std::visit(
+      [&](const auto& chosen) -> double {
+        if constexpr (laws::has_damping<std::decay_t<decltype(chosen)>>) return chosen.damping_number(closing_speed);
+        return 0;
+      },
+      law);
+}
+
+double damping_coefficient(const laws::AnyLaw& law, double closing_speed) {
+  return std::visit(
+      [&](const auto& chosen) -> double {
+        if constexpr (laws::has_damping<std::decay_t<decltype(chosen)>>) return chosen.damping_for(closing_speed);
+        return 0;
+      },
+      law);
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+}  // namespace pounding::reproduce

@@ -1,0 +1,31 @@
+#pragma once
+/// Numbers and formulas that the paper prints, as it prints them. Its units are kN, t, m, s.
+
+#include <array>
+
+namespace pounding::reproduce::paper {
+
+/// Restitutions of Table 2, and of all its comparisons.
+inline constexpr std::array<double, 9> restitutions{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
+
+/// Section 5, "SDOF mass of two bodies 755.76 kN": read as 755.76 kg, see item table2.
+namespace example {
+inline constexpr double mass = 755.76, stiffness = 30000e3, speed = 10, restitution = 0.7;  // [kg], [N/m^1.5], [m/s]
+}
+/// Section 5.1: bodies of 100 t and 150 t.
+namespace accuracy {
+inline constexpr double mass = 60e3, stiffness = 22000e3, speed = 15;  // reduced [kg], [N/m^1.5], [m/s]
+}
+/// Section 6: kinetic energy losses of the reference and of the second model [kJ].
+namespace pair {
+inline constexpr double reference_speed = 10, reference_restitution = 0.5, reference_loss = 28.33261;
+inline constexpr double second_speed = 11, second_restitution = 0.45, second_loss = 28.64157;
+}  // namespace pair
+
+/// Eq. 19, from the highest power down: v_imp [m/s] of CR.
+inline constexpr std::array<double, 5> velocity_curve{494.32, -1299, 1285, -595.9, 116.67};
+
+/// Where the curves of Fig. 12 start, by the text: Eq. 38, Jankowski, Mahmoud.
+inline constexpr double start_eq38 = 61, start_jankowski = 3.5, start_mahmoud = 3.2;
+
+}  // namespace pounding::reproduce::paper

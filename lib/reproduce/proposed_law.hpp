@@ -1,0 +1,32 @@
+#pragma once
+/// What the paper's Eq. 16 with its Table 2 gives, as a function of the asked restitution and of k/v.
+
+#include <cmath>
+
+#include <pounding/laws/damping_formulas.hpp>
+#include <pounding/laws/exact_damping.hpp>
+
+namespace pounding::reproduce {
+
+/// a = c_imp v/k of Eq. 16, with the number that k/v is in the units chosen.
+inline double proposed_factor(double restitution, double k_over_v) {
+  return laws::naderpour_2015({.restitution = restitution, .closing_speed = 1, .stiffness = 1e3 * k_over_v});
+}
+
+/// The restitution that a free impact gives then.
+inline double proposed_restitution(double restitution, double k_over_v) {
+  return laws::restitution_of_factor(proposed_factor(restitution, k_over_v));
+}
+
+/// N - 1 of Table 2 at this restitution.
+inline double excess_exponent(double restitution) {
+  return std::log10(proposed_factor(restitution, 10) / proposed_factor(restitution, 1));
+}
+
+/// The number k/v with which Eq. 16 would give exactly the restitution that is asked.
+inline double fitting_k_over_v(double restitution) {
+  const double needed = laws::exact_factor({.restitution = restitution}) / proposed_factor(restitution, 1);
+  return std::pow(needed, 1 / excess_exponent(restitution));
+}
+
+}  // namespace pounding::reproduce

@@ -1,0 +1,111 @@
+#pragma once
+/// What a reproduction of the paper finds, as data: figures, tables, matrices and verdicts. Python draws and sets them;
+/// nothing here knows how they look.
+///
+/// The paper: Naderpour, Barros & Khatami 2015, Scientia Iranica, Transactions A. Texts may hold mathematics between dollar signs,
+/// in the TeX that matplotlib reads.
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pounding::reproduce {
+
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();  ///< an empty cell
+
+/// Values of one quantity. Columns of one figure may have different lengths.
+struct Column {
+  std::string name, unit;  ///< unit empty for a pure number
+  std::vector<double> values;
+};
+
+/// A line through points of two columns of its figure.
+struct Curve {
+  std::string label;  ///< empty: not in the legend
+  std::string x, y;   ///< names of columns
+  enum class Kind { line, thin, dashed, points } kind = Kind::line;
+};
+
+struct Panel {
+  std::string title, x_label, y_label;  ///< labels with their units
+  std::vector<Curve> curves;
+  bool x_log = false, y_log = false;
+};
+
+/// `columns` are what is drawn, and what stands in NAME.csv.
+struct Figure {
+  std::string name;       ///< of its files: "cyclic_velocity"
+  std::string of_paper;   ///< "Fig. 11"; empty where the paper has none
+  std::string caption;
+  std::vector<Column> columns;
+  std::vector<Panel> panels;
+
+  /// Adds a column and gives its name.
+  const std::string& add(std::string column, std::string unit, std::vector<double> values);
+  /// Adds two columns and a curve of the last panel. Columns are named after the panel's place and the label.
+  void plot(const std::string& label, std::vector<double> x, std::vector<double> y, Curve::Kind kind = Curve::Kind::line);
+  const Column& column(std::string_view column) const;  ///< throws std::out_of_range
+};
+
+/// A table has a first column of words; the others are numbers.
+struct Table {
+  std::string name, title;
+  std::string row_header;            ///< over the words
+  struct Heading {
+    std::string name, unit;
+    int decimals = 4;
+  };
+  std::vector<Heading> headings;
+  struct Row {
+    std::string name;
+    std::vector<double> values;      ///< NaN: nothing to say
+  };
+  std::vector<Row> rows;
+
+  double at(std::string_view row, std::string_view heading) const;  ///< throws std::out_of_range
+};
+
+struct Matrix {
+  std::string name, unit;            ///< name in mathematics
+  std::vector<std::vector<double>> rows;
+};
+
+struct Equation {
+  std::string number, tex;           ///< "16"
+};
+
+/// How a claim of the paper stands.
+enum class Judgement { agrees, disagrees, cannot_be_checked };
+
+struct Verdict {
+  std::string place;                 ///< "Eq. 4", "Table 2", "Fig. 12"
+  std::string claim, printed, ours;
+  Judgement judgement = Judgement::agrees;
+  std::string reason;                ///< to what it agrees; the likely cause; or what is missing
+};
+
+/// One part of the paper.
+struct Item {
+  std::string name, title, sections; ///< `name` is what --only takes
+  std::vector<std::string> paragraphs;
+  std::vector<Equation> equations;
+  std::vector<Matrix> matrices;
+  std::vector<Figure> figures;
+  std::vector<Table> tables;
+  std::vector<Verdict> verdicts;
+
+  const Figure& figure(std::string_view figure) const;  ///< throws std::out_of_range
+  const Table& table(std::string_view table) const;
+  const Verdict& verdict(std::string_view place) const;  ///< the first one of this place
+};
+
+std::string_view word(Judgement judgement);  ///< "agrees", "does not agree", "cannot be checked"
+
+/// The object that report.json holds and the Python page describes; `seconds` is what each item took.
+std::string to_json(const std::vector<Item>& items, const std::vector<double>& seconds);
+/// The columns side by side, with units in the header and empty cells below the shorter ones.
+std::string to_csv(const Figure& figure);
+
+}  // namespace pounding::reproduce
