@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -16,7 +16,6 @@
 
 #include <pounding/error.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/replace_file.hpp>
 #include "commands.hpp"
 #include "python_process.hpp"
 #include "reproduce/items.hpp"
@@ -41,7 +40,12 @@ std::vector<const ItemMaker*> chosen(const std::vector<std::string>& only) {
   return result;
 }
 
-void write(const fs::path& file, const std::string& text) { replace_file(file.string(), std::as_bytes(std::span(text))); }
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file);
+  stream << text;
+  stream.close();
+  if (!stream) throw InputError(fmt::format("{} cannot be written. Name another folder: -o FOLDER", file.string()));
+}
 
 /// A line on the terminal that the next one overwrites.
 void show(const std::string& text) {

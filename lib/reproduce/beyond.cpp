@@ -119,8 +119,9 @@ struct Oscillators {
               {}};
   Figure figure{.name = "beyond_oscillators",
                 .of_paper = "",
-                .caption = "Two oscillators of 100 t, 0.8 s and 150 t, 0.4 s, 20 mm apart, 0.65 asked. Left: the right side of the gap that the "
-                           "left one crosses, by three calibrations of one law. Right: restitution of every impact.",
+                .caption = "Two oscillators of 100 t, 0.8 s and 150 t, 0.4 s, 20 mm apart, 0.65 asked. Left: the left one by three "
+                           "calibrations of one law. Right: restitution of every impact; with the exact calibration it lies below the one asked because "
+                           "the springs of the oscillators hold the bodies together.",
                 .columns = {},
                 .panels = {}};
 };

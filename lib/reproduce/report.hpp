@@ -55,7 +55,7 @@ struct Table {
   std::string row_header;            ///< over the words
   struct Heading {
     std::string name, unit;
-    int decimals = 4;
+    int decimals = 4;  ///< shown; -3: three digits, of sizes that differ by powers of ten
   };
   std::vector<Heading> headings;
   struct Row {

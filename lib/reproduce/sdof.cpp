@@ -76,9 +76,11 @@ std::vector<double> forces(const Touching& t, double c, const std::vector<double
   return result;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+/// While they touch: the samples before the touch and after the separation have no force.
+double largest_difference(const std::vector<double>& a, const std::vector<double>& measured) {
   double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (measured[i] != 0) largest = std::max(largest, std::abs(a[i] - measured[i]));
   return largest;
 }
 

@@ -117,7 +117,7 @@ Item table2() {
                              row.peak_force / 1e3, row.energy_lost / 1e3, loss, percent(row.energy_lost / 1e3, loss)}});
   }
   Table rows{"rows", "Table 2: restitution that Eq. 16 gives, by the unit of k, and k/v that would make the row exact", "CR asked",
-             {{"k in MN", "", 4}, {"k in kN", "", 4}, {"k in N", "", 4}, {"error, k in kN", "%", 2}, {"fitting k/v", "", 3}}, {}};
+             {{"k in MN", "", 4}, {"k in kN", "", 4}, {"k in N", "", 4}, {"error, k in kN", "%", 2}, {"fitting k/v", "", -3}}, {}};
   for (const double e : paper::restitutions)
     rows.rows.push_back({fmt::format("{:.1f}", e),
                          {proposed_restitution(e, kilonewtons / 1e3), proposed_restitution(e, kilonewtons),

@@ -1,6 +1,7 @@
 """The parts of the page of `pounding reproduce`, as HTML."""
 
 import html
+import re
 
 from pounding.mathematics import formula, rich
 
@@ -12,12 +13,12 @@ STYLE_SHEET = """
 :root { --ink: #1c2430; --quiet: #5b6675; --line: #d9dee5; --paper: #ffffff; --wash: #f5f7fa; --accent: #0072B2; }
 * { box-sizing: border-box; }
 body { margin: 0; color: var(--ink); background: var(--paper); font: 16px/1.55 Charter, "Bitstream Charter", Cambria, Georgia, serif; }
-main { max-width: 54rem; margin: 0 auto; padding: 2.5rem 1.5rem 5rem; }
+main { max-width: 62rem; margin: 0 auto; padding: 2.5rem 1.5rem 5rem; }
 h1, h2, h3, nav, table, figcaption, .badge, .place, .quiet { font-family: "Source Sans 3", "Segoe UI", Helvetica, Arial, sans-serif; }
 h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .4rem; }
 h2 { font-size: 1.4rem; margin: 3.2rem 0 .1rem; padding-top: 1rem; border-top: 2px solid var(--ink); }
 h3 { font-size: 1rem; margin: 1.8rem 0 .5rem; }
-p { margin: .7rem 0; }
+p { margin: .7rem 0; max-width: 48rem; }
 .quiet { color: var(--quiet); font-size: .88rem; }
 a { color: var(--accent); text-decoration: none; } a:hover { text-decoration: underline; }
 code { font-size: .88em; background: var(--wash); padding: .1em .3em; border-radius: 3px; }
@@ -26,7 +27,7 @@ th, td { padding: .3rem .6rem; text-align: right; border-bottom: 1px solid var(-
 th { font-weight: 600; vertical-align: bottom; border-bottom: 1.5px solid var(--ink); }
 th:first-child, td:first-child, table.words th, table.words td { text-align: left; }
 table.words { width: 100%; table-layout: fixed; }
-table.words td { overflow-wrap: anywhere; }
+table.words td { overflow-wrap: break-word; hyphens: auto; }
 th .unit { display: block; font-weight: 400; color: var(--quiet); }
 td:first-child { white-space: nowrap; } table.words td:first-child { white-space: normal; }
 .scroll { overflow-x: auto; margin: .4rem 0 1.2rem; }
@@ -35,7 +36,7 @@ td:first-child { white-space: nowrap; } table.words td:first-child { white-space
 .place { font-weight: 600; }
 .reason { color: var(--quiet); }
 figure { margin: 1.6rem 0; } figure img { width: 100%; height: auto; display: block; }
-figure.narrow img { width: 72%; margin: 0 auto; }
+figure.narrow img { width: 68%; margin: 0; }
 figcaption { font-size: .85rem; color: var(--quiet); margin-top: .4rem; } figcaption b { color: var(--ink); }
 .equations { margin: 1rem 0; padding: .5rem 1rem; background: var(--wash); border-left: 3px solid var(--line); overflow-x: auto; }
 .equation { display: flex; padding: .3rem 0; justify-content: space-between; align-items: center; gap: 1.5rem; min-height: 2.4em; }
@@ -83,8 +84,8 @@ def _verdicts(verdicts):
     rows = "".join(
         f'<tr><td>{badge(v["judgement"])}<br><span class="place">{rich(v["place"])}</span></td><td>{rich(v["claim"])}</td>'
         f'<td>{rich(v["printed"])}</td><td>{rich(v["ours"])}</td><td class="reason">{rich(v["reason"])}</td></tr>' for v in verdicts)
-    return ('<h3>Verdicts</h3><div class="scroll"><table class="words"><colgroup><col style="width:17%"><col style="width:18%">'
-            '<col style="width:15%"><col style="width:26%"><col style="width:24%"></colgroup>'
+    return ('<h3>Verdicts</h3><div class="scroll"><table class="words"><colgroup><col style="width:19%"><col style="width:17%">'
+            '<col style="width:16%"><col style="width:25%"><col style="width:23%"></colgroup>'
             f'<tr><th>Where</th><th>Claim</th><th>Printed</th><th>Ours</th><th>To what, or why not</th></tr>{rows}</table></div>')
 
 
@@ -107,7 +108,7 @@ def item_head(item):
     paragraphs = "".join(f"<p>{rich(text)}</p>" for text in item["paragraphs"])
     return (f'<section id="{item["name"]}"><h2>{html.escape(item["title"])}</h2>'
             f'<p class="quiet">{html.escape(item["sections"])}. <code>pounding reproduce --only {item["name"]}</code>, '
-            f'computed in {item["seconds"]:.1f} s.</p>{paragraphs}{_equations(item["equations"])}{_matrices(item["matrices"])}'
+            f'computed in {item["seconds"]:.2f} s.</p>{paragraphs}{_equations(item["equations"])}{_matrices(item["matrices"])}'
             f'{_verdicts(item["verdicts"])}')
 
 
@@ -120,19 +121,24 @@ def figure(described, address):
 
 
 def _number(value, decimals):
-    """With so many decimals; in powers of ten where that would show nothing or too much."""
+    """With so many decimals; with so many digits where `decimals` is negative."""
     if value is None:
         return "&ndash;"
-    size = abs(value)
-    if value != 0 and (size >= 1e7 or size < 0.5 * 10.0**-decimals):
-        mantissa, exponent = f"{value:.2e}".split("e")
-        return f"{mantissa}&middot;10<sup>{int(exponent)}</sup>".replace("-", "&minus;")
-    return f"{value:.{decimals}f}".replace("-", "&minus;")
+    if decimals >= 0:
+        text = f"{round(value, decimals) + 0.0:.{decimals}f}"  # no minus before zero
+    else:
+        mantissa, _, exponent = f"{value:.{-decimals}g}".partition("e")
+        text = mantissa + (f"&middot;10<sup>{int(exponent)}</sup>" if exponent else "")
+    return text.replace("-", "&minus;")
+
+
+def _unit(text):
+    return re.sub(r"\^([\d.]+)", r"<sup>\1</sup>", html.escape(text))
 
 
 def table(described):
     """A table of numbers, units below the headings."""
-    headings = "".join(f'<th>{rich(h["name"])}<span class="unit">{html.escape(h["unit"])}</span></th>' for h in described["headings"])
+    headings = "".join(f'<th>{rich(h["name"])}<span class="unit">{_unit(h["unit"])}</span></th>' for h in described["headings"])
     decimals = [h["decimals"] for h in described["headings"]]
     rows = "".join(f'<tr><td>{rich(row["name"])}</td>' +
                    "".join(f"<td>{_number(value, places)}</td>" for value, places in zip(row["values"], decimals)) + "</tr>"

@@ -8,61 +8,75 @@ verdicts}]}, as lib/reproduce/report.hpp describes them.
 import argparse
 import html
 import json
+import re
 import sys
 from pathlib import Path
 
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
+from matplotlib.transforms import ScaledTranslation
 
 from pounding import page
 from pounding.mathematics import data_uri, rich, svg_of
 from pounding.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
 
-#: Black comes last but one: most figures have no more than six curves.
-COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.25", "#8C6D31", "0.6")
-DRAWN = {"line": {}, "thin": {"linewidth": 0.7}, "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2},
+COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
+#: What others are compared with is black in every figure.
+REFERENCE = "0.1"
+DRAWN = {"line": {}, "thin": {"linewidth": 0.7}, "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2, "color": REFERENCE},
          "points": {"linestyle": "none", "marker": "o", "markersize": 3.5}}
 MATH = {"text.parse_math": True, "mathtext.fontset": "dejavusans", "svg.fonttype": "path", "svg.hashsalt": "pounding"}
 
 
 def draw(figure) -> Figure:
-    """One figure of the report, its panels side by side, the legends below them."""
+    """One figure of the report, its panels side by side, the legends below them. A label has one colour in all panels."""
     columns = {column["name"]: np.array(column["values"], float) for column in figure["columns"]}
     panels = figure["panels"]
+    labels = list(dict.fromkeys(curve["label"] for panel in panels for curve in panel["curves"]
+                                if curve["kind"] != "dashed" and curve["label"] != "exact"))
+    colours = {label: COLOURS[number % len(COLOURS)] for number, label in enumerate(labels)} | {"exact": REFERENCE}
+    if not _share_labels(panels):
+        colours |= {curve["label"]: COLOURS[number % len(COLOURS)] for panel in panels
+                    for number, curve in enumerate(panel["curves"])}
     with rc_context(STYLE | MATH):
-        drawn = Figure(figsize=(7.6 if len(panels) > 1 else 5.4, 3.5 if len(panels) < 3 else 3.2), layout="constrained")
+        drawn = Figure(figsize=(7.6 if len(panels) > 1 else 5.4, 3.5), layout="constrained")
         for axes, panel in zip(drawn.subplots(1, len(panels), squeeze=False)[0], panels):
-            _draw_panel(axes, panel, columns)
+            for curve in panel["curves"]:
+                axes.plot(columns[curve["x"]], columns[curve["y"]],
+                          **{"label": _powers(curve["label"]), "color": colours.get(curve["label"])} | DRAWN[curve["kind"]])
+            axes.set(title=_powers(panel["title"]), xlabel=_powers(panel["x_label"]), ylabel=_powers(panel["y_label"]))
+            axes.set(xscale="log" if panel["x_log"] else "linear", yscale="log" if panel["y_log"] else "linear")
         _add_legends(drawn, panels)
         return drawn
 
 
-def _draw_panel(axes, panel, columns):
-    for number, curve in enumerate(panel["curves"]):
-        colour = COLOURS[number % len(COLOURS)]
-        axes.plot(columns[curve["x"]], columns[curve["y"]], label=curve["label"], color=colour, **DRAWN[curve["kind"]])
-    axes.set(title=panel["title"], xlabel=panel["x_label"], ylabel=panel["y_label"])
-    if panel["x_log"]:
-        axes.set_xscale("log")
-    if panel["y_log"]:
-        axes.set_yscale("log")
+def _powers(text):
+    """Exponents raised: "m^1.5"."""
+    return re.sub(r"\^([\d.]+)", r"$^{\1}$", text)
+
+
+def _share_labels(panels):
+    labels = [{curve["label"] for curve in panel["curves"]} for panel in panels]
+    return len(panels) > 1 and bool(set.intersection(*labels))
 
 
 def _add_legends(figure, panels):
-    """One legend for all panels when they show the same curves, else one each."""
-    labels = [[curve["label"] for curve in panel["curves"]] for panel in panels]
-    longest = max(labels, key=len)
-    if len(panels) > 1 and all(set(some) <= set(longest) for some in labels) and _same_colours(labels, longest):
-        handles = figure.axes[labels.index(longest)].get_legend_handles_labels()
-        figure.legend(*handles, loc="outside lower center", ncols=min(4, len(longest)))
+    """One legend for all panels that have curves in common, else one each."""
+    if _share_labels(panels):
+        lines = {}
+        for axes in figure.axes:
+            for line, label in zip(*axes.get_legend_handles_labels()):
+                # Of a line and points of the same thing the line is shown.
+                if label not in lines or line.get_linestyle() != "None":
+                    lines[label] = line
+        longest = max(map(len, lines))
+        figure.legend(lines.values(), lines, loc="outside lower center", ncols=min(len(lines), 4 if longest < 26 else 3))
         return
-    for axes, some in zip(figure.axes, labels):
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=1 if len(panels) > 2 else 2 if len(some) > 3 else 1)
-
-
-def _same_colours(labels, longest):
-    return all(longest.index(label) == number for some in labels for number, label in enumerate(some))
+    below_label = ScaledTranslation(0, -0.45, figure.dpi_scale_trans)
+    for axes, panel in zip(figure.axes, panels):
+        columns = 1 if len(panels) > 2 or len(panel["curves"]) <= 3 else 2
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=axes.transAxes + below_label, ncols=columns)
 
 
 def build(report, directory):

@@ -6,13 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
 
-#include <pounding/laws/cyclic_calibration.hpp>
+#include <pounding/error.hpp>
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 #include "reproduce/paper.hpp"
@@ -79,7 +82,11 @@ TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
   const Figure& figure = item.figure("sdof_contact");
   const auto& by_time = figure.column("Eq. 2: time integration, y").values;
   const auto& by_matrix = figure.column("Eq. 2: Eq. 2, link at both bodies, y").values;
-  for (std::size_t i = 0; i < by_time.size(); ++i) EXPECT_NEAR(by_time[i], by_matrix[i], 1e-5 * 1303) << i;
+  // Before the touch and after the separation there is no force to compare.
+  for (std::size_t i = 0; i < by_time.size(); ++i)
+    if (by_time[i] != 0) {
+      EXPECT_NEAR(by_time[i], by_matrix[i], 1e-5 * 1000) << i;
+    }
   expect_judgement(item, "Eq. 2", Judgement::disagrees);
 }
 
@@ -102,7 +109,9 @@ TEST(Reproduction, OfTheLawsMeasuresWhatTableOneClaims) {
   EXPECT_GE(t.at("Kelvin-Voigt, Eqs. 5-7", "largest pull"), 0.5 * 0.5 * c * (1 - 1e-3));
   EXPECT_EQ(t.at("Hertz damped, Eqs. 11, 12", "largest pull"), 0);
   for (const Table::Row& row : item.table("exact").rows)
-    if (std::isfinite(row.values[1])) EXPECT_NEAR(row.values[0], 0.5, 1e-5) << row.name;
+    if (std::isfinite(row.values[1])) {
+      EXPECT_NEAR(row.values[0], 0.5, 1e-5) << row.name;
+    }
   EXPECT_NE(item.verdict("Eq. 8").ours.find("0.1814"), std::string::npos) << "reference, dashpot in both phases";
   expect_judgement(item, "Eq. 4", Judgement::disagrees);
   expect_judgement(item, "Eqs. 6, 7", Judgement::agrees);
@@ -129,11 +138,12 @@ TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
   constexpr reference::Nine obtained{0.0665, 0.1503, 0.2474, 0.3532, 0.4656, 0.5860, 0.7115, 0.8334, 0.9346};
   for (std::size_t i = 0; i < 9; ++i)
     expect_printed(item.table("rows"), fmt::format("{:.1f}", paper::restitutions[i]), "k in kN", obtained[i], 4);
-  // Reference: a scan of k/v has its least error of 2.3 % RMS at 1.51; rows need from 0.04 to 1e12.
+  // Independent scan of k/v: least error 2.308 % RMS at 1.52. By hand from a = 0.974872, N - 1 = -0.0027 at 0.6: k/v = 2.8e12;
+  // from a = 1.432751, N - 1 = 0.0115 at 0.5: 0.043.
   const Verdict& table = item.verdict("Table 2");
-  EXPECT_NE(table.reason.find("The best is 1.51, with 2.3 % RMS"), std::string::npos) << table.reason;
-  EXPECT_NE(table.reason.find("from 0.04"), std::string::npos) << table.reason;
-  EXPECT_NE(table.reason.find("to 1e+12"), std::string::npos) << table.reason;
+  EXPECT_NE(table.reason.find("The best is 1.52, with 2.3 % RMS"), std::string::npos) << table.reason;
+  EXPECT_NE(table.reason.find("from 0.043"), std::string::npos) << table.reason;
+  EXPECT_NE(table.reason.find("to 3e+12"), std::string::npos) << table.reason;
   EXPECT_NE(item.verdict("Section 5, mass").ours.find("2889 kJ"), std::string::npos) << item.verdict("Section 5, mass").ours;
   expect_judgement(item, "Section 5, mass", Judgement::disagrees);
   expect_judgement(item, "Fig. 6", Judgement::cannot_be_checked);
