@@ -52,6 +52,11 @@ void show(const std::string& text) {
   if (isatty(STDERR_FILENO) != 0) std::fputs(("\r\033[K" + text).c_str(), stderr);
 }
 
+/// Leaves the terminal clean, whatever happens.
+struct ProgressLine {
+  ~ProgressLine() { show(""); }
+};
+
 void print(const std::vector<Item>& items, const std::string& report) {
   int counts[3] = {0, 0, 0};
   for (const Item& item : items) {
@@ -76,14 +81,9 @@ void print_json(const std::vector<Item>& items, const std::string& report) {
   fmt::print("{}\n", nlohmann::json{{"report", report}, {"items", list}}.dump());
 }
 
-void reproduce_paper(const Words& words) {
-  const std::vector<const ItemMaker*> makers = chosen(words.only);
-  const fs::path directory = words.directory;
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw InputError(fmt::format("-o {}: the folder cannot be made: {}", words.directory, error.message()));
-
-  const petsc::Environment environment;
+std::vector<Item> compute_and_draw(const std::vector<const ItemMaker*>& makers, const fs::path& directory, const fs::path& data,
+                                   const fs::path& report) {
+  const ProgressLine line;
   std::vector<Item> items;
   std::vector<double> seconds;
   for (const ItemMaker* maker : makers) {
@@ -93,12 +93,23 @@ void reproduce_paper(const Words& words) {
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     for (const reproduce::Figure& figure : items.back().figures) write(directory / (figure.name + ".csv"), to_csv(figure));
   }
-  const std::string data = (directory / "report.json").string(), report = (directory / "report.html").string();
   write(data, to_json(items, seconds));
   show("drawing ");
-  run_python({.module = "reproduce", .product = "report"}, {"-o", report}, {data});
-  show("");
-  words.json ? print_json(items, report) : print(items, report);
+  run_python({.module = "reproduce", .product = "report"}, {"-o", report.string()}, {data.string()});
+  return items;
+}
+
+void reproduce_paper(const Words& words) {
+  const std::vector<const ItemMaker*> makers = chosen(words.only);
+  const fs::path directory = words.directory;
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw InputError(fmt::format("-o {}: the folder cannot be made: {}", words.directory, error.message()));
+
+  const petsc::Environment environment;
+  const fs::path data = directory / "report.json", report = directory / "report.html";
+  const std::vector<Item> items = compute_and_draw(makers, directory, data, report);
+  words.json ? print_json(items, report.string()) : print(items, report.string());
 }
 
 }  // namespace

@@ -151,7 +151,8 @@ Item force_laws() {
        Judgement::disagrees,
        "a dot is missing. It may be lost in the text at hand only; Table 1 has it. Without it nothing would be dissipated."},
       obtained(t, "Eqs. 6, 7", "Kelvin-Voigt, Eqs. 5-7", "The damping ratio follows from $CR$", "exact",
-               "to the digits shown, as long as the bodies stay together until $\\delta = 0$, pulling at the end."),
+               "to the digits shown, as long as the bodies stay together until $\\delta = 0$, pulling at the end. Reference [2] is of "
+               "1988, not 1998."),
       {"Eqs. 5-7, Table 1", "The viscous element stays active while the bodies separate", "a disadvantage",
        fmt::format("pull of {:.0f} kN, {:.0f} % of the peak force; and a jump to {:.0f} kN at the touch", pull, 100 * pull / push,
                    t.at("Kelvin-Voigt, Eqs. 5-7", "force at touch")),

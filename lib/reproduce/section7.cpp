@@ -171,7 +171,7 @@ Item section7() {
   item.verdicts = {
       {"Eqs. 23-38", "Eq. 38 follows from Eqs. 23-37", "derived",
        fmt::format("Eq. 34 with Eqs. 24 and 38 loses what Eq. 18 asks for, {:.4f} kJ at 0.5", derivation.at("0.5", "Eq. 34, energy lost")),
-       Judgement::agrees, "as algebra, with $\\dot{\\delta}_{final} = CR\\,\\dot{\\delta}_{imp}$."},
+       Judgement::agrees, "as algebra, with $\\dot{\\delta}_{final} = CR\\,\\dot{\\delta}_{imp}$. Eq. 27 lacks its =, Eqs. 35-37 the dots of the impact velocity."},
       {"Eqs. 22-24", "The energy of the damper is that of a harmonic motion", "$\\delta_{max}$ from the loss of a cycle",
        fmt::format("at 0.5 Eq. 24 gives {:.3f} mm, the impact {:.3f} mm; lost are {:.3f} kJ instead of {:.3f} kJ",
                    derivation.at("0.5", "Eq. 24, penetration"), derivation.at("0.5", "penetration"), derivation.at("0.5", "energy lost"),
