@@ -85,7 +85,7 @@ Pair pair_of_loops() {
              .columns = {},
              .panels = {{"", "Penetration [mm]", "Contact force [kN]", {}}}},
             {"pair",
-             "The two models, 755.76 kg, k = 30000 kN/m^1.5",
+             "The two models, 755.76 kg, $k$ = 30000 kN/m$^{1.5}$",
              "damping of, struck at",
              {{"c_imp", "kN s/m^2.5", 2}, {"restitution", "", 4}, {"loop area", "kJ", 4}, {"Eq. 18, CR asked", "kJ", 4}},
              {}}};
@@ -242,7 +242,7 @@ Item cyclic() {
       "that makes formulas unnecessary. But the balance holds then at every velocity: it relates velocity and restitution only if "
       "something else is held. If Eq. 18 and the loop are compared with the same $v$ and $CR$, Table 2 balances at absurd velocities "
       "(last column of the table). If kinetic losses are held equal, the velocity grows with the restitution. If loops struck at one "
-      "speed are held equal, that is $c_{imp}$, the velocity falls as Eq. 19 does: this must be how the curve was made."};
+      "speed are held equal, that is $c_{imp}$, the velocity falls much as Eq. 19 does: this is probably how the curve was made."};
 
   const double first_loss = kinetic_loss(mass, reference_speed, reference_restitution) / 1e3;
   const double second_eq18 = kinetic_loss(mass, second_speed, second_restitution) / 1e3;

@@ -105,7 +105,7 @@ Item table2() {
       "The paper gives $k = 30000$ without a unit; with $\\delta^{1.5}$ and kN it is kN/m$^{1.5}$. It calls 755.76 kN a mass: its "
       "energies (see the item on section 6) are those of 755.76 kg."};
 
-  Table example{"example", "755.76 kg, k = 30000 kN/m^1.5, v = 10 m/s, restitution 0.7 asked", "formula",
+  Table example{"example", "755.76 kg, $k$ = 30000 kN/m$^{1.5}$, $v$ = 10 m/s, restitution 0.7 asked", "formula",
                 {{"a", "", 6}, {"c_imp", "kN s/m^2.5", 3}, {"restitution", "", 5}, {"penetration", "m", 6}, {"peak force", "kN", 3},
                  {"energy lost", "kJ", 5}, {"Eq. 18", "kJ", 5}, {"error of energy", "%", 2}},
                 {}};

@@ -8,6 +8,8 @@ from pounding.mathematics import formula, rich
 BADGES = {"agrees": "yes", "does not agree": "no", "cannot be checked": "open"}
 OF_SEVERAL = {"agrees": "agree", "does not agree": "do not agree", "cannot be checked": "cannot be checked"}
 TITLE = "The paper, recomputed"
+#: Tables with more rows than these are folded.
+LONG_TABLE = 25
 
 STYLE_SHEET = """
 :root { --ink: #1c2430; --quiet: #5b6675; --line: #d9dee5; --paper: #ffffff; --wash: #f5f7fa; --accent: #0072B2; }
@@ -31,8 +33,10 @@ table.words td { overflow-wrap: break-word; hyphens: auto; }
 th .unit { display: block; font-weight: 400; color: var(--quiet); }
 td:first-child { white-space: nowrap; } table.words td:first-child { white-space: normal; }
 .scroll { overflow-x: auto; margin: .4rem 0 1.2rem; }
+summary { font: .85rem Helvetica, Arial, sans-serif; color: var(--accent); cursor: pointer; }
 .badge { display: inline-block; font-size: .74rem; font-weight: 600; padding: .1rem .5rem; border-radius: 1rem; white-space: nowrap; }
 .yes { background: #d9f0e6; color: #005c42; } .no { background: #fbe0d2; color: #8a3500; } .open { background: #e7eaef; color: #444f5e; }
+table.words .badge { white-space: normal; }
 .place { font-weight: 600; }
 .reason { color: var(--quiet); }
 figure { margin: 1.6rem 0; } figure img { width: 100%; height: auto; display: block; }
@@ -132,19 +136,21 @@ def _number(value, decimals):
     return text.replace("-", "&minus;")
 
 
-def _unit(text):
+def _powers(text):
     return re.sub(r"\^([\d.]+)", r"<sup>\1</sup>", html.escape(text))
 
 
 def table(described):
-    """A table of numbers, units below the headings."""
-    headings = "".join(f'<th>{rich(h["name"])}<span class="unit">{_unit(h["unit"])}</span></th>' for h in described["headings"])
+    """A table of numbers, units below the headings; a long one is folded."""
+    headings = "".join(f'<th>{rich(h["name"])}<span class="unit">{_powers(h["unit"])}</span></th>' for h in described["headings"])
     decimals = [h["decimals"] for h in described["headings"]]
-    rows = "".join(f'<tr><td>{rich(row["name"])}</td>' +
+    rows = "".join(f'<tr><td>{_powers(row["name"])}</td>' +
                    "".join(f"<td>{_number(value, places)}</td>" for value, places in zip(row["values"], decimals)) + "</tr>"
                    for row in described["rows"])
-    return (f'<h3>{rich(described["title"])}</h3><div class="scroll"><table><tr><th>{rich(described["row_header"])}</th>{headings}</tr>'
-            f"{rows}</table></div>")
+    whole_table = (f'<div class="scroll"><table><tr><th>{rich(described["row_header"])}</th>{headings}</tr>{rows}</table></div>')
+    if len(described["rows"]) > LONG_TABLE:
+        whole_table = f'<details><summary>{len(described["rows"])} rows</summary>{whole_table}</details>'
+    return f'<h3>{rich(described["title"])}</h3>{whole_table}'
 
 
 def whole(body):

@@ -87,7 +87,7 @@ def build(report, directory):
         for figure in item["figures"]:
             drawn = draw(figure)
             with rc_context(STYLE | MATH):
-                drawn.savefig(directory / f"{figure['name']}.png", dpi=150)
+                drawn.savefig(directory / f"{figure['name']}.png", dpi=120)
                 parts.append(page.figure(figure, data_uri(svg_of(drawn))))
         parts += [page.table(table) for table in item["tables"]]
         parts.append("</section>")
