@@ -1,0 +1,263 @@
+#include "pounding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <initializer_list>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <pounding/laws/free_impact.hpp>
+
+struct pnd_law {
+  pounding::laws::AnyLaw law;
+};
+
+namespace {
+
+namespace laws = pounding::laws;
+
+static_assert(sizeof(pnd_contact) == PND_CONTACT_DOUBLES * sizeof(double));
+
+// An array of its own, so that the text of a lack of memory needs none and a thread leaves nothing to tidy up.
+thread_local std::array<char, 512> last_error{};
+
+pnd_status fail(pnd_status status, std::string_view text) noexcept {
+  const std::size_t length = std::min(text.size(), last_error.size() - 1);
+  std::copy_n(text.data(), length, last_error.data());
+  last_error[length] = '\0';
+  return status;
+}
+
+// No exception crosses into C.
+template <class Call>
+int guarded(Call&& call) noexcept {
+  try {
+    call();
+    return PND_OK;
+  } catch (const std::invalid_argument& error) {
+    return fail(PND_BAD_ARGUMENT, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(PND_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(PND_FAILED, error.what());
+  } catch (...) {
+    return fail(PND_FAILED, "unknown failure");
+  }
+}
+
+void require(const void* pointer, const char* name) {
+  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
+}
+
+void require_finite(const char* name, double value) {
+  if (!std::isfinite(value)) laws::refuse(name, value, "finite");
+}
+
+laws::Settings settings(const char* law, const char* formula, const pnd_value* values, size_t count) {
+  laws::Settings s{.law = law, .formula = formula ? formula : ""};
+  std::vector<std::string_view> seen;
+  for (size_t i = 0; i < count; ++i) {
+    require(values[i].name, "name of a value");
+    const std::string_view name = values[i].name;
+    if (std::ranges::find(seen, name) != seen.end()) throw std::invalid_argument(std::string(name) + " is given twice");
+    seen.push_back(name);
+    if (name == "restitution")
+      s.restitution = values[i].value;
+    else if (name == "impact_velocity")
+      s.impact_velocity = values[i].value;
+    else if (name == "reduced_mass")
+      s.reduced_mass = values[i].value;
+    else
+      s.values.emplace(name, values[i].value);
+  }
+  return s;
+}
+
+laws::Impact impact_of(const pnd_contact& c) noexcept {
+  return {.closing_speed = c.closing_speed, .damping = c.damping, .largest_penetration = c.largest_penetration, .slip = c.slip};
+}
+
+void put(const laws::Impact& impact, pnd_contact& c) noexcept {
+  c.closing_speed = impact.closing_speed;
+  c.damping = impact.damping;
+  c.largest_penetration = impact.largest_penetration;
+  c.slip = impact.slip;
+}
+
+template <class L>
+void begin(const L& law, double closing_speed, pnd_contact& c) {
+  put(laws::touch(law, closing_speed), c);
+  c.touching = 1;
+}
+
+template <class L>
+void end(const L&, double left, pnd_contact& c) noexcept {
+  c.touching = 0;
+  put({}, c);
+  if (laws::leaves_indentation<L>) c.indentation += std::max(left, 0.0);
+}
+
+template <class L>
+void accept(const L& law, double penetration, double rate, pnd_contact& c) {
+  const double d = penetration - c.indentation;
+  if (!(d > 0)) {
+    if (c.touching != 0) end(law, 0, c);
+    return;
+  }
+  if (c.touching == 0) begin(law, std::max(rate, 0.0), c);
+  laws::Impact impact = impact_of(c);
+  if (laws::leaves_indentation<L> && !(law.contact(d, rate, impact).force > 0)) return end(law, d, c);
+  laws::keep(law, d, rate, impact);
+  put(impact, c);
+}
+
+const laws::Entry& entry_at(size_t law) {
+  if (law >= laws::catalogue().size())
+    throw std::invalid_argument("there is no law " + std::to_string(law) + "; there are " +
+                                std::to_string(laws::catalogue().size()));
+  return laws::catalogue()[law];
+}
+
+// The texts of the tables are literals, which end with a zero.
+pnd_parameter_info info_of(const laws::ParameterInfo& p) noexcept {
+  const int need = p.need == laws::Need::required ? PND_REQUIRED : p.need == laws::Need::optional ? PND_OPTIONAL : PND_DAMPING;
+  return {p.name.data(), p.unit.data(), p.meaning.data(), p.typical, need};
+}
+
+std::vector<pnd_parameter_info> parameters_of(const laws::Entry& entry) {
+  std::vector<pnd_parameter_info> list;
+  for (const laws::ParameterInfo& p : entry.parameters) list.push_back(info_of(p));
+  if (entry.takes_restitution)
+    list.push_back({"restitution", "", "coefficient of restitution, in (0, 1]", laws::typical_restitution,
+                    entry.direct_damping().empty() ? PND_REQUIRED : PND_DAMPING});
+  if (entry.takes_impact_velocity)
+    list.push_back({"impact_velocity", "m/s", "fixed design velocity; without it each impact takes its own",
+                    laws::typical_closing_speed, PND_OPTIONAL});
+  if (entry.takes_reduced_mass)
+    list.push_back({"reduced_mass", "kg", "m1 m2/(m1 + m2) of the colliding bodies", laws::typical_reduced_mass, PND_REQUIRED});
+  return list;
+}
+
+}  // namespace
+
+int pnd_interface(void) { return PND_INTERFACE; }
+const char* pnd_version(void) { return POUNDING_VERSION; }
+const char* pnd_error_text(void) { return last_error.data(); }
+
+int pnd_create(const char* law, const char* formula, const pnd_value* values, size_t count, pnd_law** made) {
+  return guarded([&] {
+    require(made, "made");
+    *made = nullptr;
+    require(law, "law");
+    if (count > 0) require(values, "values");
+    *made = new pnd_law{laws::make_law(settings(law, formula, values, count))};
+  });
+}
+
+void pnd_destroy(pnd_law* law) { delete law; }
+
+int pnd_touch(const pnd_law* law, double closing_speed, pnd_contact* contact) {
+  return guarded([&] {
+    require(law, "law");
+    require(contact, "contact");
+    if (!(std::isfinite(closing_speed) && closing_speed >= 0)) laws::refuse("closing_speed", closing_speed, "finite and not negative");
+    if (contact->touching != 0) throw std::invalid_argument("the impact before has not ended: pnd_separate ends it");
+    std::visit([&](const auto& chosen) { begin(chosen, closing_speed, *contact); }, law->law);
+  });
+}
+
+int pnd_respond(const pnd_law* law, const pnd_contact* contact, double penetration, double rate, pnd_response* response) {
+  return guarded([&] {
+    require(law, "law");
+    require(contact, "contact");
+    require(response, "response");
+    require_finite("penetration", penetration);
+    require_finite("rate", rate);
+    laws::Response r;
+    if (contact->touching != 0)
+      r = std::visit(
+          [&](const auto& chosen) { return chosen.respond(penetration - contact->indentation, rate, impact_of(*contact)); },
+          law->law);
+    *response = {r.force, r.by_penetration, r.by_rate};
+  });
+}
+
+int pnd_accept(const pnd_law* law, double penetration, double rate, pnd_contact* contact) {
+  return guarded([&] {
+    require(law, "law");
+    require(contact, "contact");
+    require_finite("penetration", penetration);
+    require_finite("rate", rate);
+    pnd_contact next = *contact;
+    std::visit([&](const auto& chosen) { accept(chosen, penetration, rate, next); }, law->law);
+    *contact = next;
+  });
+}
+
+int pnd_separate(const pnd_law* law, double penetration, pnd_contact* contact) {
+  return guarded([&] {
+    require(law, "law");
+    require(contact, "contact");
+    require_finite("penetration", penetration);
+    if (contact->touching == 0) throw std::invalid_argument("there is no impact to end: pnd_touch or pnd_accept begins one");
+    std::visit([&](const auto& chosen) { end(chosen, penetration - contact->indentation, *contact); }, law->law);
+  });
+}
+
+int pnd_collide(const pnd_law* law, double reduced_mass, double closing_speed, pnd_free_impact* result) {
+  return guarded([&] {
+    require(law, "law");
+    require(result, "result");
+    const laws::FreeImpact r = laws::free_impact(law->law, reduced_mass, closing_speed);
+    *result = {r.restitution, r.peak_force, r.peak_penetration, r.time_of_peak, r.duration, r.impulse, r.energy_lost};
+  });
+}
+
+size_t pnd_law_count(void) { return laws::catalogue().size(); }
+
+int pnd_find_law(const char* name, size_t* law) {
+  return guarded([&] {
+    require(name, "name");
+    require(law, "law");
+    *law = static_cast<size_t>(&laws::find_law(name) - laws::catalogue().data());
+  });
+}
+
+int pnd_describe_law(size_t law, pnd_law_info* info) {
+  return guarded([&] {
+    require(info, "info");
+    const laws::Entry& e = entry_at(law);
+    *info = {e.name.data(),   e.shape.data(),         e.summary.data(), e.source.data(),
+             parameters_of(e).size(), e.formulas.size(), e.may_pull,    e.leaves_indentation, e.instantaneous};
+  });
+}
+
+int pnd_describe_parameter(size_t law, size_t parameter, pnd_parameter_info* info) {
+  return guarded([&] {
+    require(info, "info");
+    const std::vector<pnd_parameter_info> list = parameters_of(entry_at(law));
+    if (parameter >= list.size())
+      throw std::invalid_argument(std::string(entry_at(law).name) + " has no parameter " + std::to_string(parameter) +
+                                  "; it has " + std::to_string(list.size()));
+    *info = list[parameter];
+  });
+}
+
+int pnd_describe_formula(size_t law, size_t formula, pnd_formula_info* info) {
+  return guarded([&] {
+    require(info, "info");
+    const laws::Entry& e = entry_at(law);
+    if (formula >= e.formulas.size())
+      throw std::invalid_argument(std::string(e.name) + " has no formula " + std::to_string(formula) + "; it has " +
+                                  std::to_string(e.formulas.size()));
+    const laws::Formula& f = e.formulas[formula];
+    *info = {f.name.data(), f.source.data(), f.note.data()};
+  });
+}

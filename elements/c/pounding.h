@@ -1,0 +1,175 @@
+/* Contact laws of pounding structures for C, Fortran, and whatever calls C.
+ *
+ *   pnd_law *law = NULL;
+ *   const pnd_value values[] = {{"stiffness", 2.75e9}, {"restitution", 0.65}, {"reduced_mass", 6e4}};
+ *   pnd_contact contact = {0};
+ *   pnd_response answer;
+ *   if (pnd_create("jankowski", "exact", values, 3, &law) != PND_OK) puts(pnd_error_text());
+ *
+ *   pnd_respond(law, &contact, penetration, rate, &answer);    as often as the solver asks: nothing is changed
+ *   pnd_accept(law, penetration, rate, &contact);              once for each step that is kept
+ *   pnd_destroy(law);
+ *
+ * Signs: penetration [m] > 0 is overlap (minus the opening of the gap), rate [m/s] > 0 closes, force [N] > 0 pushes the
+ * bodies apart. SI units.
+ *
+ * Errors: a function that returns a status returns PND_OK, or another pnd_status and has changed nothing; the text of the
+ * last error of the calling thread is pnd_error_text(). Null pointers are errors, not crashes.
+ *
+ * Threads: every function may be called from several threads at once. A law never changes after pnd_create, so threads
+ * may share it; a pnd_contact is the caller's own data. Nothing else is kept, but for one error text a thread.
+ *
+ * Binary interface: functions, types and numbers of PND_INTERFACE n stay as they are in all later libraries with the
+ * same n, which is the number in libpounding_c.so.n. Functions, status values and laws may be added.
+ */
+#ifndef POUNDING_H
+#define POUNDING_H
+
+#include <stddef.h>
+
+#if defined(__GNUC__)
+#define PND_API __attribute__((visibility("default")))
+#else
+#define PND_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PND_INTERFACE 1
+
+/* PND_INTERFACE of the library at run time. */
+PND_API int pnd_interface(void);
+/* Version of the library at run time, "0.1.0". Lives as long as the library. */
+PND_API const char *pnd_version(void);
+
+/* ---- Errors ---- */
+
+enum pnd_status {
+  PND_OK = 0,
+  PND_BAD_ARGUMENT = 1,  /* an unknown name, a wrong value, a null pointer; the text says what is allowed */
+  PND_OUT_OF_MEMORY = 2,
+  PND_FAILED = 3         /* a calculation that found no answer */
+};
+
+/* What the last call of this thread that failed has to say, at most 511 bytes; "" before the first failure. Lives until
+ * the next failure of this thread. */
+PND_API const char *pnd_error_text(void);
+
+/* ---- Laws ---- */
+
+/* A checked law with its parameters. */
+typedef struct pnd_law pnd_law;
+
+typedef struct pnd_value {
+  const char *name;
+  double value; /* in the unit of the parameter, see pnd_parameter */
+} pnd_value;
+
+/* Makes the law of this name, which pnd_destroy must end. The values are those of its own parameters, and restitution
+ * [-], impact_velocity [m/s] and reduced_mass [kg] where it takes them; each at most once. A law that needs no mass ignores
+ * reduced_mass. `formula` says how the damping
+ * follows from the restitution: "exact", or a published formula of the law; NULL or "" is "exact".
+ * PND_BAD_ARGUMENT: an unknown law, formula or parameter (the text names the nearest one), a parameter that is missing, a
+ * value outside its range, damping that is given twice or not at all. *made is NULL then. */
+PND_API int pnd_create(const char *law, const char *formula, const pnd_value *values, size_t count, pnd_law **made);
+/* NULL is allowed. */
+PND_API void pnd_destroy(pnd_law *law);
+
+/* ---- An impact ---- */
+
+/* What a link knows of its impacts. Zeros are two bodies that never touched. All doubles, so that a host may keep it among
+ * its own state variables; a copy of it takes a step back. */
+typedef struct pnd_contact {
+  double touching;            /* 1 while an impact lasts, else 0 */
+  double indentation;         /* what komodromos has added to the gap; taken off every penetration [m] */
+  double closing_speed;       /* of this impact, or the fixed design velocity [m/s] */
+  double damping;             /* the law's coefficient for this impact, in the law's own unit */
+  double largest_penetration; /* so far in this impact [m] */
+  double slip;                /* plastic slip of bilinear_hertz [m] */
+  double reserved[2];         /* zero */
+} pnd_contact;
+#define PND_CONTACT_DOUBLES 8
+
+typedef struct pnd_response {
+  double force;          /* [N] */
+  double by_penetration; /* slope dF/dd [N/m] */
+  double by_rate;        /* slope dF/dd' [N s/m] */
+} pnd_response;
+
+/* An impact begins at this closing speed >= 0 [m/s], from which the damping follows. For a host that locates the touch;
+ * the others leave it to pnd_accept. PND_BAD_ARGUMENT: also while an impact lasts. */
+PND_API int pnd_touch(const pnd_law *law, double closing_speed, pnd_contact *contact);
+
+/* Force and slopes at a state; zero unless an impact lasts and the bodies overlap. Only kelvin_voigt ever pulls. */
+PND_API int pnd_respond(const pnd_law *law, const pnd_contact *contact, double penetration, double rate, pnd_response *response);
+
+/* A state was kept. Bodies that overlap and were apart begin an impact, whose closing speed is this rate (0 where the
+ * rate is negative); an impact goes on; bodies that no longer overlap end it, as does komodromos at the state where its
+ * force has come down to zero. `contact->touching` tells what happened. */
+PND_API int pnd_accept(const pnd_law *law, double penetration, double rate, pnd_contact *contact);
+
+/* The impact ends here. For a host that locates the separation; the others leave it to pnd_accept. With komodromos the
+ * penetration that is left is added to the indentation. PND_BAD_ARGUMENT: also while no impact lasts. */
+PND_API int pnd_separate(const pnd_law *law, double penetration, pnd_contact *contact);
+
+/* ---- What a law gives for two free bodies ---- */
+
+typedef struct pnd_free_impact {
+  double restitution;      /* separation over closing speed [-] */
+  double peak_force;       /* [N]; infinite for stereomechanical */
+  double peak_penetration; /* [m] */
+  double time_of_peak;     /* of the force, after the touch [s] */
+  double duration;         /* from the touch until the force is gone for good [s] */
+  double impulse;          /* [N s] */
+  double energy_lost;      /* [J] */
+} pnd_free_impact;
+
+/* Two free bodies of this reduced mass m1 m2/(m1 + m2) [kg] collide at this closing speed [m/s], both > 0: closed forms
+ * where the law has them, else integrated to 1e-10. */
+PND_API int pnd_collide(const pnd_law *law, double reduced_mass, double closing_speed, pnd_free_impact *result);
+
+/* ---- What there is, for user interfaces. Texts live as long as the library. ---- */
+
+typedef struct pnd_law_info {
+  const char *name, *force, *summary, *source; /* "hertz", "F = k d^n", ... */
+  size_t parameters, formulas;                 /* how many of each; no formulas: no damping to calibrate */
+  int may_pull;                                /* 1: may pull near the separation, as published */
+  int leaves_indentation;                      /* 1: what is left at zero force is added to the gap */
+  int instantaneous;                           /* 1: a jump of the velocity, v+ = -restitution v-; the force is always 0 */
+} pnd_law_info;
+
+enum pnd_need {
+  PND_REQUIRED = 0,
+  PND_OPTIONAL = 1,
+  PND_DAMPING = 2 /* exactly one of those marked so */
+};
+
+typedef struct pnd_parameter_info {
+  const char *name;
+  const char *unit; /* SI; "" without dimension; n in "N/m^n" is the law's exponent */
+  const char *meaning;
+  double typical; /* of floors of concrete buildings */
+  int need;       /* a pnd_need */
+} pnd_parameter_info;
+
+typedef struct pnd_formula_info {
+  const char *name, *source, *note;
+} pnd_formula_info;
+
+/* Laws, parameters and formulas are counted from 0; PND_BAD_ARGUMENT: an index that does not exist. */
+PND_API size_t pnd_law_count(void);
+/* The index of a law; PND_BAD_ARGUMENT with the nearest name. */
+PND_API int pnd_find_law(const char *name, size_t *law);
+PND_API int pnd_describe_law(size_t law, pnd_law_info *info);
+/* All that pnd_create takes: the law's own parameters, then restitution, impact_velocity and reduced_mass as it has them. */
+PND_API int pnd_describe_parameter(size_t law, size_t parameter, pnd_parameter_info *info);
+/* "exact" first. */
+PND_API int pnd_describe_formula(size_t law, size_t formula, pnd_formula_info *info);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,167 @@
+/// The C interface gives what the C++ laws give, to the last bit, and follows an impact as they do.
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <pounding/laws/free_impact.hpp>
+#include "ball_on_wall.h"
+#include "made.hpp"
+
+namespace pounding {
+namespace {
+
+struct State {
+  double penetration, rate;
+};
+
+/// A path in and out of contact, with a press in the restitution.
+std::vector<State> random_path(std::mt19937& random) {
+  std::uniform_real_distribution<double> deep(1e-3, 1e-2), speed(0.05, 1);
+  const double depth = deep(random), v = speed(random);
+  std::vector<State> path;
+  for (int i = 1; i <= 60; ++i) path.push_back({depth * std::sin(i * 0.05), v * std::cos(i * 0.05)});
+  path.insert(path.begin() + 45, {depth, 0.5 * v});
+  return path;
+}
+
+TEST(CInterface, AnswersAsTheLawsToTheLastBit) {
+  std::mt19937 random(11);
+  int pressed = 0;
+  for (const laws::Settings& s : test::every_setting()) {
+    SCOPED_TRACE(test::text(s));
+    const test::LawInC in_c = test::made_in_c(s);
+    ASSERT_TRUE(in_c) << pnd_error_text();
+    std::visit(
+        [&](const auto& law) {
+          const std::vector<State> path = random_path(random);
+          laws::Impact impact = laws::touch(law, path[0].rate);
+          pnd_contact contact{};
+          ASSERT_EQ(pnd_touch(in_c.get(), path[0].rate, &contact), PND_OK);
+          for (const auto& [d, v] : path) {
+            const laws::Response expected = law.respond(d, v, impact);
+            pnd_response r{};
+            ASSERT_EQ(pnd_respond(in_c.get(), &contact, d, v, &r), PND_OK);
+            EXPECT_EQ(r.force, expected.force);
+            EXPECT_EQ(r.by_penetration, expected.by_penetration);
+            EXPECT_EQ(r.by_rate, expected.by_rate);
+            pressed += r.force > 0;
+            if (laws::leaves_indentation<std::decay_t<decltype(law)>> && !(expected.force > 0)) return;
+            laws::keep(law, d, v, impact);
+            ASSERT_EQ(pnd_accept(in_c.get(), d, v, &contact), PND_OK);
+            EXPECT_EQ(contact.closing_speed, impact.closing_speed);
+            EXPECT_EQ(contact.damping, impact.damping);
+            EXPECT_EQ(contact.largest_penetration, impact.largest_penetration);
+            EXPECT_EQ(contact.slip, impact.slip);
+          }
+        },
+        laws::make_law(s));
+  }
+  EXPECT_GT(pressed, 1000);
+}
+
+TEST(CInterface, CollidesAsTheLawsToTheLastBit) {
+  for (const laws::Settings& s : test::every_setting()) {
+    SCOPED_TRACE(test::text(s));
+    const laws::FreeImpact expected = laws::free_impact(laws::make_law(s), 6e4, 0.8);
+    pnd_free_impact r{};
+    ASSERT_EQ(pnd_collide(test::made_in_c(s).get(), 6e4, 0.8, &r), PND_OK);
+    EXPECT_EQ(r.restitution, expected.restitution);
+    EXPECT_EQ(r.peak_force, expected.peak_force);
+    EXPECT_EQ(r.peak_penetration, expected.peak_penetration);
+    EXPECT_EQ(r.time_of_peak, expected.time_of_peak);
+    EXPECT_EQ(r.duration, expected.duration);
+    EXPECT_EQ(r.impulse, expected.impulse);
+    EXPECT_EQ(r.energy_lost, expected.energy_lost);
+  }
+}
+
+// The steps are of first order: half a step leaves half the error.
+TEST(CInterface, BallComesBackWithTheRestitutionThatWasAsked) {
+  for (const laws::Entry& entry : laws::catalogue()) {
+    if (entry.instantaneous) continue;
+    SCOPED_TRACE(entry.name);
+    const test::LawInC law = test::made_in_c(laws::typical_settings(entry));
+    const double asked = entry.takes_restitution ? laws::typical_restitution : 1;
+    for (const double step : {2e-6, 1e-6}) {
+      pnd_contact contact{};
+      EXPECT_NEAR(speed_after(law.get(), laws::typical_reduced_mass, 0.5, step, &contact) / 0.5, asked, 200 * step);
+      EXPECT_EQ(contact.touching, 0);
+    }
+  }
+}
+
+test::LawInC typical(const char* name) { return test::made_in_c(laws::typical_settings(laws::find_law(name))); }
+
+TEST(CInterface, NothingPressesBeforeAnImpactBeginsAndAfterItEnds) {
+  const test::LawInC law = typical("hertz_damped");
+  pnd_contact contact{};
+  pnd_response r{1, 1, 1};
+  ASSERT_EQ(pnd_respond(law.get(), &contact, 1e-3, 0.5, &r), PND_OK);
+  EXPECT_EQ(r.force, 0);
+  EXPECT_EQ(r.by_penetration, 0);
+  EXPECT_EQ(r.by_rate, 0);
+  ASSERT_EQ(pnd_accept(law.get(), -1e-3, 0.5, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 0);
+  ASSERT_EQ(pnd_accept(law.get(), 1e-4, 0.5, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 1);
+  EXPECT_EQ(contact.closing_speed, 0.5);
+  ASSERT_EQ(pnd_respond(law.get(), &contact, 1e-3, 0.5, &r), PND_OK);
+  EXPECT_GT(r.force, 0);
+  ASSERT_EQ(pnd_accept(law.get(), 0, -0.3, &contact), PND_OK);
+  const pnd_contact apart{};
+  EXPECT_EQ(std::memcmp(&contact, &apart, sizeof apart), 0);
+}
+
+TEST(CInterface, BodiesThatAlreadyOpenWhenTheyAreSeenToOverlapTouchAtRest) {
+  const test::LawInC law = typical("hertz_damped");
+  pnd_contact contact{};
+  ASSERT_EQ(pnd_accept(law.get(), 1e-4, -0.5, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 1);
+  EXPECT_EQ(contact.closing_speed, 0);
+}
+
+// F = k d + c d' vanishes at d = -c d'/k: that is what stays in the gap, and the next touch is that much further.
+TEST(CInterface, KomodromosLeavesItsIndentationInTheGap) {
+  const test::LawInC law = typical("komodromos");
+  pnd_contact contact{};
+  ASSERT_EQ(pnd_touch(law.get(), 0.5, &contact), PND_OK);
+  const double left = contact.damping * 0.3 / 9.35e7;
+  ASSERT_EQ(pnd_accept(law.get(), 1.001 * left, -0.3, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 1);
+  ASSERT_EQ(pnd_accept(law.get(), 0.999 * left, -0.3, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 0);
+  EXPECT_EQ(contact.indentation, 0.999 * left);
+  ASSERT_EQ(pnd_accept(law.get(), 0.99 * left, 0.3, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 0);
+  ASSERT_EQ(pnd_accept(law.get(), 1.5 * left, 0.3, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 1);
+  EXPECT_EQ(contact.largest_penetration, 1.5 * left - 0.999 * left);
+  pnd_response r{};
+  ASSERT_EQ(pnd_respond(law.get(), &contact, 1.5 * left, 0.0, &r), PND_OK);
+  EXPECT_EQ(r.force, 9.35e7 * (1.5 * left - 0.999 * left));
+  ASSERT_EQ(pnd_separate(law.get(), 1.2 * left, &contact), PND_OK);
+  EXPECT_DOUBLE_EQ(contact.indentation, 1.2 * left);
+}
+
+TEST(CInterface, CopyOfTheContactTakesAStepBack) {
+  const test::LawInC law = typical("bilinear_hertz");
+  pnd_contact contact{};
+  ASSERT_EQ(pnd_accept(law.get(), 1e-4, 0.5, &contact), PND_OK);
+  const pnd_contact kept = contact;
+  pnd_response before{}, after{};
+  ASSERT_EQ(pnd_respond(law.get(), &contact, 2e-3, 0.1, &before), PND_OK);
+  ASSERT_EQ(pnd_accept(law.get(), 5e-3, 0.1, &contact), PND_OK);
+  ASSERT_EQ(pnd_respond(law.get(), &contact, 2e-3, 0.1, &after), PND_OK);
+  EXPECT_NE(before.force, after.force);
+  contact = kept;
+  ASSERT_EQ(pnd_respond(law.get(), &contact, 2e-3, 0.1, &after), PND_OK);
+  EXPECT_EQ(before.force, after.force);
+}
+
+}  // namespace
+}  // namespace pounding
