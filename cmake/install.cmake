@@ -1,28 +1,70 @@
-# Headers, libraries, the program and the CMake package.
+# Headers, libraries, the program with its pages, and how others find them: a CMake package and pkg-config files.
 include(CMakePackageConfigHelpers)
 
 set(config_directory ${CMAKE_INSTALL_LIBDIR}/cmake/Pounding)
-set_target_properties(pounding_laws PROPERTIES EXPORT_NAME laws)
-set_target_properties(pounding_model PROPERTIES EXPORT_NAME model)
-set_target_properties(pounding_elements PROPERTIES EXPORT_NAME elements)
-set_target_properties(pounding_lib PROPERTIES EXPORT_NAME lib)
+set(parts laws model elements lib c)
+if(TARGET pounding_fortran)
+  list(APPEND parts fortran)
+endif()
+foreach(part IN LISTS parts)
+  set_target_properties(pounding_${part} PROPERTIES EXPORT_NAME ${part})
+endforeach()
 
 install(TARGETS pounding_laws EXPORT PoundingLawsTargets)
-install(TARGETS pounding_model pounding_elements pounding_warnings EXPORT PoundingElementsTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS pounding_lib EXPORT PoundingLibTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS pounding_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS pounding_c EXPORT PoundingCTargets)
+install(TARGETS pounding_model pounding_elements pounding_warnings EXPORT PoundingElementsTargets)
+install(TARGETS pounding_lib EXPORT PoundingLibTargets)
+set(exports Laws C Elements Lib)
+if(TARGET pounding_fortran)
+  install(TARGETS pounding_fortran EXPORT PoundingFortranTargets)
+  install(FILES $<TARGET_PROPERTY:pounding_fortran,Fortran_MODULE_DIRECTORY>/pounding.mod elements/fortran/pounding.f90
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pounding/fortran)
+  list(APPEND exports Fortran)
+endif()
+install(TARGETS pounding_program)
 
 install(DIRECTORY elements/pounding lib/pounding DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(FILES ${PROJECT_BINARY_DIR}/lib/pounding/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pounding)
+install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py")
 
-foreach(part IN ITEMS Laws Elements Lib)
-  install(EXPORT Pounding${part}Targets NAMESPACE Pounding:: DESTINATION ${config_directory})
+# The CMake package.
+foreach(export IN LISTS exports)
+  install(EXPORT Pounding${export}Targets NAMESPACE Pounding:: DESTINATION ${config_directory})
 endforeach()
 configure_package_config_file(cmake/PoundingConfig.cmake.in ${PROJECT_BINARY_DIR}/PoundingConfig.cmake
   INSTALL_DESTINATION ${config_directory})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/PoundingConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/PoundingConfig.cmake ${PROJECT_BINARY_DIR}/PoundingConfigVersion.cmake
   cmake/FindMpiHdf5.cmake DESTINATION ${config_directory})
+
+# pkg-config files, which find the prefix from their own place.
+file(RELATIVE_PATH prefix_from_here /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+function(install_pc name description requires libraries more_flags)
+  configure_file(cmake/package.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+install_pc(pounding-laws "Contact laws of pounding structures, C++20 headers" "" "" "")
+install_pc(pounding-elements "Gap links and structures" "eigen3 yaml-cpp fmt"
+  "-L\${libdir} -lpounding_elements -lpounding_model" "")
+install_pc(pounding "Time integration and results of pounding structures" "pounding-elements slepc PETSc hdf5-openmpi"
+  "-L\${libdir} -lpounding_lib" "")
+install_pc(pounding-c "Contact laws of pounding structures, C interface" "" "-L\${libdir} -lpounding_c" "")
+if(TARGET pounding_fortran)
+  install_pc(pounding-fortran "Contact laws of pounding structures, Fortran module" "pounding-c"
+    "-L\${libdir} -lpounding_fortran" " -I\${includedir}/pounding/fortran")
+endif()
+
+# Manual pages from the program's own help, and completion.
+find_program(POUNDING_HELP2MAN help2man)
+if(POUNDING_HELP2MAN)
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/man/pounding.1
+    COMMAND ${PROJECT_SOURCE_DIR}/cmake/man-pages.sh $<TARGET_FILE:pounding_program> ${PROJECT_BINARY_DIR}/man
+    DEPENDS pounding_program cmake/man-pages.sh
+    VERBATIM)
+  add_custom_target(pounding_man ALL DEPENDS ${PROJECT_BINARY_DIR}/man/pounding.1)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()
+install(FILES cmake/completion/pounding.bash
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME pounding)
+install(FILES cmake/completion/pounding.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _pounding)

@@ -81,7 +81,10 @@ laws::Settings settings(const char* law, const char* formula, const pnd_value* v
 }
 
 laws::Impact impact_of(const pnd_contact& c) noexcept {
-  return {.closing_speed = c.closing_speed, .damping = c.damping, .largest_penetration = c.largest_penetration, .slip = c.slip};
+  return {.closing_speed = c.closing_speed,
+          .damping = c.damping,
+          .largest_penetration = c.largest_penetration,
+          .slip = c.slip};
 }
 
 void put(const laws::Impact& impact, pnd_contact& c) noexcept {
@@ -127,8 +130,8 @@ const laws::Entry& entry_at(size_t law) {
 
 // The texts of the tables are literals, which end with a zero.
 pnd_parameter_info info_of(const laws::ParameterInfo& p) noexcept {
-  const int need = p.need == laws::Need::required ? PND_REQUIRED : p.need == laws::Need::optional ? PND_OPTIONAL : PND_DAMPING;
-  return {p.name.data(), p.unit.data(), p.meaning.data(), p.typical, need};
+  const int needs[] = {PND_REQUIRED, PND_OPTIONAL, PND_DAMPING};
+  return {p.name.data(), p.unit.data(), p.meaning.data(), p.typical, needs[static_cast<int>(p.need)]};
 }
 
 std::vector<pnd_parameter_info> parameters_of(const laws::Entry& entry) {
@@ -141,7 +144,8 @@ std::vector<pnd_parameter_info> parameters_of(const laws::Entry& entry) {
     list.push_back({"impact_velocity", "m/s", "fixed design velocity; without it each impact takes its own",
                     laws::typical_closing_speed, PND_OPTIONAL});
   if (entry.takes_reduced_mass)
-    list.push_back({"reduced_mass", "kg", "m1 m2/(m1 + m2) of the colliding bodies", laws::typical_reduced_mass, PND_REQUIRED});
+    list.push_back({"reduced_mass", "kg", "m1 m2/(m1 + m2) of the colliding bodies", laws::typical_reduced_mass,
+                    PND_REQUIRED});
   return list;
 }
 
@@ -167,7 +171,7 @@ int pnd_touch(const pnd_law* law, double closing_speed, pnd_contact* contact) {
   return guarded([&] {
     require(law, "law");
     require(contact, "contact");
-    if (!(std::isfinite(closing_speed) && closing_speed >= 0)) laws::refuse("closing_speed", closing_speed, "finite and not negative");
+    laws::require_not_negative("closing_speed", closing_speed);
     if (contact->touching != 0) throw std::invalid_argument("the impact before has not ended: pnd_separate ends it");
     std::visit([&](const auto& chosen) { begin(chosen, closing_speed, *contact); }, law->law);
   });
@@ -234,8 +238,9 @@ int pnd_describe_law(size_t law, pnd_law_info* info) {
   return guarded([&] {
     require(info, "info");
     const laws::Entry& e = entry_at(law);
-    *info = {e.name.data(),   e.shape.data(),         e.summary.data(), e.source.data(),
-             parameters_of(e).size(), e.formulas.size(), e.may_pull,    e.leaves_indentation, e.instantaneous};
+    *info = {e.name.data(),           e.shape.data(),    e.summary.data(), e.source.data(),
+             parameters_of(e).size(), e.formulas.size(), e.may_pull,       e.leaves_indentation,
+             e.instantaneous};
   });
 }
 

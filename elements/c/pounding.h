@@ -98,12 +98,14 @@ typedef struct pnd_response {
   double by_rate;        /* slope dF/dd' [N s/m] */
 } pnd_response;
 
-/* An impact begins at this closing speed >= 0 [m/s], from which the damping follows. For a host that locates the touch;
- * the others leave it to pnd_accept. PND_BAD_ARGUMENT: also while an impact lasts. */
+/* An impact begins at this closing speed >= 0 [m/s], from which the damping follows. For a host that locates the touch, and
+ * calls pnd_accept from the next kept state on, where the bodies overlap; the others leave it to pnd_accept.
+ * PND_BAD_ARGUMENT: also while an impact lasts. */
 PND_API int pnd_touch(const pnd_law *law, double closing_speed, pnd_contact *contact);
 
 /* Force and slopes at a state; zero unless an impact lasts and the bodies overlap. Only kelvin_voigt ever pulls. */
-PND_API int pnd_respond(const pnd_law *law, const pnd_contact *contact, double penetration, double rate, pnd_response *response);
+PND_API int pnd_respond(const pnd_law *law, const pnd_contact *contact, double penetration, double rate,
+                        pnd_response *response);
 
 /* A state was kept. Bodies that overlap and were apart begin an impact, whose closing speed is this rate (0 where the
  * rate is negative); an impact goes on; bodies that no longer overlap end it, as does komodromos at the state where its

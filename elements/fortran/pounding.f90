@@ -11,7 +11,8 @@
 !>
 !> Laws are counted from 1 here.
 module pounding
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_loc, c_null_char, &
+    c_null_ptr, c_ptr, c_size_t
   implicit none
   private
   public :: c_ptr, c_null_ptr, c_double, c_int

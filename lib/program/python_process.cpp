@@ -8,7 +8,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "pounding/error.hpp"
 
@@ -26,9 +28,17 @@ std::string find_python() {
   return "python3";
 }
 
+/// Our Python directory: the one installed with this program, else that of the source directory.
+std::string module_path() {
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  const std::filesystem::path installed = program.parent_path() / POUNDING_PYTHON_FROM_PROGRAM;
+  return std::filesystem::is_directory(installed, unknown) ? installed.lexically_normal().string() : POUNDING_PYTHON_PATH;
+}
+
 /// This process's environment with our Python directory first on the module path.
 std::vector<std::string> environment_with_module_path() {
-  std::string path = POUNDING_PYTHON_PATH;
+  std::string path = module_path();
   if (const char* given = std::getenv("PYTHONPATH"); given != nullptr && *given != '\0') path.append(":").append(given);
   std::vector<std::string> variables{"PYTHONPATH=" + path};
   for (char** variable = environ; *variable != nullptr; ++variable)

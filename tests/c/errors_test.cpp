@@ -1,6 +1,5 @@
 /// What the C interface refuses, with which words, and that it changes nothing then.
 
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -32,7 +31,8 @@ TEST(CInterfaceErrors, TextIsEmptyBeforeTheFirst) {
 }
 
 TEST(CInterfaceErrors, WrongNamesAndValuesAreRefusedWithTheWordsOfTheLaws) {
-  const pnd_value stiff[] = {{"stiffness", 2.75e9}, {"restitution", 0.65}}, soft[] = {{"stiffness", -1}, {"restitution", 0.65}};
+  const pnd_value stiff[] = {{"stiffness", 2.75e9}, {"restitution", 0.65}};
+  const pnd_value soft[] = {{"stiffness", -1}, {"restitution", 0.65}};
   const pnd_value twice[] = {{"stiffness", 1}, {"stiffness", 2}}, nameless[] = {{nullptr, 1}};
   pnd_law* law = reinterpret_cast<pnd_law*>(&law);
   EXPECT_REFUSED(pnd_create("hertz_damp", "", stiff, 2, &law), R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");

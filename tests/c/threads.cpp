@@ -74,8 +74,9 @@ int main() {
         pnd_find_law(name.c_str(), &index);
         wrong[t] += round == 0 && answers(shared) != expected;
         const std::vector<pnd_law*> own = typical_laws();
-        wrong[t] += bounce(own[static_cast<size_t>(round) % own.size()], 0.8) != expected[2 * (static_cast<size_t>(round) % own.size()) + 1];
-        for (pnd_law* law : own) pnd_destroy(law);
+        const size_t law = static_cast<size_t>(round) % own.size();
+        wrong[t] += bounce(own[law], 0.8) != expected[2 * law + 1];
+        for (pnd_law* each : own) pnd_destroy(each);
         wrong[t] += std::string(pnd_error_text()).find("\"" + name + "\"") == std::string::npos;
       }
     });

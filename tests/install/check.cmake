@@ -1,14 +1,69 @@
-# Installs into a fresh prefix and builds two outside projects against it.
-#   cmake -DBUILD=... -DWORK=... -DSOURCE=... -P check.cmake
+# Installs into a fresh prefix, builds outside projects against it and runs them. Those of examples/hosts are run by
+# tests/program/test_hosts.py.
+#   cmake -DBUILD=... -DWORK=... -DSOURCE=... -DHOSTS=... [-DMPIEXEC=...] [-DMAN=ON] -P check.cmake
 file(REMOVE_RECURSE ${WORK})
+set(prefix ${WORK}/prefix)
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 endfunction()
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-foreach(project IN ITEMS laws_only whole)
-  run(${CMAKE_COMMAND} -S ${SOURCE}/${project} -B ${WORK}/${project} -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
-    -DCMAKE_BUILD_TYPE=Release)
+function(build project source)
+  run(${CMAKE_COMMAND} -S ${source} -B ${WORK}/${project} -G Ninja -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=Release)
   run(${CMAKE_COMMAND} --build ${WORK}/${project})
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${prefix}/bin/pounding --version)
+
+foreach(project IN ITEMS laws_only newmark whole)
+  build(${project} ${SOURCE}/${project})
   execute_process(COMMAND ${WORK}/${project}/${project} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-run(${WORK}/prefix/bin/pounding --version)
+# Two processes, each with a communicator and a model of its own.
+if(MPIEXEC)
+  execute_process(COMMAND ${MPIEXEC} -n 2 ${WORK}/whole/whole COMMAND_ERROR_IS_FATAL ANY)
+endif()
+build(hosts ${HOSTS})
+
+# By pkg-config alone.
+execute_process(COMMAND sh -ec "
+    export PKG_CONFIG_PATH=$(dirname $(find '${prefix}' -name pounding-c.pc))
+    # Nothing named build is made in the source directory: a plain compiler call each.
+    cc -std=c99 -pedantic -o by_pkg_config_in_c '${HOSTS}/c/two_oscillators.c' $(pkg-config --cflags --libs pounding-c) -lm
+    export LD_LIBRARY_PATH=$(pkg-config --variable=libdir pounding-c)
+    ./by_pkg_config_in_c 3000
+    c++ -std=c++20 -o by_pkg_config '${SOURCE}/whole/main.cpp' $(pkg-config --cflags --libs pounding)
+    ./by_pkg_config"
+  WORKING_DIRECTORY ${WORK} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+# The installed program draws with the modules installed beside it.
+file(WRITE ${WORK}/python "#!/bin/sh\nprintf %s \"$PYTHONPATH\" > ${WORK}/path\n")
+file(CHMOD ${WORK}/python PERMISSIONS OWNER_READ OWNER_EXECUTE)
+file(WRITE ${WORK}/results.h5 "")
+execute_process(COMMAND ${CMAKE_COMMAND} -E env POUNDING_PYTHON=${WORK}/python PYTHONPATH=
+  ${prefix}/bin/pounding export ${WORK}/results.h5 OUTPUT_QUIET)
+file(READ ${WORK}/path path)
+if(NOT path STREQUAL "${prefix}/share/pounding/python" OR NOT EXISTS ${path}/pounding/export.py)
+  message(FATAL_ERROR "the installed program looks for its modules in ${path}")
+endif()
+
+# Completion asks the program that it completes.
+function(completes words expected)
+  execute_process(COMMAND bash -c "
+      source '${prefix}/share/bash-completion/completions/pounding'
+      COMP_WORDS=(${words}) COMP_CWORD=$((\${#COMP_WORDS[@]} - 1))
+      _pounding
+      printf %s \"\${COMPREPLY[*]}\""
+    OUTPUT_VARIABLE completed COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT completed STREQUAL expected)
+    message(FATAL_ERROR "${words} is completed by \"${completed}\", not \"${expected}\"")
+  endif()
+endfunction()
+set(program ${prefix}/bin/pounding)
+completes("${program} cal" "calibrate")
+completes("${program} run --js" "--json")
+completes("${program} calibrate --law hertz_" "hertz_damped")
+completes("${program} record s" "spectrum")
+
+if(MAN AND NOT EXISTS ${prefix}/share/man/man1/pounding-run.1)
+  message(FATAL_ERROR "there is no manual page of pounding run")
+endif()

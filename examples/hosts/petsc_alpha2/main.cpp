@@ -49,7 +49,8 @@ static PetscErrorCode residual(TS, PetscReal t, Vec U, Vec V, Vec A, Vec R, void
   PetscFunctionReturn(0);
 }
 
-static PetscErrorCode jacobian(TS, PetscReal, Vec U, Vec V, Vec, PetscReal shift_v, PetscReal shift_a, Mat J, Mat, void* context) {
+static PetscErrorCode jacobian(TS, PetscReal, Vec U, Vec V, Vec, PetscReal shift_v, PetscReal shift_a, Mat J, Mat,
+                               void* context) {
   const Oscillators& o = *static_cast<Oscillators*>(context);
   const PetscScalar *u, *v;
   PetscFunctionBegin;

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Makes pounding.1 and one page a command from what the program says of itself.
+#   man-pages.sh PROGRAM FOLDER
+set -euo pipefail
+program=$1 folder=$2
+version=$("$program" --version | cut --delimiter=' ' --fields=2)
+
+page() {  # WORDS OF THE COMMAND, its page, what it does
+  help2man --no-info --version-string="$version" --source="pounding $version" --name="$3" --output="$folder/$2.1" "$program$1"
+}
+
+mkdir -p "$folder"
+help=$("$program" --help)
+page "" pounding "$(head --lines=1 <<< "$help" | tr '[:upper:]' '[:lower:]')"
+sed --quiet '/^Subcommands:/,$ s/^  \([a-z]\+\) \+/\1 /p' <<< "$help" | while read -r command summary; do
+  page " $command" "pounding-$command" "$summary"
+done

@@ -1,0 +1,70 @@
+! The Fortran module hands on what C says: texts, lists, answers, and the life of an impact.
+program module_test
+  use, intrinsic :: iso_fortran_env, only: real64
+  use pounding
+  implicit none
+  type(c_ptr) :: law
+  type(pnd_contact) :: contact, copy
+  type(pnd_response) :: answer
+  type(pnd_free_impact) :: impact
+  real(real64) :: state(PND_CONTACT_DOUBLES)
+  integer :: i, wrong = 0
+  logical :: found = .false.
+
+  call expect('no error before the first', pnd_error_text() == '')
+  call expect('a version', index(pnd_version(), '.') > 0)
+  call status_is('an interface', 1, pnd_interface())
+  do i = 1, pnd_law_count()
+    if (pnd_law_name(i) == 'hertz_damped') found = .true.
+  end do
+  call expect('the list', found)
+  call expect('nothing before the list', pnd_law_name(0) == '')
+  call expect('nothing behind it', pnd_law_name(pnd_law_count() + 1) == '')
+
+  call status_is('a refusal', PND_BAD_ARGUMENT, pnd_create('hertz_damp', '', [pnd_value('stiffness', 1d9)], law))
+  call expect('its text', pnd_error_text() == 'unknown law "hertz_damp". Did you mean "hertz_damped"?')
+
+  ! F = k d^1.5 (1 + a d'/v) with a = 3 (1 - e^2)/4, Lankarani & Nikravesh 1990.
+  call status_is('a law', PND_OK, pnd_create('hertz_damped', 'lankarani_nikravesh', [pnd_value('stiffness', 1d9), &
+                                             pnd_value('restitution', 0.5d0)], law))
+  call status_is('a touch', PND_OK, pnd_touch(law, 0.8d0, contact))
+  call expect('its speed', near(contact%closing_speed, 0.8d0))
+  call status_is('a response', PND_OK, pnd_respond(law, contact, 1d-2, 0.4d0, answer))
+  call expect('the force', near(answer%force, 1d6*(1 + 0.75d0*0.75d0/2)))
+  call expect('the slope by penetration', near(answer%by_penetration, 1.5d8*(1 + 0.75d0*0.75d0/2)))
+  call expect('the slope by rate', near(answer%by_rate, 1d6*0.75d0*0.75d0/0.8d0))
+  call status_is('a step', PND_OK, pnd_accept(law, 1d-2, 0.4d0, contact))
+  state = transfer(contact, state)
+  copy = transfer(state, copy)
+  call expect('a copy', near(copy%touching, 1d0) .and. near(copy%largest_penetration, 1d-2))
+  call status_is('an end', PND_OK, pnd_separate(law, 0d0, contact))
+  call expect('no impact', .not. contact%touching > 0)
+  ! Asked 0.50 it gives 0.725, as the catalogue of the law says.
+  call status_is('a free impact', PND_OK, pnd_collide(law, 6d4, 0.8d0, impact))
+  call expect('its restitution', abs(impact%restitution - 0.725d0) < 5d-4)
+  call pnd_destroy(law)
+  call pnd_destroy(c_null_ptr)
+  if (wrong > 0) error stop 1
+
+contains
+
+  subroutine expect(what, holds)
+    character(*), intent(in) :: what
+    logical, intent(in) :: holds
+    if (holds) return
+    print '(a)', 'not as expected: ' // what
+    wrong = wrong + 1
+  end subroutine
+
+  subroutine status_is(what, right, status)
+    character(*), intent(in) :: what
+    integer(c_int), intent(in) :: right, status
+    call expect(what, status == right)
+  end subroutine
+
+  logical function near(a, b)
+    real(real64), intent(in) :: a, b
+    near = abs(a/b - 1) < 1d-14
+  end function
+
+end program
