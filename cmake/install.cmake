@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(config_directory ${CMAKE_INSTALL_LIBDIR}/cmake/Pounding)
-set(parts laws model elements lib c)
+set(parts laws c links model elements lib)
 if(TARGET pounding_fortran)
   list(APPEND parts fortran)
 endif()
@@ -12,9 +12,10 @@ endforeach()
 
 install(TARGETS pounding_laws EXPORT PoundingLawsTargets)
 install(TARGETS pounding_c EXPORT PoundingCTargets)
-install(TARGETS pounding_model pounding_elements pounding_warnings EXPORT PoundingElementsTargets)
+install(TARGETS pounding_links pounding_warnings EXPORT PoundingLinksTargets)
+install(TARGETS pounding_model pounding_elements EXPORT PoundingElementsTargets)
 install(TARGETS pounding_lib EXPORT PoundingLibTargets)
-set(exports Laws C Elements Lib)
+set(exports Laws C Links Elements Lib)
 if(TARGET pounding_fortran)
   install(TARGETS pounding_fortran EXPORT PoundingFortranTargets)
   install(FILES $<TARGET_PROPERTY:pounding_fortran,Fortran_MODULE_DIRECTORY>/pounding.mod elements/fortran/pounding.f90
@@ -45,7 +46,8 @@ function(install_pc name description requires libraries more_flags)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 install_pc(pounding-laws "Contact laws of pounding structures, C++20 headers" "" "" "")
-install_pc(pounding-elements "Gap links and structures" "eigen3 yaml-cpp fmt"
+install_pc(pounding-links "Gap links between structures" "eigen3" "-L\${libdir} -lpounding_links" "")
+install_pc(pounding-elements "Structures, the model and its reader" "pounding-links yaml-cpp fmt"
   "-L\${libdir} -lpounding_elements -lpounding_model" "")
 install_pc(pounding "Time integration and results of pounding structures" "pounding-elements slepc PETSc hdf5-openmpi"
   "-L\${libdir} -lpounding_lib" "")
@@ -59,7 +61,7 @@ endif()
 find_program(POUNDING_HELP2MAN help2man)
 if(POUNDING_HELP2MAN)
   add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/man/pounding.1
-    COMMAND ${PROJECT_SOURCE_DIR}/cmake/man-pages.sh $<TARGET_FILE:pounding_program> ${PROJECT_BINARY_DIR}/man
+    COMMAND ${PROJECT_SOURCE_DIR}/cmake/man-pages.sh ${POUNDING_HELP2MAN} $<TARGET_FILE:pounding_program> ${PROJECT_BINARY_DIR}/man
     DEPENDS pounding_program cmake/man-pages.sh
     VERBATIM)
   add_custom_target(pounding_man ALL DEPENDS ${PROJECT_BINARY_DIR}/man/pounding.1)

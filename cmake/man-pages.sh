@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Makes pounding.1 and one page a command from what the program says of itself.
-#   man-pages.sh PROGRAM FOLDER
+#   man-pages.sh HELP2MAN PROGRAM FOLDER
 set -euo pipefail
-program=$1 folder=$2
+help2man=$1 program=$2 folder=$3
 version=$("$program" --version | cut --delimiter=' ' --fields=2)
 
 page() {  # WORDS OF THE COMMAND, its page, what it does
-  help2man --no-info --version-string="$version" --source="pounding $version" --name="$3" --output="$folder/$2.1" "$program$1"
+  "$help2man" --no-info --version-string="$version" --source="pounding $version" --name="$3" --output="$folder/$2.1" "$program$1"
 }
 
 mkdir -p "$folder"
