@@ -27,7 +27,6 @@ build(hosts ${HOSTS})
 # By pkg-config alone.
 execute_process(COMMAND sh -ec "
     export PKG_CONFIG_PATH=$(dirname $(find '${prefix}' -name pounding-c.pc))
-    # Nothing named build is made in the source directory: a plain compiler call each.
     cc -std=c99 -pedantic -o by_pkg_config_in_c '${HOSTS}/c/two_oscillators.c' $(pkg-config --cflags --libs pounding-c) -lm
     export LD_LIBRARY_PATH=$(pkg-config --variable=libdir pounding-c)
     ./by_pkg_config_in_c 3000

@@ -20,6 +20,10 @@ subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, 
   type(pnd_contact) :: contact
   type(pnd_response) :: pressed
 
+  if (all(lflags(1) /= [11, 12])) then
+    write (*, '(a)') 'this element is for direct integration, *Dynamic'
+    error stop 2
+  end if
   call stop_at_error(pnd_create('jankowski', 'exact', [pnd_value('stiffness', props(2)), pnd_value('restitution', props(3)), &
                                 pnd_value('reduced_mass', props(4))], law))
   contact = transfer(svars(1:PND_CONTACT_DOUBLES), contact)
