@@ -116,8 +116,9 @@ struct Process {
                  {}};
   Figure figure{.name = "cyclic_process",
                 .of_paper = "Fig. 9",
-                .caption = "What a formula must be given so that the loop loses what the restitution asked for would lose: the cyclic "
-                           "process run to its end at 10 m/s. Lankarani's formula cannot be led to restitutions below 0.67.",
+                .caption = fmt::format("What a formula must be given so that the loop loses what the restitution asked for would lose: the "
+                                       "cyclic process run to its end at 10 m/s. Lankarani's formula reaches no restitution below {:.2f}.",
+                                       laws::restitution_of_factor(laws::lankarani_nikravesh({.restitution = 0}))),
                 .columns = {},
                 .panels = {{"", "Restitution asked [-]", "Restitution to assume [-]", {}}}};
   double damping = 0, exact_damping = 0;  ///< a at the end, and of the exact calibration
@@ -264,16 +265,17 @@ Item cyclic() {
        fmt::format("it is the loss at $v = 10$ with $CR$ = {:.4f}; the loop of the second model struck at 10 m/s has {:.2f} kJ, so this is not "
                    "it either.",
                    implied, area_2)},
-      {"Section 6, Fig. 10", "The loops of both models are approximately equal", "28.33 and 28.64, 1.1 % apart",
+      {"Section 6, Fig. 10", "The loops of both models are approximately equal", fmt::format("{} and {}, {:.1f} % apart", reference_loss, second_loss, percent(second_loss, reference_loss)),
        fmt::format("{:.3f} kJ and {:.3f} kJ struck at 10 m/s, {:.1f} % apart", area_1, area_2, percent(area_2, area_1)),
        Judgement::agrees, fmt::format("approximately. Equal loops need {:.2f} m/s at 0.45.", equal_loop_velocity(second_restitution))},
       {"Eq. 19", "The curve passes through the pair", "10 at 0.5, 11 at 0.45",
        fmt::format("{:.3f} at 0.5, {:.3f} at 0.45", eq19(0.5), eq19(0.45)), Judgement::disagrees,
-       "15 % and 3 % off: a polynomial of degree four cannot follow a curve like $1/CR$."},
+       fmt::format("{:+.0f} % and {:+.0f} %, probably because a polynomial of degree four cannot follow a curve like $1/CR$.",
+                   percent(eq19(reference_restitution), reference_speed), percent(eq19(second_restitution), second_speed))},
       {"Eq. 19, range", "Velocity for every restitution", "no range given",
        fmt::format("negative for {:.4f} < $CR$ < {:.4f}, {:.3f} m/s at {:.3f}; {:.2f} m/s at $CR = 1$", roots.at(0), roots.at(1), lowest, where,
                    eq19(1)),
-       Judgement::disagrees, "the polynomial swings around zero. It means nothing above about 0.75."},
+       Judgement::disagrees, "the polynomial swings around zero, and means nothing there."},
       {"Fig. 11", "Eq. 19 simulates the data precisely", "data not given",
        fmt::format("the equal-loop curve with $N = M = 1$ is within {:.1f} m/s of Eq. 19; its quartic has {:.0f}, {:.0f}, {:.0f}, {:.1f}, {:.1f}",
                    distance, fit[0], fit[1], fit[2], fit[3], fit[4]),

@@ -60,8 +60,9 @@ Table error_table() {
 Figure error_figure() {
   Figure figure{.name = "section5_errors",
                 .of_paper = "Fig. 8",
-                .caption = "Restitution that a free impact gives, against the one asked. Right: the errors without Eq. 12, which lies "
-                           "outside from +565 % at 0.1.",
+                .caption = fmt::format("Restitution that a free impact gives, against the one asked. Right: the errors without Eq. 12, which has "
+                                       "{:+.0f} % at 0.1.",
+                                       percent(obtained(compared[0], 0.1), 0.1)),
                 .columns = {},
                 .panels = {{"obtained", "Restitution asked [-]", "Restitution obtained [-]", {}},
                            {"error", "Restitution asked [-]", "Error of the restitution [%]", {}}}};
@@ -177,7 +178,7 @@ Item section5() {
        fmt::format("errors from {:+.2f} % at 0.1 to {:+.2f} % at 0.8; larger than those of Eq. 13 at {} of 9 restitutions, than those of Eq. "
                    "14 at {} of 9",
                    errors.at("Eq. 16, proposed", "0.1"), errors.at("Eq. 16, proposed", "0.8"), worse_than_13, worse_than_14),
-       Judgement::disagrees, "Table 2 was found on an imposed motion, not in a collision; see the next line."},
+       Judgement::disagrees, "probably because Table 2 was found on an imposed motion, not in a collision; see the next line."},
       {"Section 5.1, reference displacement", "Loops on a reference lateral displacement and its derivative", "not stated",
        fmt::format("under any one imposed motion the loop area is in proportion to $c_{{imp}}$; over Eq. 18 it would grow {:.0f}-fold from 0.9 "
                    "to 0.1",
