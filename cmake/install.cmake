@@ -24,7 +24,8 @@ if(TARGET pounding_fortran)
 endif()
 install(TARGETS pounding_program)
 
-install(DIRECTORY elements/pounding lib/pounding DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY elements/pounding lib/pounding DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
+  PATTERN records EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/lib/pounding/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pounding)
 install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py")

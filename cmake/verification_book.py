@@ -22,7 +22,8 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "tests/verification/README.md"
 #: Folders of tests, with the words that head their chapters.
 CHAPTERS = {"tests/laws": "Contact laws and free impacts", "tests/verification": "Impacts of structures", "tests/elements": "Structures and frames",
-            "tests/analysis": "Time integration", "tests/io": "Ground motions", "tests/program": "The program"}
+            "tests/analysis": "Time integration", "tests/io": "Ground motions", "tests/reproduce": "The paper, recomputed",
+            "tests/program": "The program"}
 INTRODUCTION = """\
 # Verification book
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <source_location>
 #include <string>
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 #include "reproduce/paper.hpp"
+#include "support/book.hpp"
 #include "support/published_tables.hpp"
 
 namespace pounding::reproduce {
@@ -26,9 +28,16 @@ namespace {
 
 using reference::half_unit;
 
-void expect_printed(const Table& table, const std::string& row, const std::string& heading, double value, int decimals,
-                    double relative = 1e-6) {
-  EXPECT_NEAR(table.at(row, heading), value, half_unit(decimals) + relative * std::abs(value)) << row << ", " << heading;
+const char* const independent = "an independent script: 8th-order Runge-Kutta at 1e-12, closed forms, the paper's own formulas";
+const char* const as_printed = "half a unit of the last digit printed, and 1e-6 of it for the time integration (1e-5 where five impacts follow each other)";
+
+void expect_printed(test::Book& book, const Table& table, const std::string& row, const std::string& heading, double value,
+                    int decimals, double relative = 1e-6, std::source_location at = std::source_location::current()) {
+  SCOPED_TRACE(row);
+  const auto column = std::ranges::find(table.headings, heading, &Table::Heading::name);
+  const std::string unit = column == table.headings.end() || column->unit.empty() ? "-" : column->unit;
+  const bool is_asked = heading.find_first_not_of("0123456789.") == std::string::npos;  // a column for each restitution asked
+  book.near(fmt::format("{} [{}]", is_asked ? "error where " + heading + " is asked" : heading, unit), table.at(row, heading), value, half_unit(decimals) + relative * std::abs(value), at);
 }
 
 void expect_judgement(const Item& item, const char* place, Judgement judgement) {
@@ -56,11 +65,12 @@ void expect_complete(const Item& item) {
 TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
   const Item item = sdof();
   expect_complete(item);
+  test::Book book("The paper: two bodies and two oscillators (Eqs. 1, 2)", independent, as_printed);
   // Closed form of a linear spring and dashpot, contact until d = 0: half a period of the damped oscillator.
   const double zeta = 0.135851, w = std::sqrt(9.35e7 / 60e3);
   const Table& contacts = item.table("contacts");
   for (const char* row : {"one body, reduced mass", "two free bodies"}) {
-    expect_printed(contacts, row, "restitution", 0.65, 6);
+    expect_printed(book, contacts, row, "restitution", 0.65, 6);
     EXPECT_NEAR(contacts.at(row, "duration"), 1e3 * std::numbers::pi / (w * std::sqrt(1 - zeta * zeta)), 1e-3) << row;
     EXPECT_NEAR(contacts.at(row, "energy lost"), 0.5 * 60 * (1 - 0.65 * 0.65) * 0.25, 1e-5) << row;
   }
@@ -93,16 +103,17 @@ TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
 TEST(Reproduction, OfTheLawsMeasuresWhatTableOneClaims) {
   const Item item = force_laws();
   expect_complete(item);
+  test::Book book("The paper: every law at the same impact (Eqs. 3-14, Table 1)", independent, as_printed);
   // Reference, restitution obtained for 0.5 asked.
   const Table& t = item.table("published");
-  expect_printed(t, "linear spring, Eq. 3", "restitution", 1, 4);
-  expect_printed(t, "Kelvin-Voigt, Eqs. 5-7", "restitution", 0.5, 4);
-  expect_printed(t, "Kelvin-Voigt without tension, Eqs. 5-7", "restitution", 0.5503, 4);
-  expect_printed(t, "modified Kelvin, Eq. 13", "restitution", 0.4877, 4);
-  expect_printed(t, "Jankowski, Eqs. 8-10", "restitution", 0.5582, 4);
-  expect_printed(t, "Hertz damped, Eqs. 11, 12", "restitution", 0.7252, 4);
-  expect_printed(t, "Hertz damped, Eqs. 11, 13", "restitution", 0.4877, 4);
-  expect_printed(t, "Hertz damped, Eqs. 11, 14", "restitution", 0.4704, 4);
+  expect_printed(book, t, "linear spring, Eq. 3", "restitution", 1, 4);
+  expect_printed(book, t, "Kelvin-Voigt, Eqs. 5-7", "restitution", 0.5, 4);
+  expect_printed(book, t, "Kelvin-Voigt without tension, Eqs. 5-7", "restitution", 0.5503, 4);
+  expect_printed(book, t, "modified Kelvin, Eq. 13", "restitution", 0.4877, 4);
+  expect_printed(book, t, "Jankowski, Eqs. 8-10", "restitution", 0.5582, 4);
+  expect_printed(book, t, "Hertz damped, Eqs. 11, 12", "restitution", 0.7252, 4);
+  expect_printed(book, t, "Hertz damped, Eqs. 11, 13", "restitution", 0.4877, 4);
+  expect_printed(book, t, "Hertz damped, Eqs. 11, 14", "restitution", 0.4704, 4);
   // Closed form: c v = 2 zeta sqrt(k m) v at the touch, and as much pull at the end as the rebound speed makes, c e v.
   const double c = 2 * 0.215454 * std::sqrt(9.35e7 * 60e3) / 1e3;
   EXPECT_NEAR(t.at("Kelvin-Voigt, Eqs. 5-7", "force at touch"), 0.5 * c, 1e-2);
@@ -122,22 +133,23 @@ TEST(Reproduction, OfTheLawsMeasuresWhatTableOneClaims) {
 TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
   const Item item = table2();
   expect_complete(item);
+  test::Book book("The paper: the example of 755.76 (Eqs. 15-17, Table 2, Fig. 6)", independent, as_printed);
   const Table& example = item.table("example");
   constexpr const char* names[] = {"Eq. 12, Lankarani", "Eq. 13, Ye 2008", "Eq. 14, Ye 2009", "Eq. 16, proposed", "exact"};
   for (std::size_t i = 0; i < std::size(names); ++i) {
     const reference::Section5Row& row = reference::section_5::rows[i];
-    expect_printed(example, names[i], "a", row.factor, 6);
-    expect_printed(example, names[i], "c_imp", row.damping, 3);
-    expect_printed(example, names[i], "restitution", row.restitution, 5);
-    expect_printed(example, names[i], "penetration", row.penetration, 6);
-    expect_printed(example, names[i], "peak force", row.force, 3);
-    expect_printed(example, names[i], "energy lost", row.lost, 5);
-    expect_printed(example, names[i], "Eq. 18", row.lost_if_as_asked, 5);
+    expect_printed(book, example, names[i], "a", row.factor, 6);
+    expect_printed(book, example, names[i], "c_imp", row.damping, 3);
+    expect_printed(book, example, names[i], "restitution", row.restitution, 5);
+    expect_printed(book, example, names[i], "penetration", row.penetration, 6);
+    expect_printed(book, example, names[i], "peak force", row.force, 3);
+    expect_printed(book, example, names[i], "energy lost", row.lost, 5);
+    expect_printed(book, example, names[i], "Eq. 18", row.lost_if_as_asked, 5);
   }
   // Reference: k/v = 3000, with k = 30000 and v = 10.
   constexpr reference::Nine obtained{0.0665, 0.1503, 0.2474, 0.3532, 0.4656, 0.5860, 0.7115, 0.8334, 0.9346};
   for (std::size_t i = 0; i < 9; ++i)
-    expect_printed(item.table("rows"), fmt::format("{:.1f}", paper::restitutions[i]), "k in kN", obtained[i], 4);
+    expect_printed(book, item.table("rows"), fmt::format("{:.1f}", paper::restitutions[i]), "k in kN", obtained[i], 4);
   // Independent scan of k/v: least error 2.308 % RMS at 1.52. By hand from a = 0.974872, N - 1 = -0.0027 at 0.6: k/v = 2.8e12;
   // from a = 1.432751, N - 1 = 0.0115 at 0.5: 0.043.
   const Verdict& table = item.verdict("Table 2");
@@ -152,6 +164,7 @@ TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
 TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
   const Item item = section5();
   expect_complete(item);
+  test::Book book("The paper: accuracy of the proposed law (section 5.1, Table 3)", independent, as_printed);
   const struct {
     const char *row, *reference;
   } rows[] = {{"Eq. 12, Lankarani", "Lankarani-Nikravesh 1990 = Muthukumar-DesRoches: 3(1-e^2)/4 [paper Eq. 12]"},
@@ -168,7 +181,7 @@ TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
     const auto row = std::ranges::find(reference::formulas, in_reference, &reference::FormulaRow::name);
     ASSERT_NE(row, reference::formulas.end()) << in_reference;
     for (std::size_t i = 0; i < 9; ++i)
-      expect_printed(errors, name, fmt::format("{:.1f}", reference::asked(i)), row->percent[i], 2);
+      expect_printed(book, errors, name, fmt::format("{:.1f}", reference::asked(i)), row->percent[i], 2);
   }
   const Table& runs = item.table("runs");
   for (const reference::Section51Row& row : reference::section_5_1::rows) {
@@ -179,13 +192,13 @@ TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
                              : formula == "lankarani_nikravesh" ? "Eq. 12, Lankarani"
                                                                 : "Eq. 14, Ye 2009";
     const std::string key = fmt::format("{:.1f}, {}", row.asked, name);
-    expect_printed(runs, key, "damping", row.damping, 5);
-    expect_printed(runs, key, "restitution", row.restitution, 5);
-    expect_printed(runs, key, "penetration", row.penetration, 6);
-    expect_printed(runs, key, "peak force", row.force, 2);
-    expect_printed(runs, key, "contact time", row.duration, 6);
-    expect_printed(runs, key, "energy lost", row.lost, 3);
-    expect_printed(runs, key, "impulse", row.impulse, 3);
+    expect_printed(book, runs, key, "damping", row.damping, 5);
+    expect_printed(book, runs, key, "restitution", row.restitution, 5);
+    expect_printed(book, runs, key, "penetration", row.penetration, 6);
+    expect_printed(book, runs, key, "peak force", row.force, 2);
+    expect_printed(book, runs, key, "contact time", row.duration, 6);
+    expect_printed(book, runs, key, "energy lost", row.lost, 3);
+    expect_printed(book, runs, key, "impulse", row.impulse, 3);
   }
   // Reference: Eq. 13 is nearer everywhere, Eq. 14 everywhere but at 0.6 and 0.7.
   const std::string& accuracy = item.verdict("Section 5.1, Fig. 8").ours;
@@ -198,13 +211,14 @@ TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
 TEST(Reproduction, OfTheCyclicProcessHasTheCurveOfTheReference) {
   const Item item = cyclic();
   expect_complete(item);
+  test::Book book("The paper: cyclic process (section 6, Eq. 19)", independent, as_printed);
   // Reference: Eq. 19 at these restitutions, its roots, the energies.
   const struct {
     const char* e;
     double v;
   } curve[] = {{"0.1", 68.680}, {"0.2", 39.289}, {"0.3", 22.481}, {"0.4", 13.429}, {"0.45", 10.626}, {"0.5", 8.490},
                {"0.6", 5.210},  {"0.7", 2.319},  {"0.8", -0.265}, {"0.9", -1.438}};
-  for (const auto& [e, v] : curve) expect_printed(item.table("velocities"), e, "Eq. 19", v, 3);
+  for (const auto& [e, v] : curve) expect_printed(book, item.table("velocities"), e, "Eq. 19", v, 3);
   const std::string& range = item.verdict("Eq. 19, range").ours;
   EXPECT_NE(range.find("negative for 0.7882 < $CR$ < 0.9765"), std::string::npos) << range;
   EXPECT_NE(range.find("1.09 m/s at $CR = 1$"), std::string::npos) << range;
@@ -221,7 +235,7 @@ TEST(Reproduction, OfTheCyclicProcessHasTheCurveOfTheReference) {
   EXPECT_NEAR(last.values.at(1), 28.341, 1e-6);
   EXPECT_NEAR(item.table("process").at("1", "CR obtained"), 0.4656, half_unit(4)) << "reference, k/v = 3000";
   // By hand: c_imp in proportion to (1-e^2)/(e v) is held; 10 m/s at 0.5.
-  expect_printed(item.table("velocities"), "0.1", "equal loops, N = M = 1", 66, 3);
+  expect_printed(book, item.table("velocities"), "0.1", "equal loops, N = M = 1", 66, 3);
   expect_judgement(item, "Section 6, 28.33261", Judgement::agrees);
   expect_judgement(item, "Section 6, 28.64157", Judgement::disagrees);
   expect_judgement(item, "Fig. 11", Judgement::cannot_be_checked);
@@ -230,6 +244,7 @@ TEST(Reproduction, OfTheCyclicProcessHasTheCurveOfTheReference) {
 TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
   const Item item = section7();
   expect_complete(item);
+  test::Book book("The paper: three damping ratios (section 7, Table 4)", independent, as_printed);
   constexpr reference::Nine eq38{124.79021, 29.33544, 11.71522, 5.61499, 2.86479, 1.44866, 0.67586, 0.25783, 0.05675};
   constexpr reference::Nine jankowski{3.52322, 1.70823, 1.07951, 0.74735, 0.53382, 0.37961, 0.25928, 0.16015, 0.07513};
   constexpr reference::Nine mahmoud{3.15127, 1.52789, 0.96554, 0.66845, 0.47746, 0.33953, 0.23191, 0.14324, 0.06720};
@@ -238,16 +253,16 @@ TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
   const Table& ratios = item.table("ratios");
   for (std::size_t i = 0; i < 9; ++i) {
     const std::string row = fmt::format("{:.1f}", reference::asked(i));
-    expect_printed(ratios, row, "Eq. 38, proposed", eq38[i], 5);
-    expect_printed(ratios, row, "Jankowski", jankowski[i], 5);
-    expect_printed(ratios, row, "Mahmoud", mahmoud[i], 5);
-    expect_printed(ratios, row, "exact", exact[i], 5);
-    expect_printed(ratios, row, "Eq. 38, proposed, obtained", by_eq38[i], 4);
+    expect_printed(book, ratios, row, "Eq. 38, proposed", eq38[i], 5);
+    expect_printed(book, ratios, row, "Jankowski", jankowski[i], 5);
+    expect_printed(book, ratios, row, "Mahmoud", mahmoud[i], 5);
+    expect_printed(book, ratios, row, "exact", exact[i], 5);
+    expect_printed(book, ratios, row, "Eq. 38, proposed, obtained", by_eq38[i], 4);
   }
   const Table& forces = item.table("forces");
   for (const auto& [row, e] : {std::pair{"Eq. 38, proposed, 0.4", 0.0863}, {"Eq. 38, proposed, 0.5", 0.1606}, {"Eq. 38, proposed, 0.6", 0.2823},
                                {"Eq. 38, proposed, 0.9", 0.9175}, {"Mahmoud, 0.5", 0.5582}, {"exact, 0.5", 0.5}, {"exact, 0.9", 0.9}})
-    expect_printed(forces, row, "restitution", e, 4);
+    expect_printed(book, forces, row, "restitution", e, 4);
   // Closed form: with zeta above 1/2 the largest force is c v at the touch.
   EXPECT_NEAR(forces.at("Eq. 38, proposed, 0.5", "peak force"), 2 * 2.86479 * std::sqrt(9.35e7 * 60e3) * 0.5 / 1e3, 0.1);
   // Reference: 61 belongs to 0.142, Eq. 38 lies between the two others from 0.870 to 0.883.
@@ -267,6 +282,7 @@ TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
 TEST(Reproduction, BeyondThePaperHasTheOscillatorsOfTheReference) {
   const Item item = beyond();
   expect_complete(item);
+  test::Book book("Beyond the paper: two oscillators, exact and published damping", independent, as_printed);
   const struct {
     const char* row;
     double left, right, force, first_closing, first_force, first_separation;
@@ -279,12 +295,12 @@ TEST(Reproduction, BeyondThePaperHasTheOscillatorsOfTheReference) {
               {"Jankowski, exact", 0.128115, 0.055571, 7178400.0, 0.987919, 3619597.2, 0.603336}};
   const Table& t = item.table("oscillators");
   for (const auto& row : rows) {
-    expect_printed(t, row.row, "peak u left", row.left, 6, 1e-5);
-    expect_printed(t, row.row, "peak u right", row.right, 6, 1e-5);
-    expect_printed(t, row.row, "peak force", row.force / 1e3, 4, 1e-5);
-    expect_printed(t, row.row, "first closing", row.first_closing, 6, 1e-5);
-    expect_printed(t, row.row, "first force", row.first_force / 1e3, 4, 1e-5);
-    expect_printed(t, row.row, "first separation", row.first_separation, 6, 1e-5);
+    expect_printed(book, t, row.row, "peak u left", row.left, 6, 1e-5);
+    expect_printed(book, t, row.row, "peak u right", row.right, 6, 1e-5);
+    expect_printed(book, t, row.row, "peak force", row.force / 1e3, 4, 1e-5);
+    expect_printed(book, t, row.row, "first closing", row.first_closing, 6, 1e-5);
+    expect_printed(book, t, row.row, "first force", row.first_force / 1e3, 4, 1e-5);
+    expect_printed(book, t, row.row, "first separation", row.first_separation, 6, 1e-5);
     EXPECT_EQ(t.at(row.row, "impacts"), 5) << row.row;
   }
   EXPECT_NEAR(t.at("Hertz damped, exact", "free impact"), 0.65, 1e-9);
