@@ -9,6 +9,7 @@
 #include <pounding/error.hpp>
 #include <pounding/fingerprint.hpp>
 #include <pounding/hdf5.hpp>
+#include <pounding/input.hpp>
 #include <pounding/model.hpp>
 #include <pounding/results.hpp>
 #include <pounding/version.hpp>
@@ -114,6 +115,22 @@ StoppedRun read_stopped_run(const std::string& file) {
     throw InputError(fmt::format("{}: cannot be read as a results file, it is another or a damaged one ({})", file, error.what()));
   }
   return run;
+}
+
+Input input_of(const StoppedRun& run) {
+  const std::string& file = run.checkpoint.model_file;
+  return Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file);
+}
+
+void add_earlier_options(const StoppedRun& run, std::vector<std::string>& options) {
+  const std::vector<std::string> typed = options;
+  for (const std::string& option : run.checkpoint.options) {
+    const std::size_t space = option.find(' ');
+    const std::string name = option.substr(0, space);
+    if (std::find(typed.begin(), typed.end(), name) != typed.end()) continue;
+    options.push_back(name);
+    if (space != std::string::npos) options.push_back(option.substr(space + 1));
+  }
 }
 
 void check_same_run(const StoppedRun& run, const Model& model, const std::vector<std::string>& options) {

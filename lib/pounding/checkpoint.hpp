@@ -7,6 +7,7 @@
 
 namespace pounding {
 
+class Input;
 struct Model;
 struct Results;
 
@@ -35,6 +36,13 @@ struct StoppedRun {
 /// Throws InputError for a file that is no results file, is damaged, was written by another version of the program, whose
 /// run is done, or that holds no checkpoint.
 StoppedRun read_stopped_run(const std::string& file);
+
+/// The input that the file of a run holds, under the name of the one that it was read from.
+Input input_of(const StoppedRun& run);
+
+/// Options of the run's beginning ("-pounding_ts_rtol 1e-6") hold for the rest of it without being typed again: adds those that
+/// are missing in `options`, words of a command line.
+void add_earlier_options(const StoppedRun& run, std::vector<std::string>& options);
 
 /// Throws InputError, with what differs, unless the model, the data that it reads and the options are those of the run.
 void check_same_run(const StoppedRun& run, const Model& model, const std::vector<std::string>& options);

@@ -136,6 +136,9 @@ std::vector<int> offsets(const Model& model);
 /// Initial displacements and velocities of the assembled system.
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model);
 
+/// What a run is about, one line each: title, ground motions, links with their laws, gaps and masses.
+std::string describe(const Model& model);
+
 /// The model with every default and calibrated parameter filled in, SI, as YAML.
 std::string resolved_yaml(const Model& model);
 

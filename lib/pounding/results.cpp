@@ -330,10 +330,12 @@ std::string fingerprint_of_histories(const Results& results) {
   return fingerprint.text();
 }
 
-void write_results(const Results& results, const std::string& path) {
+std::vector<std::byte> results_image(const Results& results) {
   check_names(results.structures, "structure");
   check_names(results.links, "link");
-  replace_file(path, hdf5::file_image([&](hid_t file) { write_all(file, results); }));
+  return hdf5::file_image([&](hid_t file) { write_all(file, results); });
 }
+
+void write_results(const Results& results, const std::string& path) { replace_file(path, results_image(results)); }
 
 }  // namespace pounding

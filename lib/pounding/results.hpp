@@ -2,6 +2,7 @@
 /// What a run leaves behind, in memory and in one HDF5 file that h5py reads without help (DESIGN of the file: README).
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -89,6 +90,9 @@ struct Results {
 /// Throws InputError when the place cannot be written or a name is not possible, std::invalid_argument when the lengths
 /// of the histories do not fit together, std::runtime_error with HDF5's own text when HDF5 fails.
 void write_results(const Results& results, const std::string& path);
+
+/// The bytes of that file, for whoever reads the results without a disk; throws as write_results.
+std::vector<std::byte> results_image(const Results& results);
 
 /// Calls `visit` with the place in the file and the values of every history of a number in time, those of the links and of
 /// the energy included.

@@ -11,6 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// An imbalance this many times the tolerance says that something was not resolved.
+constexpr double suspicious_imbalance = 100;
+
 // JSON has no NaN: what has no value is null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -104,6 +107,13 @@ std::string to_json(const Summary& summary) {
     all["no_pounding"] = {{"structures", structures_json(summary.without_pounding)}, {"amplification", amplification}};
   }
   return all.dump();
+}
+
+std::string warning(const Summary& summary, double tolerance) {
+  if (!(summary.energy.error > suspicious_imbalance * tolerance)) return {};
+  return fmt::format("the energies do not close, the largest imbalance is {:.1e} of the input; run again with a smaller "
+                     "tolerance",
+                     summary.energy.error);
 }
 
 std::string to_table(const Summary& summary) {

@@ -47,6 +47,9 @@ struct Summary {
 /// The object that `pounding run --json` prints, on one line.
 std::string to_json(const Summary& summary);
 
+/// What to tell beside the results of a run with this tolerance: that its energies do not close. Empty when they do.
+std::string warning(const Summary& summary, double tolerance);
+
 /// The tables that `pounding run` prints, in engineering units.
 std::string to_table(const Summary& summary);
 

@@ -1,149 +1,37 @@
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <pounding/calibration.hpp>
 #include <pounding/error.hpp>
 #include <pounding/laws/cyclic_calibration.hpp>
-#include <pounding/laws/free_impact.hpp>
-#include <pounding/units.hpp>
 #include "commands.hpp"
 
 namespace pounding::program {
 namespace {
 
 struct Words {
-  std::string law, restitution, m1, m2 = "wall", stiffness, velocity, exponent;
-  std::vector<std::string> parameters;
+  CollisionWords collision;
+  std::vector<std::string> parameters;  // NAME=VALUE
   bool json = false, cyclic = false;
 };
 
-/// The collision that the command line describes, and which of its values are only typical ones.
-struct Collision {
-  const laws::Entry& law;
-  laws::Settings settings;
-  double velocity = laws::typical_closing_speed;
-  double exponent = 1;
-  std::vector<std::string> assumed;
-};
-
-/// One formula at work.
-struct Row {
-  std::string_view formula;
-  double number = 0, coefficient = 0;
-  laws::FreeImpact impact;
-  std::string refused;  ///< why the formula has no value here
-};
-
-double read(std::string_view option, const std::string& text, const Dimension& expected) {
-  try {
-    return parse_quantity(text, expected);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("--{} {}: {}", option, text, error.what()));
-  }
-}
-
-double read_mass(std::string_view option, const std::string& text) {
-  const double mass = read(option, text, dimension::mass);
-  if (!(mass > 0)) throw InputError(fmt::format("--{} {}: a mass must be positive", option, text));
-  return mass;
-}
-
-/// The reduced mass; a wall is infinitely heavy.
-double reduced_mass(const Words& words) {
-  const double m1 = read_mass("m1", words.m1);
-  if (words.m2 == "wall") return m1;
-  const double m2 = read_mass("m2", words.m2);
-  return m1 / (1 + m1 / m2);
-}
-
-std::vector<std::pair<std::string, std::string>> given_parameters(const Words& words) {
-  std::vector<std::pair<std::string, std::string>> given;
-  if (!words.exponent.empty()) given.emplace_back("exponent", words.exponent);
-  if (!words.stiffness.empty()) given.emplace_back("stiffness", words.stiffness);
+CollisionWords collision_words(const Words& words) {
+  CollisionWords collision = words.collision;
+  collision.before_names = "--";
   for (const std::string& text : words.parameters) {
     const auto equals = text.find('=');
     if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write NAME=VALUE", text));
-    given.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    collision.parameters.emplace_back(text.substr(0, equals), text.substr(equals + 1));
   }
-  return given;
-}
-
-Collision read_collision(const Words& words) {
-  Collision c{.law = laws::find_law(words.law), .settings = {}, .assumed = {}};
-  c.settings = laws::typical_settings(c.law);
-  c.settings.reduced_mass = reduced_mass(words);
-  if (c.law.takes_restitution) {
-    if (words.restitution.empty()) throw InputError("--restitution is missing: the one to calibrate for, such as 0.65");
-    c.settings.restitution = read("restitution", words.restitution, dimension::none);
-  } else if (!words.restitution.empty()) {
-    throw InputError(fmt::format("--restitution: {} takes no restitution, it loses no energy", words.law));
-  }
-  const auto given = given_parameters(words);
-  for (const auto& [name, text] : given)
-    if (name == "exponent") c.settings.values["exponent"] = read(name, text, dimension::none);
-  if (const auto n = c.settings.values.find("exponent"); n != c.settings.values.end()) c.exponent = n->second;
-  for (const auto& [name, text] : given) {
-    const auto p = std::ranges::find(c.law.parameters, name, &laws::ParameterInfo::name);
-    // An unknown name stays in, so that make_law refuses it and says which ones there are.
-    const Dimension expected =
-        p == c.law.parameters.end() ? dimension::none : parse_unit_dimension(laws::resolved_unit(p->unit, c.exponent));
-    c.settings.values[name] = p == c.law.parameters.end() ? 0 : read(name, text, expected);
-  }
-  for (const laws::ParameterInfo& p : c.law.parameters) {
-    const bool is_given = std::ranges::find(given, p.name, &std::pair<std::string, std::string>::first) != given.end();
-    if (p.need == laws::Need::required && !is_given && p.unit.find('n') != std::string_view::npos && !words.exponent.empty())
-      throw InputError(fmt::format("--exponent {} needs --{} with it: a typical one is known for the usual exponent only",
-                                   words.exponent, p.name));
-    if (p.need == laws::Need::required && !is_given)
-      c.assumed.push_back(fmt::format("{} {:g} {}", p.name, p.typical, laws::resolved_unit(p.unit, c.exponent)));
-  }
-  if (words.velocity.empty())
-    c.assumed.push_back(fmt::format("closing speed {:g} m/s", c.velocity));
-  else
-    c.velocity = read("velocity", words.velocity, dimension::velocity);
-  return c;
-}
-
-Row calibrated(const Collision& c, std::string_view formula) {
-  Row row{.formula = formula, .impact = {}, .refused = {}};
-  laws::Settings settings = c.settings;
-  settings.formula = formula;
-  try {
-    const laws::AnyLaw law = laws::make_law(settings);
-    row.impact = laws::free_impact(law, settings.reduced_mass, c.velocity);
-    std::visit(
-        [&](const auto& chosen) {
-          if constexpr (laws::has_damping<std::decay_t<decltype(chosen)>>) {
-            row.number = chosen.damping_number(c.velocity);
-            row.coefficient = chosen.damping_for(c.velocity);
-          }
-        },
-        law);
-  } catch (const std::invalid_argument& error) {
-    if (c.law.formulas.size() < 2) throw;
-    row.refused = error.what();
-  }
-  return row;
-}
-
-std::vector<Row> calibrate(const Collision& c) {
-  if (c.law.formulas.empty()) return {calibrated(c, "")};
-  // A value that every formula refuses is wrong in itself.
-  laws::Settings settings = c.settings;
-  settings.formula = c.law.formulas[1 % c.law.formulas.size()].name;
-  laws::make_law(settings);
-  std::vector<Row> rows;
-  for (const laws::Formula& f : c.law.formulas) rows.push_back(calibrated(c, f.name));
-  return rows;
+  return collision;
 }
 
 std::string quantity_header(const laws::Quantity& q, double exponent) {
@@ -161,7 +49,7 @@ void print_head(const Collision& c) {
   if (!c.assumed.empty()) fmt::print("Typical values taken, not given: {}\n", fmt::join(c.assumed, ", "));
 }
 
-void print(const Collision& c, const std::vector<Row>& rows) {
+void print(const Collision& c, const std::vector<CalibratedRow>& rows) {
   print_head(c);
   const bool dissipates = !c.law.number.name.empty();
   const bool two = dissipates && c.law.number.name != c.law.coefficient.name;
@@ -171,7 +59,7 @@ void print(const Collision& c, const std::vector<Row>& rows) {
   if (dissipates) fmt::print("{:>{}}", number, number.size() + 2);
   if (two) fmt::print("{:>{}}", coefficient, coefficient.size() + 2);
   fmt::print("{:>18}{:>17}{:>17}{:>14}\n", "restitution [-]", "peak force [N]", "penetration [m]", "duration [s]");
-  for (const Row& r : rows) {
+  for (const CalibratedRow& r : rows) {
     fmt::print("{:<24}", r.formula);
     if (!r.refused.empty()) {
       fmt::print("  {}\n", r.refused);
@@ -184,11 +72,11 @@ void print(const Collision& c, const std::vector<Row>& rows) {
   }
 }
 
-void print_json(const Collision& c, const std::vector<Row>& rows) {
+void print_json(const Collision& c, const std::vector<CalibratedRow>& rows) {
   nlohmann::json result{{"law", c.law.name}, {"reduced_mass", c.settings.reduced_mass}, {"closing_speed", c.velocity},
                         {"parameters", c.settings.values}, {"assumed", c.assumed}, {"formulas", nlohmann::json::array()}};
   if (c.settings.restitution) result["restitution"] = *c.settings.restitution;
-  for (const Row& r : rows) {
+  for (const CalibratedRow& r : rows) {
     if (!r.refused.empty()) {
       result["formulas"].push_back({{"formula", r.formula}, {"refused", r.refused}});
       continue;
@@ -279,25 +167,25 @@ void add_calibrate(CLI::App& app) {
   const auto words = std::make_shared<Words>();
   CLI::App* command =
       app.add_subcommand("calibrate", "Damping of a law for a restitution, by every formula, and what each really gives");
-  command->add_option("--law", words->law, "Contact law (see pounding laws)")->required();
-  command->add_option("--restitution", words->restitution, "Restitution to calibrate for, in (0, 1]");
-  command->add_option("--m1", words->m1, "Mass of the first body, such as 100 t or 1e5")->required();
-  command->add_option("--m2", words->m2, "Mass of the second body, or wall")->capture_default_str();
-  command->add_option("--stiffness", words->stiffness, "Contact stiffness, SI or with its unit");
-  command->add_option("--velocity", words->velocity, "Closing speed");
-  command->add_option("--exponent", words->exponent, "Exponent n of the law");
+  command->add_option("--law", words->collision.law, "Contact law (see pounding laws)")->required();
+  command->add_option("--restitution", words->collision.restitution, "Restitution to calibrate for, in (0, 1]");
+  command->add_option("--m1", words->collision.m1, "Mass of the first body, such as 100 t or 1e5")->required();
+  command->add_option("--m2", words->collision.m2, "Mass of the second body, or wall")->capture_default_str();
+  command->add_option("--stiffness", words->collision.stiffness, "Contact stiffness, SI or with its unit");
+  command->add_option("--velocity", words->collision.velocity, "Closing speed");
+  command->add_option("--exponent", words->collision.exponent, "Exponent n of the law");
   command->add_option("--parameter", words->parameters, "Another parameter of the law, NAME=VALUE");
   command->add_flag("--cyclic", words->cyclic,
                     "By the cyclic process of Naderpour et al. 2015: change what the formula is given until the area of the "
                     "hysteresis loop is the kinetic energy loss");
   command->add_flag("--json", words->json, "Print JSON");
   command->callback([words] {
-    const Collision collision = read_collision(*words);
+    const Collision collision = read_collision(collision_words(*words));
     if (words->cyclic) {
       const std::vector<CyclicRow> rows = calibrate_cyclically(collision);
       return words->json ? print_json(collision, rows) : print(collision, rows);
     }
-    const std::vector<Row> rows = calibrate(collision);
+    const std::vector<CalibratedRow> rows = calibrate(collision);
     words->json ? print_json(collision, rows) : print(collision, rows);
   });
 }

@@ -25,9 +25,6 @@
 namespace pounding::program {
 namespace {
 
-// An imbalance this many times the tolerance says that something was not resolved.
-constexpr double suspicious_imbalance = 100;
-
 // One that fails waits this long for the other processes to fail alike; to read a model takes them no longer [s].
 constexpr double patience = 5;
 
@@ -36,7 +33,7 @@ struct Words {
   bool json = false, plot = false, quiet = false;
 };
 
-Model read(const std::string& path) { return read_model(Input::read_file(path), kinds(), petsc::lowest_modes); }
+Model read(const Input& input) { return read_model(input, kinds(), petsc::lowest_modes); }
 
 std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();
@@ -67,26 +64,6 @@ class StopOnSignal {
 };
 volatile std::sig_atomic_t StopOnSignal::stop = 0;
 
-std::string describe(const Model& model) {
-  std::string text = model.title.empty() ? "" : model.title + "\n";
-  constexpr const char* axes[] = {"", " along y", " along z"};
-  for (int i = 0; i < 3; ++i) {
-    const GroundMotion& motion = model.ground.components[i];
-    if (motion.is_still()) continue;
-    text += fmt::format("ground motion{}  {}, peak {:.4g} m/s^2 ({:.4g} g)\n", axes[i], motion.source(), motion.peak(),
-                        motion.peak() / 9.80665);
-  }
-  for (const Link& link : model.links) {
-    text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
-                        link.formula, 1e3 * link.gap);
-    if (link.reduced_mass > 0)
-      text += fmt::format(", reduced mass {:.6g} t {}", link.reduced_mass / 1e3,
-                          link.reduced_mass_given ? "(as given)" : "(of the two floors)");
-    text += '\n';
-  }
-  return text;
-}
-
 // Words that CLI11 does not know: MODEL, then PETSc's options, which carry its prefix, each with its value.
 struct Rest {
   std::string model;
@@ -110,23 +87,6 @@ Rest rest_of(const CLI::App& command) {
     value = option;
   }
   return rest;
-}
-
-// Options of the run's beginning hold for the rest of it without being typed again.
-void add_earlier_options(const std::vector<std::string>& earlier, std::vector<std::string>& options) {
-  const std::vector<std::string> typed = options;
-  for (const std::string& option : earlier) {
-    const std::size_t space = option.find(' ');
-    const std::string name = option.substr(0, space);
-    if (std::find(typed.begin(), typed.end(), name) != typed.end()) continue;
-    options.push_back(name);
-    if (space != std::string::npos) options.push_back(option.substr(space + 1));
-  }
-}
-
-Model read_again(const StoppedRun& run) {
-  const std::string& file = run.checkpoint.model_file;
-  return read_model(Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file), kinds(), petsc::lowest_modes);
 }
 
 // A file of the same name may be another one in the folder of another process.
@@ -162,7 +122,7 @@ void run_task(const Words& words, const Task& task) {
   const bool resume = !words.resume.empty();
   const petsc::Team team(PETSC_COMM_WORLD);
   const bool speaks = team.is_first();
-  const Model model = model_file.empty() ? read_again(earlier) : read(model_file);
+  const Model model = read(model_file.empty() ? input_of(earlier) : Input::read_file(model_file));
   require_one_model(team, model, model_file.empty() ? words.resume : model_file);
   RunOptions run_options;
   const bool plot = words.plot || !words.picture.empty();
@@ -197,11 +157,8 @@ void run_task(const Words& words, const Task& task) {
   if (!speaks) return;
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
     std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n", unread.front().c_str());
-  if (outcome.summary.energy.error > suspicious_imbalance * model.analysis.tolerance)
-    std::fprintf(stderr,
-                 "pounding: warning: the energies do not close, the largest imbalance is %.1e of the input; run again with a "
-                 "smaller tolerance\n",
-                 outcome.summary.energy.error);
+  if (const std::string text = warning(outcome.summary, model.analysis.tolerance); !text.empty())
+    std::fprintf(stderr, "pounding: warning: %s\n", text.c_str());
   if (words.json)
     std::puts(to_json(outcome.summary).c_str());
   else if (!words.quiet)
@@ -221,7 +178,7 @@ void run_model(const Words& words, const CLI::App& command) {
   StoppedRun earlier;
   if (resume) {
     earlier = read_stopped_run(words.resume);
-    add_earlier_options(earlier.checkpoint.options, options);
+    add_earlier_options(earlier, options);
   }
   const petsc::Environment environment(options);
   together([&] { run_task(words, {model_file, options, earlier}); });
@@ -251,7 +208,7 @@ void add_run(CLI::App& app) {
   check_command->add_flag("--json", check_words->json, "Print one JSON object");
   check_command->callback([check_words] {
     const petsc::Environment environment;
-    const Model model = read(check_words->model);
+    const Model model = read(Input::read_file(check_words->model));
     if (check_words->json)
       std::printf("{\"status\": \"ok\", \"structures\": %zu, \"links\": %zu}\n", model.structures.size(), model.links.size());
     else
