@@ -10,7 +10,7 @@ packages=(g++ gfortran cmake ninja-build ccache pkg-config libpetsc-real-dev sle
 
 if ! command -v dpkg-query > /dev/null; then
   echo "This is not Debian: install what these packages hold, then go on with CMake (see README.md):" >&2
-  echo "  ${packages[*]} python3-venv" >&2
+  echo "  ${packages[*]} python3-venv python3-dev" >&2
   exit 1
 fi
 
@@ -21,6 +21,7 @@ for package in "${packages[@]}"; do
 done
 # The Python that the path finds counts, whoever installed it.
 python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
+python3 -c 'import os, sysconfig; os.stat(sysconfig.get_path("include") + "/Python.h")' 2> /dev/null || missing+=(python3-dev)
 [ ${#missing[@]} -eq 0 ] && exit 0
 
 echo "Missing Debian packages: ${missing[*]}"

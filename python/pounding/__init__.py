@@ -1,12 +1,58 @@
-"""Results of `pounding` as numpy arrays and pictures.
+"""Adjacent structures that hit each other in earthquakes.
 
-    from pounding.results import read
-    from pounding.plots import standard_figure
+    import pounding
 
-    run = read("demo.h5")
-    run.impacts["restitution"]
-    standard_figure(run).savefig("demo.pdf")
+    law = pounding.laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)
+    law.force(penetration=[1e-3, 2e-3], rate=0.3)          # numpy arrays, SI
 
-Pictures of the model, profiles, animations, mode shapes and exports have a module each: model_picture, profiles,
-animation, mode_shapes, export. `python3 -m pounding animate RESULTS.h5 -o FILE.gif` and so on run them from a shell.
+    model = pounding.Model.from_file("model.yaml")         # or Model(structures={...}, links=[...])
+    results = pounding.run(model, tolerance=1e-6, output="model.h5")
+    results.impacts["restitution"]
+    results.plot("force").savefig("force.pdf")
+
+Everything is loaded when it is first used: results files need numpy and h5py, pictures matplotlib as well.
+`python3 -m pounding animate RESULTS.h5 -o FILE.gif` and so on run the parts that draw and convert from a shell.
 """
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pounding.contact import FreeImpact, Law, Response, calibrate, laws
+    from pounding.errors import AccuracyWarning, InputError, Interrupted, SolverError
+    from pounding.models import Model, check
+    from pounding.vibration import Modes, modes
+    from pounding.records import record
+    from pounding.results import Run, read
+    from pounding.running import resume, run
+
+    __version__: str
+
+__all__ = ["AccuracyWarning", "FreeImpact", "InputError", "Interrupted", "Law", "Model", "Modes", "Response", "Run",
+           "SolverError", "calibrate", "check", "laws", "modes", "read", "record", "resume", "run"]
+
+#: Where each name comes from.
+_MODULES = {
+    "contact": ("FreeImpact", "Law", "Response", "calibrate", "laws"),
+    "errors": ("AccuracyWarning", "InputError", "Interrupted", "SolverError"),
+    "models": ("Model", "check"),
+    "vibration": ("Modes", "modes"),
+    "records": ("record",),
+    "results": ("Run", "read"),
+    "running": ("resume", "run"),
+}
+_HOMES = {name: module for module, names in _MODULES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        return importlib.import_module("pounding.compiled").core.version
+    if name not in _HOMES:
+        raise AttributeError(f"module 'pounding' has no attribute {name!r}")
+    return getattr(importlib.import_module(f"pounding.{_HOMES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__, "__version__"])

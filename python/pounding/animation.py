@@ -5,6 +5,8 @@ sticks with masses. All displacements are relative to the ground and drawn large
 what touches in the run touches in the picture. A link flashes while it is pressed.
 """
 
+from __future__ import annotations
+
 import argparse
 import math
 import os
@@ -13,6 +15,7 @@ import sys
 import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
 
 import numpy as np
@@ -31,7 +34,7 @@ SLOWEST, FASTEST = 5, 25  #: frames a second
 SUFFIXES = (".gif", ".mp4", ".png")
 
 
-def choose_scale(run):
+def choose_scale(run: Run) -> float:
     """1, 2, 5, 10 ...: the largest with which displacements stay below a twelfth of the size of the picture."""
     scene = Scene(run)
     size = float(np.ptp(scene.bounds(), axis=1).max())
@@ -44,7 +47,7 @@ def choose_scale(run):
     return max(1.0, next(step * power for step in (10, 5, 2, 1) if step * power <= wanted * (1 + 1e-12)))
 
 
-def frame_times(run, frames=None, start=None, end=None):
+def frame_times(run: Run, frames: int | None = None, start: float | None = None, end: float | None = None) -> np.ndarray:
     """The times that are drawn, evenly spread: fifteen a second, 30 to 240 in all, unless told otherwise.
 
     Raises BadRequest for a span that the run does not have or fewer than two frames."""
@@ -60,7 +63,7 @@ def frame_times(run, frames=None, start=None, end=None):
     return np.linspace(start, end, frames)
 
 
-def pressed(run, times):
+def pressed(run: Run, times: np.ndarray) -> np.ndarray:
     """[frame, link]: how hard each link was pressed since the frame before, 0 for not at all, 1 for the hardest of the
     run. A contact shorter than a frame is seen by this; one without a finite force counts as 1."""
     strongest = largest([link.force for link in run.links.values()])
@@ -88,7 +91,7 @@ class Film:
     speed: float  #: frames a second
 
 
-def animate(run: Run, times, scale=None, title=None) -> Film:
+def animate(run: Run, times: np.ndarray, scale: float | None = None, title: str | None = None) -> Film:
     """The film over `times` [s]; `scale` as `choose_scale` chooses it unless given.
 
     Raises BadRequest for a scale that is not above zero."""
@@ -142,7 +145,7 @@ def animate(run: Run, times, scale=None, title=None) -> Film:
     return Film(figure, draw, len(times), speed)
 
 
-def save(film, path, progress=None):
+def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], None] | None = None) -> None:
     """Writes .gif, .mp4, or one .png a frame: NAME_0001.png and so on. `progress(done, all)` is called after each frame.
 
     Raises BadRequest for another suffix and for .mp4 without ffmpeg, OSError when nothing can be written."""
@@ -158,7 +161,7 @@ def save(film, path, progress=None):
             lambda frame, total: progress(frame + 1, total)))
 
 
-def check_output(path):
+def check_output(path: str | PathLike[str]) -> None:
     """BadRequest when `save` could not write this kind of file."""
     suffix = Path(path).suffix
     if suffix not in SUFFIXES:
@@ -206,7 +209,7 @@ def _progress(number):
     return Progress(sys.stderr) if sys.stderr.isatty() else None
 
 
-def main(arguments=None):
+def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the animation not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.animation", description="Animate the results of a run.")
     parser.add_argument("results", help="file that `pounding run` wrote")

@@ -1,9 +1,17 @@
 """A scene drawn as lines and masses on flat axes, at rest or in motion."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 
 from pounding.style import YELLOW, structure_colour
+
+if TYPE_CHECKING:
+    from pounding.skeleton import Motion, Scene
 
 #: What goes to the right and what goes up in a picture, of x, y and z. `oblique` is a parallel projection that is seen
 #: from the front right, 25 degrees from above.
@@ -16,7 +24,7 @@ VIEWS = {
 }
 
 
-def project(points, view):
+def project(points: np.ndarray, view: str) -> np.ndarray:
     """[.., 2] of points [.., 3]."""
     return points @ VIEWS[view].T
 
@@ -24,7 +32,7 @@ def project(points, view):
 class Drawing:
     """Every structure of a scene on axes, and a mark at each link."""
 
-    def __init__(self, axes, scene, view, marks=True):
+    def __init__(self, axes: Axes, scene: Scene, view: str, marks: bool = True) -> None:
         self.scene, self.view = scene, view
         self.lines, self.boxes = {}, {}
         for number, (name, bones) in enumerate(scene.bones.items()):
@@ -43,12 +51,12 @@ class Drawing:
         self.flashes = axes.scatter(points[:, 0], points[:, 1], s=0, marker=star(), facecolor=YELLOW,
                                     edgecolor="black", linewidth=0.6, zorder=7)
 
-    def move(self, motion, frame):
+    def move(self, motion: Motion, frame: int) -> None:
         """To where `motion` has the nodes at a frame."""
         for name in self.lines:
             self._set(name, motion.nodes(name, frame))
 
-    def flash(self, motion, frame, strengths):
+    def flash(self, motion: Motion, frame: int, strengths: np.ndarray) -> None:
         """A flash at each link whose strength, 0 to 1, is not zero."""
         links = self.scene.run.links.values()
         points = [project(motion.face(link, frame), self.view) for link in links]
@@ -63,14 +71,14 @@ class Drawing:
         self.boxes[name].set_verts([corner + corners for corner in points[bones.masses]])
 
 
-def star(points=8, inner=0.42):
+def star(points: int = 8, inner: float = 0.42) -> np.ndarray:
     """Outline of a flash, as a marker."""
     angles = np.pi * np.arange(2 * points + 1) / points
     radii = np.where(np.arange(2 * points + 1) % 2 == 0, 1.0, inner)
     return np.stack([radii * np.cos(angles), radii * np.sin(angles)], axis=1)
 
 
-def draw_ground(axes, scene, view):
+def draw_ground(axes: Axes, scene: Scene, view: str) -> None:
     """A line under everything at rest, or in an oblique view the outline of each structure on the ground."""
     bounds = scene.bounds()
     low, (left, right) = bounds[2, 0], bounds[0 if view == "elevation" else 1]
@@ -89,7 +97,7 @@ def draw_ground(axes, scene, view):
             axes.fill(*project(outline, view).T, color="0.9", linewidth=0, zorder=1)
 
 
-def frame_axes(axes, scene, view, margin=0.0):
+def frame_axes(axes: Axes, scene: Scene, view: str, margin: float | np.ndarray = 0.0) -> None:
     """Equal scales on both axes, room for `margin` [m], one or along x, y, z, around the scene."""
     bounds = scene.bounds(margin)
     corners = np.stack(np.meshgrid(*bounds, indexing="ij"), axis=-1).reshape(-1, 3)
@@ -100,13 +108,13 @@ def frame_axes(axes, scene, view, margin=0.0):
     axes.set_aspect("equal")
 
 
-def hide_x(axes):
+def hide_x(axes: Axes) -> None:
     """No coordinates along x: they would be wrong."""
     axes.set(xticks=[], xlabel="")
     axes.spines["bottom"].set_visible(False)
 
 
-def label_axes(axes, scene, view):
+def label_axes(axes: Axes, scene: Scene, view: str) -> None:
     """Names of the coordinates where they mean something; nothing at all around an oblique view."""
     horizontal, vertical = {"elevation": "xz", "side": "yz", "plan": "xy", "oblique": "  "}[view]
     if view == "oblique":

@@ -7,10 +7,13 @@ members, one cell array a component, such as `start N` [N], [N m]; members witho
 the ground. In ParaView choose the reader "XDMF Reader" and warp by `displacement`.
 """
 
+from __future__ import annotations
+
 import argparse
 import os
 import sys
 import xml.etree.ElementTree as ElementTree
+from os import PathLike
 from pathlib import Path
 
 import h5py
@@ -24,7 +27,7 @@ from pounding.style import BadRequest
 BLOCK = 200
 
 
-def export(results, run: Run, path):
+def export(results: str | PathLike[str], run: Run, path: str | PathLike[str]) -> None:
     """Writes `path` for the run that was read from the file `results`.
 
     Raises BadRequest when the suffix is not .xdmf or the run has no times, OSError when nothing can be written."""
@@ -144,7 +147,7 @@ def _numbers(values):
     return " ".join(map(str, values))
 
 
-def main(arguments=None):
+def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the export not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.export", description="Write the results of a run for ParaView.")
     parser.add_argument("results", help="file that `pounding run` wrote")

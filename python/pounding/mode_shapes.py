@@ -11,18 +11,23 @@ The input is one JSON object:
 A bare `pounding modes --json` is read too: its structures are drawn as profiles, their unknowns floors from the ground up.
 """
 
+from __future__ import annotations
+
 import argparse
 import json
 import sys
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from pounding.drawing import project
-from pounding.style import QUIET, STYLE, BadRequest, structure_colour, write_picture
+from pounding.style import QUIET, STYLE, BadRequest, Picture, structure_colour, write_picture
 
 #: Modes of one structure in a picture.
 MOST = 5
@@ -30,7 +35,7 @@ MOST = 5
 DRAWN_SIZE = 0.12
 
 
-def plot_modes(modes, title="Mode shapes") -> Figure:
+def plot_modes(modes: dict[str, Any], title: str = "Mode shapes") -> Figure:
     """One row a structure, one panel for each of its first modes: a profile over the height, or the deformed frame.
 
     `modes` is the object above. Raises BadRequest when there is no mode or what is given does not fit together."""
@@ -40,7 +45,7 @@ def plot_modes(modes, title="Mode shapes") -> Figure:
         raise BadRequest("there is no mode to draw: no structure of this model moves against the ground")
     columns = max(2, max(min(MOST, len(whole["modes"][name])) for name in names))
     with rc_context(STYLE):
-        figure = Figure(figsize=(max(3.8, 1.7 * columns + 0.4), 0.6 + 2.9 * len(names)), layout="constrained")
+        figure = Picture(figsize=(max(3.8, 1.7 * columns + 0.4), 0.6 + 2.9 * len(names)), layout="constrained")
         grid = figure.subplots(len(names), columns, squeeze=False)
         for number, (name, row) in enumerate(zip(names, grid)):
             _draw_structure(row, name, whole, structure_colour(list(whole["modes"]).index(name)))
@@ -67,7 +72,7 @@ def _draw_structure(row, name, whole, colour):
         axes.set_title(f"{name}, mode {number + 1}\n{_words(mode)}", fontsize=7.5, fontweight="normal")
 
 
-def draw_profile(axes, shape, elevations, colour):
+def draw_profile(axes: Axes, shape: np.ndarray, elevations: Sequence[float | None] | None, colour: str) -> None:
     """Amplitudes over the height, zero at the ground; over the numbers of the floors without elevations."""
     known = elevations is not None and len(elevations) == len(shape) and None not in elevations
     heights = [0.0, *elevations] if known else np.arange(len(shape) + 1)
@@ -79,7 +84,7 @@ def draw_profile(axes, shape, elevations, colour):
     axes.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=10))
 
 
-def draw_deformed(axes, name, geometry, shape, colour):
+def draw_deformed(axes: Axes, name: str, geometry: dict[str, Any], shape: np.ndarray, colour: str) -> None:
     """Members at rest in grey and displaced by `shape` [node, 3] in colour, members as straight lines."""
     nodes = np.asarray(geometry["nodes"], float)
     members = np.asarray(geometry["members"], int).reshape(-1, 2)
@@ -92,7 +97,8 @@ def draw_deformed(axes, name, geometry, shape, colour):
     displaced = nodes + (DRAWN_SIZE * size / moved if moved > 0 else 0) * shape
     many = len(members) > 300
     for points, line_colour, width in ((nodes, QUIET, 0.5), (displaced, colour, 0.6 if many else 1.2)):
-        axes.add_collection(LineCollection(project(points, view)[members], capstyle="round", color=line_colour, linewidth=width))
+        axes.add_collection(LineCollection(project(points, view)[members], capstyle="round",
+                                         color=line_colour, linewidth=width))
     # All modes of a frame have the same scale, whichever way they move.
     room = DRAWN_SIZE * size
     flat = project(nodes, view)
@@ -107,7 +113,7 @@ def _words(mode):
     return f"{period}, {100 * mode['damping_ratio']:.3g} % damping"
 
 
-def main(arguments=None):
+def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the modes cannot be read or the picture not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.mode_shapes", description="Draw mode shapes.")
     parser.add_argument("modes", help="file with the JSON object; - for standard input")
@@ -121,11 +127,11 @@ def main(arguments=None):
             with open(options.modes, encoding="utf-8") as file:
                 modes = json.load(file)
         figure = plot_modes(modes, options.title)
-    except (OSError, ValueError) as error:
-        print(f"cannot read {options.modes}: {error}", file=sys.stderr)
-        return 2
     except BadRequest as error:
         print(error, file=sys.stderr)
+        return 2
+    except (OSError, ValueError) as error:
+        print(f"cannot read {options.modes}: {error}", file=sys.stderr)
         return 2
     return write_picture(figure, options.output)
 

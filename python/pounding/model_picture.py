@@ -1,20 +1,24 @@
 """Picture of the model: frames in elevation, in space from all sides and in plan, with the links as marks."""
 
+from __future__ import annotations
+
 import textwrap
 
 import numpy as np
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from pounding.drawing import Drawing, draw_ground, frame_axes, label_axes, project
+from pounding.results import Run
 from pounding.skeleton import Scene, floor_heights
-from pounding.style import MM, STYLE, structure_colour
+from pounding.style import MM, STYLE, Picture, structure_colour
 
 TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
 
 
-def model_figure(run, title=None) -> Figure:
+def model_figure(run: Run, title: str | None = None) -> Figure:
     """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations."""
     scene = Scene(run)
     # Sticks have no place of their own: their gaps are drawn wide enough to be seen.
@@ -23,7 +27,7 @@ def model_figure(run, title=None) -> Figure:
         scene = Scene(run, 0.04 * max(np.ptp(scene.bounds(), axis=1)) / widest)
     views = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
     with rc_context(STYLE):
-        figure = Figure(figsize=_size(scene), layout="constrained")
+        figure = Picture(figsize=_size(scene), layout="constrained")
         axes = figure.subplot_mosaic(views)
         for letter, (view, panel) in zip("abcd", axes.items()):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(axes) > 1 else "")
@@ -33,7 +37,7 @@ def model_figure(run, title=None) -> Figure:
         return figure
 
 
-def draw_model(axes, scene, view):
+def draw_model(axes: Axes, scene: Scene, view: str) -> None:
     """One view of a scene at rest: elevation, side, plan or oblique."""
     axes.grid(False)
     draw_ground(axes, scene, view)

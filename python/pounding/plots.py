@@ -5,12 +5,15 @@ papers. Lengths are drawn in mm, forces and energies in the unit that suits thei
 model and the profiles over its height (`--picture`).
 """
 
+from __future__ import annotations
+
 import argparse
 import sys
 import textwrap
 
 import numpy as np
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
@@ -19,14 +22,14 @@ from pounding.profiles import profiles_figure
 from pounding.results import NotResults, Run, read
 from pounding.style import (
     ENERGY_UNITS, FORCE_UNITS, GREEN, IMPULSE_UNITS, LINK_COLOURS, MM, ORANGE, PURPLE, QUIET, SKY, STRUCTURE_COLOURS, STYLE,
-    TIME_UNITS, VERMILION, BadRequest, engineering, largest, write_picture)
+    TIME_UNITS, VERMILION, BadRequest, Picture, engineering, largest, write_picture)
 
 
 #: More displacements than these in one panel cannot be told apart.
 MOST_STRUCTURES = 4
 
 
-def standard_figure(run: Run, title=None, floors=None) -> Figure:
+def standard_figure(run: Run, title: str | None = None, floors: dict[str, str] | None = None) -> Figure:
     """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
     below them the loop of the strongest impact and the restitution of all.
 
@@ -46,7 +49,7 @@ def standard_figure(run: Run, title=None, floors=None) -> Figure:
     heights = [height for _, height in over_time] + [1.6] * bool(over_impacts)
 
     with rc_context(STYLE):
-        figure = Figure(figsize=(7.5, 0.7 + 1.5 * sum(heights)), layout="constrained")
+        figure = Picture(figsize=(7.5, 0.7 + 1.5 * sum(heights)), layout="constrained")
         rows = figure.add_gridspec(len(heights), 1, height_ratios=heights)
         histories = []
         for row, (draw, _) in zip(rows, over_time):
@@ -54,7 +57,7 @@ def standard_figure(run: Run, title=None, floors=None) -> Figure:
             draw(histories[-1], run)
             histories[-1].tick_params(labelbottom=False)
         histories[-1].tick_params(labelbottom=True)
-        _label_time(histories[-1], run)
+        label_time(histories[-1], run)
         if over_impacts:
             for place, draw in zip(rows[-1].subgridspec(1, 2, wspace=0.08), over_impacts):
                 draw(figure.add_subplot(place), run)
@@ -65,14 +68,14 @@ def standard_figure(run: Run, title=None, floors=None) -> Figure:
         return figure
 
 
-def draw_ground(axes, run):
+def draw_ground(axes: Axes, run: Run) -> None:
     """Acceleration of the ground."""
     _plot_time(axes, run, run.time, run.ground_acceleration, color="0.25", linewidth=0.7)
     axes.set_title("Ground")
     axes.set_ylabel("Acceleration\n[m/s²]")
 
 
-def draw_displacements(axes, run, chosen=None):
+def draw_displacements(axes: Axes, run: Run, chosen: dict[str, int] | None = None) -> None:
     """Displacements of up to four structures where their links are, each a gap away from its left neighbour, so that
     two lines meet when the structures touch. A top above the links is drawn thin. `chosen` maps names of structures to
     numbers of floors, from 0, that are drawn instead; structures with a chosen floor come first.
@@ -108,7 +111,7 @@ def draw_displacements(axes, run, chosen=None):
     _legend_beside(axes)
 
 
-def draw_openings(axes, run):
+def draw_openings(axes: Axes, run: Run) -> None:
     """Opening of the links; a mark at each touch."""
     for link, style in _link_styles(run):
         _plot_time(axes, run, link.time, -MM * link.penetration, **style)
@@ -123,7 +126,7 @@ def draw_openings(axes, run):
     _legend_beside(axes)
 
 
-def draw_forces(axes, run):
+def draw_forces(axes: Axes, run: Run) -> None:
     """Contact force of each link; the impulses instead when all contacts were rigid."""
     axes.set_title("Contact forces")
     peak = largest([link.force for link in run.links.values()])
@@ -141,7 +144,7 @@ def draw_forces(axes, run):
         _legend_beside(axes)
 
 
-def draw_strongest_loop(axes, run):
+def draw_strongest_loop(axes: Axes, run: Run) -> None:
     """Force over penetration of the impact with the largest force."""
     axes.set_title("Strongest impact")
     peak = largest([run.impacts["peak_force"]])
@@ -164,7 +167,23 @@ def draw_strongest_loop(axes, run):
                     f"{impact['energy_lost'] / lost_size:.3g} {lost_unit} lost")
 
 
-def draw_restitution(axes, run):
+def draw_loops(axes: Axes, run: Run) -> None:
+    """Force over penetration of every impact."""
+    axes.set_title("Contact loops")
+    size, unit = engineering(largest([run.impacts["peak_force"]]), FORCE_UNITS)
+    axes.set(xlabel="Penetration [mm]", ylabel=f"Force [{unit}]")
+    if largest([run.impacts["peak_force"]]) == 0:
+        _say(axes, "Rigid contact: no loop" if run.impacts.size else "No impact")
+        return
+    for link, style in _link_styles(run):
+        for impact in run.impacts_of(link.name):
+            inside = (link.time >= impact["t_start"]) & (link.time <= impact["t_end"])
+            axes.plot(MM * link.penetration[inside], link.force[inside] / size, **{**style, "linewidth": 0.8})
+            style["label"] = None
+    _legend_beside(axes)
+
+
+def draw_restitution(axes: Axes, run: Run) -> None:
     """Restitution that each impact obtained, over its closing speed."""
     axes.set_title("Restitution of each impact")
     axes.set(xlabel="Closing speed [m/s]", ylabel="Restitution")
@@ -180,7 +199,7 @@ def draw_restitution(axes, run):
     axes.set_ylim(min(0, moving["restitution"].min()), max(1, 1.05 * moving["restitution"].max()))
 
 
-def draw_energies(axes, run):
+def draw_energies(axes: Axes, run: Run) -> None:
     """Where the energy is: dissipated and stored parts stacked, below the line of the input."""
     energy = run.energy
     parts = (("damping", "damping", SKY), ("hysteretic", "yielding", ORANGE), ("impact", "impact", VERMILION),
@@ -199,7 +218,7 @@ def draw_energies(axes, run):
     _legend_beside(axes, reverse=True)
 
 
-def draw_balance_error(axes, run):
+def draw_balance_error(axes: Axes, run: Run) -> None:
     """Error of the energy balance in per cent of the largest input."""
     energy = run.energy
     scale = largest([energy["input"]])
@@ -223,7 +242,7 @@ def _plot_time(axes, run, time, values, **style):
     axes.margins(x=0)
 
 
-def _label_time(axes, run):
+def label_time(axes: Axes, run: Run) -> None:
     axes.set_xlabel(f"Time [{_time_unit(run)[1]}]")
 
 
@@ -374,7 +393,7 @@ def _floor_choice(text):
     return {name: label for name, _, label in pairs}
 
 
-def main(arguments=None):
+def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the picture not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.plots", description="Draw the results of a run.")
     parser.add_argument("results", help="file that `pounding run` wrote")

@@ -1,17 +1,21 @@
 """Profiles over the height of the structures: the extreme values of the whole run at every floor and in every storey."""
 
+from __future__ import annotations
+
 import textwrap
 
 import numpy as np
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from pounding.results import Run
 from pounding.skeleton import floor_heights
-from pounding.style import FORCE_UNITS, MM, STYLE, BadRequest, engineering, largest, structure_colour
+from pounding.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, largest, structure_colour
 
 
-def profiles_figure(run, title=None) -> Figure:
+def profiles_figure(run: Run, title: str | None = None) -> Figure:
     """Displacement and acceleration of the floors, drift and shear of the storeys: largest and smallest of the run, over
     the height. One row of panels for x, another one for y when a structure has it.
 
@@ -25,7 +29,7 @@ def profiles_figure(run, title=None) -> Figure:
     if not has_storeys:
         panels = [draw_displacement, draw_acceleration]
     with rc_context(STYLE):
-        figure = Figure(figsize=(7.5, 0.9 + 3.4 * len(rows)), layout="constrained")
+        figure = Picture(figsize=(7.5, 0.9 + 3.4 * len(rows)), layout="constrained")
         grid = figure.subplots(len(rows), len(panels), sharey=True, squeeze=False)
         letters = iter("abcdefgh")
         for axis, line in zip(rows, grid):
@@ -40,7 +44,7 @@ def profiles_figure(run, title=None) -> Figure:
         return figure
 
 
-def draw_displacement(axes, run, axis="x"):
+def draw_displacement(axes: Axes, run: Run, axis: str = "x") -> None:
     """Extreme displacements of the floors; the ground is zero."""
     for structure, style in _styles(run, axis):
         low, high = _extremes(MM * _of(structure, axis, "displacement"))
@@ -51,7 +55,7 @@ def draw_displacement(axes, run, axis="x"):
     _finish(axes, "Displacement", "mm")
 
 
-def draw_acceleration(axes, run, axis="x"):
+def draw_acceleration(axes: Axes, run: Run, axis: str = "x") -> None:
     """Extreme absolute accelerations of the floors."""
     for structure, style in _styles(run, axis):
         low, high = _extremes(_of(structure, axis, "acceleration"))
@@ -61,7 +65,7 @@ def draw_acceleration(axes, run, axis="x"):
     _finish(axes, "Acceleration", "m/s²")
 
 
-def draw_drift(axes, run, axis="x"):
+def draw_drift(axes: Axes, run: Run, axis: str = "x") -> None:
     """Extreme storey drifts: in per cent of the storey's height where all heights are known."""
     relative = _all_heights_known(run)
     for structure, style in _styles(run, axis):
@@ -72,7 +76,7 @@ def draw_drift(axes, run, axis="x"):
     _finish(axes, "Storey drift", "% of height" if relative else "mm")
 
 
-def draw_shear(axes, run, axis="x"):
+def draw_shear(axes: Axes, run: Run, axis: str = "x") -> None:
     """Extreme storey shears."""
     shears = {structure.name: _of(structure, axis, "storey_shear") for structure, _ in _styles(run, axis)}
     size, unit = engineering(largest(shears.values()), FORCE_UNITS)

@@ -1,13 +1,29 @@
 """The results file as numpy arrays. Needs numpy and h5py only; every array is in SI units."""
 
+from __future__ import annotations
+
+import importlib
+import json
+import shutil
 from dataclasses import dataclass, field
+from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
 
+from pounding.errors import InputError
 
-class NotResults(Exception):
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.figure import Figure
+
+    from pounding.animation import Film
+
+
+class NotResults(InputError):
     """The file exists but `pounding run` did not write it."""
 
 
@@ -70,32 +86,32 @@ class Structure:
     members: MemberForces | None = None
 
     @property
-    def directions(self):
+    def directions(self) -> list[str]:
         """What a floor's motion has: ["x"], or ["x", "y", "rz"] in space."""
         return list(self.along)
 
     @property
-    def displacement(self):
+    def displacement(self) -> np.ndarray:
         return self.along["x"].displacement
 
     @property
-    def velocity(self):
+    def velocity(self) -> np.ndarray:
         return self.along["x"].velocity
 
     @property
-    def acceleration(self):
+    def acceleration(self) -> np.ndarray:
         return self.along["x"].acceleration
 
     @property
-    def drift(self):
+    def drift(self) -> np.ndarray:
         return self.along["x"].drift
 
     @property
-    def storey_shear(self):
+    def storey_shear(self) -> np.ndarray:
         return self.along["x"].storey_shear
 
     @property
-    def is_wall(self):
+    def is_wall(self) -> bool:
         """It moves with the ground: nothing of it is in the file but its name."""
         return not self.floors and self.geometry is None
 
@@ -123,8 +139,10 @@ class Link:
     friction: np.ndarray | None = None  #: [time, 1 or 2] along the contact [N]; None without friction
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Run:
+    """What a run left behind, as its file has it."""
+
     title: str
     status: str  #: running, done, or failed: reason
     time: np.ndarray  #: output times [s]
@@ -133,25 +151,86 @@ class Run:
     links: dict[str, Link]  #: in the order of the input
     impacts: np.ndarray  #: structured array, one row an impact; `link` is bytes, NaN the force of a rigid one
     energy: dict[str, np.ndarray]  #: time, input, kinetic, strain, damping, hysteretic, impact, error [s], [J]
-    summary: str  #: JSON
+    summary: dict[str, Any]  #: the object of `pounding run --json`
+    solver: dict[str, float]  #: steps, rejected, events, iterations, wall seconds
+    model_yaml: str  #: the input as given
+    resolved_yaml: str  #: with every default and calibrated parameter
+    source: Path | bytes = b""  #: the file that it was read from, or its bytes
 
-    def impacts_of(self, link):
+    def impacts_of(self, link: str) -> np.ndarray:
         """The rows of one link."""
         return self.impacts[self.impacts["link"] == link.encode()]
 
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes the results file. Raises OSError."""
+        if isinstance(self.source, bytes):
+            Path(path).write_bytes(self.source)
+        else:
+            shutil.copyfile(self.source, path)
 
-def read(path):
+    def plot(self, picture: str = "run", title: str | None = None) -> Figure:
+        """A picture: "run" (histories and impacts), "displacement", "gap", "force", "loops", "energy", "model" (the
+        structures at rest) or "profiles" (extremes over the height). It is not shown; save it with
+        `.savefig("NAME.pdf")`. Needs matplotlib. Raises InputError for another name."""
+        return _needing("matplotlib", "pounding.figures").figure(self, picture, title)
+
+    def animate(self, path: str | PathLike[str] | None = None, *, frames: int | None = None, start: float | None = None,
+                end: float | None = None, scale: float | None = None, title: str | None = None) -> Film:
+        """The run in motion from `start` to `end` [s], displacements `scale` times as large; written to a .gif, .mp4 or
+        .png a frame when `path` is given. Needs matplotlib. Raises InputError for a span that the run does not have."""
+        animation = _needing("matplotlib", "pounding.animation")
+        if path is not None:
+            animation.check_output(path)
+        film = animation.animate(self, animation.frame_times(self, frames, start, end), scale, title)
+        if path is not None:
+            animation.save(film, path)
+        return film
+
+    def to_pandas(self) -> dict[str, pandas.DataFrame]:
+        """A table for each group of the file over its own time: "impacts", "energy", "ground", "links/NAME",
+        "structures/NAME" with columns (quantity, floor, direction). Needs pandas."""
+        return _needing("pandas", "pounding.tables").to_pandas(self)
+
+    def to_xarray(self) -> dict[str, xarray.Dataset]:
+        """The same as datasets with the dimensions time, floor and direction, and units. Needs xarray."""
+        return _needing("xarray", "pounding.tables").to_xarray(self)
+
+    def __repr__(self) -> str:
+        return (f"<pounding.Run {self.title!r}: {self.status}, {len(self.structures)} structures, {len(self.links)} links, "
+                f"{len(self.impacts)} impacts>")
+
+
+def read(path: str | PathLike[str]) -> Run:
     """The run in the file `path`. Raises OSError when it cannot be opened, NotResults when it is something else."""
     if not Path(path).is_file():
         raise FileNotFoundError(f"there is no file {path}")
     with h5py.File(path) as file:
-        try:
-            return _read(file)
-        except KeyError as error:
-            raise NotResults(f"{path} is not a results file of pounding: {error.args[0]}") from error
+        return _read(file, str(path), Path(path))
 
 
-def _read(file):
+def read_image(image: bytes) -> Run:
+    """The run in the bytes of such a file."""
+    with h5py.File(h5py.h5f.open_file_image(image)) as file:
+        return _read(file, "what was given", image)
+
+
+def _needing(package: str, module: str) -> Any:
+    """One of our modules that needs a package which may be missing; ImportError says what to type."""
+    try:
+        importlib.import_module(package)
+    except ModuleNotFoundError as error:
+        raise ImportError(f"this needs {package}: type python3 -m pip install {package}") from error
+    return importlib.import_module(module)
+
+
+def _read(file: h5py.File, name: str, source: Path | bytes) -> Run:
+    try:
+        return _run(file, source)
+    except KeyError as error:
+        raise NotResults(f"{name} is not a results file of pounding: {error.args[0]}") from error
+
+
+def _run(file: h5py.File, source: Path | bytes) -> Run:
     return Run(
         title=file.attrs["title"],
         status=file.attrs["status"],
@@ -161,11 +240,19 @@ def _read(file):
         links={name: _link(name, group) for name, group in file["links"].items()},
         impacts=file["impacts"][:],
         energy={name: data[:] for name, data in file["energy"].items()},
-        summary=file["summary"].asstr()[()],
+        summary=json.loads(file["summary"].asstr()[()] or "{}"),
+        solver={name: data[()] for name, data in file.get("solver", {}).items()},
+        model_yaml=_text(file, "input/model.yaml"),
+        resolved_yaml=_text(file, "input/resolved.yaml"),
+        source=source,
     )
 
 
-def _structure(name, group):
+def _text(file: h5py.File, place: str) -> str:
+    return file[place].asstr()[()] if place in file else ""
+
+
+def _structure(name: str, group: h5py.Group) -> Structure:
     floors = _texts(group.attrs["floors"])
     directions = _texts(group.attrs.get("directions", ["x"]))
     return Structure(
@@ -179,7 +266,7 @@ def _structure(name, group):
         members=_members(group["members"]) if "members" in group else None)
 
 
-def _floor_motion(group, i):
+def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
     """The direction at place i of the last axis. Drift and shear have that axis in space only, with x and y."""
     motion = {key: group[key][:, :, i] for key in ("displacement", "velocity", "acceleration")}
     for key in ("drift", "storey_shear"):
@@ -192,27 +279,27 @@ def _floor_motion(group, i):
     return FloorMotion(**motion, base_shear=base[:, i] if has_base else None)
 
 
-def _geometry(group):
+def _geometry(group: h5py.Group) -> Geometry:
     return Geometry(nodes=group["nodes"][:], members=group["members"][:].astype(int).reshape(-1, 2),
                     floor_of_node=group["floor_of_node"][:].astype(int), node_names=_texts(group["node_names"][:]),
                     member_names=_texts(group["member_names"][:]))
 
 
-def _nodes(group):
+def _nodes(group: h5py.Group) -> NodeMotion:
     return NodeMotion(names=_texts(group["names"][:]), directions=_texts(group["displacement"].attrs["directions"]),
                       **{key: group[key][:] for key in ("displacement", "velocity", "acceleration")})
 
 
-def _members(group):
+def _members(group: h5py.Group) -> MemberForces:
     return MemberForces(names=_texts(group["names"][:]), components=_texts(group["end_forces"].attrs["components"]),
                         end_forces=group["end_forces"][:])
 
 
-def _link(name, group):
+def _link(name: str, group: h5py.Group) -> Link:
     series = {key: group[key][:] for key in ("time", "penetration", "velocity", "force", "energy")}
     ends = {key: group.attrs[key] for key in ("left", "right")}
     floors = {key: int(group.attrs[key]) for key in ("left_floor", "right_floor")}
-    more = {}
+    more: dict[str, Any] = {}
     for side, floor in floors.items():
         word = side.replace("floor", "end")
         more[word] = group.attrs.get(word, f"floor {floor}" if floor else "")
@@ -226,7 +313,7 @@ def _link(name, group):
     return Link(name=name, law=group.attrs["law"], gap=float(group.attrs["gap"]), **ends, **floors, **series, **more)
 
 
-def _texts(values):
+def _texts(values: Any) -> list[str]:
     if isinstance(values, h5py.Empty):
         return []
     return [value.decode() if isinstance(value, bytes) else str(value) for value in values]

@@ -7,9 +7,13 @@ Displacements are drawn larger than they are. So that two structures touch in th
 the gaps between them larger by the same factor.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 
 import numpy as np
+
+from pounding.results import Link, Run, Structure
 
 #: Height of a storey [m] where the file has none.
 UNKNOWN_STOREY = 3.0
@@ -28,16 +32,16 @@ class Skeleton:
     has_heights: bool  #: its z are those of the model
 
     @property
-    def half_height(self):
+    def half_height(self) -> float:
         """Of a mass [m]."""
         return 0.3 * self.half_width
 
     @property
-    def height(self):
+    def height(self) -> float:
         return float(self.nodes[:, 2].max())
 
 
-def skeleton(structure, tallest=2 * UNKNOWN_STOREY):
+def skeleton(structure: Structure, tallest: float = 2 * UNKNOWN_STOREY) -> Skeleton:
     """The skeleton of a structure; `tallest` is the height of a wall, and of what must look well beside it [m]."""
     if structure.geometry is not None:
         return Skeleton(structure.name, structure.geometry.nodes, structure.geometry.members, np.empty(0, int), 0.0, True, True)
@@ -58,14 +62,14 @@ def skeleton(structure, tallest=2 * UNKNOWN_STOREY):
                     half_width, False, known)
 
 
-def floor_heights(structure):
+def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
     """(heights of the floors [m], whether the file has them). Storeys are taken as equally high where it has not."""
     known = structure.elevations.size > 0 and bool(np.isfinite(structure.elevations).all())
     heights = structure.elevations if known else UNKNOWN_STOREY * np.arange(1, len(structure.floors) + 1)
     return np.asarray(heights, float), known
 
 
-def node_displacements(structure, bones):
+def node_displacements(structure: Structure, bones: Skeleton) -> np.ndarray:
     """[time, node, 3]: displacements of the nodes of the skeleton relative to the ground [m].
 
     Those in the file where it has them; the other nodes follow their floor as a plate that is rigid in its plane and
@@ -82,7 +86,7 @@ def node_displacements(structure, bones):
     return moved
 
 
-def displaced_at(structure, time, times):
+def displaced_at(structure: Structure, time: float, times: np.ndarray) -> Structure:
     """The structure with its displacements at `times` instead of `time`; its other histories stay behind."""
     along = {key: replace(motion, displacement=_at_times(time, motion.displacement, times))
              for key, motion in structure.along.items()}
@@ -164,25 +168,25 @@ class Scene:
         self.faces = {name: self._face(link) for name, link in run.links.items()}
 
     @property
-    def is_spatial(self):
+    def is_spatial(self) -> bool:
         """Something has a width along y."""
         return any(np.ptp(bones.nodes[:, 1]) > 0 for bones in self.bones.values())
 
     @property
-    def has_heights(self):
+    def has_heights(self) -> bool:
         return all(bones.has_heights for name, bones in self.bones.items() if not self.run.structures[name].is_wall)
 
     @property
-    def has_places(self):
+    def has_places(self) -> bool:
         """Everything stands where the model has it; a wall stands where its links are."""
         return all(bones.has_place or self.run.structures[name].is_wall for name, bones in self.bones.items()) and any(
             bones.has_place for bones in self.bones.values())
 
-    def at_rest(self, name):
+    def at_rest(self, name: str) -> np.ndarray:
         """[node, 3] in the scene."""
         return self.bones[name].nodes + self.shifts[name]
 
-    def bounds(self, margin=0.0):
+    def bounds(self, margin: float | np.ndarray = 0.0) -> np.ndarray:
         """[3, 2]: least and largest x, y, z of everything at rest, masses included; `margin` is one or [3] more [m]."""
         points = [self.at_rest(name) + side * np.array([bones.half_width, 0, bones.half_height])
                   for name, bones in self.bones.items() for side in (-1, 1)]
@@ -272,11 +276,11 @@ class Motion:
         self.displacements = {name: node_displacements(displaced_at(structure, run.time, self.times), scene.bones[name])
                               for name, structure in run.structures.items()}
 
-    def nodes(self, name, frame):
+    def nodes(self, name: str, frame: int) -> np.ndarray:
         """[node, 3] in the scene, displacements enlarged."""
         return self.scene.at_rest(name) + self.scene.scale * self.displacements[name][frame]
 
-    def face(self, link, frame):
+    def face(self, link: Link, frame: int) -> np.ndarray:
         """[3]: where a link is, moved with the nearest point of the structure on its left."""
         bones, moved = self.scene.bones[link.left], self.displacements[link.left][frame]
         point = self.scene.faces[link.name]
@@ -295,7 +299,7 @@ def _at_times(time, values, times):
     return (1 - share) * values[before] + share * values[after]
 
 
-def nearest_on_members(nodes, members, point):
+def nearest_on_members(nodes: np.ndarray, members: np.ndarray, point: np.ndarray) -> list[tuple[int, float]]:
     """[(node, share)] of the point of all members that is nearest to `point`; of a structure without members, its
     nearest node."""
     if not len(members):

@@ -1,9 +1,17 @@
 """What all pictures share: colours, type sizes, units that suit a size, the way a picture is written."""
 
+from __future__ import annotations
+
+import io
 import sys
+from collections.abc import Iterable, Sequence
+from os import PathLike
 
 import numpy as np
 from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+from pounding.errors import InputError
 
 #: Okabe and Ito's colours, which colour-blind readers can tell apart.
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
@@ -25,26 +33,36 @@ ENERGY_UNITS = ((1e6, "MJ"), (1e3, "kJ"), (1.0, "J"))
 TIME_UNITS = ((1.0, "s"), (1e-3, "ms"))
 
 
-class BadRequest(Exception):
+class BadRequest(InputError):
     """The picture that was asked for does not exist; the text says which do."""
 
 
-def engineering(largest, units):
+class Picture(Figure):
+    """A figure that a notebook shows, whether pyplot is there or not."""
+
+    def _repr_png_(self) -> bytes:
+        image = io.BytesIO()
+        with rc_context(STYLE):
+            self.savefig(image, format="png", dpi=110)
+        return image.getvalue()
+
+
+def engineering(largest: float, units: Sequence[tuple[float, str]]) -> tuple[float, str]:
     """The (size, name) of the largest unit in which `largest` is at least 0.5; the smallest one for less."""
     return next((unit for unit in units if largest >= 0.5 * unit[0]), units[-1])
 
 
-def largest(arrays):
+def largest(arrays: Iterable[np.ndarray]) -> float:
     """Largest absolute value over arrays; 0 when they are empty or hold only NaN (the force of a rigid impact)."""
     return max((float(np.abs(finite).max()) for finite in (a[np.isfinite(a)] for a in arrays) if finite.size), default=0.0)
 
 
-def structure_colour(number):
+def structure_colour(number: int) -> str:
     """Colour of a structure by its place in the input."""
     return STRUCTURE_COLOURS[number % len(STRUCTURE_COLOURS)]
 
 
-def write_picture(figure, path):
+def write_picture(figure: Figure, path: str | PathLike[str]) -> int:
     """Writes .png, .pdf or .svg. Returns 0, or 2 after a message."""
     try:
         with rc_context(STYLE):

@@ -1,0 +1,177 @@
+/// Models from their text: reading, checking, modes, runs.
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include <fmt/format.h>
+
+#include <pounding/analysis.hpp>
+#include <pounding/checkpoint.hpp>
+#include <pounding/input.hpp>
+#include <pounding/modes.hpp>
+#include <pounding/petsc/eigen.hpp>
+#include <pounding/petsc/team.hpp>
+#include <pounding/structures.hpp>
+#include "bindings.hpp"
+#include "host.hpp"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace pounding::python {
+namespace {
+
+// PETSc and its options are one for the process: one thread at a time.
+std::mutex petsc_in_use;
+
+/// The text of a model and the file that it stands for.
+struct Source {
+  std::string text, name;
+};
+
+Model read(const Input& input) { return read_model(input, kinds(), petsc::lowest_modes); }
+Model read(const Source& source) { return read(Input::read_text(source.text, source.name)); }
+
+/// Runs `task` without holding the interpreter, with PETSc started.
+template <class Task>
+auto with_petsc(Task&& task) {
+  const py::gil_scoped_release free;
+  const std::lock_guard one_at_a_time(petsc_in_use);
+  start_petsc();
+  return task();
+}
+
+py::object plain(const Input& input) {
+  if (input.is_map()) {
+    py::dict values;
+    for (const auto& [key, value] : input.entries()) values[py::str(key)] = plain(value);
+    return values;
+  }
+  if (input.is_list()) {
+    py::list values;
+    for (const Input& item : input.items()) values.append(plain(item));
+    return values;
+  }
+  if (!input.is_scalar()) return py::none();
+  return py::str(input.as_text());
+}
+
+std::pair<std::string, std::string> checked(const Source& source) {
+  return with_petsc([&] {
+    const Model model = read(source);
+    return std::pair(describe(model), resolved_yaml(model));
+  });
+}
+
+std::string modes(const Source& source, int count) {
+  return with_petsc([&] { return modes_json(read(source), count, petsc::lowest_modes, true); });
+}
+
+/// What a run reports to and may be ended by.
+struct Listener {
+  py::object progress;  ///< None, or called with time [s], duration [s] and impacts
+  /// What a signal handler or `progress` raised; it ends the run.
+  std::optional<py::error_already_set> raised = {};
+
+  void report(double time, double duration, int impacts) {
+    const py::gil_scoped_acquire hold;
+    if (raised || progress.is_none()) return;
+    try {
+      progress(time, duration, impacts);
+    } catch (py::error_already_set& error) {
+      raised.emplace(std::move(error));
+    }
+  }
+  bool stops() {
+    const py::gil_scoped_acquire hold;
+    if (!raised && PyErr_CheckSignals() != 0) raised.emplace();
+    return raised.has_value();
+  }
+};
+
+/// What there is of a run, whether it came to its end or not.
+struct Ran {
+  std::vector<std::byte> image;  ///< of the results file
+  std::string warning;
+  std::string failure;     ///< empty: none
+  bool resumable = false;  ///< the output can go on
+};
+
+// The histories are whole on the first process.
+std::vector<std::byte> image_for_all(const Results& results) {
+  const petsc::Team team(PETSC_COMM_WORLD);
+  return team.gather(team.is_first() ? results_image(results) : std::vector<std::byte>{}).front();
+}
+
+Ran ran(const Outcome& outcome, std::string failure, double tolerance) {
+  return {image_for_all(outcome.results), failure.empty() ? warning(outcome.summary, tolerance) : "",
+          failure, outcome.results.checkpoint.has_value()};
+}
+
+Ran run_model(const Model& model, const RunOptions& options) {
+  try {
+    return ran(run(model, options), "", model.analysis.tolerance);
+  } catch (const FailedRun& failed) {
+    return ran(failed.outcome(), failed.what(), model.analysis.tolerance);
+  }
+}
+
+py::dict dict_of(const Ran& ran, const Listener& listener) {
+  const auto* image = reinterpret_cast<const char*>(ran.image.data());
+  return py::dict("image"_a = py::bytes(image, ran.image.size()), "warning"_a = ran.warning,
+                  "failure"_a = ran.failure, "resumable"_a = ran.resumable,
+                  "raised"_a = listener.raised ? py::object(listener.raised->value()) : py::none());
+}
+
+RunOptions run_options(const std::string& output, const std::string& command, Listener& listener) {
+  return {.output = output,
+          .command = command,
+          .progress = [&](double time, double duration, int impacts) { listener.report(time, duration, impacts); },
+          .stop = [&] { return listener.stops(); }};
+}
+
+py::dict run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
+                    const std::string& command, const py::object& progress) {
+  Listener listener{progress};
+  const Ran ran = with_petsc([&] {
+    const OptionsOfRun given(options);
+    return run_model(read(source), run_options(output, command, listener));
+  });
+  return dict_of(ran, listener);
+}
+
+py::dict resume(const std::string& file, const std::string& output, std::vector<std::string> options,
+                const std::string& command, const py::object& progress) {
+  Listener listener{progress};
+  const Ran ran = with_petsc([&] {
+    const StoppedRun earlier = read_stopped_run(file);
+    add_earlier_options(earlier, options);
+    const OptionsOfRun given(options);
+    RunOptions run_as = run_options(output.empty() ? file : output, command, listener);
+    run_as.resume = file;
+    return run_model(read(input_of(earlier)), run_as);
+  });
+  return dict_of(ran, listener);
+}
+
+}  // namespace
+
+void bind_models(py::module_& module) {
+  py::class_<Source>(module, "Source").def(py::init<std::string, std::string>(), "text"_a, "name"_a)
+      .def_readonly("name", &Source::name);
+  module.def("read_file", [](const std::string& path) { return Input::read_file(path).text(); });
+  module.def("parse", [](const Source& source) { return plain(Input::read_text(source.text, source.name)); });
+  module.def("check", &checked);
+  module.def("modes", &modes);
+  module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
+  module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
+  module.def("end_petsc", &end_petsc);
+}
+
+}  // namespace pounding::python

@@ -1,0 +1,37 @@
+#include "bindings.hpp"
+
+#include <exception>
+#include <stdexcept>
+
+#include <pounding/error.hpp>
+#include <pounding/version.hpp>
+
+namespace py = pybind11;
+
+namespace {
+
+void raise(const char* name, const std::exception& error) {
+  py::set_error(py::module_::import("pounding.errors").attr(name), error.what());
+}
+
+// As the program: a value that a law refuses is wrong input.
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const pounding::InputError& error) {
+    raise("InputError", error);
+  } catch (const pounding::SolverError& error) {
+    raise("SolverError", error);
+  } catch (const std::invalid_argument& error) {
+    raise("InputError", error);
+  }
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module) {
+  module.attr("version") = POUNDING_VERSION;
+  py::register_local_exception_translator(translate);
+  pounding::python::bind_laws(module);
+  pounding::python::bind_models(module);
+}

@@ -1,0 +1,251 @@
+"""Contact laws on numpy arrays, their tables, free impacts and calibration. SI units.
+
+Penetration > 0 [m] is overlap, rate > 0 [m/s] closes, force > 0 [N] pushes apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from pounding.compiled import core
+from pounding.errors import InputError
+
+#: A number in SI, or a text with its unit: "0.5 m/s".
+Quantity = float | str
+#: A number or an array of numbers, and what comes of them.
+Numbers = npt.ArrayLike
+Values = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter of a law. In a unit, `n` is the law's exponent."""
+
+    name: str
+    unit: str
+    meaning: str
+    typical: float  #: SI
+    need: str  #: required, optional, or instead of restitution
+
+
+@dataclass(frozen=True)
+class Formula:
+    """How damping follows from a restitution."""
+
+    name: str
+    source: str
+    note: str
+
+
+class Response(NamedTuple):
+    """Force and its slopes, of the shape of the states."""
+
+    force: Values  #: [N]
+    by_penetration: Values  #: dF/dd [N/m]
+    by_rate: Values  #: dF/dd' [N s/m]
+
+
+@dataclass(frozen=True)
+class FreeImpact:
+    """What a free impact of two bodies gives; of the shape of the closing speeds."""
+
+    restitution: Values  #: separation speed over closing speed [-]
+    peak_force: Values  #: [N]; infinite for an instantaneous law
+    time_of_peak: Values  #: of the force, after the touch [s]
+    peak_penetration: Values  #: [m]
+    duration: Values  #: touch until the force is gone for good [s]
+    energy_lost: Values  #: work done on the link and not given back [J]
+    impulse: Values  #: integral of the force [N s]
+    closed_form: tuple[str, ...]  #: which are closed forms; the others are integrated to 1e-10
+
+
+@dataclass(frozen=True)
+class LawKind:
+    """A contact law with its tables. Calling it with parameters makes a `Law`."""
+
+    name: str
+    shape: str  #: the force as a formula
+    summary: str
+    source: str
+    parameters: tuple[Parameter, ...]  #: beside restitution, formula, impact_velocity and reduced_mass
+    formulas: tuple[Formula, ...]  #: "exact" first; none where there is no damping to choose
+    takes_restitution: bool
+    takes_impact_velocity: bool
+    takes_reduced_mass: bool
+    may_pull: bool
+    leaves_indentation: bool
+    instantaneous: bool
+
+    def __call__(self, *, restitution: Quantity | None = None, formula: str | None = None,
+                 impact_velocity: Quantity | None = None, reduced_mass: Quantity | None = None,
+                 **parameters: Quantity | None) -> Law:
+        """The law with its damping from `restitution` (0, 1] by `formula` ("exact"), or given directly by one of the
+        parameters that are there instead of a restitution.
+
+        `impact_velocity` is a fixed design velocity [m/s]; without it every impact takes its own. `reduced_mass` is
+        m1 m2/(m1+m2) [kg] of the bodies, where the damping depends on it. Raises InputError."""
+        return Law(self, restitution, formula, impact_velocity, reduced_mass, parameters)
+
+    def __str__(self) -> str:
+        lines = [f"{self.name}: {self.summary}", f"  {self.shape}", f"  {self.source}"]
+        lines += [f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in self.parameters]
+        lines += [f"  formula {f.name}: {f.source}; {f.note}" for f in self.formulas]
+        return "\n".join(lines)
+
+
+class Law:
+    """One law with its parameters. Holds no history: the same states give the same forces."""
+
+    def __init__(self, kind: LawKind, restitution: Quantity | None, formula: str | None, impact_velocity: Quantity | None,
+                 reduced_mass: Quantity | None, parameters: Mapping[str, Quantity | None]) -> None:
+        given = {name: value for name, value in parameters.items() if value is not None}
+        exponent = next((p.typical for p in kind.parameters if p.name == "exponent"), 1.0)
+        if "exponent" in given:
+            exponent = _number("exponent", given["exponent"], "")
+        units = {p.name: p.unit for p in kind.parameters}
+        self.kind = kind
+        self.formula = formula
+        self.restitution = None if restitution is None else _number("restitution", restitution, "")
+        self.impact_velocity = None if impact_velocity is None else _number("impact_velocity", impact_velocity, "m/s")
+        self.reduced_mass = None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
+        #: in SI
+        self.parameters = {name: _number(name, value, units.get(name, ""), exponent) for name, value in given.items()}
+        # Without a mass of its own the law is checked with another one; every answer asks for the true one.
+        made = self._make(1.0 if self.reduced_mass is None else self.reduced_mass)
+        self._made = None if self.reduced_mass is None and kind.takes_reduced_mass else made
+
+    def force(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None = None, *,
+              reduced_mass: Quantity | None = None, in_order: bool = False) -> Values:
+        """Contact force [N] at penetrations [m] and rates [m/s], arrays of any shapes that go together.
+
+        `approach_velocity`: closing speed of the impact [m/s], where the damping depends on it. Each state is taken as the
+        first of its impact; `in_order` takes those of a row as one impact, with the memory that some laws have. NaN gives
+        NaN. Raises InputError."""
+        return self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=False)[()]
+
+    def respond(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None = None, *,
+                reduced_mass: Quantity | None = None, in_order: bool = False) -> Response:
+        """The same with the slopes of the force by penetration [N/m] and by rate [N s/m]."""
+        answer = self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=True)
+        return Response(*(values[()] for values in answer))
+
+    def free_impact(self, closing_speed: Numbers, reduced_mass: Quantity | None = None) -> FreeImpact:
+        """Two free bodies with this reduced mass [kg] that meet at this speed [m/s], one impact an element. The mass is the
+        law's own unless given. Raises InputError unless both are finite and positive."""
+        mass = self.reduced_mass if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
+        if mass is None:
+            raise InputError("free_impact needs reduced_mass [kg]: m1 m2/(m1+m2) of the two bodies")
+        law = self._with_mass(None if self.reduced_mass is not None else mass)
+        speeds = np.asarray(closing_speed, dtype=float)
+        impacts = [law.free_impact(mass, speed) for speed in speeds.ravel()]
+        values = {name: np.array([impact[name] for impact in impacts]).reshape(speeds.shape)[()]
+                  for name in FreeImpact.__dataclass_fields__ if name != "closed_form"}
+        return FreeImpact(**values, closed_form=tuple(impacts[0]["closed_form"]) if impacts else ())
+
+    def describe(self, closing_speed: float = 1.0) -> dict[str, tuple[float, str]]:
+        """Every parameter, the damping number and the damping coefficient at this closing speed [m/s]: name -> (value, SI
+        unit)."""
+        return {name: (value, unit) for name, value, unit in self._with_mass(None).describe(closing_speed)}
+
+    def __repr__(self) -> str:
+        given = {"restitution": self.restitution, "formula": self.formula, "impact_velocity": self.impact_velocity,
+                 "reduced_mass": self.reduced_mass, **self.parameters}
+        words = ", ".join(f"{name}={value!r}" for name, value in given.items() if value is not None)
+        return f'laws["{self.kind.name}"]({words})'
+
+    def _asked(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None,
+               reduced_mass: Quantity | None, in_order: bool, slopes: bool) -> Any:
+        name = self.kind.name
+        if self.kind.instantaneous:
+            raise InputError(f"{name} has no force history")
+        law = self._with_mass(None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg"))
+        if approach_velocity is None:
+            if law.needs_approach_velocity:
+                raise InputError(f"{name} needs approach_velocity [m/s], the closing speed of the impact: its damping depends "
+                                 "on it")
+            approach_velocity = 1.0
+        arrays = [np.asarray(values, dtype=float) for values in (penetration, rate, approach_velocity)]
+        velocity = arrays[2]
+        if not np.all(np.isfinite(velocity) & (velocity >= 0)):
+            worst = velocity[~(np.isfinite(velocity) & (velocity >= 0))].flat[0]
+            raise InputError(f"approach_velocity is {worst:g}, but must be finite and not negative")
+        if in_order and (velocity.ndim or max(array.ndim for array in arrays) != 1):
+            raise InputError("in_order takes the states of one impact: rows of penetrations and rates, one approach_velocity")
+        if len({array.shape for array in arrays if array.ndim}) > 1:
+            arrays = list(np.broadcast_arrays(*arrays))
+        ask = law.responses if slopes else law.forces
+        return ask(arrays[0], arrays[1], arrays[2], in_order)
+
+    def _with_mass(self, mass: float | None) -> core.Law:
+        if mass is not None:
+            return self._make(mass)
+        if self._made is None:
+            raise InputError(f"{self.kind.name} needs reduced_mass [kg], m1 m2/(m1+m2) of the two bodies: its damping "
+                             "depends on it")
+        return self._made
+
+    def _make(self, mass: float) -> core.Law:
+        return core.Law(self.kind.name, self.formula or "", self.restitution, self.impact_velocity, mass, self.parameters)
+
+
+class Laws(Mapping[str, LawKind]):
+    """The contact laws by their names: `laws["jankowski"](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)`."""
+
+    def __init__(self) -> None:
+        self._kinds = {entry["name"]: _kind(entry) for entry in core.catalogue()}
+
+    def __getitem__(self, name: str) -> LawKind:
+        if name not in self._kinds:
+            raise InputError(f'unknown law "{name}".' + core.hint(str(name), list(self._kinds)))
+        return self._kinds[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._kinds
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._kinds)
+
+    def __len__(self) -> int:
+        return len(self._kinds)
+
+    def __repr__(self) -> str:
+        return f"<pounding.laws: {', '.join(self._kinds)}>"
+
+
+def calibrate(law: str, *, m1: Quantity, m2: Quantity = "wall", restitution: Quantity | None = None,
+              stiffness: Quantity | None = None, velocity: Quantity | None = None, exponent: Quantity | None = None,
+              **parameters: Quantity) -> dict[str, Any]:
+    """Damping of a law for a restitution by every formula, and what each really gives in a free impact of bodies of masses
+    `m1` and `m2` [kg] at closing speed `velocity` [m/s]: the object that `pounding calibrate --json` prints.
+
+    Typical values stand in for what is not given; "assumed" names them. In "formulas" there is one entry a formula with its
+    restitution, peak_force [N], time_of_peak [s], peak_penetration [m], duration [s], energy_lost [J], impulse [N s] and
+    damping, or why it is "refused". Raises InputError."""
+    return core.calibrate(law, _word(restitution), _word(m1), _word(m2), _word(stiffness), _word(velocity), _word(exponent),
+                          [(name, _word(value)) for name, value in parameters.items()])
+
+
+def _kind(entry: dict[str, Any]) -> LawKind:
+    return LawKind(**{**entry, "parameters": tuple(Parameter(*p) for p in entry["parameters"]),
+                      "formulas": tuple(Formula(*f) for f in entry["formulas"])})
+
+
+def _number(name: str, value: Quantity, unit: str, exponent: float = 1.0) -> float:
+    if not isinstance(value, str):
+        return float(value)
+    try:
+        return core.quantity(value, unit, exponent)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
+
+
+def _word(value: Quantity | None) -> str:
+    return "" if value is None else value if isinstance(value, str) else repr(float(value))
+
+
+laws = Laws()

@@ -1,0 +1,38 @@
+"""The pictures of a run by their names, as figures that are returned, not shown."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable
+from typing import Any
+
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+from pounding.model_picture import model_figure
+from pounding.plots import (
+    draw_displacements, draw_energies, draw_forces, draw_loops, draw_openings, label_time, standard_figure)
+from pounding.profiles import profiles_figure
+from pounding.results import Run
+from pounding.style import STYLE, BadRequest, Picture
+
+WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure}
+OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
+                                             "energy": draw_energies}
+PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
+
+
+def figure(run: Run, picture: str = "run", title: str | None = None) -> Figure:
+    """One picture of a run, `title` instead of the run's. Raises BadRequest for a picture that does not exist."""
+    if picture in WHOLE:
+        return WHOLE[picture](run, title)
+    if picture not in PANELS:
+        raise BadRequest(f'there is no picture "{picture}"; there is {", ".join([*WHOLE, *PANELS])}')
+    with rc_context(STYLE):
+        made = Picture(figsize=(6.5, 3.2) if picture in OVER_TIME else (5.5, 4.0), layout="constrained")
+        axes: Any = made.add_subplot()
+        PANELS[picture](axes, run)
+        if picture in OVER_TIME:
+            label_time(axes, run)
+        made.suptitle("\n".join(textwrap.wrap(title or run.title, 80)), fontsize=10.5, fontweight="bold")
+        return made

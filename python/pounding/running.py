@@ -1,0 +1,113 @@
+"""Runs of a model through time."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Callable, Mapping
+from os import PathLike, fspath
+from typing import Any
+
+from pounding.compiled import core
+from pounding.errors import AccuracyWarning, Interrupted, SolverError
+from pounding.models import Model, as_model
+from pounding.results import Run, read_image
+
+#: Called now and then with the simulated time [s], the duration [s] and the number of impacts.
+Progress = Callable[[float, float, int], None]
+File = str | PathLike[str]
+
+
+def run(model: Model | File, *, tolerance: float | None = None, output: File | None = None,
+        options: Mapping[str, Any] | None = None, progress: Progress | bool | None = None) -> Run:
+    """Runs a model, or an input file, and returns its results. Other threads run meanwhile; models run one after another.
+
+    `tolerance` stands in for the model's own. `output` is a results file, rewritten while the run goes on. `options` are
+    PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value. `progress`
+    is shown on a terminal and in a notebook unless it is False; or a function that is told of it.
+
+    Raises InputError for what is wrong in the model; SolverError when the run fails and Interrupted at Ctrl-C, both with the
+    results so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning). Under mpirun all
+    processes call it alike."""
+    model = as_model(model)
+    if tolerance is not None:
+        model = model.copy()
+        model.analysis = {**(model.analysis or {}), "tolerance": tolerance}
+    words = _words(options)
+    source = model._source()
+    call = " ".join(["pounding.run", source.name, *words])
+    place = "" if output is None else fspath(output)
+    with _Shown(progress) as shown:
+        ran = core.run(source, place, words, call, shown.report)
+    return _results(ran, place)
+
+
+def resume(results: File, *, output: File | None = None, options: Mapping[str, Any] | None = None,
+           progress: Progress | bool | None = None) -> Run:
+    """Goes on with a run that was killed, interrupted or cut, from its results file, to the bits of one that never stopped.
+    `output` is another file to write; `options` beside those of the beginning. Raises as `run`."""
+    place, words = fspath(results), _words(options)
+    with _Shown(progress) as shown:
+        ran = core.resume(place, "" if output is None else fspath(output), words, " ".join(["pounding.resume", place, *words]),
+                          shown.report)
+    return _results(ran, place if output is None else fspath(output))
+
+
+def _words(options: Mapping[str, Any] | None) -> list[str]:
+    words = []
+    for name, value in (options or {}).items():
+        words.append(f"-pounding_{name}")
+        if value is not True:
+            words.append(str(value))
+    return words
+
+
+def _results(ran: dict[str, Any], output: str) -> Run:
+    """What there is, or the exception that ended it, with what there is."""
+    results = read_image(ran["image"])
+    raised, text = ran["raised"], ran["failure"]
+    if raised is not None and not isinstance(raised, KeyboardInterrupt):
+        raise raised
+    if text and output:
+        text += f'\nTo go on: pounding.resume("{output}")' if ran["resumable"] else f"\nWhat was computed is in {output}"
+    if raised is not None:
+        raise Interrupted(text or "stopped by the user", results) from None
+    if text:
+        raise SolverError(text, results)
+    if ran["warning"]:
+        warnings.warn(ran["warning"], AccuracyWarning, stacklevel=3)
+    return results
+
+
+class _Shown:
+    """Progress as a line that is written over and over, gone at the end."""
+
+    def __init__(self, progress: Progress | bool | None) -> None:
+        shows = _is_notebook() or sys.stderr.isatty() if progress is None else progress
+        self.report: Progress | None = progress if callable(progress) else self._write if shows else None
+        self._width = 0
+
+    def __enter__(self) -> _Shown:
+        return self
+
+    def __exit__(self, *failure: object) -> None:
+        if self._width:
+            self._show(" " * self._width + "\r")
+
+    def _write(self, time: float, duration: float, impacts: int) -> None:
+        filled = int(30 * time / duration)
+        line = f"[{'#' * filled}{'.' * (30 - filled)}] {time:.2f} of {duration:.2f} s, {impacts} impacts"
+        self._width = max(self._width, len(line))
+        self._show(line)
+
+    @staticmethod
+    def _show(text: str) -> None:
+        sys.stderr.write("\r" + text)
+        sys.stderr.flush()
+
+
+def _is_notebook() -> bool:
+    """The cells of a notebook take what is written to the standard error, but are no terminal."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython else None
+    return type(shell).__name__ == "ZMQInteractiveShell"

@@ -1,0 +1,82 @@
+"""A run as tables of pandas and datasets of xarray, one a group of the results file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pounding.results import FloorMotion, Run, Structure
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+#: Of what a floor has; turns about an axis (rx, ry, rz) are in rad.
+UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N"}
+LINK_UNITS = {"penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
+
+
+def to_pandas(run: Run) -> dict[str, pandas.DataFrame]:
+    """See Run.to_pandas."""
+    import pandas
+
+    impacts = pandas.DataFrame({name: run.impacts[name] for name in run.impacts.dtype.names})
+    impacts["link"] = [name.decode() for name in run.impacts["link"]]
+    tables = {"impacts": impacts, "ground": pandas.DataFrame({"acceleration": run.ground_acceleration}, _index(run.time)),
+              "energy": pandas.DataFrame({k: v for k, v in run.energy.items() if k != "time"}, _index(run.energy["time"]))}
+    for name, link in run.links.items():
+        tables[f"links/{name}"] = pandas.DataFrame({key: getattr(link, key) for key in LINK_UNITS}, _index(link.time))
+    for name, structure in run.structures.items():
+        columns = {(key, floor, direction): getattr(motion, key)[:, i]
+                   for direction, motion in structure.along.items() for key in UNITS
+                   for i, floor in enumerate(structure.floors) if i < getattr(motion, key).shape[1]}
+        names = ["quantity", "floor", "direction"]
+        tables[f"structures/{name}"] = pandas.DataFrame(
+            np.column_stack(list(columns.values())) if columns else np.empty((len(run.time), 0)), _index(run.time),
+            pandas.MultiIndex.from_tuples(list(columns), names=names) if columns else
+            pandas.MultiIndex.from_arrays([[], [], []], names=names))
+    return tables
+
+
+def to_xarray(run: Run) -> dict[str, xarray.Dataset]:
+    """See Run.to_xarray."""
+    import xarray
+
+    def dataset(time: np.ndarray, variables: dict[str, Any], **coordinates: Any) -> xarray.Dataset:
+        times = ("time", time, {"units": "s"})
+        return xarray.Dataset(variables, {"time": times, **coordinates})
+
+    sets = {"ground": dataset(run.time, {"acceleration": ("time", run.ground_acceleration, {"units": "m/s^2"})}),
+            "energy": dataset(run.energy["time"], {key: ("time", values, {"units": "J"})
+                                                   for key, values in run.energy.items() if key != "time"}),
+            "impacts": xarray.Dataset({name: ("impact", _texts(run.impacts[name])) for name in run.impacts.dtype.names})}
+    for name, link in run.links.items():
+        sets[f"links/{name}"] = dataset(link.time, {key: ("time", getattr(link, key), {"units": unit})
+                                                    for key, unit in LINK_UNITS.items()})
+    for name, structure in run.structures.items():
+        sets[f"structures/{name}"] = dataset(run.time, _motion(structure), floor=structure.floors,
+                                             direction=structure.directions)
+    return sets
+
+
+def _motion(structure: Structure) -> dict[str, Any]:
+    """Arrays [time, floor, direction]; NaN where a direction has no drift."""
+    return {key: (("time", "floor", "direction"),
+                  np.stack([_padded(motion, key, len(structure.floors)) for motion in structure.along.values()], axis=-1),
+                  {"units": unit}) for key, unit in UNITS.items()}
+
+
+def _padded(motion: FloorMotion, key: str, floors: int) -> np.ndarray:
+    values = getattr(motion, key)
+    return values if values.shape[1] == floors else np.full((len(values), floors), np.nan)
+
+
+def _index(time: np.ndarray) -> pandas.Index:
+    import pandas
+
+    return pandas.Index(time, name="time")
+
+
+def _texts(values: np.ndarray) -> np.ndarray:
+    return np.array([value.decode() for value in values]) if values.dtype.kind == "S" else values

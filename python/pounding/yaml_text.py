@@ -1,0 +1,80 @@
+"""Nested dicts and lists as YAML in the layout of the examples: short branches on one line, long ones below each other."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from os import PathLike, fspath
+from typing import Any
+
+import numpy as np
+
+#: A line of the text is no longer than this unless one value is.
+WIDTH = 118
+#: What YAML reads as the text that it is; other texts are quoted.
+PLAIN = re.compile(r"[A-Za-z0-9_./+][A-Za-z0-9_./+%^ -]*(?<! )|-[0-9.][A-Za-z0-9_./+%^ -]*(?<! )")
+NOTHING = ("null", "Null", "NULL", "~")
+
+
+def plain(value: Any, place: str = "") -> Any:
+    """The same in dicts, lists and the texts that YAML shows; what a file reads back as. Raises TypeError, with the place,
+    for what no YAML holds."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(inner, f"{place}.{key}" if place else str(key)) for key, inner in value.items()}
+    if isinstance(value, (list, tuple)) or isinstance(value, np.ndarray) and value.ndim:
+        return [plain(inner, f"{place}[{i}]") for i, inner in enumerate(value)]
+    if isinstance(value, (np.generic, np.ndarray)):
+        value = value.item()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if isinstance(value, PathLike):
+        return fspath(value)
+    if isinstance(value, str) or value is None:
+        return value
+    raise TypeError(f"{place}: takes numbers, texts, lists and dicts; {value!r} was given")
+
+
+def emit(values: Mapping[str, Any]) -> str:
+    """The text of what `plain` made, one key of the top level after the other."""
+    return "".join(_entry(key, value, "") for key, value in values.items())
+
+
+def _entry(key: str, value: Any, indent: str) -> str:
+    line = f"{indent}{_scalar(key)}: {_flow(value)}\n"
+    nested = isinstance(value, (dict, list)) and value
+    if not nested or (indent and len(line) <= WIDTH) or (len(line) <= WIDTH and not _holds_branches(value)):
+        return line
+    inner = indent + "  "
+    if isinstance(value, dict):
+        return f"{indent}{_scalar(key)}:\n" + "".join(_entry(k, v, inner) for k, v in value.items())
+    return f"{indent}{_scalar(key)}:\n" + "".join(_item(v, inner) for v in value)
+
+
+def _item(value: Any, indent: str) -> str:
+    line = f"{indent}- {_flow(value)}\n"
+    if len(line) <= WIDTH or not isinstance(value, dict) or not value:
+        return line
+    entries = "".join(_entry(k, v, indent + "  ") for k, v in value.items())
+    return f"{indent}- {entries[len(indent) + 2:]}"
+
+
+def _holds_branches(value: Any) -> bool:
+    inner = value.values() if isinstance(value, dict) else value
+    return any(isinstance(one, (dict, list)) for one in inner)
+
+
+def _flow(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_scalar(k)}: {_flow(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_flow, value)) + "]"
+    return _scalar(value)
+
+
+def _scalar(text: str | None) -> str:
+    if text is None:
+        return "null"
+    return text if PLAIN.fullmatch(text) and text not in NOTHING else json.dumps(text, ensure_ascii=False)
