@@ -1,0 +1,149 @@
+"""The package beside others in one process, each time in a process of its own."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import textwrap
+import unittest
+from pathlib import Path
+
+EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
+ROOT = EXAMPLES.parent
+#: Runs a model, and writes and reads a file with h5py's own HDF5.
+RUN = f"""
+def run():
+    import io, h5py, numpy
+    import pounding
+    results = pounding.run("{EXAMPLES}/02_two_oscillators/model.yaml", tolerance=1e-3)
+    assert results.status == "done" and len(results.impacts) == 5
+    with h5py.File(io.BytesIO(), "w") as file:
+        file["a"] = numpy.arange(1000.0)
+        assert file["a"][:].sum() == 499500
+    return results
+"""
+
+
+def python(code, *launcher, **environment):
+    done = subprocess.run([*launcher, sys.executable, "-c", RUN + textwrap.dedent(code)], capture_output=True, text=True,
+                          timeout=120, env={**os.environ, **environment}, stdin=subprocess.DEVNULL)
+    if done.returncode != 0:
+        raise AssertionError(f"{done.returncode}: {done.stderr}")
+    return done.stdout
+
+
+class Importing(unittest.TestCase):
+    def test_loads_nothing_that_is_not_used(self):
+        code = """
+            import sys
+            import pounding
+            dir(pounding)
+            heavy = {"numpy", "h5py", "matplotlib", "pounding._core", "mpi4py"} & set(sys.modules)
+            assert not heavy, heavy
+            pounding.laws
+            assert not {"matplotlib", "h5py"} & set(sys.modules)
+            with open("/proc/self/maps") as maps:
+                loaded = maps.read()
+            # MPI opens its components when it starts.
+            assert "libmpi.so" in loaded and "mca_" not in loaded
+        """
+        self.assertEqual(python(code), "")
+
+    def test_unknown_names_are_no_attributes(self):
+        self.assertEqual(python("""
+            import pounding
+            assert not hasattr(pounding, "lawz")
+            assert {"laws", "run", "Model"} <= set(dir(pounding))
+            assert pounding.__version__.count(".") == 2
+        """), "")
+
+    def test_pictures_do_without_the_compiled_part(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(ROOT / "python/pounding", Path(folder) / "pounding")
+            code = """
+                import pounding.plots, pounding.animation, pounding.export, pounding.mode_shapes
+                try:
+                    pounding.laws
+                except ImportError as error:
+                    print(error)
+            """
+            said = python(code, PYTHONPATH=folder)
+            self.assertIn("the compiled part of pounding cannot be loaded", said)
+            self.assertIn("pip install .", said)
+
+
+class OneProcess(unittest.TestCase):
+    def test_h5py_before_and_after(self):
+        python("import h5py; run(); run()")
+        python("import pounding; pounding.laws; import h5py; run()")
+
+    def test_both_hdf5_libraries_are_there_and_each_is_used_by_its_own(self):
+        python("""
+            results = run()
+            maps = {line.split()[-1] for line in open("/proc/self/maps") if "libhdf5" in line and "_hl" not in line}
+            assert any("openmpi" in name for name in maps), maps
+            assert any("h5py" in name for name in maps), maps
+            import h5py
+            results.save("/dev/null")
+        """)
+
+    def test_mpi4py_before_after_and_ending_mpi_itself(self):
+        python("from mpi4py import MPI; run(); assert MPI.COMM_WORLD.size == 1 and not MPI.Is_finalized()")
+        python("run(); from mpi4py import MPI; assert MPI.Is_initialized() and MPI.COMM_WORLD.size == 1; run()")
+        python("import mpi4py; mpi4py.rc.initialize = False; from mpi4py import MPI; run(); assert MPI.Is_initialized()")
+
+    def test_the_host_keeps_its_signals_and_variables(self):
+        python("""
+            import os, signal, subprocess
+            ours = lambda *_: None
+            for number in (signal.SIGTERM, signal.SIGUSR1, signal.SIGHUP):
+                signal.signal(number, ours)
+            before = subprocess.run(["env"], capture_output=True).stdout
+            def signals():
+                with open("/proc/self/status") as status:
+                    masks = dict(line.split(":") for line in status if line[:6] in ("SigBlk", "SigIgn", "SigCgt"))
+                # The real-time ones belong to the C library.
+                return {name: int(mask, 16) & 0x7fffffff for name, mask in masks.items()}
+            handled = signals()
+            run()
+            assert signals() == handled
+            assert signal.getsignal(signal.SIGTERM) is ours
+            assert subprocess.run(["env"], capture_output=True).stdout == before
+        """)
+
+    @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
+    def test_mpirun_can_be_started_afterwards(self):
+        said = python("""
+            import subprocess
+            run()
+            command = ["mpirun", "--oversubscribe", "-n", "2", "sh", "-c", "echo here"]
+            print(subprocess.run(command, capture_output=True, text=True, check=True, stdin=subprocess.DEVNULL).stdout)
+        """, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        self.assertEqual(said.split(), ["here", "here"])
+
+    @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
+    def test_two_processes_run_one_model(self):
+        said = python("""
+            import sys
+            # In one piece: mpirun mixes those of two processes.
+            sys.stdout.write(repr(float(run().impacts["peak_force"][0])) + "\\n")
+        """, "mpirun", "--oversubscribe", "-n", "2", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        first, second = said.split()
+        self.assertEqual(first, second)
+        self.assertEqual(python('print(repr(float(run().impacts["peak_force"][0])))').split(), [first])
+
+
+class Readme(unittest.TestCase):
+    def test_the_example_prints_what_it_says(self):
+        text = (ROOT / "README.md").read_text()
+        block = text[text.index("```python"):]
+        code, printed = (part.split("\n", 1)[1].split("```")[0] for part in (block, block[block.index("```\n\n```") + 5:]))
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink(EXAMPLES, Path(folder) / "examples")
+            done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, timeout=60)
+            self.assertEqual((done.stderr, done.stdout.strip()), ("", printed.strip()))
+
+
+if __name__ == "__main__":
+    unittest.main()

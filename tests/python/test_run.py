@@ -1,0 +1,328 @@
+"""Runs from Python: the numbers of the program, and what happens to a process and its threads meanwhile."""
+
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+from pathlib import Path
+from unittest import mock
+
+import h5py
+import numpy as np
+
+import pounding
+from test_models import TWO_OSCILLATORS, two_oscillators
+
+PROGRAM = os.environ["POUNDING_PROGRAM"]
+#: No step resolves a contact as stiff as this.
+UNSOLVABLE = pounding.Model(structures={"a": {"body": {"mass": "100 t"}, "initial_velocity": "1 m/s"},
+                                        "b": {"body": {"mass": "150 t"}}},
+                            links=[{"between": ["a", "b"], "gap": "10 mm", "law": "hertz", "stiffness": 1e300}],
+                            analysis={"duration": 0.2})
+
+
+def long_model(duration=500.0):
+    """Longer than any test waits, unless told otherwise."""
+    model = two_oscillators()
+    model.ground_motion["harmonic"]["duration"] = duration
+    model.analysis = {"duration": duration, "tolerance": "1e-7", "output_step": "10 ms"}
+    return model
+
+
+def without_times(summary):
+    summary["solver"].pop("wall_seconds")
+    return summary
+
+
+class RunTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def program(self, *words):
+        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=60)
+
+    def assert_same_file(self, one, other):
+        """Every dataset of two runs but their wall times, and the name and options that they were called with."""
+        with h5py.File(one) as a, h5py.File(other) as b:
+            places = []
+            a.visititems(lambda name, item: places.append(name) if isinstance(item, h5py.Dataset) else None)
+            compared = [place for place in places if not place.startswith("solver/wall") and place != "summary"]
+            self.assertGreater(len(compared), 20)
+            for place in compared:
+                self.assertEqual(a[place][()].tobytes() if a[place].shape else a[place][()],
+                                 b[place][()].tobytes() if b[place].shape else b[place][()], place)
+
+
+class SameAsTheProgram(RunTest):
+    def test_summary_and_file_are_those_of_the_command(self):
+        done = self.program("run", TWO_OSCILLATORS, "--json", "-o", self.folder / "program.h5")
+        results = pounding.run(TWO_OSCILLATORS, output=self.folder / "python.h5")
+        self.assertEqual(without_times(results.summary), without_times(json.loads(done.stdout)))
+        self.assert_same_file(self.folder / "program.h5", self.folder / "python.h5")
+        results.save(self.folder / "saved.h5")
+        self.assert_same_file(self.folder / "program.h5", self.folder / "saved.h5")
+        self.assertEqual(results.model_yaml, TWO_OSCILLATORS.read_text())
+
+    def test_a_run_in_memory_is_its_file(self):
+        results = pounding.run(two_oscillators(), output=self.folder / "out.h5")
+        read = pounding.read(self.folder / "out.h5")
+        np.testing.assert_array_equal(results.impacts, read.impacts)
+        np.testing.assert_array_equal(results.structures["left"].displacement, read.structures["left"].displacement)
+        self.assertEqual((results.status, len(results.impacts), repr(results)), ("done", 5, repr(read)))
+
+    def test_contact_forces_are_those_of_the_law(self):
+        for name in ("jankowski", "hertz_damped", "bilinear_hertz"):
+            model = two_oscillators()
+            model.links[0] = {**model.links[0], "law": name}
+            results = pounding.run(model)
+            link, impact = results.links["left-right"], results.impacts[2]
+            law = pounding.laws[name](stiffness=2.75e9, restitution=0.65, reduced_mass=6e4)
+            # Touch and separation have two samples each, one of them without force.
+            inside = (link.time > impact["t_start"]) & (link.time < impact["t_release"])
+            force = law.force(link.penetration[inside], link.velocity[inside], impact["v_approach"], in_order=True)
+            self.assertGreater(force.size, 100)
+            # The last iteration of a step moves the state by less than this; the largest penetration, which the memory of
+            # bilinear_hertz keeps, lies between two samples.
+            rtol = 1e-6 if name == "bilinear_hertz" else 1e-8
+            np.testing.assert_allclose(force, link.force[inside], rtol=rtol, atol=1e-9 * impact["peak_force"], err_msg=name)
+
+    def test_tolerance_and_options_reach_the_run(self):
+        rough = pounding.run(two_oscillators(), tolerance=1e-3)
+        self.assertLess(rough.solver["steps"], pounding.run(two_oscillators()).solver["steps"] / 5)
+        self.assertIn("tolerance: 0.001", rough.model_yaml)
+        done = self.program("run", TWO_OSCILLATORS, "--json", "-pounding_ts_rtol", "1e-3")
+        with self.assertWarns(pounding.AccuracyWarning):
+            by_option = pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3})
+        self.assertEqual(without_times(by_option.summary), without_times(json.loads(done.stdout)))
+        # Options of one run are gone in the next.
+        again = pounding.run(two_oscillators(), tolerance=1e-3)
+        self.assertEqual(without_times(again.summary), without_times(rough.summary))
+
+    def test_modes_are_those_of_the_command(self):
+        modes = pounding.modes(TWO_OSCILLATORS)
+        printed = json.loads(self.program("modes", TWO_OSCILLATORS, "--json").stdout)
+        self.assertEqual({name: [mode.period for mode in modes[name]] for name in modes},
+                         {name: [mode["period"] for mode in found] for name, found in printed.items()})
+        self.assertAlmostEqual(modes["left"][0].period, 0.8, delta=1e-12)
+        self.assertEqual(len(modes.plot().axes), 4)
+
+
+class Failures(RunTest):
+    def test_wrong_models_and_options_are_told_as_by_the_program(self):
+        with self.assertRaises(pounding.InputError) as caught:
+            pounding.run(TWO_OSCILLATORS, options={"ts_rtoll": 1})
+        done = self.program("run", TWO_OSCILLATORS, "-pounding_ts_rtoll", "1")
+        self.assertEqual(f"pounding: {caught.exception}\n", done.stderr)
+        with self.assertRaisesRegex(pounding.InputError, "cannot write .*No such file or directory"):
+            pounding.run(two_oscillators(), output=self.folder / "no folder" / "out.h5")
+
+    def test_failed_solve_keeps_what_was_computed(self):
+        (self.folder / "model.yaml").write_text(UNSOLVABLE.to_yaml())
+        done = self.program("run", "model.yaml", "-q")
+        with self.assertRaises(pounding.SolverError) as caught:
+            pounding.run(UNSOLVABLE, output=self.folder / "out.h5")
+        self.assertEqual((done.returncode, done.stderr), (3, f"pounding: {str(caught.exception).splitlines()[0]}\n"))
+        self.assertIn(f"What was computed is in {self.folder / 'out.h5'}", str(caught.exception))
+        results = caught.exception.results
+        self.assertTrue(results.status.startswith("failed: "))
+        self.assertGreater(results.time.size, 1)
+        self.assertEqual(pounding.read(self.folder / "out.h5").status, results.status)
+
+    def test_energies_that_do_not_close_warn_as_in_the_program(self):
+        # The option loosens the steps, not what the model promises.
+        done = self.program("run", TWO_OSCILLATORS, "-q", "-pounding_ts_rtol", "1e-3")
+        with self.assertWarnsRegex(pounding.AccuracyWarning, "the energies do not close") as caught:
+            pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3})
+        self.assertEqual(f"pounding: warning: {caught.warning}\n", done.stderr)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            pounding.run(two_oscillators())
+
+
+class Stopping(RunTest):
+    def interrupted(self, model, **more):
+        timer = threading.Timer(0.4, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        begin = time.monotonic()
+        try:
+            with self.assertRaises(pounding.Interrupted) as caught:
+                pounding.run(model, **more)
+        finally:
+            timer.join()
+        self.assertLess(time.monotonic() - begin, 5)
+        self.assertIsInstance(caught.exception, KeyboardInterrupt)
+        return caught.exception
+
+    def test_ctrl_c_keeps_what_was_computed_and_the_run_goes_on_to_the_same_bits(self):
+        place = self.folder / "out.h5"
+        model = long_model(30.0)
+        stop = self.interrupted(model, output=place)
+        self.assertRegex(str(stop), rf'stopped by the user at t = .* s\nTo go on: pounding.resume\("{place}"\)')
+        self.assertTrue(stop.results.status.startswith("failed: stopped by the user"))
+        self.assertGreater(stop.results.time.size, 1)
+        self.assertEqual(pounding.read(place).time.size, stop.results.time.size)
+        went_on = pounding.resume(place)
+        whole = pounding.run(model, output=self.folder / "whole.h5")
+        self.assertEqual(went_on.status, "done")
+        np.testing.assert_array_equal(went_on.structures["left"].displacement, whole.structures["left"].displacement)
+        np.testing.assert_array_equal(went_on.impacts, whole.impacts)
+
+    def test_without_a_file_the_results_are_in_the_exception(self):
+        stop = self.interrupted(long_model())
+        self.assertGreater(stop.results.impacts.size, 1)
+        self.assertEqual(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+
+    def test_what_a_handler_of_the_host_raises_ends_the_run(self):
+        class Enough(Exception):
+            pass
+
+        def handler(*_):
+            raise Enough
+
+        before = signal.signal(signal.SIGALRM, handler)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        with self.assertRaises(Enough):
+            pounding.run(long_model())
+
+    def test_progress_is_told_and_may_end_the_run(self):
+        told = []
+
+        def progress(now, duration, impacts):
+            told.append((now, duration, impacts))
+            if len(told) == 3:
+                raise RuntimeError("enough")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            pounding.run(long_model(), progress=progress, output=self.folder / "out.h5")
+        self.assertEqual(len(told), 3)
+        self.assertEqual(told, sorted(told))
+        self.assertEqual(told[0][1], 500.0)
+        self.assertIn("stopped", pounding.read(self.folder / "out.h5").status)
+
+    def test_progress_is_one_line_that_goes_away(self):
+        with mock.patch("sys.stderr") as screen:
+            screen.isatty.return_value = True
+            with self.assertRaises(pounding.Interrupted):
+                threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+                pounding.run(long_model())
+            written = [call.args[0] for call in screen.write.call_args_list]
+        self.assertRegex(written[0], r"^\r\[#*\.+\] \d+\.\d\d of 500.00 s, \d+ impacts$")
+        self.assertRegex(written[-1], r"^\r +\r$")
+        with mock.patch("sys.stderr") as screen:
+            screen.isatty.return_value = False
+            pounding.run(two_oscillators())
+            screen.write.assert_not_called()
+
+
+class Threads(RunTest):
+    def test_others_run_meanwhile(self):
+        ticks, over = [], threading.Event()
+
+        def tick():
+            while not over.wait(1e-3):
+                ticks.append(time.monotonic())
+
+        ticker = threading.Thread(target=tick)
+        ticker.start()
+        try:
+            begin = time.monotonic()
+            pounding.run(long_model(10.0), progress=False)
+            taken = time.monotonic() - begin
+        finally:
+            over.set()
+            ticker.join()
+        inside = [t for t in ticks if begin < t < begin + taken]
+        self.assertGreater(taken, 0.05)
+        self.assertLess(np.diff([begin, *inside, begin + taken]).max(), 0.5 * taken)
+
+    def test_runs_of_several_threads_do_not_meet(self):
+        alone = without_times(pounding.run(two_oscillators(), tolerance=1e-4).summary)
+        rough = without_times(pounding.run(two_oscillators(), tolerance=1e-3).summary)
+        found = {}
+
+        def work(i):
+            found[i] = without_times(pounding.run(two_oscillators(), tolerance=1e-4 if i % 2 else 1e-3).summary)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(6)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, {i: alone if i % 2 else rough for i in range(6)})
+
+
+class Pictures(RunTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.results = pounding.run(two_oscillators(), tolerance=1e-4)
+
+    def test_pictures_are_figures_of_the_numbers(self):
+        figure = self.results.plot("force")
+        line = figure.axes[0].lines[0]
+        np.testing.assert_allclose(1e6 * line.get_ydata(), self.results.links["left-right"].force, rtol=1e-12)
+        self.assertEqual(len(self.results.plot("loops").axes[0].lines), 5)
+        for picture in ("run", "displacement", "gap", "energy", "model", "profiles"):
+            self.results.plot(picture, title="A title").savefig(self.folder / f"{picture}.png")
+            self.assertGreater((self.folder / f"{picture}.png").stat().st_size, 5000)
+        with self.assertRaisesRegex(pounding.InputError, 'there is no picture "forse"; there is run'):
+            self.results.plot("forse")
+
+    def test_animation_is_a_film(self):
+        film = self.results.animate(self.folder / "film.gif", frames=5, start=1.0, end=1.5)
+        self.assertEqual(film.frames, 5)
+        self.assertTrue((self.folder / "film.gif").read_bytes().startswith(b"GIF8"))
+
+    def test_missing_packages_say_what_to_type(self):
+        with mock.patch.dict("sys.modules", {"matplotlib": None, "pandas": None}):
+            with self.assertRaisesRegex(ImportError, "pip install matplotlib"):
+                self.results.plot()
+            with self.assertRaisesRegex(ImportError, "pip install pandas"):
+                self.results.to_pandas()
+
+
+class Tables(RunTest):
+    @classmethod
+    def setUpClass(cls):
+        model = two_oscillators()
+        model.structures["left"] = {"shear_building": {"storeys": 2, "mass": "50 t", "stiffness": "20 MN/m", "height": 3.0},
+                                    "damping": "5 %"}
+        model.links[0]["between"] = ["left.2", "right"]
+        cls.results = pounding.run(model, tolerance=1e-4)
+
+    def test_pandas(self):
+        tables = self.results.to_pandas()
+        self.assertEqual(list(tables), ["impacts", "ground", "energy", f"links/{next(iter(self.results.links))}",
+                                        "structures/left", "structures/right"])
+        left = tables["structures/left"]
+        np.testing.assert_array_equal(left["displacement", "2", "x"].to_numpy(), self.results.structures["left"].displacement[:, 1])
+        np.testing.assert_array_equal(left.index, self.results.time)
+        self.assertEqual(tables["impacts"]["link"][0], "left.2-right")
+        np.testing.assert_array_equal(tables["impacts"]["restitution"], self.results.impacts["restitution"])
+
+    def test_xarray(self):
+        sets = self.results.to_xarray()
+        drift = sets["structures/left"]["drift"]
+        self.assertEqual((drift.dims, drift.attrs["units"]), (("time", "floor", "direction"), "m"))
+        np.testing.assert_array_equal(drift.sel(floor="2", direction="x"), self.results.structures["left"].drift[:, 1])
+        self.assertEqual(float(sets["energy"]["input"][-1]), self.results.energy["input"][-1])
+        self.assertEqual(str(sets["impacts"]["link"].values[0]), "left.2-right")
+
+    def test_bodies_without_storeys_have_tables_too(self):
+        model = UNSOLVABLE.copy()
+        model.links[0]["stiffness"] = 1e9
+        model.structures["wall"] = {"wall": {}}
+        results = pounding.run(model)
+        self.assertEqual(results.to_pandas()["structures/wall"].shape[1], 0)
+        self.assertTrue(np.isnan(results.to_xarray()["structures/a"]["drift"]).all())
+
+
+if __name__ == "__main__":
+    unittest.main()
