@@ -331,7 +331,7 @@ void SparseBase::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<
 }
 
 void SparseBase::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
-  y += f.segment(first_row_[rank_], size());
+  y += f.segment(matrices_.first(), size());
 }
 
 void SparseBase::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
