@@ -6,6 +6,8 @@
 #include <ostream>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "support/book.hpp"
 #include "support/runs.hpp"
 
@@ -52,7 +54,8 @@ constexpr const char* source =
 std::string law_and_formula(const Reference& reference) {
   const std::string text = reference.law, formula = ", formula: ";
   const std::size_t at = text.find(formula);
-  return test::law_of(text) + (at == text.npos ? "" : " " + text.substr(at + formula.size())) + ": ";
+  if (at == text.npos) return fmt::format("{}: ", test::law_of(text));
+  return fmt::format("{} {}: ", test::law_of(text), text.substr(at + formula.size()));
 }
 
 class TwoOscillators : public testing::TestWithParam<Reference> {};
