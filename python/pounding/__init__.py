@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from pounding.contact import FreeImpact, Law, Response, calibrate, laws
     from pounding.errors import AccuracyWarning, InputError, Interrupted, SolverError
     from pounding.models import Model, check
+    from pounding.opensees_model import from_opensees
     from pounding.vibration import Modes, modes
     from pounding.records import record
     from pounding.results import Run, read
@@ -31,13 +32,14 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = ["AccuracyWarning", "FreeImpact", "InputError", "Interrupted", "Law", "Model", "Modes", "Response", "Run",
-           "SolverError", "calibrate", "check", "laws", "modes", "read", "record", "resume", "run"]
+           "SolverError", "calibrate", "check", "from_opensees", "laws", "modes", "read", "record", "resume", "run"]
 
 #: Where each name comes from.
 _MODULES = {
     "contact": ("FreeImpact", "Law", "Response", "calibrate", "laws"),
     "errors": ("AccuracyWarning", "InputError", "Interrupted", "SolverError"),
     "models": ("Model", "check"),
+    "opensees_model": ("from_opensees",),
     "vibration": ("Modes", "modes"),
     "records": ("record",),
     "results": ("Run", "read"),
