@@ -16,6 +16,7 @@ import contextlib
 import ctypes
 import json
 import math
+import os
 import select
 import socket
 import struct
@@ -117,9 +118,9 @@ def time_to_close(opening: float, rate: float, acceleration: float) -> float:
 class Link:
     """Force at trial states, history at kept ones.
 
-    A step may begin apart and end in contact. The closing speed of that impact, from which its damping follows, is foretold
-    from the kept state at the beginning of the step: it is the same for all trial states, so that slopes are exact, and wrong
-    by the change of the acceleration alone."""
+    An impact begins at the first kept state that overlaps: a step has one formula of the force from its beginning to its end,
+    because with a force that jumps at the touch, as that of kelvin_voigt, there may be no state in which a step could end.
+    The closing speed is that at the touch inside the step, by the acceleration at its beginning."""
 
     def __init__(self, law: Law, gap: float) -> None:
         self.law, self.gap = law, gap
@@ -127,51 +128,42 @@ class Link:
         self.contact = _Contact()
         self.kept: State | None = None
         self.now = State(0.0, -gap, 0.0, 0.0)
-        self.force = 0.0  # at the kept state
+        self.answer = Answer()
+        self.force = 0.0  # of the link in the kept state, as the solver had it
 
     def trial(self, time: float, closure: float, rate: float, acceleration: float) -> Answer:
-        """Pure but for what `keep` would keep."""
+        """Changes nothing but what `keep` would keep."""
         self.now = State(time, closure - self.gap, rate, acceleration)
-        if self.kept is None:
-            self._stand(self.now)
-        self.answer = self.law.respond(self.foretold, self.now.penetration, self.now.rate)
+        # The model as it is before its first step.
+        self.kept = self.kept or self.now
+        self.answer = self.law.respond(self.contact, self.now.penetration, self.now.rate)
         return self.answer
 
     def keep(self) -> None:
         """The last trial state was kept."""
-        before, now, touched = self.kept, self.now, bool(self.contact.touching)
-        assert before is not None
-        start = before.time
-        if not touched and now.penetration > self.contact.indentation:
-            start = min(start + self._closing_time(before), now.time)
-            self.contact = self.foretold
-            self.impacts.append(Impact(start, math.nan, self.contact_speed))
-            touched = True
-        if touched:
-            indentation = self.contact.indentation
+        before, now = self.kept or self.now, self.now
+        indentation, was_touching = self.contact.indentation, bool(self.contact.touching)
+        if not was_touching and now.penetration > indentation:
+            wait = self._closing_time(before)
+            start = min(before.time + wait, now.time)
+            speed = max(0.0, before.rate + before.acceleration * (start - before.time))
+            self.law.touch(self.contact, speed)
+            self.impacts.append(Impact(start, math.nan, speed))
+        if self.contact.touching:
             self.law.accept(self.contact, now.penetration, now.rate)
-            self._add(start, before, now)
+            self._add(before, now, indentation)
             if not self.contact.touching:
                 self._end(now, indentation)
-        self.force = self.answer.force if self.contact.touching else 0.0
-        self._stand(now)
-
-    def _stand(self, state: State) -> None:
-        self.kept = state
-        self.foretold = _Contact.from_buffer_copy(self.contact)
-        if not self.contact.touching:
-            wait = self._closing_time(state)
-            self.contact_speed = max(0.0, state.rate + (state.acceleration * wait if math.isfinite(wait) else 0.0))
-            self.law.touch(self.foretold, self.contact_speed)
+        self.kept, self.force = now, self.answer.force
 
     def _closing_time(self, state: State) -> float:
         return time_to_close(max(0.0, self.contact.indentation - state.penetration), state.rate, state.acceleration)
 
-    def _add(self, start: float, before: State, now: State) -> None:
-        row, force = self.impacts[-1], self.answer.force
-        row.impulse += 0.5 * (now.time - start) * (self.force + force)
-        row.energy_lost += 0.5 * (now.time - start) * (self.force * before.rate + force * now.rate)
-        row.peak_penetration = max(row.peak_penetration, now.penetration - self.contact.indentation)
+    def _add(self, before: State, now: State, indentation: float) -> None:
+        row, force, step = self.impacts[-1], self.answer.force, now.time - before.time
+        row.impulse += 0.5 * step * (self.force + force)
+        row.energy_lost += 0.5 * step * (self.force * before.rate + force * now.rate)
+        row.peak_penetration = max(row.peak_penetration, now.penetration - indentation)
         if force > row.peak_force:
             row.peak_force, row.t_peak = force, now.time
 
@@ -221,7 +213,10 @@ class Server:
                 self.tell()
 
     def tell(self) -> None:
-        print(json.dumps({"error": self.error, "connected": self.connected, "impacts": [asdict(impact) for impact in self.link.impacts]}), flush=True)
+        told = {"error": self.error, "connected": self.connected, "impacts": [asdict(impact) for impact in self.link.impacts]}
+        # The caller may be gone.
+        with contextlib.suppress(BrokenPipeError):
+            os.write(sys.stdout.fileno(), (json.dumps(told) + "\n").encode())
 
     def _answer(self, numbers: tuple[float, ...]) -> tuple[float, float, float, float] | None:
         action, link = numbers[0], self.link
@@ -252,6 +247,10 @@ class Server:
         with contextlib.suppress(ConnectionError):
             while len(data) < size:
                 part = connection.recv(size - len(data))
+                # The element waits with its next message until this one is acknowledged, which else takes 40 ms. The option
+                # is forgotten now and then.
+                if hasattr(socket, "TCP_QUICKACK"):
+                    connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_QUICKACK, 1)
                 if not part:
                     return b""
                 data += part
