@@ -132,7 +132,9 @@ class Printed:
     def __init__(self, ops: Any) -> None:
         self._ops = ops
         self._text = self._print()
-        self.model = json.loads(self._print("-JSON"))["StructuralAnalysisModel"]
+        # The line of a genericClient is no JSON.
+        lines = re.sub(r"^.*\"GenericClient\".*\n", "", self._print("-JSON"), flags=re.MULTILINE)
+        self.model = json.loads(re.sub(r",(\s*\])", r"\1", lines))["StructuralAnalysisModel"]
         factors = [float(value) for value in re.findall(r"Rayleigh Factor: alphaM: (\S+)", self._text)]
         self.alpha_m = max(factors, default=0.0)
         whole, _, self._patterns = self._text.partition("LOAD PATTERNS:")
@@ -140,7 +142,9 @@ class Printed:
         self.constraints = list(self._read_constraints(self._supports[2]))
 
     def consistent_mass(self, element: int) -> bool:
-        found = re.search(r"cMass: (\d)", self._print("-ele", element))
+        parts = re.split(r"^(?:ElasticBeam[23]d|Element): (\d+)", self._text.partition("ELEMENT DATA:")[2], flags=re.MULTILINE)
+        of = dict(zip(parts[1::2], parts[2::2])).get(str(element), "")
+        found = re.search(r"cMass: (\d)", of)
         if not found:
             raise InputError(f"element {element}: OpenSees does not tell whether its mass is consistent")
         return found[1] == "1"
@@ -158,13 +162,10 @@ class Printed:
                 raise InputError(f"pattern {tag}: loads are not carried over; type without_loads=True, and add them to the model "
                                  "as `loads`")
 
-    def _print(self, *words: Any) -> str:
+    def _print(self, *words: str) -> str:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "model"
-            if "-ele" in words:
-                self._ops.printModel("-file", str(file), "ele", *words[1:])
-            else:
-                self._ops.printModel(*words, "-file", str(file))
+            self._ops.printModel(*words, "-file", str(file))
             return file.read_text()
 
     def _read_constraints(self, text: str) -> Iterator[Constraint]:
@@ -286,8 +287,7 @@ class Source:
                          for tie in ties]
         frame["floors"] = self._floors(nodes, floors, used)
         structure: dict[str, Any] = {"frame": {key: value for key, value in frame.items() if value}}
-        if damping is not None:
-            structure["damping"] = damping
+        structure["damping"] = 0 if damping is None else damping
         return structure
 
     def _member(self, element: Mapping[str, Any], transformations: Mapping[str, Mapping[str, Any]]) -> Member:
