@@ -7,6 +7,8 @@ lengths. What they are compared with is the program at a tolerance of 1e-8.
 import json
 import math
 import os
+import re
+import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -77,7 +79,8 @@ class TwoOscillators(unittest.TestCase):
             two_oscillators()
             add()
             newmark(increment=1e-10)
-            return analyse(1e-4, DURATION, (2, 4))[1].sum()
+            # Two in a step without contact, of which the second finds nothing to correct.
+            return (analyse(1e-3, DURATION, (2, 4))[1] - 2).sum()
 
         def material():
             xi = pounding.laws["jankowski"](stiffness=STIFFNESS, restitution=RESTITUTION, formula="jankowski_2006",
@@ -88,7 +91,7 @@ class TwoOscillators(unittest.TestCase):
         def ours():
             link(formula="jankowski_2006")
 
-        self.assertLess(iterations(ours), iterations(material))
+        self.assertLess(2 * iterations(ours), iterations(material))
 
     def test_impacts_can_be_asked_for_at_any_time(self):
         two_oscillators()
@@ -292,19 +295,36 @@ class LinkedFrames(unittest.TestCase):
         self.assertGreater(len(exact.impacts), 1)
 
         def error(step):
-            squares = []
+            squares, smooth = [], []
             for factor in (1.0, 0.93, 0.86):
                 made = self.build()
                 newmark()
                 peaks, iterations = analyse(factor * step, 2.0, (3, 12))
                 self.assertLessEqual(iterations.max(), 5)
                 self.assertEqual(len(made.impacts), len(exact.impacts))
-                squares += [(made.impacts["peak_force"] / exact.impacts["peak_force"] - 1) ** 2, (peaks / wanted - 1) ** 2]
-            return math.sqrt(np.concatenate(squares).mean())
+                relative = {name: made.impacts[name] / exact.impacts[name] - 1 for name in ("peak_force", "impulse", "v_approach")}
+                squares += [relative["peak_force"] ** 2, (peaks / wanted - 1) ** 2]
+                smooth += [relative["impulse"] ** 2, relative["v_approach"] ** 2]
+            return [math.sqrt(np.concatenate(each).mean()) for each in (squares, smooth)]
 
-        coarse, fine = error(1e-3), error(2.5e-4)
-        self.assertGreater(coarse / fine, 8)
-        self.assertLess(fine, 5e-4)
+        (coarse_peaks, coarse), (fine_peaks, fine) = error(1e-3), error(2.5e-4)
+        self.assertGreater(coarse / fine, 12)
+        self.assertLess(fine, 1e-4)
+        # The largest at ends of steps, which miss the top by chance.
+        self.assertGreater(coarse_peaks / fine_peaks, 4)
+        self.assertLess(fine_peaks, 2e-4)
+
+
+class Lesson(unittest.TestCase):
+    def test_prints_what_its_page_says(self):
+        folder = EXAMPLES / "hosts/opensees"
+        said = re.search(r"^Expect: `([^`]+)` within (\S+) at (\d+) steps", (folder / "README.md").read_text(), re.MULTILINE)
+        done = subprocess.run([sys.executable, folder / "two_oscillators.py", said[3]], capture_output=True, text=True, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        *peaks, impacts = map(float, done.stdout.split())
+        *wanted, count = map(float, said[1].split())
+        self.assertEqual(impacts, count)
+        np.testing.assert_allclose(peaks, wanted, rtol=float(said[2]))
 
 
 if __name__ == "__main__":
