@@ -11,7 +11,7 @@ ifeq ($(LONG),0)
 CTEST_FLAGS += --label-exclude long
 endif
 
-.PHONY: build test demo python packages clean distclean help
+.PHONY: build test demo docs python packages clean distclean help
 
 build: build/build.ninja
 	cmake --build build --parallel $(JOBS)
@@ -22,6 +22,11 @@ test: build
 demo: build
 	bash cmake/demo.sh
 
+# The site: user guide, laws, tutorials whose cells are run, theory, reference. A warning is an error.
+docs: build .venv/docs-ready
+	PYTHONPATH=build/python .venv/bin/python3 -m sphinx -q -W --keep-going -c python/docs -d build/docs.doctrees . build/docs
+	@echo "build/docs/index.html"
+
 python: .venv/ready
 
 packages:
@@ -29,6 +34,11 @@ packages:
 
 .venv/ready: python/requirements.txt python/requirements-records.txt | packages
 	bash cmake/python-env.sh
+
+.venv/docs-ready: python/docs/requirements.txt | .venv/ready
+	@echo "Installing what builds the site into .venv (packages from PyPI): sphinx, furo, myst-nb and what they need"
+	.venv/bin/python3 -m pip install --quiet --disable-pip-version-check --requirement python/docs/requirements.txt
+	@touch $@
 
 build/build.ninja: .venv/ready | packages
 	cmake -S . -B build -G Ninja
@@ -44,6 +54,7 @@ help:
 	@echo "make build      install what is missing, build into build/"
 	@echo "make test       build and run every test; LONG=0 leaves the long ones out"
 	@echo "make demo       build, run two frames through an earthquake: demo.h5, demo.png"
+	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"
 	@echo "make python     only the Python environment .venv that draws pictures"
 	@echo "make clean      remove build/ and the demo's files; distclean removes .venv too"
 	@echo "JOBS=$(JOBS) processes are used"

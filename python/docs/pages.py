@@ -1,0 +1,100 @@
+"""What the site needs beyond Sphinx: links to folders, parts of the README as pages, formulas without a network, comments as
+reStructuredText, and a first page at the top."""
+import os
+import re
+from pathlib import Path
+
+from docutils import nodes
+from docutils.statemachine import StringList
+from docutils.utils.math.latex2mathml import tex2mathml
+from sphinx.util.docutils import SphinxDirective
+
+ROOT = Path(__file__).resolve().parents[2]
+#: What stands for a folder that has no README.
+FOLDERS = {ROOT / "examples": ROOT / "python/docs/lessons.md"}
+LINK = re.compile(r"(?<=\]\()(?![a-z]+:|#)([^)#\s]+)(?=[)#])")
+
+
+def links_from(text, folder, page):
+    """A text of this folder on a page of another one: links lead to the same files, and to the README of a folder."""
+    def link(match):
+        target = (folder / match.group(1)).resolve()
+        target = FOLDERS.get(target, target)
+        if (target / "README.md").is_file():
+            target /= "README.md"
+        return os.path.relpath(target, page) if target.is_file() else match.group(1)
+    return LINK.sub(link, text)
+
+
+def correct_links(app, docname, source):
+    if app.env.doc2path(docname).suffix == ".md":
+        folder = Path(app.env.doc2path(docname)).parent
+        source[0] = links_from(source[0], folder, folder)
+
+
+class ReadmeSection(SphinxDirective):
+    """`{readme} TITLE`: what the README says under this title, without the title."""
+    required_arguments, final_argument_whitespace = 1, True
+
+    def run(self):
+        path = ROOT / "README.md"
+        self.env.note_dependency(str(path))
+        title = self.arguments[0]
+        found = re.search(rf"(?ms)^## {re.escape(title)}\n(.*?)(?=^## |\Z)", path.read_text())
+        if not found:
+            raise self.error(f'README.md has no section "{title}"')
+        text = links_from(found.group(1), ROOT, Path(self.env.doc2path(self.env.docname)).parent)
+        parent = nodes.Element()
+        self.state.nested_parse(StringList(text.splitlines(), str(path)), 0, parent)
+        return parent.children
+
+
+def show_inline(translator, node):
+    translator.body.append(tex2mathml(node.astext(), as_block=False))
+    raise nodes.SkipNode
+
+
+def show_block(translator, node):
+    tex = node.astext()
+    if "\\\\" in tex and "\\begin" not in tex:
+        tex = f"\\begin{{aligned}}{tex}\\end{{aligned}}"
+    translator.body.append(f'<div class="math">{tex2mathml(tex, as_block=True)}</div>\n')
+    raise nodes.SkipNode
+
+
+def rst(text):
+    """A comment or docstring: an indented block is code, everything else but `names` as it stands."""
+    rows, is_code = [], False
+    for row in text.splitlines():
+        if row.startswith("    ") and not is_code:
+            rows += ["", "::", ""]
+            is_code = True
+        elif is_code and row.strip() and not row.startswith("    "):
+            rows.append("")
+            is_code = False
+        # Outside of names in backticks every sign stands for itself.
+        parts = re.split(r"(`[^`]+`)", row)
+        rows.append(row if is_code else "".join(
+            part if place % 2 else re.sub(r"([*|_`\\])", r"\\\1", part) for place, part in enumerate(parts)))
+    return rows
+
+
+def docstring(app, what, name, obj, options, lines):
+    lines[:] = rst("\n".join(lines))
+
+
+def first_page(app, exception):
+    """build/docs/index.html leads to the first page."""
+    if exception is None and app.builder.format == "html":
+        target = app.builder.get_target_uri(app.config.root_doc)
+        (Path(app.outdir) / "index.html").write_text(
+            f'<!DOCTYPE html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url={target}"><a href="{target}">pounding</a>\n')
+
+
+def setup(app):
+    app.add_directive("readme", ReadmeSection)
+    app.add_html_math_renderer("mathml", (show_inline, None), (show_block, None))
+    app.connect("source-read", correct_links)
+    app.connect("autodoc-process-docstring", docstring)
+    app.connect("build-finished", first_page)
+    return {"parallel_read_safe": True}
