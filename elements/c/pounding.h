@@ -46,6 +46,7 @@ PND_API const char *pnd_version(void);
 
 /* ---- Errors ---- */
 
+/* What functions return. */
 enum pnd_status {
   PND_OK = 0,
   PND_BAD_ARGUMENT = 1,  /* an unknown name, a wrong value, a null pointer; the text says what is allowed */
@@ -62,6 +63,7 @@ PND_API const char *pnd_error_text(void);
 /* A checked law with its parameters. */
 typedef struct pnd_law pnd_law;
 
+/* A parameter by its name. */
 typedef struct pnd_value {
   const char *name;
   double value; /* in the unit of the parameter, see pnd_parameter */
@@ -92,6 +94,7 @@ typedef struct pnd_contact {
 } pnd_contact;
 #define PND_CONTACT_DOUBLES 8
 
+/* What a law answers to a state. */
 typedef struct pnd_response {
   double force;          /* [N] */
   double by_penetration; /* slope dF/dd [N/m] */
@@ -118,6 +121,7 @@ PND_API int pnd_separate(const pnd_law *law, double penetration, pnd_contact *co
 
 /* ---- What a law gives for two free bodies ---- */
 
+/* What pnd_collide finds. */
 typedef struct pnd_free_impact {
   double restitution;      /* separation over closing speed [-] */
   double peak_force;       /* [N]; infinite for stereomechanical */
@@ -134,6 +138,7 @@ PND_API int pnd_collide(const pnd_law *law, double reduced_mass, double closing_
 
 /* ---- What there is, for user interfaces. Texts live as long as the library. ---- */
 
+/* What there is to know of a law before it is made. */
 typedef struct pnd_law_info {
   const char *name, *force, *summary, *source; /* "hertz", "F = k d^n", ... */
   size_t parameters, formulas;                 /* how many of each; no formulas: no damping to calibrate */
@@ -142,12 +147,14 @@ typedef struct pnd_law_info {
   int instantaneous;                           /* 1: a jump of the velocity, v+ = -restitution v-; the force is always 0 */
 } pnd_law_info;
 
+/* Whether a parameter must be given. */
 enum pnd_need {
   PND_REQUIRED = 0,
   PND_OPTIONAL = 1,
   PND_DAMPING = 2 /* exactly one of those marked so */
 };
 
+/* One parameter of a law. */
 typedef struct pnd_parameter_info {
   const char *name;
   const char *unit; /* SI; "" without dimension; n in "N/m^n" is the law's exponent */
@@ -156,6 +163,7 @@ typedef struct pnd_parameter_info {
   int need;       /* a pnd_need */
 } pnd_parameter_info;
 
+/* One way from a restitution to the damping. */
 typedef struct pnd_formula_info {
   const char *name, *source, *note;
 } pnd_formula_info;
@@ -164,6 +172,7 @@ typedef struct pnd_formula_info {
 PND_API size_t pnd_law_count(void);
 /* The index of a law; PND_BAD_ARGUMENT with the nearest name. */
 PND_API int pnd_find_law(const char *name, size_t *law);
+/* What there is to know of the law with this index. */
 PND_API int pnd_describe_law(size_t law, pnd_law_info *info);
 /* All that pnd_create takes: the law's own parameters, then restitution, impact_velocity and reduced_mass as it has them. */
 PND_API int pnd_describe_parameter(size_t law, size_t parameter, pnd_parameter_info *info);

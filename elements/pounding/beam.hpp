@@ -16,6 +16,7 @@ namespace pounding {
 /// Translations [m] and rotations [rad] of a node, rotations by the right-hand rule (a positive ry turns z into x).
 enum class Dof : int { ux, uy, uz, rx, ry, rz };
 
+/// Of the twelve displacements of a member, those of its start node first, each in the order of Dof; Matrix6 in the plane.
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -31,6 +32,7 @@ struct Section {
   double shear_area_z = std::numeric_limits<double>::infinity();  ///< for shear along local z [m^2]
 };
 
+/// Linear elastic.
 struct Material {
   double young = 0;    ///< [Pa]
   double shear = 0;    ///< shear modulus [Pa]; unused in a plane frame without shear deformation
@@ -42,6 +44,7 @@ struct Material {
 /// carries density (inertia_y + inertia_z).
 enum class BeamMass { lumped, consistent };
 
+/// How a member stands between its nodes, and what it lets go.
 struct BeamOptions {
   /// A vector that local z leans to: local y is reference x local x, local z is local x x local y. By default global z,
   /// so that local y is horizontal and local z points upwards; for vertical members (to 1e-6) global -x, so that local
@@ -83,6 +86,7 @@ class Beam {
   static Beam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
                     const Material& material);
 
+  /// What it was made of.
   bool is_truss() const { return is_truss_; }
   const Section& section() const { return section_; }
   const Material& material() const { return material_; }

@@ -17,6 +17,7 @@ namespace pounding {
 /// zero, and at the yield point that of the elastic side. There is no dashpot.
 class BilinearSpring final : public Spring {
  public:
+  /// Its force over deformation: slope k up to Fy, then a k.
   struct Parameters {
     double stiffness = 0;    ///< k > 0 [N/m]
     double yield_force = 0;  ///< Fy > 0 [N]

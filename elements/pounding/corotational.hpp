@@ -26,6 +26,7 @@ namespace pounding {
 /// tangent of the exact logarithm.
 class CorotationalBeam {
  public:
+  /// Energy of the member with its first and second derivatives by the displacements.
   struct Response {
     double energy = 0;                    ///< [J]
     Vector12 force = Vector12::Zero();    ///< on the nodes, global axes [N], [N m]
@@ -40,6 +41,7 @@ class CorotationalBeam {
   static CorotationalBeam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
                                 const Material& material, int dimension);
 
+  /// At displacements of its nodes; without the tangent it costs much less.
   Response evaluate(const Vector12& displacements, bool with_tangent) const;
   /// On its two ends in local axes that turned with the chord; as Beam::end_forces for small displacements.
   Vector12 end_forces(const Vector12& displacements) const;
@@ -86,10 +88,12 @@ std::vector<CorotationalMember> corotational_members(const Frame& frame);
 /// the square of the turn. Unknowns are those of the assembled frame. Every function is pure.
 class CorotationalFrame {
  public:
+  /// One point of a path: what balances this part of the load.
   struct Equilibrium {
     double factor = 0;  ///< of the load
     Eigen::VectorXd q;
   };
+  /// When an equilibrium counts as found, and when to give up.
   struct StaticOptions {
     /// Of the residual against the load, each row over the root of its stiffness so that forces and moments compare.
     double tolerance = 1e-9;
@@ -101,6 +105,7 @@ class CorotationalFrame {
   /// is not there, a member that cannot be or that the assembled stiffness does not contain.
   CorotationalFrame(const AssembledFrame& assembled, const std::vector<CorotationalMember>& members);
 
+  /// Unknowns, and corotational members.
   int size() const { return static_cast<int>(linear_.rows()); }
   int members() const { return static_cast<int>(members_.size()); }
 

@@ -41,6 +41,7 @@ struct AssembledFrame {
   std::vector<std::string> node_names;        ///< as in messages: the name that was given, or the number
   int dimension = 0;
 
+  /// Number of unknowns.
   int size() const { return static_cast<int>(mass.rows()); }
 
   /// The row of T for a displacement of a node, or for that of a point on a rigid arm from the node (global axes [m]);
@@ -59,6 +60,7 @@ class Frame {
   /// 2: plane frame in x and z; 3: in space.
   explicit Frame(int dimension);
 
+  /// What has been added so far.
   int dimension() const { return dimension_; }
   int nodes() const { return static_cast<int>(positions_.size()); }
   int members() const { return static_cast<int>(members_.size()); }
@@ -143,6 +145,7 @@ class Frame {
   /// End forces of the member's load alone with the nodes held, and of its weight with gravity, when its mass is consistent.
   Vector12 held_end_forces(int member, bool gravity = false) const;
 
+  /// How a point between the ends of a member moves, and what a force on it does to the ends.
   struct PointOnMember {
     std::array<Eigen::SparseVector<double>, 3> motion;  ///< displacements along global x, y, z as factors of q
     std::array<Eigen::SparseVector<double>, 3> supported;  ///< and as factors of what SupportMotion::enforced adds to q
@@ -154,6 +157,7 @@ class Frame {
   /// and the point moves by what bends the member with its nodes held on top of `motion`.
   PointOnMember point_on_member(int member, double along, const AssembledFrame& assembled) const;
 
+  /// What the motion of some supports does to the frame.
   struct SupportMotion {
     Eigen::MatrixX3d influence;  ///< n x 3: where the unknowns go statically
     Eigen::MatrixX3d load;       ///< n x 3 [kg]: mass * influence, and what couples the unknowns to the supports

@@ -10,11 +10,13 @@
 
 namespace pounding::frame_dofs {
 
+/// Throws std::invalid_argument.
 [[noreturn]] void refuse(const std::string& text);
 
 /// Place of a displacement among those of a node, -1 if the node has it not.
 int place(int dimension, Dof dof);
 
+/// Whether it is a rotation [rad] rather than a translation [m].
 inline bool is_rotation(Dof dof) { return dof >= Dof::rx; }
 
 /// The displacement of a point by those of a rigid body's node, u + r x arm, as (displacement of the node, factor).

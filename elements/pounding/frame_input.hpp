@@ -13,6 +13,7 @@
 
 namespace pounding {
 
+/// One floor of the input: its label and its nodes.
 struct FrameFloor {
   std::string label;
   std::vector<int> nodes;

@@ -28,6 +28,7 @@ class GapLink final : public Contact {
     law_.check();
   }
 
+  /// The law with its parameters.
   const Law& law() const noexcept { return law_; }
   /// The present gap [m]; komodromos leaves its indentation in it.
   double gap() const noexcept { return gap_; }

@@ -12,6 +12,7 @@
 
 namespace pounding {
 
+/// What a run writes, whom it tells, and what it goes on from.
 struct RunOptions {
   std::string output = {};   ///< results file, rewritten while the run goes on; empty for none
   std::string command = {};  ///< as the user typed it, for the results file
@@ -24,6 +25,7 @@ struct RunOptions {
   std::string resume = {};
 };
 
+/// What a run that has ended leaves.
 struct Outcome {
   Results results;
   Summary summary;
@@ -33,6 +35,7 @@ struct Outcome {
 class FailedRun : public SolverError {
  public:
   FailedRun(const std::string& reason, Outcome outcome) : SolverError(reason), outcome_(std::move(outcome)) {}
+  /// What was computed until then.
   const Outcome& outcome() const { return outcome_; }
 
  private:

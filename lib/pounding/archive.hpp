@@ -20,6 +20,7 @@ class Archive {
   /// For reading.
   explicit Archive(std::vector<std::byte> bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
+  /// Whether it reads, and what was written so far or is read.
   bool reading() const { return reading_; }
   const std::vector<std::byte>& bytes() const { return bytes_; }
   /// Starts over: writing into an empty archive, keeping its memory, or reading from the first byte.
@@ -37,6 +38,7 @@ class Archive {
     if (place_ != bytes_.size()) throw std::runtime_error("the saved state holds more than is expected");
   }
 
+  /// Values, lists, texts and matrices, with their sizes. Throws std::runtime_error for bytes that end early.
   template <class T>
     requires std::is_trivially_copyable_v<T>
   void operator()(T& value) {

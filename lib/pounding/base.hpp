@@ -32,6 +32,7 @@ class Base {
 
   virtual ~Base() = default;
 
+  /// Coordinates on this process.
   int size() const { return static_cast<int>(load_.rows()); }
   /// P, one column a ground motion.
   const Eigen::MatrixXd& load() const { return load_; }

@@ -56,6 +56,7 @@ class CubicPenetration {
     b_ = 2 * (3 * mean - 2 * begin.rate - end.rate);
   }
 
+  /// Penetration at s [m].
   double at(double s) const noexcept { return begin_.penetration + h_ * s * (begin_.rate + s * (b_ / 2 + s * a_ / 3)); }
   /// Where the rate, which has different signs at the ends, passes through zero.
   double turn() const noexcept {
@@ -77,6 +78,7 @@ struct Jump {
   double penetration = 0;                  ///< zero but for rounding [m]
 };
 
+/// What a contact is doing.
 enum class ContactPhase : std::uint8_t {
   open,         ///< apart
   approach,     ///< pressed, still closing
@@ -94,10 +96,12 @@ constexpr bool presses(ContactPhase phase) noexcept {
 class Contact {
  public:
   static constexpr int max_margins = 3;
+  /// Numbers that are positive while a phase lasts; infinite where one has no meaning.
   using Margins = std::array<double, max_margins>;
 
   virtual ~Contact() = default;
 
+  /// The phase since the last kept state.
   virtual ContactPhase phase() const noexcept = 0;
   /// Penetration when the two ends have closed on each other by `closure` [m] since the undeformed state.
   virtual double penetration(double closure) const noexcept = 0;

@@ -16,6 +16,7 @@ namespace pounding {
 /// damage nearly always; it does not resist intention.
 class Fingerprint {
  public:
+  /// Adds bytes, their number included.
   void add(const void* data, std::size_t size) {
     mix(size);
     const auto* bytes = static_cast<const unsigned char*>(data);

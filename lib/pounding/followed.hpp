@@ -18,6 +18,7 @@ class FollowedFloors {
   /// Columns of System::observed, n x count(): structure by structure, floor by floor, in their directions.
   static SparseMatrix columns(const Model& model);
 
+  /// Quantities that are followed, and directions of a structure's floors.
   int count() const { return static_cast<int>(at_rest_.size()); }
   int directions(int structure) const { return directions_[structure]; }
   /// Column of a floor in a direction.

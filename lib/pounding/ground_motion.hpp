@@ -23,6 +23,7 @@ struct Harmonic {
 
 /// One pulse that starts at `start`: half sine, full sine, or rectangle.
 struct Pulse {
+  /// How the acceleration goes over the duration.
   enum class Shape { half_sine, sine, rectangle };
   Shape shape;
   double amplitude;  ///< [m/s^2]

@@ -19,6 +19,7 @@ hid_t checked(hid_t status, std::string_view action);
 /// Owns one identifier.
 class Handle {
  public:
+  /// HDF5's function that closes an identifier of this kind.
   using Close = herr_t (*)(hid_t);
   Handle(hid_t id, Close close, std::string_view action) : id_(checked(id, action)), close_(close) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
@@ -42,6 +43,7 @@ Handle group(hid_t parent, const std::string& name);
 /// UTF-8 text of any length, or of `size` bytes where the rows of a table hold it.
 Handle text_type(std::size_t size = H5T_VARIABLE);
 
+/// Writes an attribute.
 void attribute(hid_t object, const char* name, const std::string& value);
 void attribute(hid_t object, const char* name, double value);
 void attribute(hid_t object, const char* name, int value);

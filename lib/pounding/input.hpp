@@ -24,6 +24,7 @@ struct Bounds {
   double high = std::numeric_limits<double>::infinity();
   bool without_low = false, without_high = false;  ///< the end itself is not allowed
 
+  /// Whether the key takes it.
   bool contain(double value) const noexcept;
   /// " > 0", " >= 0", " in (0, 1]", in SI; "" when every number is allowed.
   std::string text() const;
@@ -71,6 +72,7 @@ class Input {
   /// The last part of path().
   const std::string& key() const noexcept { return key_; }
 
+  /// What the node is in YAML.
   bool is_map() const { return node_.IsMap(); }
   bool is_list() const { return node_.IsSequence(); }
   bool is_scalar() const { return node_.IsScalar(); }
@@ -90,6 +92,7 @@ class Input {
   /// The members of a list.
   std::vector<Input> items() const;
 
+  /// A scalar as it was written.
   std::string as_text() const;
   /// A pure number; "5 %" is 0.05.
   double as_number(const Bounds& allowed = bounds::any) const;

@@ -55,6 +55,7 @@ inline constexpr int modes_of_a_structure = 6;
 /// Below the first the rounding of the arithmetic is larger than the error; above the second an impact is not resolved.
 inline constexpr double least_tolerance = 1e-10, largest_tolerance = 0.1;
 
+/// The section `analysis` of the input.
 struct AnalysisSettings {
   double duration = 0;           ///< [s]
   double tolerance = 1e-4;       ///< relative, on displacements and forces
@@ -68,9 +69,11 @@ struct CheckpointSettings {
   double every = 0;            ///< of run time [s]
   double every_simulated = 0;  ///< of simulated time [s]
 
+  /// Whether the input says anything.
   bool asked() const { return every > 0 || every_simulated > 0; }
 };
 
+/// All that an input says, read and checked.
 struct Model {
   std::string title;
   GroundSection ground;

@@ -10,6 +10,7 @@
 
 namespace pounding {
 
+/// One natural mode of a structure.
 struct Mode {
   double period = 0;         ///< [s]; infinity for a free body
   double damping_ratio = 0;  ///< of the mode, from the structure's damping matrix

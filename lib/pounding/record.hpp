@@ -23,6 +23,7 @@ struct RecordMeasures {
 /// Measures of samples by exact integration of the straight lines between them.
 RecordMeasures measure(const Samples& samples);
 
+/// A record as it was read, with what its file says.
 struct Record {
   std::string file;     ///< as it was named
   std::string format;   ///< "PEER AT2", "CSMIP V2", "two columns", ...
@@ -34,6 +35,7 @@ struct Record {
   Samples samples;      ///< [s], [m/s^2]
   RecordMeasures measures;
 
+  /// Number of samples.
   std::size_t points() const noexcept { return samples.times.size(); }
   /// Spacing [s]; 0 when it varies.
   double step() const noexcept;
@@ -41,6 +43,7 @@ struct Record {
   std::string summary() const;
 };
 
+/// What a file of records may leave open.
 struct RecordOptions {
   /// Unit of the accelerations when the file states none: g, m/s^2, cm/s^2, gal. Where the file states one, it must be
   /// the same.

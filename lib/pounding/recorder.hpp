@@ -32,9 +32,12 @@ class Peak {
 /// Samples of one link, dense inside impacts. A long impact is thinned evenly so that the memory stays bounded.
 class LinkSampler {
  public:
+  /// Along the contact, one or two directions [N].
   using Friction = std::array<double, 2>;
 
+  /// A kept step outside of contact goes straight to the history.
   void apart(double time, const LinkMotion& motion, double energy, LinkHistory& history) const;
+  /// A kept step in contact waits for the end of the impact.
   void pressed(double time, const LinkMotion& motion, double force, const Friction& friction, double energy);
   /// The impact is over (or the run is): its samples go to the history.
   void finish(LinkHistory& history);
@@ -54,6 +57,7 @@ class LinkSampler {
   int stride_ = 1, skipped_ = 0;
 };
 
+/// Fills the results of a run, step by step.
 class Recorder {
  public:
   Recorder(const Model& model, const Stepper& stepper, Results& results);
@@ -70,6 +74,7 @@ class Recorder {
   /// what is shown of the present state: reading cuts the histories of a file there.
   void archive(Archive& archive);
 
+  /// Of all links so far.
   int impacts() const;
   /// Peaks and energies so far.
   void summarize(Summary& summary) const;

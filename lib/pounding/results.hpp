@@ -51,6 +51,7 @@ struct StructureHistory {
   std::vector<double> end_forces;  ///< [time, member, component] [N], [N m]
   Geometry geometry;
 
+  /// In which drift and storey shear are given.
   int storey_directions() const { return dimension == 3 ? 2 : 1; }
 };
 
@@ -59,6 +60,7 @@ struct EnergyHistory {
   std::vector<double> time, input, kinetic, strain, damping, hysteretic, impact, error;
 };
 
+/// What a run cost.
 struct SolverStatistics {
   long steps = 0;       ///< kept
   long rejected = 0;    ///< thrown away by the error control
@@ -68,6 +70,7 @@ struct SolverStatistics {
   double wall_setup = 0, wall_solve = 0, wall_output = 0;
 };
 
+/// All that the results file holds.
 struct Results {
   std::string program = "pounding", version, created, title, command;
   std::string status = "running";  ///< running | done | failed: reason

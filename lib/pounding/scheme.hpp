@@ -50,7 +50,9 @@ inline constexpr auto squared = [] {
 }();
 }  // namespace esdirk4
 
+/// The scheme that a run is stepped with.
 struct Scheme {
+  /// By its name in the input, see names.
   enum class Kind { generalized_alpha, esdirk4 };
   Kind kind = Kind::generalized_alpha;
   double spectral_radius = 1.0;  ///< of generalized-alpha

@@ -16,6 +16,7 @@
 
 namespace pounding {
 
+/// What a run asks of its steps.
 struct StepperOptions {
   double tolerance = 1e-4;  ///< relative, on displacements and forces
   Scheme scheme = {};
@@ -79,6 +80,7 @@ class Stepper {
   /// Enters the phases that begin at the present state, without a step (after land() gave a length of zero).
   void cross_now();
 
+  /// Of the present state [s].
   double time() const { return now_.time; }
   /// The next time at which one of the ground motions has a corner or a jump; infinity for none.
   double next_break() const { return next_break_; }

@@ -17,6 +17,7 @@
 
 namespace pounding {
 
+/// The matrices here, column by column.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 /// How the unknowns of a structure make one quantity: their factors.
 using Row = Eigen::SparseVector<double>;
@@ -153,8 +154,11 @@ struct Structure {
   /// Translations of all nodes of the geometry, nodes x 3; empty without geometry.
   std::function<Eigen::MatrixX3d(const Eigen::VectorXd& q)> node_translations;
 
+  /// Number of unknowns.
   int size() const { return static_cast<int>(mass.rows()); }
+  /// A wall: it moves with the ground.
   bool is_rigid() const { return size() == 0; }
+  /// Whether drift and storey shear mean something.
   bool has_storeys() const { return !floors.empty() && !floors.front().storey_shear.empty(); }
   /// The whole damping matrix.
   SparseMatrix whole_damping() const;

@@ -10,6 +10,7 @@
 
 namespace pounding {
 
+/// Of all impacts of one link: the largest of them, and the sums of impulse and loss.
 struct LinkSummary {
   std::string name;
   int impacts = 0;
@@ -21,6 +22,7 @@ struct StructureSummary {
   std::string name;
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
 
+  /// For a checkpoint.
   void archive(Archive& archive) {
     archive(name);
     archive(peak_displacement);
@@ -34,6 +36,7 @@ struct EnergySummary {
   double input = 0, kinetic = 0, strain = 0, damping = 0, hysteretic = 0, impact = 0, error = 0;
 };
 
+/// A run in a few numbers.
 struct Summary {
   std::string status;
   std::vector<LinkSummary> links;

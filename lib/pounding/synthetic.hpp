@@ -21,6 +21,7 @@ inline constexpr GroundFilter firm_soil{15.0, 0.6, 1.5, 0.6};
 inline constexpr GroundFilter medium_soil{10.0, 0.4, 1.0, 0.6};
 inline constexpr GroundFilter soft_soil{5.0, 0.2, 0.5, 0.6};
 
+/// A synthetic motion: the same options give the same samples.
 struct SyntheticOptions {
   std::uint64_t seed = 0;
   double duration = 0;  ///< [s]

@@ -13,6 +13,7 @@
 
 namespace pounding {
 
+/// The matrices here, column by column.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// Degrees of freedom first .. first + count - 1 that share one scale of displacement and velocity: one structure.
@@ -62,6 +63,7 @@ struct System {
   Eigen::VectorXd closed_at_rest;     ///< c, by gravity [m]; empty for none
   SparseMatrix observed;   ///< n x k: what a report follows is observed^T u
 
+  /// Number of unknowns, of contacts, and of links, which are the columns of B.
   int size() const { return static_cast<int>(mass.rows()); }
   int contact_count() const { return static_cast<int>(contacts.size()); }
   int links() const { return static_cast<int>(closing.cols()); }

@@ -12,6 +12,7 @@ inline constexpr double standard_gravity = 9.80665;
 /// Exponents of mass, length and time. Angles and ratios have none.
 struct Dimension {
   double mass = 0, length = 0, time = 0;
+  /// Equal in all three exponents.
   bool operator==(const Dimension&) const = default;
 };
 

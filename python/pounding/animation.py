@@ -85,6 +85,8 @@ def pressed(run: Run, times: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Film:
+    """Frames that are drawn one after the other."""
+
     figure: Figure
     draw: Callable[[int], None]  #: brings the figure to a frame, from 0
     frames: int

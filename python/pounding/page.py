@@ -56,6 +56,7 @@ nav .counts { margin-left: .5rem; }
 
 
 def badge(judgement, text=None):
+    """The HTML of a verdict."""
     return f'<span class="badge {BADGES[judgement]}">{html.escape(text or judgement)}</span>'
 
 

@@ -243,6 +243,7 @@ def _plot_time(axes, run, time, values, **style):
 
 
 def label_time(axes: Axes, run: Run) -> None:
+    """Names the axis of time, in the unit that the run is drawn in."""
     axes.set_xlabel(f"Time [{_time_unit(run)[1]}]")
 
 

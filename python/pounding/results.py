@@ -92,22 +92,27 @@ class Structure:
 
     @property
     def displacement(self) -> np.ndarray:
+        """[time, floor] along x, relative to the ground [m]."""
         return self.along["x"].displacement
 
     @property
     def velocity(self) -> np.ndarray:
+        """[time, floor] along x, relative to the ground [m/s]."""
         return self.along["x"].velocity
 
     @property
     def acceleration(self) -> np.ndarray:
+        """[time, floor] along x, absolute [m/s^2]."""
         return self.along["x"].acceleration
 
     @property
     def drift(self) -> np.ndarray:
+        """[time, floor] along x, floor minus the floor below [m]; no columns in a structure without storeys."""
         return self.along["x"].drift
 
     @property
     def storey_shear(self) -> np.ndarray:
+        """[time, floor] along x, of the storey below the floor [N]; as drift."""
         return self.along["x"].storey_shear
 
     @property

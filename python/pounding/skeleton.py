@@ -38,6 +38,7 @@ class Skeleton:
 
     @property
     def height(self) -> float:
+        """Of the highest node [m]."""
         return float(self.nodes[:, 2].max())
 
 
@@ -174,6 +175,7 @@ class Scene:
 
     @property
     def has_heights(self) -> bool:
+        """Every structure but walls says how high its floors are."""
         return all(bones.has_heights for name, bones in self.bones.items() if not self.run.structures[name].is_wall)
 
     @property

@@ -28,6 +28,7 @@
 
 namespace pounding::laws {
 
+/// One of the laws of this library.
 using AnyLaw = std::variant<LinearSpring,
                             KelvinVoigt,
                             KelvinVoigtNoTension,

@@ -112,6 +112,7 @@ inline std::string hint(std::string_view read, const std::vector<std::string_vie
   return list.empty() ? "" : " Allowed: " + list + ".";
 }
 
+/// The `name` of each of these.
 template <class Range>
 std::vector<std::string_view> names(const Range& range) {
   std::vector<std::string_view> result;
@@ -129,6 +130,7 @@ inline constexpr auto parameter_infos = [] {
 template <class L>
 inline constexpr bool has_formulas = requires { L::formulas; };
 
+/// What the members of a law say about it.
 template <class L>
 constexpr Entry entry() {
   Entry e{.name = L::name,
@@ -156,6 +158,7 @@ constexpr Entry entry() {
   return e;
 }
 
+/// The entries of all laws of a variant.
 template <class Any>
 struct List;
 template <class... L>
@@ -163,6 +166,7 @@ struct List<std::variant<L...>> {
   static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
 };
 
+/// Sets a parameter by its name [SI]. Throws std::invalid_argument for a name that the law has not.
 template <class L>
 void set(L& law, std::string_view name, double value) {
   std::vector<std::string_view> known;
@@ -178,6 +182,7 @@ void set(L& law, std::string_view name, double value) {
   throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + hint(name, known));
 }
 
+/// The law with these settings, checked. Throws std::invalid_argument for what is missing, unknown or out of range.
 template <class L>
 L make(const Settings& s) {
   const std::string law_name(L::name);
@@ -220,6 +225,7 @@ L make(const Settings& s) {
   return law;
 }
 
+/// The same for the law that the settings name.
 template <class Any, std::size_t I = 0>
 Any make_any(const Settings& s) {
   if constexpr (I == std::variant_size_v<Any>) {
@@ -231,6 +237,7 @@ Any make_any(const Settings& s) {
   }
 }
 
+/// Every parameter of a law, its damping number and its coefficient at this closing speed [m/s].
 template <class L>
 std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
   double exponent = 1;

@@ -18,10 +18,12 @@ inline std::string number_text(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
+/// Throws std::invalid_argument: NAME is VALUE, but must be ALLOWED.
 [[noreturn]] inline void refuse(std::string_view name, double value, std::string_view allowed) {
   throw std::invalid_argument(std::string(name) + " is " + number_text(value) + ", but must be " + std::string(allowed));
 }
 
+/// Each throws std::invalid_argument unless the value is as its name says; a value that was not given is right.
 inline void require_positive(std::string_view name, double value) {
   if (!(std::isfinite(value) && value > 0)) refuse(name, value, "finite and positive");
 }
@@ -30,10 +32,12 @@ inline void require_positive(std::string_view name, const std::optional<double>&
   if (value) require_positive(name, *value);
 }
 
+/// See require_positive.
 inline void require_not_negative(std::string_view name, const std::optional<double>& value) {
   if (value && !(std::isfinite(*value) && *value >= 0)) refuse(name, *value, "finite and not negative");
 }
 
+/// A restitution lies in (0, 1].
 inline void require_restitution(const std::optional<double>& value) {
   if (value && !(*value > 0 && *value <= 1)) refuse("restitution", *value, "in (0, 1]");
 }

@@ -78,6 +78,7 @@ inline FreeImpact closed_impact(const KelvinVoigt& law, double m, double v) {
   return with_momentum(r, m, v);
 }
 
+/// A linear spring k and dashpot c whose force is cut at zero.
 inline FreeImpact cut_oscillator_impact(double k, double c, double m, double v) {
   const double z = c / (2 * std::sqrt(k * m));
   FreeImpact r = oscillator_approach(k, z, m, v);

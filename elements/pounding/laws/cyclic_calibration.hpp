@@ -24,6 +24,7 @@ struct CyclicAnalysis {
   double restitution = 0;  ///< that the impact really had
 };
 
+/// All analyses of the process.
 struct CyclicCalibration {
   double kinetic_loss = 0;               ///< (1/2) m (1-e^2) v^2 of the restitution asked, the area that is wanted [J]
   std::vector<CyclicAnalysis> analyses;  ///< in the order they were made; the last one has the area wanted

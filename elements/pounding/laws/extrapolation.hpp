@@ -9,6 +9,7 @@
 
 namespace pounding::laws {
 
+/// State at the end of a step, and how good it is.
 template <std::size_t N>
 struct ExtrapolatedStep {
   std::array<double, N> state;

@@ -29,6 +29,7 @@ struct FreeImpact {
   /// Which values are closed forms; the others are integrated.
   struct Known {
     bool restitution = false, peak_force = false, time_of_peak = false, peak_penetration = false, duration = false;
+    /// Nothing had to be integrated.
     bool all() const noexcept { return restitution && peak_force && time_of_peak && peak_penetration && duration; }
   } closed_form{};
 };
@@ -40,6 +41,7 @@ class ImpactIntegration {
   ImpactIntegration(const L& law, double reduced_mass, double closing_speed)
       : law_(law), mass_(reduced_mass), speed_(closing_speed), impact_(touch(law, closing_speed)), length_(scale()) {}
 
+  /// From the touch to the end of the force. Throws std::runtime_error when the steps do not end.
   FreeImpact run() {
     note_peak({0, 1, 0, 0}, 0);
     approach();

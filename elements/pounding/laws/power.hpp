@@ -10,6 +10,7 @@ namespace pounding::laws {
 /// The force is never altered.
 inline constexpr double shallowest_slope = 1e-9;
 
+/// d^n and its slope.
 struct Power {
   double value = 0, slope = 0;
 };

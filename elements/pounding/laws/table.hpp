@@ -6,6 +6,7 @@
 
 namespace pounding::laws {
 
+/// Whether a parameter must be given.
 enum class Need : unsigned char {
   required,  ///< no default: the user must say it
   optional,  ///< has a default

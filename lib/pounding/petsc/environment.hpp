@@ -37,6 +37,7 @@ void check(PetscErrorCode code);
 /// For callbacks: the code to return, after which check() throws this text alone.
 PetscErrorCode fail(const std::string& text);
 
+/// How PETSc destroys an object of this type; specialised beside what uses it.
 template <class T>
 struct Destroyer;
 template <>
@@ -65,6 +66,7 @@ class Handle {
     return *this;
   }
 
+  /// The object, still owned here; null when there is none.
   T get() const { return object_; }
   operator T() const { return object_; }
   /// For PETSc's creating functions; what was owned is destroyed.

@@ -28,6 +28,7 @@ struct Pattern {
   std::vector<PetscInt> begin{0};  ///< one more than rows
   std::vector<PetscInt> columns;
 
+  /// Of this process.
   PetscInt rows() const { return static_cast<PetscInt>(begin.size()) - 1; }
 };
 
@@ -57,6 +58,7 @@ class Factor {
   /// Collective. ok() tells, on each process by itself, whether the matrix could be factored.
   Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix);
 
+  /// Whether the matrix could be factored.
   bool ok() const { return ok_; }
   /// Factors another matrix of the same pattern, on one process only: what the first one told of the pattern is kept, which
   /// is a third of the work. False when that is not possible here; ok() is told anew otherwise.

@@ -19,11 +19,13 @@ class LinkEnds {
   /// Both must outlive this.
   LinkEnds(const System& system, const SystemMatrices& matrices);
 
+  /// How many slots there are, those of a link, and where a slot belongs.
   int slots() const { return static_cast<int>(group_of_.size()); }
   std::span<const int> slots_of(int link) const { return slots_[link]; }
   int group_of(int slot) const { return group_of_[slot]; }
   bool joins(int link, int group) const;
 
+  /// How many bundles there are, the links of one, and the one of a link.
   int bundles() const { return static_cast<int>(bundles_.size()); }
   const std::vector<int>& bundle(int number) const { return bundles_[number]; }
   int bundle_of(int link) const { return bundle_of_[link]; }

@@ -12,6 +12,7 @@
 
 namespace pounding::petsc {
 
+/// Where the options of the factors come from, and their limits.
 struct SparseOptions {
   /// Of the options of every factor: `-pounding_lev_pc_factor_mat_solver_type mumps`; those of the conjugate gradients have
   /// `off_` behind it. `-pounding_lev_memory` and `-pounding_lev_direct_below` set the two numbers below.

@@ -24,6 +24,8 @@ class SystemMatrices {
   SystemMatrices(MPI_Comm comm, const System& system, const std::string& prefix);
   ~SystemMatrices();
 
+  /// How the rows are shared: processes, whether each has whole groups, first row and number of rows here, and the
+  /// groups that they belong to. Not collective.
   int processes() const { return processes_; }
   bool whole_groups() const { return whole_; }
   int first() const { return first_row_[rank_]; }
@@ -32,6 +34,7 @@ class SystemMatrices {
   /// Diagonal of M [kg].
   const Eigen::VectorXd& diagonal_mass() const { return diagonal_mass_; }
 
+  /// See Base.
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const;
   void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
                      Eigen::Ref<Eigen::MatrixXd> y) const;

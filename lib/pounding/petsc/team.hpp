@@ -14,6 +14,7 @@ class Team {
  public:
   explicit Team(MPI_Comm comm);
 
+  /// The communicator, its size, and the place of this process. Not collective.
   MPI_Comm comm() const { return comm_; }
   int size() const { return size_; }
   int rank() const { return rank_; }

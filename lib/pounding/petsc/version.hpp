@@ -17,8 +17,8 @@
 
 namespace pounding::petsc {
 
-// The argument of setfromoptions became a value in 3.23.
 #if PETSC_VERSION_LT(3, 23, 0)
+/// The argument of setfromoptions; it became a value in 3.23.
 using OptionItems = PetscOptionItems*;
 #else
 using OptionItems = PetscOptionItems;
