@@ -62,15 +62,18 @@ class Law:
                                              ctypes.byref(self._law)))
 
     def touch(self, contact: _Contact, closing_speed: float) -> None:
+        """The bodies begin to press at this closing speed [m/s]."""
         self._check(self._library.pnd_touch(self._law, ctypes.c_double(closing_speed), ctypes.byref(contact)))
 
     def respond(self, contact: _Contact, penetration: float, rate: float) -> Answer:
+        """Force [N] and both slopes at a penetration [m] and its rate [m/s]; changes nothing."""
         answer = Answer()
         self._check(self._library.pnd_respond(self._law, ctypes.byref(contact), ctypes.c_double(penetration),
                                               ctypes.c_double(rate), ctypes.byref(answer)))
         return answer
 
     def accept(self, contact: _Contact, penetration: float, rate: float) -> None:
+        """A step that is kept ends here."""
         self._check(self._library.pnd_accept(self._law, ctypes.c_double(penetration), ctypes.c_double(rate),
                                              ctypes.byref(contact)))
 
@@ -213,6 +216,7 @@ class Server:
                 self.tell()
 
     def tell(self) -> None:
+        """Writes error, connection and impacts as a line of JSON to the caller."""
         told = {"error": self.error, "connected": self.connected, "impacts": [asdict(impact) for impact in self.link.impacts]}
         # The caller may be gone.
         with contextlib.suppress(BrokenPipeError):
@@ -259,6 +263,7 @@ class Server:
 
 
 def main() -> int:
+    """Serves the link that a line of JSON on the standard input describes; exit code 2 where it cannot be."""
     asked: dict[str, Any] = json.loads(sys.stdin.readline())
     try:
         server = Server(Link(Law(asked["law"], asked["formula"], asked["values"]), asked["gap"]))

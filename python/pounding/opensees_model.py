@@ -142,6 +142,7 @@ class Printed:
         self.constraints = list(self._read_constraints(self._supports[2]))
 
     def consistent_mass(self, element: int) -> bool:
+        """Whether the mass of an element is consistent. Raises InputError where the print does not tell."""
         parts = re.split(r"^(?:ElasticBeam[23]d|Element): (\d+)", self._text.partition("ELEMENT DATA:")[2], flags=re.MULTILINE)
         of = dict(zip(parts[1::2], parts[2::2])).get(str(element), "")
         found = re.search(r"cMass: (\d)", of)
@@ -150,6 +151,7 @@ class Printed:
         return found[1] == "1"
 
     def require_nothing_else(self, with_motion: bool, without_loads: bool) -> None:
+        """Raises InputError for supports that are displaced, motions and loads that would not be carried over."""
         for node, dof, value in re.findall(r"Node: (\d+) DOF: (\d+) ref value: (\S+)", self._supports[0]):
             if float(value) != 0:
                 raise InputError(f"node {node}, degree of freedom {dof}: a support with the displacement {value} is not carried over")
@@ -186,6 +188,7 @@ class Printed:
 
 @dataclass
 class Member:
+    """An elastic beam-column as OpenSees tells of it."""
     tag: int
     kind: str
     nodes: tuple[int, int]
@@ -197,6 +200,7 @@ class Member:
 
 @dataclass
 class Source:
+    """The model of the running process. Raises InputError at the first part that cannot be carried over."""
     ops: Any
     printed: Printed
     without: set[int]
@@ -227,6 +231,7 @@ class Source:
         self.held = {node: tuple(sorted(set(ops.getFixedDOFs(node)))) for node in set(ops.getFixedNodes())}
 
     def require_rest(self) -> None:
+        """Raises InputError when a node has moved."""
         for node in self.nodes:
             if any(self.ops.nodeDisp(node)) or any(self.ops.nodeVel(node)):
                 raise InputError(f"node {node} has moved: read the model before its analysis, or after ops.reset()")
