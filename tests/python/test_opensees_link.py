@@ -213,6 +213,19 @@ class Answers(unittest.TestCase):
         self.assertEqual(len(self.element.impacts()), 1)
         self.assertTrue(math.isnan(self.element.impacts()[0]["t_end"]))
 
+    def test_closing_speed_is_that_at_the_touch(self):
+        # From 4 mm apart at 1 m/s with 20 m/s^2, and past the touch when the step ends.
+        time, rate, opening, acceleration = 1e-3, 1.0, 4e-3, 20.0
+        self.element.trial(time, (0.01 - opening, 0.0), (rate, 0.0), (acceleration, 0.0))
+        self.element.keep()
+        step = 5e-3
+        self.element.trial(time + step, (0.01 - opening + rate * step + acceleration * step**2 / 2, 0.0), (rate + acceleration * step, 0.0))
+        self.element.keep()
+        [impact] = self.element.impacts()
+        at_touch = math.sqrt(rate**2 + 2 * acceleration * opening)
+        self.assertAlmostEqual(impact["v_approach"], at_touch, delta=1e-12)
+        self.assertAlmostEqual(impact["t_start"], time + (at_touch - rate) / acceleration, delta=1e-12)
+
     def test_what_is_no_number_is_answered_and_told(self):
         self.assertTrue(np.isnan(self.force(math.nan, 0.7)).all())
         self.assertIn("penetration", self.element.ask()["error"])
