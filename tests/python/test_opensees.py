@@ -107,6 +107,26 @@ class TwoOscillators(unittest.TestCase):
         ops.wipe()
         np.testing.assert_array_equal(made.impacts, end)
 
+    def test_a_step_that_failed_leaves_nothing_behind(self):
+        def impacts(fail_after):
+            two_oscillators()
+            made = link("hertz_damped")
+            newmark()
+            analyse(1e-3, fail_after, (2, 4))
+            if fail_after:
+                ops.test("NormDispIncr", 1e-30, 1, 0)
+                self.assertNotEqual(ops.analyze(1, 1e-3), 0)
+                ops.test("NormDispIncr", 1e-12, 50, 0)
+            analyse(1e-3, 1.0 - fail_after, (2, 4))
+            return made.impacts
+
+        whole = impacts(0)
+        inside = 0.5 * (whole["t_start"][0] + whole["t_end"][0])
+        failed = impacts(round(inside, 3))
+        self.assertEqual(len(failed), len(whole))
+        for name in ("peak_force", "impulse", "restitution"):
+            np.testing.assert_allclose(failed[name], whole[name], rtol=1e-6)
+
     def test_reduced_mass_is_that_of_the_nodes(self):
         two_oscillators()
         self.assertAlmostEqual(link().reduced_mass, REDUCED, delta=1e-9 * REDUCED)
