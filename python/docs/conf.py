@@ -41,5 +41,7 @@ toc_object_entries_show_parents = "hide"
 html_theme = "furo"
 html_title = f"pounding {version}"
 html_math_renderer = "mathml"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
 html_show_sphinx = False
 html_copy_source = False

@@ -8,6 +8,7 @@ from docutils import nodes
 from docutils.statemachine import StringList
 from docutils.utils.math.latex2mathml import tex2mathml
 from sphinx.util.docutils import SphinxDirective
+from sphinx.util.math import get_node_equation_number
 
 ROOT = Path(__file__).resolve().parents[2]
 #: What stands for a folder that has no README.
@@ -58,7 +59,8 @@ def show_block(translator, node):
     tex = node.astext()
     if "\\\\" in tex and "\\begin" not in tex:
         tex = f"\\begin{{aligned}}{tex}\\end{{aligned}}"
-    translator.body.append(f'<div class="math">{tex2mathml(tex, as_block=True)}</div>\n')
+    number = f'<span class="eqno">({get_node_equation_number(translator, node)})</span>' if node["number"] else ""
+    translator.body.append(f'{translator.starttag(node, "div", CLASS="math")}{number}{tex2mathml(tex, as_block=True)}</div>\n')
     raise nodes.SkipNode
 
 
