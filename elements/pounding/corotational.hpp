@@ -113,10 +113,10 @@ class CorotationalFrame {
   Eigen::VectorXd force(const Eigen::VectorXd& q) const;  ///< gradient of the energy [N], [N m]
   Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q) const;  ///< symmetric; at q = 0 the linear stiffness K
 
-  // What these have beyond the linear frame; exactly zero at q = 0.
+  /// What these have beyond the linear frame; exactly zero at q = 0.
   double excess_energy(const Eigen::VectorXd& q) const;          ///< energy(q) - q.K q/2
   Eigen::VectorXd excess_force(const Eigen::VectorXd& q) const;  ///< force(q) - K q
-  Eigen::SparseMatrix<double> excess_tangent(const Eigen::VectorXd& q) const;
+  Eigen::SparseMatrix<double> excess_tangent(const Eigen::VectorXd& q) const;  ///< tangent(q) - K
 
   /// See CorotationalBeam::end_forces; members are numbered as they were given.
   Vector12 end_forces(int member, const Eigen::VectorXd& q) const;

@@ -20,11 +20,12 @@ class Item:
 
     kind: str  #: struct, class, union, enum, concept, type, function, member, enumerator
     name: str  #: with the namespaces and classes around it
-    text: str  #: the declaration without its body, comments and default member initialisers
+    text: str  #: the declaration without its body and comments
     line: int
     doc: str = ""  #: Markdown
-    shares: bool = False  #: documented by the comment of the declaration before it
+    shares: bool = False  #: documented by the comment above a declaration before it
     elsewhere: bool = False  #: documented where it was first declared, or by its class
+    heads: bool = False  #: its comment stands above it, and so above those that follow
     members: list[Item] = field(default_factory=list)
 
     def same_as(self, other: Item) -> bool:
@@ -157,7 +158,7 @@ class _Reader:
                 last_line = -1
                 continue
             self._document(found, first, self._line(self.at - 1))
-            if not found.doc and first <= last_line + 1 and last_public and items and items[-1].is_documented:
+            if not found.doc and first <= last_line + 1 and last_public and items and (items[-1].heads or items[-1].shares):
                 found.shares = True
             last_line, last_public = self._line(self.at - 1), public
             if public and "::detail" not in found.name and not _is_noise(found):
@@ -176,6 +177,7 @@ class _Reader:
             line -= 1
         above = self._block_from(line + 1) if line < first - 1 else ""
         behind = " ".join(self.trailing[at] for at in range(first, last + 1) if at in self.trailing) if not item.members else ""
+        item.heads = bool(above)
         item.doc = "\n\n".join(part for part in (above, behind) if part)
 
     def _declaration(self, prefix: str, kind: str) -> Item | list[Item] | None:
@@ -288,7 +290,8 @@ class _Reader:
             elsewhere = bool(re.search(r"\boverride\b|\bfinal\b", plain[plain.rfind(")"):]))
             return Item("function", _join(prefix, match.group(1)), text, line, elsewhere=elsewhere)
         names = re.findall(r"\w+(?=\s*(?:\[[^]]*\]\s*)*(?:,|$))", bare)
-        return Item("member", _join(prefix, names[-1] if names else bare), text, line)
+        whole = " ".join(self.text[begin:self.at - 1].split())
+        return Item("member", _join(prefix, names[-1] if names else bare), whole, line)
 
 
 def _is_noise(item: Item) -> bool:

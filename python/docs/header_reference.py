@@ -77,15 +77,28 @@ def signatures_of(item: Item) -> list[str]:
     text = signature(item)
     if item.kind != "member":
         return [text]
+    parts = [declared(part) for part in split(text, ",")]
+    kind = re.sub(r"\*?\w+\s*(\[\w*\])*( = .*)?$", "", parts[0])
+    return [parts[0], *(kind + part for part in parts[1:])]
+
+
+def declared(part: str) -> str:
+    """A name with its value, if that is a number, a name or a text."""
+    whole, *body = split(part, "{")
+    head, *value = split(whole, "=")
+    return f"{head} = {value[0]}" if value and not body and re.fullmatch(r"-?[\w.:+-]+|\"[^\"]*\"", value[0]) else head
+
+
+def split(text: str, sign: str) -> list[str]:
+    """At the signs that stand in no bracket and no text."""
     depth, parts = 0, [""]
-    for c in text:
-        depth += (c in "<([") - (c in ">)]")
-        if c == "," and depth == 0:
+    for word in re.findall(r'"(?:\\.|[^"\\])*"|.', text):
+        if word == sign and depth == 0:
             parts.append("")
-        else:
-            parts[-1] += c
-    kind = re.sub(r"\*?\w+(\[\w*\])*$", "", parts[0])
-    return [parts[0], *(kind + part.strip() for part in parts[1:])]
+            continue
+        depth += (word in "<([{") - (word in ">)]}")
+        parts[-1] += word
+    return [part.strip() for part in parts]
 
 
 def signature(item: Item) -> str:

@@ -81,6 +81,7 @@ class Reader(unittest.TestCase):
 
     def test_ACommentHoldsForTheLinesBelowIt(self):
         self.assertEqual(self.silent("/// Both.\nint f();\nint g();\n\nint h();\n"), ["h"])
+        self.assertEqual(self.silent("int f();  ///< Its own.\nint g();\n"), ["g"])
 
     def test_PrivatePartsAreNobodysBusiness(self):
         _, (item,) = self.read("/// One.\nclass C {\n public:\n  /// Two.\n  C(int a) : a_{a}, b_(a) { go(); }\n private:\n  int f();\n  int a_;\n};")
@@ -88,9 +89,9 @@ class Reader(unittest.TestCase):
         self.assertEqual(item.members[0].text, "C(int a)")
 
     def test_TakesCommentsBehindMembers(self):
-        _, (item,) = self.read("/// One.\nstruct S {\n  double mass = 0;  ///< of the floor [kg]\n  std::function<void(int)> f;\n};")
+        _, (item,) = self.read("/// One.\nstruct S {\n  double mass = 0;  ///< of the floor [kg]\n  std::function<void(int)> f;\n  double a = 1, b{};\n};")
         self.assertEqual([(member.kind, member.name, member.doc) for member in item.members],
-                         [("member", "S::mass", "of the floor [kg]"), ("member", "S::f", "")])
+                         [("member", "S::mass", "of the floor [kg]"), ("member", "S::f", ""), ("member", "S::a", "")])
 
 
 if __name__ == "__main__":

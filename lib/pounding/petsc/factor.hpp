@@ -39,7 +39,9 @@ Handle<Mat> make_matrix(MPI_Comm comm, const Pattern& pattern, std::span<const d
 class Product {
  public:
   explicit Product(Handle<Mat> matrix);
+  /// y = A x.
   void operator()(const double* x, double* y) const;
+  /// A, and its rows on this process.
   Mat matrix() const { return matrix_; }
   PetscInt rows() const { return rows_; }
 
