@@ -24,7 +24,7 @@ demo: build
 
 # The site: user guide, laws, tutorials whose cells are run, theory, reference. A warning is an error.
 docs: build .venv/docs-ready
-	PYTHONPATH=build/python .venv/bin/python3 -m sphinx -q -W --keep-going -c python/docs -d build/docs.doctrees . build/docs
+	PYTHONPATH=$(CURDIR)/build/python .venv/bin/python3 -m sphinx -q -W --keep-going -c python/docs -d build/docs.doctrees . build/docs
 	@echo "build/docs/index.html"
 
 python: .venv/ready
