@@ -37,12 +37,13 @@ bool Stepper::attempt_alpha(double h) {
                        by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
   if (!active_.empty()) base_.add_forces(alpha_f - 1, now_.force, r_);
 
-  t.end.force = now_.force;
+  t.end.force.setZero();
+  if (!active_.empty()) t.end.force = now_.force;
   const auto respond = [&] {
     if (!base_.solve(r_)) return false;
+    if (active_.empty()) return true;
     link_guess_ = t.end.force;
     t.end.force.setZero();
-    if (active_.empty()) return true;
     base_.gather(r_, gathered_);
     free_.resize(active_.size());
     free_closing_.resize(static_cast<int>(active_.size()));
