@@ -121,9 +121,7 @@ struct Oscillators {
                 .of_paper = "",
                 .caption = "Two oscillators of 100 t, 0.8 s and 150 t, 0.4 s, 20 mm apart, 0.65 asked. Left: the left one by three "
                            "calibrations of one law. Right: restitution of every impact; with the exact calibration it lies below the one asked because "
-                           "the springs of the oscillators hold the bodies together.",
-                .columns = {},
-                .panels = {}};
+                           "the springs of the oscillators hold the bodies together."};
 };
 
 Oscillators run_oscillators() {
@@ -168,7 +166,6 @@ struct Frames {
                 .of_paper = "",
                 .caption = "Frames of eight and six storeys, 20 mm apart, under a synthetic motion of 0.35 g, 0.5 asked: largest displacements, "
                            "largest accelerations, and largest forces of the links, floor by floor.",
-                .columns = {},
                 .panels = {{"left frame", "Peak displacement [mm]", "Floor", {}},
                            {"left frame", "Peak acceleration [m/s^2]", "Floor", {}},
                            {"links", "Peak force [MN]", "Floor", {}}}};
@@ -215,13 +212,10 @@ Item beyond() {
   Item item{.name = "beyond",
             .title = "Where the paper stops: exact calibration and earthquakes",
             .sections = "not in the paper",
-            .paragraphs = {},
             .equations = {{"Hertz damped, exact", R"($a\,(1+CR) = \ln\dfrac{1+a}{1-a\,CR}$)"},
                           {"dashpot in the approach, exact", R"($CR = \exp\left(-\dfrac{\zeta\,\arccos\zeta}{\sqrt{1-\zeta^2}}\right)$)"}},
-            .matrices = {},
             .figures = {two.figure, frame.figure},
-            .tables = {two.table, frame.table},
-            .verdicts = {}};
+            .tables = {two.table, frame.table}};
   item.paragraphs = {
       "The damping that gives a restitution need not be guessed: for the force laws of the paper it is the root of a closed form, and where "
       "there is none the cyclic process finds it. It costs nothing, and holds for every velocity, mass and stiffness.",

@@ -82,7 +82,6 @@ Pair pair_of_loops() {
              .of_paper = "Fig. 10",
              .caption = "The reference and the second model. Struck at the same 10 m/s their loops nearly coincide; struck at 11 m/s the "
                         "second one is much larger.",
-             .columns = {},
              .panels = {{"", "Penetration [mm]", "Contact force [kN]", {}}}},
             {"pair",
              "The two models, 755.76 kg, $k$ = 30000 kN/m$^{1.5}$",
@@ -119,7 +118,6 @@ struct Process {
                 .caption = fmt::format("What a formula must be given so that the loop loses what the restitution asked for would lose: the "
                                        "cyclic process run to its end at 10 m/s. Lankarani's formula reaches no restitution below {:.2f}.",
                                        laws::restitution_of_factor(laws::lankarani_nikravesh({.restitution = 0}))),
-                .columns = {},
                 .panels = {{"", "Restitution asked [-]", "Restitution to assume [-]", {}}}};
   double damping = 0, exact_damping = 0;  ///< a at the end, and of the exact calibration
   double worst = 0;                       ///< difference of the two over all restitutions and formulas, relative
@@ -164,7 +162,6 @@ Figure velocity_figure(const Eigen::VectorXd& fit) {
                 .caption = "Velocity and restitution. Eq. 19 has the course of the curve along which the damping, and so the loop at one "
                            "speed, is that of the reference; a quartic through that curve at 0.1, 0.2 ... 1.0 is drawn for comparison. "
                            "Equal kinetic energy losses would need a velocity that grows. Right: the same near the axis.",
-                .columns = {},
                 .panels = {{"all", "Restitution CR [-]", "Velocity [m/s]", {}}, {"below 20 m/s", "Restitution CR [-]", "Velocity [m/s]", {}}}};
   const std::function<double(double)> fitted = [&](double e) {
     double v = 0;
@@ -229,12 +226,9 @@ Item cyclic() {
   Item item{.name = "cyclic",
             .title = "The cyclic process, and velocity against restitution",
             .sections = "Section 6, Eq. 19, Figs. 9-11",
-            .paragraphs = {},
             .equations = {{"19", R"($v_{imp} = 494.32\,CR^4 - 1299\,CR^3 + 1285\,CR^2 - 595.9\,CR + 116.67$)"}},
-            .matrices = {},
             .figures = {run.figure, pair.figure, velocity_figure(fit)},
-            .tables = {run.analyses, pair.table, velocity_table()},
-            .verdicts = {}};
+            .tables = {run.analyses, pair.table, velocity_table()}};
   item.paragraphs = {
       "The process of Fig. 9: choose a velocity, assume a restitution, analyse the impact, compare the area of its loop with the kinetic "
       "energy loss of Eq. 18, change the restitution, repeat. As an algorithm it is `pounding calibrate --cyclic`. The restitution that "

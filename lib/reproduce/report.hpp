@@ -39,8 +39,8 @@ struct Figure {
   std::string name;       ///< of its files: "cyclic_velocity"
   std::string of_paper;   ///< "Fig. 11"; empty where the paper has none
   std::string caption;
-  std::vector<Column> columns;
-  std::vector<Panel> panels;
+  std::vector<Column> columns{};
+  std::vector<Panel> panels{};
 
   /// Adds a column and gives its name.
   const std::string& add(std::string column, std::string unit, std::vector<double> values);
@@ -57,19 +57,19 @@ struct Table {
     std::string name, unit;
     int decimals = 4;  ///< shown; -3: three digits, of sizes that differ by powers of ten
   };
-  std::vector<Heading> headings;
+  std::vector<Heading> headings{};
   struct Row {
     std::string name;
     std::vector<double> values;      ///< NaN: nothing to say
   };
-  std::vector<Row> rows;
+  std::vector<Row> rows{};
 
   double at(std::string_view row, std::string_view heading) const;  ///< throws std::out_of_range
 };
 
 struct Matrix {
   std::string name, unit;            ///< name in mathematics
-  std::vector<std::vector<double>> rows;
+  std::vector<std::vector<double>> rows{};
 };
 
 struct Equation {
@@ -89,12 +89,12 @@ struct Verdict {
 /// One part of the paper.
 struct Item {
   std::string name, title, sections; ///< `name` is what --only takes
-  std::vector<std::string> paragraphs;
-  std::vector<Equation> equations;
-  std::vector<Matrix> matrices;
-  std::vector<Figure> figures;
-  std::vector<Table> tables;
-  std::vector<Verdict> verdicts;
+  std::vector<std::string> paragraphs{};
+  std::vector<Equation> equations{};
+  std::vector<Matrix> matrices{};
+  std::vector<Figure> figures{};
+  std::vector<Table> tables{};
+  std::vector<Verdict> verdicts{};
 
   const Figure& figure(std::string_view figure) const;  ///< throws std::out_of_range
   const Table& table(std::string_view table) const;

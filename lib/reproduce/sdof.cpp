@@ -118,13 +118,7 @@ Item sdof() {
 
   Item item{.name = "sdof",
             .title = "The equivalent oscillator and the two oscillators",
-            .sections = "Section 3, Eqs. 1 and 2, Figs. 1-3",
-            .paragraphs = {},
-            .equations = {},
-            .matrices = {},
-            .figures = {},
-            .tables = {},
-            .verdicts = {}};
+            .sections = "Section 3, Eqs. 1 and 2, Figs. 1-3"};
   item.paragraphs = {
       fmt::format("The paper gives no numbers in this section. It is run with floors of 100 t and 150 t (those of its section "
                   "5.1), oscillators of 0.8 s and 0.4 s with 5 % damping, and a Kelvin-Voigt link of $s = 93.5$ MN/m and "
@@ -151,9 +145,7 @@ Item sdof() {
                 .of_paper = "Figs. 1-3",
                 .caption = "One contact. Left: the reduced mass on a wall and two free bodies are the same motion; the springs "
                            "of the oscillators change it. Right: Eq. 2 by the matrix exponential, as printed and with the "
-                           "link at both bodies, beside the time integration.",
-                .columns = {},
-                .panels = {}};
+                           "link at both bodies, beside the time integration."};
   figure.panels.push_back({"Eq. 1", "Time since the touch [ms]", "Contact force [kN]", {}});
   figure.plot("one body, reduced mass", scaled(one.time, 1e3), scaled(one.force, 1e-3));
   figure.plot("two free bodies", scaled(two.time, 1e3), scaled(two.force, 1e-3), Curve::Kind::dashed);

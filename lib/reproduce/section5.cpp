@@ -63,7 +63,6 @@ Figure error_figure() {
                 .caption = fmt::format("Restitution that a free impact gives, against the one asked. Right: the errors without Eq. 12, which has "
                                        "{:+.0f} % at 0.1.",
                                        percent(obtained(compared[0], 0.1), 0.1)),
-                .columns = {},
                 .panels = {{"obtained", "Restitution asked [-]", "Restitution obtained [-]", {}},
                            {"error", "Restitution asked [-]", "Error of the restitution [%]", {}}}};
   std::vector<double> e;
@@ -91,12 +90,7 @@ Item section5() {
   Item item{.name = "section5",
             .title = "The accuracy of the proposed law",
             .sections = "Section 5.1, Eq. 18, Table 3, Figs. 7 and 8",
-            .paragraphs = {},
-            .equations = {{"18, with its dot", R"($\Delta E = \dfrac{1}{2}\,\dfrac{m_1 m_2}{m_1+m_2}\,(1-CR^2)\,\dot{\delta}_{imp}^2$)"}},
-            .matrices = {},
-            .figures = {},
-            .tables = {},
-            .verdicts = {}};
+            .equations = {{"18, with its dot", R"($\Delta E = \dfrac{1}{2}\,\dfrac{m_1 m_2}{m_1+m_2}\,(1-CR^2)\,\dot{\delta}_{imp}^2$)"}}};
   const laws::FreeImpact elastic = Asking{"hertz", "", stiffness}.free_impact(mass, speed);
   item.paragraphs = {
       fmt::format("Bodies of 100 t and 150 t, $k$ = 22000 kN/m$^{{1.5}}$, $v$ = 15 m/s. Floors that hit each other in earthquakes close at "
@@ -110,14 +104,11 @@ Item section5() {
   Figure loops{.name = "section5_loops",
                .of_paper = "Fig. 7",
                .caption = "Loops of the proposed law (left) and of the same law with the exact calibration (right) for restitutions of 0.1 to "
-                          "0.9 asked.",
-               .columns = {},
-               .panels = {}};
+                          "0.9 asked."};
   Figure energy{.name = "section5_energy",
                 .of_paper = "Fig. 8",
                 .caption = "Energy of the loops and Eq. 18, which they should have (left); by how much they miss it (right). Near 1, where little "
                            "is lost, a small error of the restitution is a large one of the energy.",
-                .columns = {},
                 .panels = {{"loop area", "Restitution asked [-]", "Energy lost [kJ]", {}},
                            {"against Eq. 18", "Restitution asked [-]", "Error of the energy lost [%]", {}}}};
   Table runs{"runs", "Loops of runs through time, 60 t at 15 m/s", "CR asked, formula",

@@ -41,7 +41,6 @@ Figure ratio_figure() {
                 .of_paper = "Fig. 12",
                 .caption = "Damping ratios by the three formulas of Table 4 and the exact one (left), and the restitution that each gives with "
                            "a linear spring and a dashpot in the approach (right).",
-                .columns = {},
                 .panels = {{"ratio", "Restitution asked [-]", "Damping ratio [-]", {}, false, true},
                            {"obtained", "Restitution asked [-]", "Restitution obtained [-]", {}}}};
   std::vector<double> e;
@@ -65,9 +64,7 @@ struct Forces {
   Figure figure{.name = "section7_forces",
                 .of_paper = "Figs. 13 and 14",
                 .caption = "Impact force, 60 t at 0.5 m/s on 93.5 MN/m. Left: three ratios and the exact one for 0.5 asked. Middle: Eq. 38 for "
-                           "three restitutions. Right: the exact ratio for the same three. The restitution obtained stands in the legends.",
-                .columns = {},
-                .panels = {}};
+                           "three restitutions. Right: the exact ratio for the same three. The restitution obtained stands in the legends."};
   Table table{"forces", "Impacts of Figs. 13 and 14", "ratio, CR asked",
               {{"zeta", "", 5}, {"restitution", "", 4}, {"peak force", "kN", 1}, {"penetration", "mm", 3}, {"contact time", "ms", 3}},
               {}};
@@ -134,7 +131,6 @@ Item section7() {
   Item item{.name = "section7",
             .title = "The damping ratio of Eq. 38",
             .sections = "Section 7, Eqs. 20-38, Table 4, Figs. 12-14",
-            .paragraphs = {},
             .equations = {{"22", R"($\Delta E = 2\pi\,\zeta\,\dfrac{\omega}{\omega_n}\,k\,\delta^2$)"},
                           {"24", R"($\delta_{max} = \sqrt{\dfrac{m}{4\pi\,\zeta\,k}}\ \dot{\delta}_{final}$)"},
                           {"34", R"($\Delta E = 4k\,\dfrac{\zeta^{1.5}}{CR}\,\sqrt{\pi}\,(0.25\,\delta_{max}^2\,\pi)$)"},
@@ -142,10 +138,8 @@ Item section7() {
                           {"38", R"($\zeta = \left(\dfrac{2}{CR\,\sqrt{\pi}}\,(1-CR^2)\right)^2$)"},
                           {"Table 4, Jankowski", R"($\zeta = \dfrac{\sqrt{5}}{2\pi}\,\dfrac{1-CR^2}{CR}$)"},
                           {"Table 4, Mahmoud", R"($\zeta = \dfrac{1}{\pi}\,\dfrac{1-CR^2}{CR}$)"}},
-            .matrices = {},
             .figures = {ratio_figure(), run.figure},
-            .tables = {table, run.table, derivation},
-            .verdicts = {}};
+            .tables = {table, run.table, derivation}};
 
   // Eq. 24 is the rebound of an undamped spring when 4 pi zeta = 1.
   const double consistent = restitution_of_share(0.25);

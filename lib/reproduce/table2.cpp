@@ -38,7 +38,6 @@ Figure example_figure() {
                 .of_paper = "Fig. 6",
                 .caption = "The example of section 5, 755.76 kg at 10 m/s with 0.7 asked. Left: loops by four published formulas and the "
                            "exact one. Right: what each formula asks for at other restitutions.",
-                .columns = {},
                 .panels = {{"loops", "Penetration [mm]", "Contact force [kN]", {}}}};
   for (const Named& f : formulas) {
     const Loop loop = collide(asking(f).yaml(), mass, speed);
@@ -62,7 +61,6 @@ Figure units_figure(double best) {
                                        "that $k/v$ is. The paper's example is marked with $k$ in MN, kN and N per m$^{{1.5}}$; the "
                                        "least error is at {:.2f}.",
                                        best),
-                .columns = {},
                 .panels = {{"", "Number k/v in Eq. 16 [-]", "Error of the restitution, RMS [%]", {}, true, false}}};
   std::vector<double> ratio, error;
   for (int i = -150; i <= 800; ++i) {
@@ -90,14 +88,9 @@ Item table2() {
   Item item{.name = "table2",
             .title = "The proposed damping coefficient and the example of 755.76",
             .sections = "Section 5, Eqs. 15-17, Table 2, Fig. 6",
-            .paragraphs = {},
             .equations = {{"16", R"($c_{imp} = \left(\dfrac{k}{v_{imp}}\right)^{N}\,\dfrac{1-CR^2}{CR^{M}}$)"},
                           {"17, with its dot", R"($F_{imp} = \delta^{1.5}\,(k + c_{imp}\,\dot{\delta})$)"},
-                          {"exact", R"($c_{imp} = a\,k/v_{imp},\quad a\,(1+CR) = \ln\dfrac{1+a}{1-a\,CR}$)"}},
-            .matrices = {},
-            .figures = {},
-            .tables = {},
-            .verdicts = {}};
+                          {"exact", R"($c_{imp} = a\,k/v_{imp},\quad a\,(1+CR) = \ln\dfrac{1+a}{1-a\,CR}$)"}}};
   item.paragraphs = {
       "In a free impact with $F = k\\,\\delta^n(1 + a\\,\\dot{\\delta}/v)$ the restitution depends on $a = c\\,v/k$ alone, not on $k$, the "
       "mass, the velocity or $n$. The proposed law has $a = (k/v)^{N-1}(1-CR^2)/CR^M$: where $N$ is not 1 it depends on the number that "
