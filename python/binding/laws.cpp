@@ -54,10 +54,11 @@ std::vector<py::ssize_t> common_shape(std::initializer_list<const Array*> arrays
   return shape;
 }
 
-// A state that is not a number has no force that is one.
+// A state that is not a number has no force that is one. The law is asked before this is known, so that a loop has no branch
+// around it.
 laws::Response answer(const auto& law, double penetration, double rate, const laws::Impact& impact) {
-  if (std::isnan(penetration) || std::isnan(rate)) return {NAN, NAN, NAN};
-  return law.respond(penetration, rate, impact);
+  const laws::Response r = law.respond(penetration, rate, impact);
+  return std::isnan(penetration) || std::isnan(rate) ? laws::Response{NAN, NAN, NAN} : r;
 }
 
 /// States from `first` to `end` of impacts that begin alike. Law and impact are copies that nothing else can write to, so that

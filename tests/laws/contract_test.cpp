@@ -116,9 +116,10 @@ TYPED_TEST(LawContract, PullsOnlyWhenItSaysSo) {
     const Response r = this->law.respond(s.penetration, s.rate, this->impact);
     least = std::min(least, r.force);
     const Response uncut = this->law.contact(s.penetration, s.rate, this->impact);
-    if (may_pull<TypeParam> || uncut.force > 0) {
-      EXPECT_EQ(r.force, uncut.force);
-    }
+    const Response expected = may_pull<TypeParam> || uncut.force > 0 ? uncut : Response{};
+    EXPECT_EQ(r.force, expected.force);
+    EXPECT_EQ(r.by_penetration, expected.by_penetration);
+    EXPECT_EQ(r.by_rate, expected.by_rate);
   }
   EXPECT_EQ(least < 0, may_pull<TypeParam>);
 }

@@ -83,10 +83,9 @@ struct AdamsImpact {
   }
 
   Response contact(double penetration, double rate, const Impact& impact) const noexcept {
-    const Power p = power(penetration, exponent);
-    const double s = std::clamp(penetration / depth, 0.0, 1.0), step = s * s * (3 - 2 * s), step_slope = 6 * s * (1 - s) / depth;
-    return {stiffness * p.value + impact.damping * step * rate, stiffness * p.slope + impact.damping * step_slope * rate,
-            impact.damping * step};
+    const Power p = power(penetration, exponent), part = step(penetration);
+    return {stiffness * p.value + impact.damping * part.value * rate, stiffness * p.slope + impact.damping * part.slope * rate,
+            impact.damping * part.value};
   }
   /// Changes sign where the damping reaches its full value [m].
   double corner(double penetration, double, const Impact&) const noexcept { return penetration - depth; }
@@ -95,6 +94,12 @@ struct AdamsImpact {
   }
 
  private:
+  // STEP and its slope by d [1/m]; beyond the depth there is nothing to divide.
+  Power step(double penetration) const noexcept {
+    if (penetration >= depth) return {1, 0};
+    const double s = std::max(penetration, 0.0) / depth;
+    return {s * s * (3 - 2 * s), 6 * s * (1 - s) / depth};
+  }
   double coefficient_scale(double closing_speed) const {
     const double v = calibration_speed(impact_velocity, closing_speed);
     return reduced_mass * v / impact_length(reduced_mass, v, stiffness, exponent);

@@ -123,10 +123,9 @@ struct BilinearHertz {
 
   Response contact(double penetration, double, const Impact& impact) const noexcept {
     const auto [k1, k2, yield] = curve(impact);
-    const double stretch = penetration - impact.slip;
-    if (stretch <= 0) return {k2 * penetration, k2, 0};
-    if (stretch >= yield) return {k2 * penetration + (k1 - k2) * yield, k2, 0};
-    return {k2 * penetration + (k1 - k2) * stretch, k1, 0};
+    const double stretch = penetration - impact.slip, line = k2 * penetration;
+    const double loaded = line + (k1 - k2) * std::min(stretch, yield);
+    return {stretch > 0 ? loaded : line, (stretch > 0) & (stretch < yield) ? k1 : k2, 0};
   }
   /// Changes sign where the slope jumps, at both ends of the elastic range [m].
   double corner(double penetration, double, const Impact& impact) const noexcept {

@@ -74,9 +74,9 @@ struct LimitedDamper {
   /// In restitution the lower limit is left out, so that the sign tells where the force is gone; `respond` cuts there.
   Response contact(double penetration, double rate, const Impact& impact) const noexcept {
     const Power p = power(penetration, exponent);
-    const double spring = stiffness * p.value, dashpot = impact.damping * rate;
-    if (dashpot > spring) return {2 * spring, 2 * stiffness * p.slope, 0};
-    return {spring + dashpot, stiffness * p.slope, impact.damping};
+    const double spring = stiffness * p.value, slope = stiffness * p.slope, dashpot = impact.damping * rate;
+    const bool limited = dashpot > spring;
+    return {spring + std::min(dashpot, spring), slope + only_if(limited, slope), only_if(!limited, impact.damping)};
   }
   /// Changes sign where the slopes jump [N].
   double corner(double penetration, double rate, const Impact& impact) const noexcept {

@@ -65,7 +65,7 @@ struct ModifiedLinearViscoelastic {
   }
 
   Response contact(double penetration, double rate, const Impact& impact) const noexcept {
-    const double c = rate > 0 ? impact.damping : 0;
+    const double c = only_if(rate > 0, impact.damping);
     return {stiffness * penetration + c * rate, stiffness, c};
   }
   Response respond(double penetration, double rate, const Impact& impact) const noexcept {
