@@ -7,7 +7,6 @@
 Equations, sources, parameters and numbers come from `pounding laws` and `pounding calibrate`, the loops from runs, and the
 sections that verify a law from tests/verification/README.md. Pictures are not compared.
 """
-import argparse
 import io
 import json
 import os
@@ -17,8 +16,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+from generated_pages import ROOT, arguments, refuse
 from verification_book import PAGE as BOOK
-from verification_book import ROOT, anchor
+from verification_book import anchor
 
 PAGES = ROOT / "elements/pounding/laws/pages"
 HALF = 4  # place of 0.50 among the restitutions asked
@@ -174,16 +174,11 @@ def draw(program, law, path):
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    words.add_argument("program", type=Path, help="the program `pounding`")
-    what = words.add_mutually_exclusive_group(required=True)
-    what.add_argument("--write", action="store_true", help="write pages and pictures")
-    what.add_argument("--check", action="store_true", help="compare the pages with what the program says")
-    chosen = words.parse_args()
-    program = Program(chosen.program.resolve())
+    path, write = arguments(__doc__, "program", "the program `pounding`")
+    program = Program(path)
     all_laws = [program.json("laws", law["name"]) for law in program.json("laws")]
     texts = {law["name"] + ".md": page(law, program.calibrate(law)) for law in all_laws} | {"README.md": index(all_laws)}
-    if chosen.write:
+    if write:
         PAGES.mkdir(exist_ok=True)
         for name, text in texts.items():
             (PAGES / name).write_text(text)
@@ -196,8 +191,7 @@ def main():
     wrong = sorted(name for name, text in texts.items() if name not in there or (PAGES / name).read_text() != text)
     wrong += sorted((pictures - there) | (there - pictures - set(texts)))
     if wrong:
-        sys.exit(f"elements/pounding/laws/pages is not what the program says: {', '.join(wrong)}. "
-                 "Type: python3 cmake/law_pages.py build/pounding --write")
+        refuse(f"elements/pounding/laws/pages is not what the program says: {', '.join(wrong)}.", "build/pounding")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@
 The tests write what they compared through `Book` (tests/support/book.hpp, tests/program/book.py). What was obtained may differ
 from machine to machine within its tolerance, and is not compared.
 """
-import argparse
 import json
 import math
 import os
@@ -18,7 +17,8 @@ import tempfile
 from itertools import groupby
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from generated_pages import ROOT, arguments, refuse
+
 PAGE = ROOT / "tests/verification/README.md"
 #: Folders of tests, with the words that head their chapters.
 CHAPTERS = {"tests/laws": "Contact laws and free impacts", "tests/verification": "Impacts of structures", "tests/elements": "Structures and frames",
@@ -232,21 +232,15 @@ def differences(committed, made):
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    words.add_argument("build", type=Path, help="where the tests were built")
-    what = words.add_mutually_exclusive_group(required=True)
-    what.add_argument("--write", action="store_true", help="write tests/verification/README.md")
-    what.add_argument("--check", action="store_true", help="compare it with what the tests say")
-    chosen = words.parse_args()
-    made = page(entries(chosen.build.resolve()))
-    if chosen.write:
+    build, write = arguments(__doc__, "build", "where the tests were built")
+    made = page(entries(build))
+    if write:
         PAGE.write_text(made)
         return
     wrong = differences(PAGE.read_text() if PAGE.exists() else "", made)
     if wrong:
         shown = "\n".join(f"page: {a}\nnow:  {b}" for a, b in wrong[:10])
-        sys.exit(f"tests/verification/README.md does not say what the tests do, in {len(wrong)} lines:\n{shown}\n"
-                 "Type: python3 cmake/verification_book.py build --write")
+        refuse(f"tests/verification/README.md does not say what the tests do, in {len(wrong)} lines:\n{shown}", "build")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,22 @@
+"""The command line of a script that makes pages: `SCRIPT SOURCE --write` or `SCRIPT SOURCE --check`."""
+import argparse
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def arguments(description, source, meaning):
+    """The path that was given, and whether to write (else to check). `source` is its name in the help, `meaning` what it is."""
+    words = argparse.ArgumentParser(description=description.splitlines()[0])
+    words.add_argument("source", metavar=source, type=Path, help=meaning)
+    what = words.add_mutually_exclusive_group(required=True)
+    what.add_argument("--write", action="store_true", help="write what is made")
+    what.add_argument("--check", action="store_true", help="compare it with what is there; exit code 1 where it is another")
+    given = words.parse_args()
+    return given.source.resolve(), given.write
+
+
+def refuse(complaint, source):
+    """Ends a check that found something else; `source` is what stands between script and --write."""
+    sys.exit(f"{complaint}\nType: python3 {Path(sys.argv[0]).resolve().relative_to(ROOT)} {source} --write")
