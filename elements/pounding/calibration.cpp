@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <type_traits>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -50,14 +48,8 @@ CalibratedRow calibrated(const Collision& c, std::string_view formula) {
   try {
     const laws::AnyLaw law = laws::make_law(settings);
     row.impact = laws::free_impact(law, settings.reduced_mass, c.velocity);
-    std::visit(
-        [&](const auto& chosen) {
-          if constexpr (laws::has_damping<std::decay_t<decltype(chosen)>>) {
-            row.number = chosen.damping_number(c.velocity);
-            row.coefficient = chosen.damping_for(c.velocity);
-          }
-        },
-        law);
+    row.number = damping_number(law, c.velocity);
+    row.coefficient = damping_coefficient(law, c.velocity);
   } catch (const std::invalid_argument& error) {
     if (c.law.formulas.size() < 2) throw;
     row.refused = error.what();

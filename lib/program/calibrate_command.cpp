@@ -3,8 +3,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -112,11 +110,7 @@ std::vector<CyclicRow> calibrate_cyclically(const Collision& c) {
     try {
       row.process = laws::calibrate_cyclically(settings, *c.settings.restitution, c.settings.reduced_mass, c.velocity);
       settings.restitution = row.process.assumed();
-      std::visit(
-          [&](const auto& chosen) {
-            if constexpr (laws::has_damping<std::decay_t<decltype(chosen)>>) row.number = chosen.damping_number(c.velocity);
-          },
-          laws::make_law(settings));
+      row.number = damping_number(laws::make_law(settings), c.velocity);
     } catch (const std::invalid_argument& error) {
       if (f.name == "exact") throw;
       row.refused = error.what();

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -78,24 +76,6 @@ Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points) {
     keep(static_cast<std::size_t>(place));
   if (last > first) keep(static_cast<std::size_t>(last - 1));
   return loop;
-}
-
-double damping_number(const laws::AnyLaw& law, double closing_speed) {
-  return std::visit(
-      [&](const auto& chosen) -> double {
-        if constexpr (laws::has_damping<std::decay_t<decltype(chosen)>>) return chosen.damping_number(closing_speed);
-        return 0;
-      },
-      law);
-}
-
-double damping_coefficient(const laws::AnyLaw& law, double closing_speed) {
-  return std::visit(
-      [&](const auto& chosen) -> double {
-        if constexpr (laws::has_damping<std::decay_t<decltype(chosen)>>) return chosen.damping_for(closing_speed);
-        return 0;
-      },
-      law);
 }
 
 std::vector<double> scaled(std::vector<double> values, double factor) {

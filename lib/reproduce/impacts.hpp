@@ -40,11 +40,6 @@ Loop collide(const std::string& law, double mass, double speed);
 /// A part of a link's history around an impact, thinned to about `points`, time from the touch.
 Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points = 240);
 
-/// The damping number of a law: a, zeta or xi; 0 without damping.
-double damping_number(const laws::AnyLaw& law, double closing_speed);
-/// Its coefficient, in the law's own unit.
-double damping_coefficient(const laws::AnyLaw& law, double closing_speed);
-
 /// 100 (obtained - asked)/asked.
 inline double percent(double obtained, double asked) { return 100 * (obtained - asked) / asked; }
 /// The kinetic energy that a restitution e loses, the paper's Eq. 18 [J].

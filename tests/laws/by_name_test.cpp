@@ -51,6 +51,16 @@ TEST(LawsByName, FormulaIsExactUnlessNamed) {
   EXPECT_NEAR(described(make_law(s), "damping_factor"), 1.6 * 0.35 / 0.65, 1e-15);
 }
 
+TEST(LawsByName, DampingIsWhatTheEntryNames) {
+  for (const Entry& entry : catalogue()) {
+    SCOPED_TRACE(entry.name);
+    const AnyLaw law = make_law(typical_settings(entry));
+    const bool damped = !entry.number.name.empty();
+    EXPECT_EQ(damping_number(law, 0.3), damped ? described(law, entry.number.name, 0.3) : 0);
+    EXPECT_EQ(damping_coefficient(law, 0.3), damped ? described(law, entry.coefficient.name, 0.3) : 0);
+  }
+}
+
 TEST(LawsByName, DirectDampingNeedsNoFormula) {
   Settings s = hertz_damped();
   s.restitution.reset();

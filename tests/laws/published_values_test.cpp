@@ -55,15 +55,6 @@ AnyLaw law_with(const reference::Asking& asking, double restitution) {
   return make_law(s);
 }
 
-double damping_number(const AnyLaw& law, double closing_speed) {
-  return std::visit(
-      [closing_speed](const auto& chosen) {
-        if constexpr (has_damping<std::decay_t<decltype(chosen)>>) return chosen.damping_number(closing_speed);
-        return 0.0;
-      },
-      law);
-}
-
 // Calls check(row, asking, i, law) for every published formula, every law that offers it and every asked restitution.
 template <class Check>
 void for_each_published(Check&& check) {

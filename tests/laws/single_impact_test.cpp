@@ -18,15 +18,6 @@ constexpr double kilonewton = 1000;
 constexpr const char* source = "tables of an independent 8th-order integration (rtol 1e-12)";
 constexpr const char* reason = "half a unit of the last digit printed there, three to eight decimals";
 
-double damping_number(const AnyLaw& law, double closing_speed) {
-  return std::visit(
-      [closing_speed](const auto& chosen) {
-        if constexpr (has_damping<std::decay_t<decltype(chosen)>>) return chosen.damping_number(closing_speed);
-        return 0.0;
-      },
-      law);
-}
-
 TEST(SingleImpact, ExampleOfSection51GivesTheReferenceHistory) {
   test::Book book("Two floors that collide at 15 m/s (section 5.1 of the paper)", source, reason);
   using namespace reference::section_5_1;

@@ -83,6 +83,28 @@ inline std::string resolved_unit(std::string_view unit, double exponent) {
   return text;
 }
 
+/// The dimensionless damping number of a law at this closing speed [m/s], which Entry::number names; 0 without damping.
+template <class... L>
+double damping_number(const std::variant<L...>& law, double closing_speed) {
+  return std::visit(
+      [closing_speed]<class Law>(const Law& chosen) {
+        if constexpr (has_damping<Law>) return chosen.damping_number(closing_speed);
+        return 0.0;
+      },
+      law);
+}
+
+/// Its coefficient at this closing speed [m/s], in the unit that Entry::coefficient names; 0 without damping.
+template <class... L>
+double damping_coefficient(const std::variant<L...>& law, double closing_speed) {
+  return std::visit(
+      [closing_speed]<class Law>(const Law& chosen) {
+        if constexpr (has_damping<Law>) return chosen.damping_for(closing_speed);
+        return 0.0;
+      },
+      law);
+}
+
 namespace by_name {
 
 /// Insertions, deletions and replacements between two words.
