@@ -11,8 +11,9 @@
 
 #include <fmt/format.h>
 
+#include <pounding/frame_bays.hpp>
 #include <pounding/frame_names.hpp>
-#include <pounding/ground_motion_input.hpp>
+#include <pounding/frame_words.hpp>
 #include <pounding/section_input.hpp>
 
 namespace pounding {
@@ -20,7 +21,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr Dimension turning_damping{1, 2, -1};  // [N m s]
 // Up to here all nodes are reported when nothing else is asked for.
 constexpr int most_reported = 100;
 
@@ -34,38 +34,9 @@ auto placed(const Input& place, Act&& act) {
   }
 }
 
-bool is_translation(Dof dof) { return dof < Dof::rx; }
-
-const Dimension& of_mass(Dof dof) { return is_translation(dof) ? dimension::mass : dimension::rotational_inertia; }
-const Dimension& of_load(Dof dof) { return is_translation(dof) ? dimension::force : dimension::energy; }
-const Dimension& of_spring(Dof dof) { return is_translation(dof) ? dimension::stiffness : dimension::energy; }
-const Dimension& of_dashpot(Dof dof) { return is_translation(dof) ? dimension::damping : turning_damping; }
-
-int read_dimension(const Input& body) {
-  std::optional<Input> spatial;
-  if (const auto grid = body.find("grid"))
-    if (const auto bays = grid->find("bays"); bays && bays->is_list()) spatial.emplace(*bays);
-  if (const auto nodes = body.find("nodes"))
-    for (const auto& [name, node] : nodes->entries())
-      if (!spatial && node.is_list() && node.items().size() == 3) spatial.emplace(node);
-  const auto given = body.find("dimension");
-  if (!given) return spatial ? 3 : 2;
-  const int dimension = static_cast<int>(given->as_integer(2, 3));
-  if (dimension == 2 && spatial)
-    spatial->fail("is for a frame in space, and its dimension is given as 2; type dimension: 3, or leave y out");
-  return dimension;
-}
-
-struct SupportWish {
-  std::vector<Dof> fixed;
-  std::vector<std::pair<Dof, double>> springs, dashpots;
-  double delay = 0;
-  std::optional<GroundComponents> motion;
-};
-
 class Reader {
  public:
-  explicit Reader(const Input& body) : body_(body), dimension_(read_dimension(body)), library_(body, dimension_) {}
+  explicit Reader(const Input& body) : body_(body), words_(body), library_(body, dimension_) {}
 
   FrameModel read() {
     model_.frame = Frame(dimension_);
@@ -132,46 +103,6 @@ class Reader {
     return nodes;
   }
 
-  Dof read_dof(const Input& item) const {
-    const std::string read = item.as_text();
-    std::vector<std::string_view> allowed;
-    for (const Dof dof : dofs_of(dimension_)) {
-      allowed.push_back(name(dof));
-      if (read == name(dof)) return dof;
-    }
-    item.fail(fmt::format("unknown displacement \"{}\".{}{}", read, suggestion(read, allowed),
-                          dimension_ == 2 ? " The frame is plane." : ""));
-  }
-
-  Dof read_dof_key(const std::string& key, const Input& value) const {
-    std::vector<std::string_view> allowed;
-    for (const Dof dof : dofs_of(dimension_)) {
-      allowed.push_back(name(dof));
-      if (key == name(dof)) return dof;
-    }
-    value.fail_at_key(fmt::format("unknown displacement \"{}\".{}{}", key, suggestion(key, allowed),
-                                  dimension_ == 2 ? " The frame is plane." : ""));
-  }
-
-  std::vector<Dof> read_dofs(const Input& list) const {
-    std::vector<Dof> dofs;
-    for (const Input& item : list.items()) dofs.push_back(read_dof(item));
-    return dofs;
-  }
-
-  Vector3d read_vector(const Input& node, const Dimension& unit, std::string_view example) const {
-    const auto count = static_cast<std::size_t>(dimension_);
-    if (!node.is_list() || node.items().size() != count)
-      node.fail(fmt::format("takes {} in a frame {}; type {}", dimension_ == 2 ? "[x, z]" : "[x, y, z]",
-                            dimension_ == 2 ? "in the plane" : "in space", example));
-    const std::vector<Input> items = node.items();
-    Vector3d vector = Vector3d::Zero();
-    vector.x() = items.front().as_quantity(unit);
-    if (dimension_ == 3) vector.y() = items[1].as_quantity(unit);
-    vector.z() = items.back().as_quantity(unit);
-    return vector;
-  }
-
   void read_origin() {
     const auto node = body_.find("origin");
     if (!node) return;
@@ -213,7 +144,7 @@ class Reader {
   void read_node(const std::string& name, const Input& node) {
     check_name(name, node);
     if (name == "feet" && body_.has("grid")) node.fail_at_key("\"feet\" are those of the grid; choose another name");
-    add_node(name, read_vector(node, dimension::length, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]") + origin_, node);
+    add_node(name, words_.vector(node, dimension::length, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]") + origin_, node);
   }
 
   void read_member(const std::string& name, const Input& node) {
@@ -236,18 +167,18 @@ class Reader {
     BeamOptions options{.mass = mass_kind_};
     if (const auto releases = node.find("releases")) {
       releases->only_keys({"start", "end"});
-      if (const auto at = releases->find("start")) options.start_releases = read_dofs(*at);
-      if (const auto at = releases->find("end")) options.end_releases = read_dofs(*at);
+      if (const auto at = releases->find("start")) options.start_releases = words_.dofs(*at);
+      if (const auto at = releases->find("end")) options.end_releases = words_.dofs(*at);
     }
     if (const auto offsets = node.find("offsets")) {
       const std::string_view example = dimension_ == 2 ? "[0, 0.3 m]" : "[0, 0, 0.3 m]";
       offsets->only_keys({"start", "end"});
-      if (const auto at = offsets->find("start")) options.start_offset = read_vector(*at, dimension::length, example);
-      if (const auto at = offsets->find("end")) options.end_offset = read_vector(*at, dimension::length, example);
+      if (const auto at = offsets->find("start")) options.start_offset = words_.vector(*at, dimension::length, example);
+      if (const auto at = offsets->find("end")) options.end_offset = words_.vector(*at, dimension::length, example);
     }
     if (const auto reference = node.find("reference")) {
       if (dimension_ == 2) reference->fail_at_key("is for frames in space; in the plane local y is y; leave it out");
-      options.reference = read_vector(*reference, dimension::none, "[0, 1, 0]");
+      options.reference = words_.vector(*reference, dimension::none, "[0, 1, 0]");
     }
     const int member = placed(node, [&] {
       return model_.frame.add_member(start, end, library_.section(*section), material, options);
@@ -255,55 +186,13 @@ class Reader {
     name_member(member, name, node, {options.start_offset, options.end_offset});
     if (const auto load = node.find("load")) {
       const std::string_view example = dimension_ == 2 ? "[0, -10 kN/m]" : "[0, 0, -10 kN/m]";
-      const Vector3d per_length = read_vector(*load, dimension::stiffness, example);
+      const Vector3d per_length = words_.vector(*load, dimension::stiffness, example);
       placed(*load, [&] { model_.frame.add_member_load(member, per_length); });
       model_.loads = true;
     }
   }
 
   // The grid.
-
-  struct Bays {
-    int count = 0;
-    std::vector<double> at{0.0}, share{1.0};  // coordinate and part of the width of each column line
-  };
-
-  static Bays bays_of(int count, const std::vector<double>& widths) {
-    Bays bays{count, {0.0}, std::vector<double>(count + 1, 0.0)};
-    const double whole = std::accumulate(widths.begin(), widths.end(), 0.0);
-    for (int i = 0; i < count; ++i) {
-      bays.at.push_back(bays.at.back() + widths[i]);
-      bays.share[i] += 0.5 * widths[i] / whole;
-      bays.share[i + 1] += 0.5 * widths[i] / whole;
-    }
-    return bays;
-  }
-
-  static std::vector<double> read_widths(const Input& node, int count) {
-    if (node.is_list() && node.items().size() != static_cast<std::size_t>(count))
-      node.fail(fmt::format("takes one width, or a list of {} in the order of the bays; a list of {} was read", count,
-                            node.items().size()));
-    return node.as_quantities(count, dimension::length, bounds::positive);
-  }
-
-  std::array<Bays, 2> read_bays(const Input& grid) const {
-    const Input bays = grid.at("bays", dimension_ == 2 ? "3" : "[3, 2]");
-    const Input width = grid.at("bay_width", "6 m");
-    constexpr int most = 1000;
-    if (dimension_ == 2) {
-      const int count = static_cast<int>(bays.as_integer(1, most));
-      return {bays_of(count, read_widths(width, count)), Bays{}};
-    }
-    if (!bays.is_list() || bays.items().size() != 2) bays.fail("takes the bays along x and along y in space; type bays: [3, 2]");
-    std::array<Bays, 2> both;
-    if (width.is_map()) width.only_keys({"x", "y"});
-    if (width.is_list()) width.fail("takes one width, or one for each direction in space; type bay_width: {x: 6 m, y: 5 m}");
-    for (const int i : {0, 1}) {
-      const int count = static_cast<int>(bays.items()[i].as_integer(1, most));
-      both[i] = bays_of(count, read_widths(width.is_map() ? width.at(i == 0 ? "x" : "y", "6 m") : width, count));
-    }
-    return both;
-  }
 
   std::string grid_name(int storey, int i, int k) const {
     return dimension_ == 2 ? fmt::format("{}.{}", storey, i) : fmt::format("{}.{}.{}", storey, i, k);
@@ -312,7 +201,7 @@ class Reader {
   void read_grid(const Input& grid) {
     grid.only_keys({"storeys", "bays", "storey_height", "bay_width", "columns", "beams", "floor_mass", "rigid_floors"});
     const int storeys = static_cast<int>(grid.at("storeys", "5").as_integer(1, 1000));
-    const auto [along_x, along_y] = read_bays(grid);
+    const auto [along_x, along_y] = read_bays(grid, dimension_);
     const auto heights = grid.at("storey_height", "3.2 m").as_quantities(storeys, dimension::length, bounds::positive);
     const Section column = library_.section(grid.at("columns", "{rectangle: [0.4 m, 0.4 m]}"));
     const Section beam = library_.section(grid.at("beams", "{rectangle: [0.3 m, 0.5 m]}"));
@@ -369,7 +258,7 @@ class Reader {
       return placed(value, [&] { model_.frame.add_mass(node, mass); });
     }
     for (const auto& [key, each] : value.entries()) {
-      const Dof dof = read_dof_key(key, each);
+      const Dof dof = words_.dof_at_key(key, each);
       const double mass = each.as_quantity(of_mass(dof), bounds::non_negative);
       if (dof == Dof::ux) node_mass_[node] += mass;
       placed(each, [&] { model_.frame.add_mass(node, dof, mass); });
@@ -379,7 +268,7 @@ class Reader {
   void read_load(int node, const Input& value) {
     if (!value.is_map()) value.fail("takes forces with their directions; type {uz: -10 kN}");
     for (const auto& [key, each] : value.entries()) {
-      const Dof dof = read_dof_key(key, each);
+      const Dof dof = words_.dof_at_key(key, each);
       placed(each, [&] { model_.frame.add_load(node, dof, each.as_quantity(of_load(dof))); });
       model_.loads = true;
     }
@@ -390,7 +279,7 @@ class Reader {
     const auto at = node.find("node"), between = node.find("between");
     if (at && between) between->fail_at_key("a spring stands at one node or between two; keep one of node and between");
     if (!at && !between) node.fail("its place is missing; type node: a for a spring to the ground, or between: [a, b]");
-    const Dof dof = read_dof(node.at("dof", "ux"));
+    const Dof dof = words_.dof(node.at("dof", "ux"));
     const auto stiffness = node.find("stiffness"), damping = node.find("damping");
     if (!stiffness && !damping) node.fail("has neither stiffness nor damping; type stiffness: 1 MN/m");
     const double k = stiffness ? stiffness->as_quantity(of_spring(dof), bounds::non_negative) : 0;
@@ -422,55 +311,12 @@ class Reader {
     if (!dofs && !(rigid && rigid->as_bool())) node.fail("what is tied is missing; type dofs: [ux], or rigid: true");
     for (const int each : nodes)
       placed(node, [&] {
-        if (dofs) model_.frame.tie(master, each, read_dofs(*dofs));
+        if (dofs) model_.frame.tie(master, each, words_.dofs(*dofs));
         else model_.frame.tie_rigidly(master, each);
       });
   }
 
   // Supports.
-
-  std::vector<Dof> fixed_by(const Input& word) const {
-    const std::string kind = word.as_choice("support", {"fixed", "pinned", "roller"});
-    if (kind == "roller") return {Dof::uz};
-    std::vector<Dof> dofs;
-    for (const Dof dof : dofs_of(dimension_))
-      if (kind == "fixed" || is_translation(dof)) dofs.push_back(dof);
-    return dofs;
-  }
-
-  GroundComponents read_ground(const Input& node) const {
-    if (const auto components = node.find("components"); components && dimension_ == 2) components->only_keys({"x", "z"});
-    const GroundSection ground = read_ground_section(node);
-    if (ground.wave) node.fail("a wave belongs to the ground_motion of all structures; give this support a delay");
-    return ground.components;
-  }
-
-  SupportWish read_support(const Input& node) const {
-    SupportWish wish;
-    if (node.is_scalar()) {
-      wish.fixed = fixed_by(node);
-      return wish;
-    }
-    node.only_keys({"fix", "springs", "dashpots", "delay", "ground_motion"});
-    if (const auto fix = node.find("fix")) wish.fixed = fix->is_scalar() ? fixed_by(*fix) : read_dofs(*fix);
-    const auto pairs = [&](std::string_view key, const Dimension& (*unit)(Dof), auto& into) {
-      const auto given = node.find(key);
-      if (!given) return;
-      for (const auto& [dof_name, value] : given->entries()) {
-        const Dof dof = read_dof_key(dof_name, value);
-        if (std::find(wish.fixed.begin(), wish.fixed.end(), dof) != wish.fixed.end())
-          value.fail_at_key(fmt::format("{} is fixed here too; keep one of the two", dof_name));
-        into.emplace_back(dof, value.as_quantity(unit(dof), bounds::positive));
-      }
-    };
-    pairs("springs", of_spring, wish.springs);
-    pairs("dashpots", of_dashpot, wish.dashpots);
-    if (wish.fixed.empty() && wish.springs.empty() && wish.dashpots.empty())
-      node.fail("holds nothing; type fix: [ux, uz], or springs: {ux: 20 MN/m}");
-    wish.delay = node.quantity_or("delay", dimension::time, 0, bounds::non_negative);
-    if (const auto motion = node.find("ground_motion")) wish.motion = read_ground(*motion);
-    return wish;
-  }
 
   void add_support(const SupportWish& wish, const std::string& name, const std::vector<int>& nodes, const Input& place) {
     for (const int node : nodes)
@@ -491,13 +337,13 @@ class Reader {
     if (const auto supports = body_.find("supports"))
       for (const auto& [name, node] : supports->entries()) {
         if (name == "feet" && !feet_.empty()) {
-          feet = read_support(node);
+          feet = words_.support(node);
           feet_place.emplace(node);
           continue;
         }
         const int at = node_at_key(name, node);
         std::erase(open, at);
-        add_support(read_support(node), name, {at}, node);
+        add_support(words_.support(node), name, {at}, node);
       }
     if (!open.empty()) add_support(feet, "feet", open, feet_place ? *feet_place : *body_.find("grid"));
 
@@ -636,7 +482,8 @@ class Reader {
   }
 
   const Input& body_;
-  int dimension_;
+  FrameWords words_;
+  int dimension_ = words_.dimension();
   SectionLibrary library_;
   FrameModel model_;
   Vector3d origin_ = Vector3d::Zero();

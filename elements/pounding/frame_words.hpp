@@ -1,0 +1,54 @@
+#pragma once
+/// Words of a frame's input that mean other things in the plane than in space: displacements, vectors, supports.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <pounding/frame.hpp>
+#include <pounding/ground_components.hpp>
+#include <pounding/input.hpp>
+#include <pounding/units.hpp>
+
+namespace pounding {
+
+/// What holds or loads a displacement, by whether it is a translation.
+const Dimension& of_mass(Dof dof);
+const Dimension& of_load(Dof dof);
+const Dimension& of_spring(Dof dof);
+const Dimension& of_dashpot(Dof dof);
+
+/// What a support is asked to hold.
+struct SupportWish {
+  std::vector<Dof> fixed;
+  std::vector<std::pair<Dof, double>> springs, dashpots;  ///< [N/m], [N m]; [N s/m], [N m s]
+  double delay = 0;                                       ///< [s]
+  std::optional<GroundComponents> motion;
+};
+
+/// Reads single words. Everything throws InputError at what is wrong.
+class FrameWords {
+ public:
+  /// `frame` is the whole input: its dimension is given, or 3 where its bays or nodes are those of a space, else 2.
+  explicit FrameWords(const Input& frame);
+
+  int dimension() const noexcept { return dimension_; }
+
+  Dof dof(const Input& item) const;
+  Dof dof_at_key(const std::string& key, const Input& value) const;
+  std::vector<Dof> dofs(const Input& list) const;
+  /// [x, z] in the plane, [x, y, z] in space; `example` is for the message.
+  Eigen::Vector3d vector(const Input& node, const Dimension& unit, std::string_view example) const;
+  SupportWish support(const Input& node) const;
+
+ private:
+  std::vector<Dof> fixed_by(const Input& word) const;
+  GroundComponents ground(const Input& node) const;
+
+  int dimension_;
+};
+
+}  // namespace pounding
