@@ -9,6 +9,7 @@ shares nothing with the program, and of both peak displacements against a run at
 solve (median of five) at each tolerance for all laws. Needs numpy, scipy and h5py.
 """
 import json
+import math
 import statistics
 import subprocess
 import sys
@@ -19,6 +20,7 @@ import h5py
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "program"))
 import independent  # noqa: E402
+import judging  # noqa: E402
 
 LINEAR = "stiffness: 9.35e7"
 HERTZ = "stiffness: 2.75e9"
@@ -57,12 +59,12 @@ def reference(law):
     for word in LAWS[law].split(", "):
         name, value = word.split(": ")
         given[name] = 1e-3 if value == "1 mm" else float(value)
-    w = [2 * independent.math.pi / 0.8, 2 * independent.math.pi / 0.4]
+    w = [2 * math.pi / 0.8, 2 * math.pi / 0.4]
     masses = [(m, m * x * x, 0.1 * m * x, 0.0, 0.0) for m, x in zip((1e5, 1.5e5), w)]
-    ground, corners, longest = independent.ground_of({"kind": "harmonic", "amplitude": 3.0, "period": 0.6, "duration": 3.0})
+    ground, corners, longest = judging.ground_of({"kind": "harmonic", "amplitude": 3.0, "period": 0.6, "duration": 3.0})
     row = independent.Row(masses, [independent.Link(0, 1, 0.02, independent.Law(law, given))], ground, corners, longest)
     row.run(3.0)
-    return [values for _, _, values in independent.measure(row)[0]]
+    return [values for _, _, values in judging.measure(row)[0]]
 
 
 def run(program, folder, law, tolerance, scheme):

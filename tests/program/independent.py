@@ -16,192 +16,13 @@ import numpy as np
 from scipy.integrate import DOP853
 from scipy.optimize import brentq, minimize_scalar
 
+from independent_damping import FORMULAS, GIVEN, bilinear_curve, bilinear_exact
+
 RELATIVE_TOLERANCE = 1e-11
 #: Where a damping formula divides by the closing speed, a slower touch counts as this fast [m/s]: the program's convention.
 SLOWEST_CLOSING_SPEED = 1e-6
 #: Points of a step at which signs are looked at. Steps in free flight are at most a twentieth of the shortest period.
 LOOKS = 6
-
-
-# ---- damping that gives a restitution e ---------------------------------------------------------------------------------
-
-
-def hunt_crossley_exact(e):
-    """a of F = k d^n (1 + a d'/v): root of a (1 + e) = ln[(1 + a)/(1 - a e)]."""
-    if e == 1:
-        return 0.0
-    return brentq(lambda a: a * (1 + e) - math.log1p(a) + math.log1p(-a * e), 0.2 * (1 - e), (1 - 1e-15) / e, xtol=1e-15)
-
-
-def _phase(z):
-    """arccos(z)/sqrt(1 - z^2), continued beyond z = 1."""
-    if abs(z - 1) < 1e-9:
-        return 1.0
-    return math.acos(z) / math.sqrt(1 - z * z) if z < 1 else math.acosh(z) / math.sqrt(z * z - 1)
-
-
-def approach_only_exact(e):
-    """z of a linear oscillator damped in the approach alone: e = exp(-z arccos z/sqrt(1 - z^2))."""
-    return 0.0 if e == 1 else brentq(lambda z: z * _phase(z) + math.log(e), 0, 2 / e, xtol=1e-15)
-
-
-def cut_exact(e):
-    """z of a linear oscillator released where its force is zero: e = exp(-2 z arccos z/sqrt(1 - z^2))."""
-    return approach_only_exact(math.sqrt(e))
-
-
-def anagnostopoulos(e):
-    return -math.log(e) / math.hypot(math.pi, math.log(e))
-
-
-#: a of F = k d^n (1 + a d'/v) by formula.
-HERTZ_DAMPING = {
-    "exact": hunt_crossley_exact,
-    "lankarani_nikravesh": lambda e: 3 * (1 - e * e) / 4,
-    "hunt_crossley": lambda e: 3 * (1 - e) / 2,
-    "ye_2009": lambda e: 8 * (1 - e) / (5 * e),
-    "hu_guo": lambda e: 3 * (1 - e) / (2 * e),
-    "gonthier": lambda e: (1 - e * e) / e,
-    "herbert_mcwhannell": lambda e: 6 * (1 - e) / ((2 * e - 1) ** 2 + 3),
-    "lee_wang": lambda e: 3 * (1 - e) / 4,
-    "zhiying_qishao": lambda e: 3 * (1 - e * e) * math.exp(2 * (1 - e)) / 4,
-    "gharib_hurmuzlu": lambda e: 1 / e,
-}
-LINEAR_DAMPING = {"exact": hunt_crossley_exact, "ye_2009_linear": lambda e: 3 * (1 - e) / (2 * e)}
-#: zeta of c = 2 zeta sqrt(k m) by formula.
-VISCOUS_RATIO = {"exact": anagnostopoulos, "anagnostopoulos": anagnostopoulos}
-CUT_RATIO = {"exact": cut_exact, "anagnostopoulos": anagnostopoulos}
-APPROACH_RATIO = {
-    "exact": approach_only_exact,
-    "mahmoud_jankowski_2011": lambda e: (1 - e * e) / (e * (e * (math.pi - 2) + 2)),
-    "simple": lambda e: (1 - e * e) / (math.pi * e),
-}
-JANKOWSKI_RATIO = {
-    "exact": lambda e: math.sqrt(5) / 2 * approach_only_exact(e),
-    "jankowski_2005": lambda e: math.sqrt(5) * (1 - e * e) / (2 * math.pi * e),
-    "jankowski_2006": lambda e: 9 * math.sqrt(5) / 2 * (1 - e * e) / (e * (e * (9 * math.pi - 16) + 16)),
-}
-#: alpha of the viscous Hertz law, n = 1.5. In stretched time it is a linear oscillator of ratio alpha/sqrt(5).
-VISCOUS_HERTZ = {
-    "exact": lambda e: math.sqrt(5) * cut_exact(e),
-    "antypov_elliott": lambda e: math.sqrt(5) * anagnostopoulos(e),
-}
-
-
-def _twice(ratios):
-    """c/sqrt(k m) = 2 zeta."""
-    return {formula: lambda e, ratio=ratio: 2 * ratio(e) for formula, ratio in ratios.items()}
-
-
-#: The damping number by law and formula: a, or c/sqrt(k m).
-FORMULAS = {
-    "kelvin_voigt": _twice(VISCOUS_RATIO),
-    "kelvin_voigt_no_tension": _twice(CUT_RATIO),
-    "komodromos": _twice(CUT_RATIO),
-    "modified_linear_viscoelastic": _twice(APPROACH_RATIO),
-    "jankowski": _twice(JANKOWSKI_RATIO),
-    "viscous_hertz": VISCOUS_HERTZ,
-    "modified_kelvin": LINEAR_DAMPING,
-    "hertz_damped": HERTZ_DAMPING,
-}
-#: The parameter that gives the damping directly, and what it is multiplied by to be the damping number.
-GIVEN = {
-    "kelvin_voigt": ("damping_ratio", 2),
-    "kelvin_voigt_no_tension": ("damping_ratio", 2),
-    "komodromos": ("damping_ratio", 2),
-    "modified_linear_viscoelastic": ("damping_ratio", 2),
-    "jankowski": ("damping_ratio", 2),
-    "viscous_hertz": ("damping_ratio", 1),
-    "modified_kelvin": ("damping_factor", 1),
-    "hertz_damped": ("damping_factor", 1),
-    "kuwabara_kono": ("dissipation_time", 1),
-    "adams_impact": ("damping_coefficient", 1),
-    "limited_damper": ("damping_coefficient", 1),
-}
-
-
-def bilinear_curve(k, v, m, loss, yield_ratio=0.1):
-    """K1, K2 [N/m] and d_y [m] of the bilinear law designed for the penetration of a Hertz spring at v."""
-    d_m = (5 * m * v * v / (4 * k)) ** 0.4
-    k_eff, d_e = k * math.sqrt(d_m), loss * k * d_m**2.5 / 2.5
-    return k_eff + d_e / (yield_ratio * d_m**2), k_eff - d_e / ((1 - yield_ratio) * d_m**2), yield_ratio * d_m
-
-
-def bilinear_work(curve, d):
-    """Work of the first loading to d [J]."""
-    k1, k2, d_y = curve
-    return 0.5 * k1 * d * d if d <= d_y else 0.5 * k1 * d_y**2 + k1 * d_y * (d - d_y) + 0.5 * k2 * (d - d_y) ** 2
-
-
-@lru_cache(maxsize=None)
-def bilinear_exact(e):
-    """loss = dE (n + 1)/(k d_m^(n+1)) with which the law gives e at its design speed, for k = m = v = 1."""
-
-    def miss(loss):
-        curve = bilinear_curve(1, 1, 1, loss)
-        high = 1.0
-        while bilinear_work(curve, high) < 0.5:
-            high *= 2
-        d = brentq(lambda d: bilinear_work(curve, d) - 0.5, 0, high, xtol=1e-16)
-        k1, k2, d_y = curve
-        return 1 - 2 * (k1 - k2) * d_y * (d - d_y) - e * e
-
-    return 0.0 if e == 1 else brentq(miss, 0, 2.25 * (1 - 1e-12), xtol=1e-15)
-
-
-def free_restitution(law, k, m, v):
-    """Restitution of one free impact, by integration."""
-    row = Row([(m, 0.0, 0.0, 0.0, v)], [Link(0, None, 0.0, law)])
-    law.stiffness, law.mass = k, m
-    reach = (5 * m * v * v / (4 * k)) ** 0.4 / v
-    time = 0.0
-    while time < 1e4:
-        time += 40 * reach
-        row.run(time)
-        if row.links[0].impacts and math.isfinite(row.links[0].impacts[0].end):
-            return row.links[0].impacts[0].separation / v
-    raise RuntimeError("the free impact does not end")
-
-
-@lru_cache(maxsize=None)
-def universal(name, e):
-    """c* of limited_damper or A* of kuwabara_kono: the coefficient that gives e for k = m = v = 1, where D = 1."""
-    if e == 1:
-        return 0.0
-
-    def miss(log_c):
-        return free_restitution(Law(name, {GIVEN[name][0]: math.exp(log_c)}), 1.0, 1.0, 1.0) - e
-
-    low, high = math.log(1e-3), math.log(1.0)
-    while miss(high) > 0:
-        low, high = high, high + 1
-    return math.exp(brentq(miss, low, high, xtol=1e-12, rtol=1e-13))
-
-
-def adams_exact(e, k, m, v, depth, near=None):
-    """c of adams_impact at one closing speed. near [N s/m]: a guess."""
-    if e == 1:
-        return 0.0
-    d_c = (m * v * v / k) ** 0.4
-    scaled = depth / d_c
-
-    def miss(log_c):
-        law = Law("adams_impact", {"damping_coefficient": math.exp(log_c), "depth": scaled})
-        return free_restitution(law, 1.0, 1.0, 1.0) - e
-
-    middle = math.log(near * d_c / (m * v)) if near else math.log(0.5 * (1 - e) / e * max(1.0, scaled**2))
-    low, high, width = middle, middle, 0.3
-    while miss(low) < 0:
-        low -= width
-        width *= 2
-    width = 0.3
-    while miss(high) > 0:
-        high += width
-        width *= 2
-    return math.exp(brentq(miss, low, high, xtol=1e-11, rtol=1e-13)) * m * v / d_c
-
-
-# ---- forces -------------------------------------------------------------------------------------------------------------
 
 
 def _power(d, n):
@@ -330,9 +151,6 @@ class Law:
             return k * _power(d, 1.5) + c * step * rate
         k1, k2, d_y = self.curve
         return k2 * d + (k1 - k2) * (d - self.slip if self.branch == "stick" else d_y if self.branch == "up" else 0.0)
-
-
-# ---- rows ---------------------------------------------------------------------------------------------------------------
 
 
 class TooLong(Exception):
@@ -557,168 +375,53 @@ class Row:
         link.impacts.append(impact)
 
 
-# ---- cases of the stress run --------------------------------------------------------------------------------------------
+def free_restitution(law, k, m, v):
+    """Restitution of one free impact, by integration."""
+    row = Row([(m, 0.0, 0.0, 0.0, v)], [Link(0, None, 0.0, law)])
+    law.stiffness, law.mass = k, m
+    reach = (5 * m * v * v / (4 * k)) ** 0.4 / v
+    time = 0.0
+    while time < 1e4:
+        time += 40 * reach
+        row.run(time)
+        if row.links[0].impacts and math.isfinite(row.links[0].impacts[0].end):
+            return row.links[0].impacts[0].separation / v
+    raise RuntimeError("the free impact does not end")
 
 
-def ground_of(motion):
-    """ground(t), its corners and its longest step for the ground motion of a case (None is a still ground)."""
-    if not motion:
-        return None, (), math.inf
-    if motion["kind"] == "harmonic":
-        a, period, end = motion["amplitude"], motion["period"], motion["duration"]
-        return lambda t: a * math.sin(2 * math.pi * t / period) if t < end else 0.0, (end,), period / 20
-    a, begin, length = motion["amplitude"], motion["start"], motion["duration"]
-    shape = {"rectangle": lambda s: 1.0, "half_sine": lambda s: math.sin(math.pi * s),
-             "sine": lambda s: math.sin(2 * math.pi * s)}[motion["shape"]]
-    return (lambda t: a * shape((t - begin) / length) if begin <= t < begin + length else 0.0,
-            (begin, begin + length), length / 20)
+@lru_cache(maxsize=None)
+def universal(name, e):
+    """c* of limited_damper or A* of kuwabara_kono: the coefficient that gives e for k = m = v = 1, where D = 1."""
+    if e == 1:
+        return 0.0
+
+    def miss(log_c):
+        return free_restitution(Law(name, {GIVEN[name][0]: math.exp(log_c)}), 1.0, 1.0, 1.0) - e
+
+    low, high = math.log(1e-3), math.log(1.0)
+    while miss(high) > 0:
+        low, high = high, high + 1
+    return math.exp(brentq(miss, low, high, xtol=1e-12, rtol=1e-13))
 
 
-def row_of(case):
-    """A Row for a case of stress.py."""
-    masses, index = [], {}
-    for s in case["structures"]:
-        if s["kind"] == "wall":
-            index[s["name"]] = None
-            continue
-        index[s["name"]] = len(masses)
-        k = s["mass"] * (2 * math.pi / s["period"]) ** 2 if s["kind"] == "oscillator" else 0.0
-        masses.append((s["mass"], k, 2 * s.get("damping", 0.0) * math.sqrt(k * s["mass"]), 0.0, s["velocity"]))
-    links = [Link(index[l["left"]], index[l["right"]], l["gap"], Law(l["law"], l)) for l in case["links"]]
-    ground, corners, longest = ground_of(case.get("ground"))
-    return Row(masses, links, ground, corners, min(longest, case["duration"] / 50))
+def adams_exact(e, k, m, v, depth, near=None):
+    """c of adams_impact at one closing speed. near [N s/m]: a guess."""
+    if e == 1:
+        return 0.0
+    d_c = (m * v * v / k) ** 0.4
+    scaled = depth / d_c
 
+    def miss(log_c):
+        law = Law("adams_impact", {"damping_coefficient": math.exp(log_c), "depth": scaled})
+        return free_restitution(law, 1.0, 1.0, 1.0) - e
 
-# ---- judging the program ------------------------------------------------------------------------------------------------
-
-#: Peak forces and separation speeds may differ by this many tolerances of the largest force and approach of their link.
-ALLOWED = 10
-#: An approach grazes when a displacement by this many tolerances of the largest one could undo it.
-GRAZING = 10
-#: A disturbance of the input that is multiplied by more than this cannot be followed to ALLOWED tolerances.
-LARGEST_GAIN = 10
-DISTURBANCE, DISTURBED = 1e-8, ("mass", "velocity", "gap", "amplitude")
-
-
-@dataclass
-class Verdict:
-    """agreed: whole | cut at grazing | cut at growth | no. The latter two compare the impacts before `until` [s] only."""
-    agreed: str
-    until: float
-    compared: int
-    impacts: int
-    why: str = ""
-
-
-def grazing_time(row, tolerance, end):
-    """When first a touch, a miss or a separation could be undone by GRAZING tolerances of the displacements."""
-    reach = GRAZING * tolerance * row.reach
-
-    def earlier(speed, opening_acceleration):
-        """So much sooner such a displacement lets the gap close, or open."""
-        by_speed = reach / abs(speed) if speed else math.inf
-        by_acceleration = math.sqrt(2 * reach / abs(opening_acceleration)) if opening_acceleration else math.inf
-        return min(by_speed, by_acceleration, end)
-
-    times = [row.t if row.stopped else math.inf]
-    for link in row.links:
-        times += [t for t, distance in link.near_misses if distance < reach]
-        for impact in link.impacts:
-            if impact.approach**2 < 2 * reach * abs(impact.deceleration) or impact.approach * (end - impact.start) < reach:
-                times.append(impact.start - earlier(impact.approach, impact.deceleration))
-            if impact.separation**2 < 2 * reach * abs(impact.return_acceleration):
-                times.append(impact.end - earlier(impact.separation, impact.return_acceleration))
-    return min(times)
-
-
-def disturbed(case, quantity, size):
-    """The same case with a quantity changed by this part of itself, in alternating directions along the row."""
-    sign = [1]
-
-    def changed(values):
-        sign[0] = -sign[0]
-        return values | ({quantity: values[quantity] * (1 + sign[0] * size)} if quantity in values else {})
-
-    return case | {
-        "structures": [changed(s) for s in case["structures"]],
-        "links": [changed(l) for l in case["links"]],
-        "ground": changed(case["ground"]) if case["ground"] else None,
-    }
-
-
-def measure(row):
-    """(start, end, values) of each impact by link; values are the peak force, or of a rigid one the impulse, and the
-    separation speed."""
-    return [[(i.start, i.end, (link.law.mass * (i.approach + i.separation) if link.law.rigid else i.peak, i.separation))
-             for i in link.impacts] for link in row.links]
-
-
-def largest_of(link, impacts):
-    """What errors of the values are parts of: the largest force or impulse, and the largest closing speed."""
-    return (max((values[0] for *_, values in impacts), default=0.0),
-            max((impact.approach for impact in link.impacts[:len(impacts)]), default=0.0))
-
-
-def growth_time(row, other):
-    """When first a peak has changed by more than LARGEST_GAIN times the disturbance, or the impacts are not the same."""
-    times = [r.t if r.stopped else math.inf for r in (row, other)]
-    for link, mine, theirs in zip(row.links, measure(row), measure(other)):
-        largest = largest_of(link, mine)
-        for (start, _, values), (_, _, changed) in zip(mine, theirs):
-            if any(abs(v - c) > LARGEST_GAIN * DISTURBANCE * l for v, c, l in zip(values, changed, largest)):
-                times.append(start)
-        if len(mine) != len(theirs):
-            longer = max(mine, theirs, key=len)
-            times.append(longer[min(len(mine), len(theirs))][0])
-    return min(times)
-
-
-def difference(row, program, tolerance, until):
-    """(what differs before `until`, impacts compared). program: arrays of the rows of each link in the results."""
-    before = until * (1 - ALLOWED * tolerance)
-    compared = 0
-    for index, (link, mine, theirs) in enumerate(zip(row.links, measure(row), program)):
-        mine = [m for m in mine if m[0] < before]
-        theirs = [t for t in theirs if t["t_start"] < before]
-        name = f"link {index} ({link.law.name})"
-        if len(mine) != len(theirs):
-            return f"{name}: {len(theirs)} impacts, {len(mine)} expected before {before:.9g} s", compared
-        largest = largest_of(link, mine)
-        for number, ((start, end, values), row_there) in enumerate(zip(mine, theirs)):
-            if not end < before and math.isfinite(until):
-                continue  # its peak may lie behind the cut
-            for value, key, scale in zip(values, ("impulse" if link.law.rigid else "peak_force", "v_separation"), largest):
-                found = row_there[key]
-                if math.isnan(value) and math.isnan(found):
-                    continue  # pressed until the end of the run
-                if not abs(found - value) <= ALLOWED * tolerance * scale:
-                    return (f"{name}, impact {number} at {start:.9g}: {key} {found:.12g}, {value:.12g} expected, off by "
-                            f"{abs(found - value) / scale / tolerance if scale else math.inf:.3g} tolerances"), compared
-            compared += 1
-    return "", compared
-
-
-def judge(case, program, seconds=math.inf):
-    """Compares the impacts that the program found with those of this integrator. Throws TooLong after `seconds`."""
-    deadline, tolerance, end = time.monotonic() + seconds, case["tolerance"], case["duration"]
-
-    def integrated(case):
-        row = row_of(case)
-        row.deadline = deadline
-        row.run(end)
-        return row
-
-    row = integrated(case)
-    impacts = sum(len(rows) for rows in program)
-    if not row.stopped:
-        wrong, compared = difference(row, program, tolerance, math.inf)
-        if not wrong:
-            return Verdict("whole", end, compared, impacts)
-    grazes = grazing_time(row, tolerance, end)
-    wrong, compared = difference(row, program, tolerance, grazes)
-    if not wrong:
-        return Verdict("cut at grazing", grazes, compared, impacts)
-    grows = min(growth_time(row, integrated(disturbed(case, quantity, DISTURBANCE))) for quantity in DISTURBED)
-    grows = min(grazes, grows)
-    later, compared = difference(row, program, tolerance, grows)
-    return Verdict("no" if later else "cut at growth", grows, compared, impacts, later or wrong)
+    middle = math.log(near * d_c / (m * v)) if near else math.log(0.5 * (1 - e) / e * max(1.0, scaled**2))
+    low, high, width = middle, middle, 0.3
+    while miss(low) < 0:
+        low -= width
+        width *= 2
+    width = 0.3
+    while miss(high) > 0:
+        high += width
+        width *= 2
+    return math.exp(brentq(miss, low, high, xtol=1e-11, rtol=1e-13)) * m * v / d_c

@@ -510,7 +510,8 @@ def stress(chosen):
 
 def compare_one(task):
     """One case against independent.py: (number, verdict, text, message)."""
-    from independent import TooLong, judge
+    from independent import TooLong
+    from judging import judge
     program, seed, number = task
     case = case_of(seed, number) | {"tolerance": FINE}
     text = input_file(case)

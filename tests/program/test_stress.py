@@ -116,7 +116,7 @@ class TheIndependentIntegrator(unittest.TestCase):
 
     def test_gives_the_published_two_oscillators(self):
         """First impact of two oscillators by hertz_damped: DOP853 confirmed by fixed-step Runge-Kutta at 2e-7 s."""
-        from independent import row_of
+        from judging import row_of
         oscillators = [{"name": "a", "kind": "oscillator", "mass": 1e5, "period": 0.8, "damping": 0.05, "velocity": 0.0},
                        {"name": "b", "kind": "oscillator", "mass": 1.5e5, "period": 0.4, "damping": 0.05, "velocity": 0.0}]
         link = {"left": "a", "right": "b", "gap": 0.02, "law": "hertz_damped", "stiffness": 2.75e9, "restitution": 0.65}
@@ -140,7 +140,7 @@ class TheIndependentIntegrator(unittest.TestCase):
                 self.assertAlmostEqual(found, 0.65, delta=1e-8)
 
     def test_notices_another_damping_mass_stiffness_and_gap(self):
-        from independent import judge
+        from judging import judge
         case = MEETING | {"tolerance": stress.FINE}
         rows = run_of(case).rows
         self.assertEqual(judge(case, rows).agreed, "whole")
