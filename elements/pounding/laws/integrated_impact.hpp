@@ -102,17 +102,13 @@ class ImpactIntegration {
     for (int i = 0; i < most_steps; ++i) {
       const auto try_step = [&](double h) { return extrapolated_step<4>(f, x, state_, h, tolerance); };
       auto trial = try_step(step);
-      bool landed = false;
-      if (const auto h = ended(state_, step, trial.state, try_step)) {
-        step = *h;
-        trial = try_step(step);
-        landed = true;
-      }
-      if (const auto h = corner_inside(trial.state, step, try_step)) {
-        step = *h;
-        trial = try_step(step);
-        landed = false;
-      }
+      const auto shorten = [&](const std::optional<double>& to) {
+        if (to) step = *to, trial = try_step(step);
+        return to.has_value();
+      };
+      bool landed = shorten(ended(state_, step, trial.state, try_step));
+      // Up to a corner the force may have been released and not pressed again yet.
+      if (shorten(corner_inside(trial.state, step, try_step))) landed = shorten(ended(state_, step, trial.state, try_step));
       // Below this step rounding, not the method, makes the error.
       if (trial.error > 1 && step > 1e-12) {
         step *= std::clamp(0.8 * std::pow(trial.error, -1.0 / 11), 0.1, 0.7);
