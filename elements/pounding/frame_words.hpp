@@ -35,13 +35,18 @@ class FrameWords {
   /// `frame` is the whole input: its dimension is given, or 3 where its bays or nodes are those of a space, else 2.
   explicit FrameWords(const Input& frame);
 
+  /// 2 in the plane, 3 in space.
   int dimension() const noexcept { return dimension_; }
 
+  /// A displacement by its name such as ux, among those of a node of this frame.
   Dof dof(const Input& item) const;
+  /// The same where the name is the key of a value.
   Dof dof_at_key(const std::string& key, const Input& value) const;
+  /// A list of them.
   std::vector<Dof> dofs(const Input& list) const;
   /// [x, z] in the plane, [x, y, z] in space; `example` is for the message.
   Eigen::Vector3d vector(const Input& node, const Dimension& unit, std::string_view example) const;
+  /// `fixed`, `pinned` or `roller`, or a map of what it fixes and of its springs, dashpots, delay and motion.
   SupportWish support(const Input& node) const;
 
  private:
