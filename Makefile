@@ -24,6 +24,7 @@ demo: build
 
 # The site: user guide, laws, tutorials whose cells are run, theory, reference. A warning is an error.
 docs: build .venv/docs-ready
+	@bash cmake/install-debian.sh fonts-stix
 	PYTHONPATH=$(CURDIR)/build/python .venv/bin/python3 -m sphinx -q -W --keep-going -c python/docs -d build/docs.doctrees . build/docs
 	@echo "build/docs/index.html"
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the build needs and that are missing: by itself for root, otherwise it prints what
-# to type. Touches the network only when something is missing.
+# Installs the Debian packages that the build needs, and those that are named, where they are missing: by itself for root,
+# otherwise it prints what to type. Touches the network only when something is missing.
 set -euo pipefail
 
 # gfortran compiles the Fortran module, help2man makes the manual pages; the build leaves out what is missing of both.
 # libopenblas0-pthread: the reference BLAS, which PETSc takes otherwise, is two to four times slower.
 packages=(g++ gfortran cmake ninja-build ccache pkg-config libpetsc-real-dev slepc-dev libeigen3-dev libyaml-cpp-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev libopenblas0-pthread help2man)
+  libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev libopenblas0-pthread help2man "$@")
 
 if ! command -v dpkg-query > /dev/null; then
   echo "This is not Debian: install what these packages hold, then go on with CMake (see README.md):" >&2

@@ -1,14 +1,14 @@
 /* Contact laws of pounding structures for C, Fortran, and whatever calls C.
  *
- *   pnd_law *law = NULL;
- *   const pnd_value values[] = {{"stiffness", 2.75e9}, {"restitution", 0.65}, {"reduced_mass", 6e4}};
- *   pnd_contact contact = {0};
- *   pnd_response answer;
- *   if (pnd_create("jankowski", "exact", values, 3, &law) != PND_OK) puts(pnd_error_text());
+ *     pnd_law *law = NULL;
+ *     const pnd_value values[] = {{"stiffness", 2.75e9}, {"restitution", 0.65}, {"reduced_mass", 6e4}};
+ *     pnd_contact contact = {0};
+ *     pnd_response answer;
+ *     if (pnd_create("jankowski", "exact", values, 3, &law) != PND_OK) puts(pnd_error_text());
  *
- *   pnd_respond(law, &contact, penetration, rate, &answer);    as often as the solver asks: nothing is changed
- *   pnd_accept(law, penetration, rate, &contact);              once for each step that is kept
- *   pnd_destroy(law);
+ *     pnd_respond(law, &contact, penetration, rate, &answer);    // as often as the solver asks: nothing is changed
+ *     pnd_accept(law, penetration, rate, &contact);              // once for each step that is kept
+ *     pnd_destroy(law);
  *
  * Signs: penetration [m] > 0 is overlap (minus the opening of the gap), rate [m/s] > 0 closes, force [N] > 0 pushes the
  * bodies apart. SI units.

@@ -41,7 +41,8 @@ toc_object_entries_show_parents = "hide"
 html_theme = "furo"
 html_title = f"pounding {version}"
 html_math_renderer = "mathml"
-html_static_path = ["_static"]
+# MathML needs a font that knows how to set formulas, which not every system has.
+html_static_path = ["_static", "/usr/share/fonts/opentype/stix-word/STIXMath-Regular.otf"]
 html_css_files = ["site.css"]
 html_show_sphinx = False
 html_copy_source = False

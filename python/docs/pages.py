@@ -10,6 +10,8 @@ from docutils.utils.math.latex2mathml import tex2mathml
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
 
+from formulas import tex
+
 ROOT = Path(__file__).resolve().parents[2]
 #: What stands for a folder that has no README.
 FOLDERS = {ROOT / "examples": ROOT / "python/docs/lessons.md"}
@@ -31,6 +33,21 @@ def correct_links(app, docname, source):
     if app.env.doc2path(docname).suffix == ".md":
         folder = Path(app.env.doc2path(docname)).parent
         source[0] = links_from(source[0], folder, folder)
+
+
+def typeset_laws(app, docname, source):
+    """On the pages of the laws: forces and damping formulas as mathematics, and the list of all laws above its pages."""
+    if not docname.startswith("elements/pounding/laws/pages/"):
+        return
+    def cell(match):
+        # A line may break before the definition of another symbol, not inside of mathematics.
+        parts = re.split(r"([;,]) (?=\w\*? (?:=|the|and) )", match.group(2))
+        return match.group(1) + "".join(f"${tex(part)}$" if place % 2 == 0 else f"{part} " for place, part in enumerate(parts)) + " |"
+
+    text = re.sub(r"(?m)^    (\S.* = .*)$", lambda match: f"$${tex(match.group(1))}$$", source[0])
+    source[0] = re.sub(r"(?m)^(\| [^|]* \| )`([^`|]* = [^`|]*)` \|", cell, text)
+    if docname.endswith("/README"):
+        source[0] += "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
 
 
 class ReadmeSection(SphinxDirective):
@@ -97,6 +114,7 @@ def setup(app):
     app.add_directive("readme", ReadmeSection)
     app.add_html_math_renderer("mathml", (show_inline, None), (show_block, None))
     app.connect("source-read", correct_links)
+    app.connect("source-read", typeset_laws)
     app.connect("autodoc-process-docstring", docstring)
     app.connect("build-finished", first_page)
     return {"parallel_read_safe": True}
