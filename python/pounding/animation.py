@@ -12,7 +12,6 @@ import math
 import os
 import shutil
 import sys
-import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike
@@ -27,7 +26,7 @@ from matplotlib.figure import Figure
 from pounding.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes
 from pounding.results import NotResults, Run, read
 from pounding.skeleton import Motion, Scene
-from pounding.style import STYLE, TIME_UNITS, VERMILION, BadRequest, largest
+from pounding.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
 
 DPI = 110
 SLOWEST, FASTEST = 5, 25  #: frames a second
@@ -92,6 +91,14 @@ class Film:
     frames: int
     speed: float  #: frames a second
 
+    def _repr_html_(self) -> str:
+        from pounding.notebook import film_html
+
+        return film_html(self)
+
+    def __repr__(self) -> str:
+        return f"<pounding.animation.Film: {self.frames} frames, {self.speed:.3g} a second>"
+
 
 def animate(run: Run, times: np.ndarray, scale: float | None = None, title: str | None = None) -> Film:
     """The film over `times` [s]; `scale` as `choose_scale` chooses it unless given.
@@ -121,7 +128,7 @@ def animate(run: Run, times: np.ndarray, scale: float | None = None, title: str 
         handles = list(drawing.lines.values())
         if handles:
             figure.legend(handles=handles, loc="outside lower center", ncols=5)
-        figure.suptitle("\n".join(textwrap.wrap(title or run.title, 70)), fontsize=10.5, fontweight="bold")
+        head(figure, run.title if title is None else title)
         clock = axes.set_title("", fontweight="normal")
         gaps = f"displacements{' and gaps' if run.links else ''} {scale:g} times as large"
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Callable
 from typing import Any
 
@@ -14,7 +13,7 @@ from pounding.plots import (
     draw_displacements, draw_energies, draw_forces, draw_loops, draw_openings, label_time, standard_figure)
 from pounding.profiles import profiles_figure
 from pounding.results import Run
-from pounding.style import STYLE, BadRequest, Picture
+from pounding.style import STYLE, BadRequest, Picture, head
 
 WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure}
 OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
@@ -22,17 +21,28 @@ OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements,
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
 
 
-def figure(run: Run, picture: str = "run", title: str | None = None) -> Figure:
-    """One picture of a run, `title` instead of the run's. Raises BadRequest for a picture that does not exist."""
+#: Below this width a legend stands under the axes, not beside them [in].
+NARROW = 4.5
+
+
+def figure(run: Run, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+    """One picture of a run, `title` instead of the run's, `size` [in]. Raises BadRequest for a picture that does not
+    exist."""
     if picture in WHOLE:
-        return WHOLE[picture](run, title)
+        return WHOLE[picture](run, title, size=size)
     if picture not in PANELS:
         raise BadRequest(f'there is no picture "{picture}"; there is {", ".join([*WHOLE, *PANELS])}')
     with rc_context(STYLE):
-        made = Picture(figsize=(6.5, 3.2) if picture in OVER_TIME else (5.5, 4.0), layout="constrained")
+        size = size or ((6.5, 3.2) if picture in OVER_TIME else (5.5, 4.0))
+        made = Picture(figsize=size, layout="constrained")
         axes: Any = made.add_subplot()
         PANELS[picture](axes, run)
         if picture in OVER_TIME:
             label_time(axes, run)
-        made.suptitle("\n".join(textwrap.wrap(title or run.title, 80)), fontsize=10.5, fontweight="bold")
+        if size[0] < NARROW and axes.get_legend():
+            axes.get_legend().remove()
+            made.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+        if title == "":
+            axes.set_title("")
+        head(made, run.title if title is None else title)
         return made

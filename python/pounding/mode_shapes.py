@@ -27,10 +27,12 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from pounding.drawing import project
-from pounding.style import QUIET, STYLE, BadRequest, Picture, structure_colour, write_picture
+from pounding.style import QUIET, STYLE, BadRequest, Picture, head, structure_colour, write_picture
 
 #: Modes of one structure in a picture.
 MOST = 5
+#: Width of a panel [in].
+PANEL = 1.7
 #: Largest displacement of a drawn mode over the size of the frame.
 DRAWN_SIZE = 0.12
 
@@ -44,13 +46,27 @@ def plot_modes(modes: dict[str, Any], title: str = "Mode shapes") -> Figure:
     if not names:
         raise BadRequest("there is no mode to draw: no structure of this model moves against the ground")
     columns = max(2, max(min(MOST, len(whole["modes"][name])) for name in names))
+    heights = [_height(whole.get("geometry", {}).get(name)) for name in names]
     with rc_context(STYLE):
-        figure = Picture(figsize=(max(3.8, 1.7 * columns + 0.4), 0.6 + 2.9 * len(names)), layout="constrained")
-        grid = figure.subplots(len(names), columns, squeeze=False)
+        figure = Picture(figsize=(max(3.8, PANEL * columns + 0.4), 0.4 + sum(heights)), layout="constrained")
+        grid = figure.subplots(len(names), columns, squeeze=False, height_ratios=heights)
         for number, (name, row) in enumerate(zip(names, grid)):
             _draw_structure(row, name, whole, structure_colour(list(whole["modes"]).index(name)))
-        figure.suptitle(title, fontsize=10.5, fontweight="bold")
+        head(figure, title)
         return figure
+
+
+def _height(geometry: dict[str, Any] | None) -> float:
+    """Of a row of panels with their titles [in]: a frame fills its panel."""
+    if not geometry or not geometry.get("nodes"):
+        return 2.9
+    nodes = np.asarray(geometry["nodes"], float)
+    (width, height), room = np.ptp(project(nodes, _view(nodes)), axis=0), DRAWN_SIZE * np.ptp(nodes, axis=0).max()
+    return 0.5 + float(np.clip(PANEL * (height + 1.3 * room) / (width + 2 * room), 0.8, 3.4))
+
+
+def _view(nodes: np.ndarray) -> str:
+    return "oblique" if np.ptp(nodes[:, 1]) > 0 else "elevation"
 
 
 def _draw_structure(row, name, whole, colour):
@@ -91,7 +107,7 @@ def draw_deformed(axes: Axes, name: str, geometry: dict[str, Any], shape: np.nda
     if shape.shape != nodes.shape:
         raise BadRequest(f"{name}: node_shapes are {shape.shape} numbers for {len(nodes)} nodes, they should be "
                          f"{nodes.shape}")
-    view = "oblique" if np.ptp(nodes[:, 1]) > 0 else "elevation"
+    view = _view(nodes)
     moved = np.abs(shape).max()
     size = np.ptp(nodes, axis=0).max()
     displaced = nodes + (DRAWN_SIZE * size / moved if moved > 0 else 0) * shape

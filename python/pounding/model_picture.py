@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
-
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
@@ -13,13 +11,13 @@ from matplotlib.lines import Line2D
 from pounding.drawing import Drawing, draw_ground, frame_axes, label_axes, project
 from pounding.results import Run
 from pounding.skeleton import Scene, floor_heights
-from pounding.style import MM, STYLE, Picture, structure_colour
+from pounding.style import MM, STYLE, Picture, head, structure_colour
 
 TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
 
 
-def model_figure(run: Run, title: str | None = None) -> Figure:
-    """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations."""
+def model_figure(run: Run, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+    """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations. `size` [in]."""
     scene = Scene(run)
     # Sticks have no place of their own: their gaps are drawn wide enough to be seen.
     widest = max((link.gap for link in run.links.values()), default=0.0)
@@ -27,13 +25,13 @@ def model_figure(run: Run, title: str | None = None) -> Figure:
         scene = Scene(run, 0.04 * max(np.ptp(scene.bounds(), axis=1)) / widest)
     views = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
     with rc_context(STYLE):
-        figure = Picture(figsize=_size(scene), layout="constrained")
+        figure = Picture(figsize=size or _size(scene), layout="constrained")
         axes = figure.subplot_mosaic(views)
         for letter, (view, panel) in zip("abcd", axes.items()):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(axes) > 1 else "")
             draw_model(panel, scene, view)
         figure.legend(handles=list(_legend(run)), loc="outside lower center", ncols=4)
-        figure.suptitle("\n".join(textwrap.wrap(title or run.title, 80)), fontsize=10.5, fontweight="bold")
+        head(figure, run.title if title is None else title)
         return figure
 
 

@@ -88,6 +88,11 @@ class Model:
     def __repr__(self) -> str:
         return f"<pounding.Model {self.title or ''!r}: {len(self.structures or ())} structures, {len(self.links or ())} links>"
 
+    def _repr_html_(self) -> str:
+        from pounding.notebook import model_html
+
+        return model_html(self)
+
     def _parts(self) -> dict[str, Any]:
         given = {part: getattr(self, part) for part in PARTS}
         links_too = {part: value for part, value in given.items() if value is not None and (part != "links" or len(value))}

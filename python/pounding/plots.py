@@ -22,20 +22,21 @@ from pounding.profiles import profiles_figure
 from pounding.results import NotResults, Run, read
 from pounding.style import (
     ENERGY_UNITS, FORCE_UNITS, GREEN, IMPULSE_UNITS, LINK_COLOURS, MM, ORANGE, PURPLE, QUIET, SKY, STRUCTURE_COLOURS, STYLE,
-    TIME_UNITS, VERMILION, BadRequest, Picture, engineering, largest, write_picture)
+    TIME_UNITS, VERMILION, BadRequest, Picture, engineering, head, largest, write_picture)
 
 
 #: More displacements than these in one panel cannot be told apart.
 MOST_STRUCTURES = 4
 
 
-def standard_figure(run: Run, title: str | None = None, floors: dict[str, str] | None = None) -> Figure:
+def standard_figure(run: Run, title: str | None = None, floors: dict[str, str] | None = None,
+                    size: tuple[float, float] | None = None) -> Figure:
     """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
     below them the loop of the strongest impact and the restitution of all.
 
     What a run does not have is left out: the ground when it is still, links, impacts.
     A run that is not done says so below the title. `floors` maps names of structures to the labels of the floors whose
-    displacements are drawn instead of the linked ones; BadRequest when there are none such."""
+    displacements are drawn instead of the linked ones; BadRequest when there are none such. `size` is that of the figure [in]."""
     chosen = _chosen_floors(run, floors or {})
     over_time = [(lambda axes, run: draw_displacements(axes, run, chosen), 1.3), (draw_energies, 1.0),
                  (draw_balance_error, 0.4)]
@@ -49,7 +50,7 @@ def standard_figure(run: Run, title: str | None = None, floors: dict[str, str] |
     heights = [height for _, height in over_time] + [1.6] * bool(over_impacts)
 
     with rc_context(STYLE):
-        figure = Picture(figsize=(7.5, 0.7 + 1.5 * sum(heights)), layout="constrained")
+        figure = Picture(figsize=size or (7.5, 0.7 + 1.5 * sum(heights)), layout="constrained")
         rows = figure.add_gridspec(len(heights), 1, height_ratios=heights)
         histories = []
         for row, (draw, _) in zip(rows, over_time):
@@ -243,8 +244,11 @@ def _plot_time(axes, run, time, values, **style):
 
 
 def label_time(axes: Axes, run: Run) -> None:
-    """Names the axis of time, in the unit that the run is drawn in."""
-    axes.set_xlabel(f"Time [{_time_unit(run)[1]}]")
+    """Names the axis of time, in the unit that the run is drawn in; it goes over the whole run."""
+    size, unit = _time_unit(run)
+    axes.set_xlabel(f"Time [{unit}]")
+    if run.time.size > 1:
+        axes.set_xlim(run.time[0] / size, run.time[-1] / size)
 
 
 def _linked_floor(run, structure):
@@ -375,15 +379,16 @@ def _legend_beside(axes, reverse=False):
 
 
 def _write_heading(figure, run, title):
-    words = "\n".join(textwrap.wrap(title or run.title, 80))
+    title = run.title if title is None else title
     if run.status == "done":
-        figure.suptitle(words, fontsize=10.5, fontweight="bold")
+        head(figure, title)
         return
     reached = f"t = {run.time[-1]:.4g} s" if run.time.size else "its start"
     state = f"This run is not complete: it was still running at {reached}."
     if run.status != "running":
         state = f"This run is not complete, it {run.status} (results up to {reached})"
-    figure.suptitle("\n".join([words, *textwrap.wrap(state, 85)]), fontsize=9.5, fontweight="bold", color=VERMILION)
+    words = [*textwrap.wrap(title, 80), *textwrap.wrap(state, 85)]
+    figure.suptitle("\n".join(words), fontsize=9.5, fontweight="bold", color=VERMILION)
 
 
 def _floor_choice(text):

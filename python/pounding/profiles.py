@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
-
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
@@ -12,10 +10,10 @@ from matplotlib.ticker import MaxNLocator
 
 from pounding.results import Run
 from pounding.skeleton import floor_heights
-from pounding.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, largest, structure_colour
+from pounding.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour
 
 
-def profiles_figure(run: Run, title: str | None = None) -> Figure:
+def profiles_figure(run: Run, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
     """Displacement and acceleration of the floors, drift and shear of the storeys: largest and smallest of the run, over
     the height. One row of panels for x, another one for y when a structure has it.
 
@@ -29,7 +27,7 @@ def profiles_figure(run: Run, title: str | None = None) -> Figure:
     if not has_storeys:
         panels = [draw_displacement, draw_acceleration]
     with rc_context(STYLE):
-        figure = Picture(figsize=(7.5, 0.9 + 3.4 * len(rows)), layout="constrained")
+        figure = Picture(figsize=size or (7.5, 0.9 + 3.4 * len(rows)), layout="constrained")
         grid = figure.subplots(len(rows), len(panels), sharey=True, squeeze=False)
         letters = iter("abcdefgh")
         for axis, line in zip(rows, grid):
@@ -40,7 +38,7 @@ def profiles_figure(run: Run, title: str | None = None) -> Figure:
             line[0].set_ylabel(_height_label(structures))
         handles, labels = grid[0][0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside lower center", ncols=6)
-        figure.suptitle("\n".join(textwrap.wrap(title or run.title, 80)), fontsize=10.5, fontweight="bold")
+        head(figure, run.title if title is None else title)
         return figure
 
 
@@ -130,6 +128,6 @@ def _finish(axes, title, unit):
     axes.axvline(0, color="0.4", linewidth=0.6, zorder=1)
     axes.set_title(title)
     axes.set_xlabel(f"{title} [{unit}]")
-    axes.xaxis.set_major_locator(MaxNLocator(5))
+    axes.xaxis.set_major_locator(MaxNLocator(4))
     axes.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=12))
     axes.margins(y=0.02)

@@ -173,11 +173,12 @@ class Run:
         else:
             shutil.copyfile(self.source, path)
 
-    def plot(self, picture: str = "run", title: str | None = None) -> Figure:
+    def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
         """A picture: "run" (histories and impacts), "displacement", "gap", "force", "loops", "energy", "model" (the
-        structures at rest) or "profiles" (extremes over the height). It is not shown; save it with
-        `.savefig("NAME.pdf")`. Needs matplotlib. Raises InputError for another name."""
-        return _needing("matplotlib", "pounding.figures").figure(self, picture, title)
+        structures at rest) or "profiles" (extremes over the height). `title` instead of the run's; "" leaves all titles
+        out that a caption says. `size` is width and height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points.
+        A notebook shows it; save it with `.savefig("NAME.pdf")`. Needs matplotlib. Raises InputError for another name."""
+        return _needing("matplotlib", "pounding.figures").figure(self, picture, title, size)
 
     def animate(self, path: str | PathLike[str] | None = None, *, frames: int | None = None, start: float | None = None,
                 end: float | None = None, scale: float | None = None, title: str | None = None) -> Film:
@@ -199,6 +200,11 @@ class Run:
     def to_xarray(self) -> dict[str, xarray.Dataset]:
         """The same as datasets with the dimensions time, floor and direction, and units. Needs xarray."""
         return _needing("xarray", "pounding.tables").to_xarray(self)
+
+    def _repr_html_(self) -> str:
+        from pounding.notebook import run_html
+
+        return run_html(self)
 
     def __repr__(self) -> str:
         return (f"<pounding.Run {self.title!r}: {self.status}, {len(self.structures)} structures, {len(self.links)} links, "

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import io
 import sys
+import textwrap
 from collections.abc import Iterable, Sequence
 from os import PathLike
+from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
@@ -19,12 +21,14 @@ YELLOW = "#F0E442"
 STRUCTURE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
 LINK_COLOURS = (BLUE, VERMILION, GREEN, ORANGE)
 QUIET = "0.72"
-STYLE = {
+STYLE: dict[Any, Any] = {
     "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8.5, "axes.titleweight": "bold", "axes.titlelocation": "left",
     "legend.fontsize": 7.5, "legend.frameon": False, "legend.handlelength": 1.6, "legend.columnspacing": 1.2,
     "legend.borderaxespad": 0.2, "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.6,
     "lines.linewidth": 1.0, "axes.grid": True, "grid.color": "0.9", "grid.linewidth": 0.5, "axes.axisbelow": True,
     "xtick.major.width": 0.6, "ytick.major.width": 0.6, "savefig.dpi": 200, "text.parse_math": False,
+    # TrueType, which journals ask for.
+    "pdf.fonttype": 42,
 }
 MM = 1e3
 FORCE_UNITS = ((1e6, "MN"), (1e3, "kN"), (1.0, "N"))
@@ -38,13 +42,24 @@ class BadRequest(InputError):
 
 
 class Picture(Figure):
-    """A figure that a notebook shows, whether pyplot is there or not."""
+    """A figure that a notebook shows, whether pyplot is there or not, and that looks the same wherever it is saved."""
+
+    def savefig(self, fname: Any, **options: Any) -> None:
+        """As Figure.savefig, in the style of this package."""
+        with rc_context(STYLE):
+            super().savefig(fname, **options)
 
     def _repr_png_(self) -> bytes:
         image = io.BytesIO()
-        with rc_context(STYLE):
-            self.savefig(image, format="png", dpi=110)
+        self.savefig(image, format="png", dpi=110)
         return image.getvalue()
+
+
+def head(figure: Figure, title: str) -> None:
+    """The title above all panels, in lines that fit; none for an empty one."""
+    if title:
+        letters = max(20, int(11 * figure.get_figwidth()))
+        figure.suptitle("\n".join(textwrap.wrap(title, letters)), fontsize=10.5, fontweight="bold")
 
 
 def engineering(largest: float, units: Sequence[tuple[float, str]]) -> tuple[float, str]:

@@ -45,6 +45,14 @@ class Modes(Mapping[str, list[Mode]]):
     def __len__(self) -> int:
         return len(self._modes)
 
+    def __repr__(self) -> str:
+        return f"<pounding.Modes: {', '.join(f'{len(found)} of {name}' for name, found in self._modes.items())}>"
+
+    def _repr_html_(self) -> str:
+        from pounding.notebook import modes_html
+
+        return modes_html(self)
+
     def plot(self, title: str | None = None) -> Figure:
         """The first shapes of every structure. Raises InputError when there is none."""
         from pounding.mode_shapes import plot_modes

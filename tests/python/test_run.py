@@ -1,5 +1,6 @@
 """Runs from Python: the numbers of the program, and what happens to a process and its threads meanwhile."""
 
+import base64
 import json
 import os
 import signal
@@ -274,6 +275,48 @@ class Pictures(RunTest):
             self.assertGreater((self.folder / f"{picture}.png").stat().st_size, 5000)
         with self.assertRaisesRegex(pounding.InputError, 'there is no picture "forse"; there is run'):
             self.results.plot("forse")
+
+    def test_a_picture_fits_a_column_of_a_paper(self):
+        figure = self.results.plot("gap", title="", size=(3.3, 2.3))
+        np.testing.assert_array_equal(figure.get_size_inches(), (3.3, 2.3))
+        axes = figure.axes[0]
+        self.assertEqual((axes.get_title(loc="left"), figure.get_suptitle()), ("", ""))
+        self.assertEqual(axes.get_xlim(), (0.0, 3.0))
+        # The legend leaves the width to the axes.
+        self.assertIsNone(axes.get_legend())
+        self.assertEqual([text.get_text() for text in figure.legends[0].get_texts()], ["left-right", "touch (5)"])
+        figure.savefig(self.folder / "gap.pdf")
+        self.assertGreater(axes.get_position().width, 0.75)
+        # TrueType, not the outlines of Type 3 that journals refuse.
+        written = (self.folder / "gap.pdf").read_bytes()
+        self.assertIn(b"CIDFontType2", written)
+        self.assertNotIn(b"/Type3", written)
+        for picture in ("run", "model", "profiles"):
+            np.testing.assert_array_equal(self.results.plot(picture, size=(5.0, 4.0)).get_size_inches(), (5.0, 4.0))
+
+    def test_notebooks_show_tables(self):
+        page = self.results._repr_html_()
+        self.assertIn("<b>Two oscillators", page)
+        [link] = self.results.summary["links"]
+        self.assertIn(f"<td>left-right</td><td>5</td><td>{link['peak_force'] / 1e3:.4g}</td>", page)
+        self.assertIn(f"<td>left</td><td>{1e3 * np.abs(self.results.structures['left'].displacement).max():.4g}</td>", page)
+        self.assertIn(f"input {self.results.energy['input'][-1] / 1e3:.4g} = kinetic", page)
+        model = two_oscillators()
+        model.title = "<b> & co"
+        self.assertIn("&lt;b&gt; &amp; co", model._repr_html_())
+        self.assertIn("<tr><td>1</td><td>0.8, 5 %</td><td>0.4, 5 %</td></tr>", pounding.modes(model)._repr_html_())
+
+    def test_notebooks_show_rigid_impacts_and_walls(self):
+        model = two_oscillators()
+        model.structures["right"] = {"wall": {}}
+        model.links[0] = {"between": ["left", "right"], "gap": "20 mm", "law": "stereomechanical", "restitution": 0.6}
+        self.assertRegex(pounding.run(model)._repr_html_(), r"<td>left-right</td><td>\d+</td><td>-</td>")
+        self.assertNotIn("right", pounding.modes(model)._repr_html_())
+
+    def test_notebooks_play_films(self):
+        page = self.results.animate(frames=3, start=1.0, end=1.5)._repr_html_()
+        data = page.partition("base64,")[2].partition('"')[0]
+        self.assertTrue(base64.b64decode(data).startswith(b"GIF8"))
 
     def test_animation_is_a_film(self):
         film = self.results.animate(self.folder / "film.gif", frames=5, start=1.0, end=1.5)
