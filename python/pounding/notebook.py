@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from pounding.vibration import Modes
 
 #: A long text is scrolled.
-_TEXT = "max-height:24em;overflow:auto;margin:0"
+_TEXT = "max-height:24em;overflow:auto;margin:0;white-space:pre"
 
 
 def model_html(model: Model) -> str:
@@ -42,7 +42,7 @@ def run_html(run: Run) -> str:
     if energy:
         terms = " + ".join(f"{name} {_number(energy[name], 1e3)}" for name in ("kinetic", "strain", "damping", "hysteretic", "impact"))
         parts.append(f"energy [kJ]: input {_number(energy['input'], 1e3)} = {terms}; largest imbalance {energy['error']:.1e} of the input")
-    return "<br>".join(parts)
+    return "".join(f"<div>{part}</div>" for part in parts)
 
 
 def modes_html(modes: Modes) -> str:

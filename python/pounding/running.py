@@ -70,6 +70,9 @@ def _results(ran: dict[str, Any], output: str) -> Run:
         raise raised
     if text and output:
         text += f'\nTo go on: pounding.resume("{output}")' if ran["resumable"] else f"\nWhat was computed is in {output}"
+    # In an interactive session, whose cell or line has not got its results.
+    elif text and hasattr(sys, "ps1"):
+        text += "\nWhat was computed is sys.last_value.results"
     if raised is not None:
         raise Interrupted(text or "stopped by the user", results) from None
     if text:
@@ -80,12 +83,15 @@ def _results(ran: dict[str, Any], output: str) -> Run:
 
 
 class _Shown:
-    """Progress as a line that is written over and over, gone at the end."""
+    """Progress as a line that is written over and over, in a notebook as a bar; gone at the end."""
 
     def __init__(self, progress: Progress | bool | None) -> None:
-        shows = _is_notebook() or sys.stderr.isatty() if progress is None else progress
-        self.report: Progress | None = progress if callable(progress) else self._write if shows else None
+        notebook = _is_notebook()
+        shows = notebook or sys.stderr.isatty() if progress is None else progress
+        shown = self._show_bar if notebook else self._write
+        self.report: Progress | None = progress if callable(progress) else shown if shows else None
         self._width = 0
+        self._bar: Any = None
 
     def __enter__(self) -> _Shown:
         return self
@@ -93,12 +99,24 @@ class _Shown:
     def __exit__(self, *failure: object) -> None:
         if self._width:
             self._show(" " * self._width + "\r")
+        if self._bar is not None:
+            self._bar.update({"text/plain": "", "text/html": ""}, raw=True)
 
     def _write(self, time: float, duration: float, impacts: int) -> None:
         filled = int(30 * time / duration)
-        line = f"[{'#' * filled}{'.' * (30 - filled)}] {time:.2f} of {duration:.2f} s, {impacts} impacts"
+        line = f"[{'#' * filled}{'.' * (30 - filled)}] {_words_of(time, duration, impacts)}"
         self._width = max(self._width, len(line))
         self._show(line)
+
+    def _show_bar(self, time: float, duration: float, impacts: int) -> None:
+        from IPython.display import display
+
+        words = _words_of(time, duration, impacts)
+        seen = {"text/plain": words, "text/html": f'<progress value="{time}" max="{duration}"></progress> {words}'}
+        if self._bar is None:
+            self._bar = display(seen, raw=True, display_id=True)
+        else:
+            self._bar.update(seen, raw=True)
 
     @staticmethod
     def _show(text: str) -> None:
@@ -106,8 +124,12 @@ class _Shown:
         sys.stderr.flush()
 
 
+def _words_of(time: float, duration: float, impacts: int) -> str:
+    return f"{time:.2f} of {duration:.2f} s, {impacts} impacts"
+
+
 def _is_notebook() -> bool:
-    """The cells of a notebook take what is written to the standard error, but are no terminal."""
+    """Its cells show what is displayed, but are no terminal."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython else None
     return type(shell).__name__ == "ZMQInteractiveShell"

@@ -5,6 +5,7 @@ import json
 import os
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -221,6 +222,22 @@ class Stopping(RunTest):
             screen.isatty.return_value = False
             pounding.run(two_oscillators())
             screen.write.assert_not_called()
+
+    def test_progress_in_a_notebook_is_a_bar_that_goes_away(self):
+        shell = type("ZMQInteractiveShell", (), {})()
+        ipython = mock.Mock(get_ipython=lambda: shell)
+        with mock.patch.dict("sys.modules", {"IPython": ipython, "IPython.display": ipython.display}):
+            self.interrupted(long_model())
+        [shown] = ipython.display.display.call_args_list
+        self.assertRegex(shown.args[0]["text/html"], r'^<progress value="[\d.e-]+" max="500.0"></progress> \d+\.\d\d of 500\.00 s')
+        updates = [call.args[0] for call in ipython.display.display.return_value.update.call_args_list]
+        self.assertRegex(updates[0]["text/plain"], r"^\d+\.\d\d of 500.00 s, \d+ impacts$")
+        self.assertEqual(updates[-1], {"text/plain": "", "text/html": ""})
+
+    def test_a_session_is_told_where_the_results_are(self):
+        self.assertNotIn("sys.last_value", str(self.interrupted(long_model())))
+        with mock.patch.object(sys, "ps1", ">>> ", create=True):
+            self.assertIn("What was computed is sys.last_value.results", str(self.interrupted(long_model())))
 
 
 class Threads(RunTest):
