@@ -82,6 +82,24 @@ class Plane:
         return [sum(self.forces(f"column 1.{i}")[1] for i in range(self.bays + 1))]
 
 
+class LinkedPlane:
+    """Both plane frames in one model, with links of `pounding.opensees` between their facing nodes at every common floor."""
+
+    def __init__(self, **link):
+        """`link`: what pounding.opensees.link takes, gap= and law= among it."""
+        from pounding import opensees
+
+        ops.wipe()
+        ops.model("basic", "-ndm", 2, "-ndf", 3)
+        ops.geomTransf("Linear", 1)
+        left, _ = plane_frame(STOREYS[0], BAYS[0], STIFFER[0], 0.0, 1, 1)
+        right, _ = plane_frame(STOREYS[1], BAYS[1], STIFFER[1], 18.02, 1001, 1001)
+        # Nodes from the ground up.
+        self.faces = {"left": [left(s, BAYS[0]) for s in range(1, STOREYS[0] + 1)],
+                      "right": [right(s, 0) for s in range(1, STOREYS[1] + 1)]}
+        self.links = [opensees.link(5000 + i, a, b, **link) for i, (a, b) in enumerate(zip(*self.faces.values()))]
+
+
 class Space:
     """Four storeys, three bays by two, floors rigid in their plane, one corner heavier. Nodes are named "S.I.K"."""
 
