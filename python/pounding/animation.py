@@ -16,6 +16,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
+from typing import Any, TextIO
 
 import numpy as np
 from matplotlib import rc_context
@@ -134,7 +135,7 @@ def animate(run: Run, times: np.ndarray, scale: float | None = None, title: str 
 
     strikes = np.sort(run.impacts["t_start"])
 
-    def draw(frame):
+    def draw(frame: int) -> None:
         drawing.move(motion, frame)
         drawing.flash(motion, frame, strengths[frame])
         size, unit = TIME_UNITS[1] if times[-1] - times[0] < 0.5 else TIME_UNITS[0]
@@ -164,7 +165,8 @@ def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], N
         if path.suffix == ".png":
             _save_frames(film, path, progress)
             return
-        writer = PillowWriter(fps=film.speed) if path.suffix == ".gif" else FFMpegWriter(fps=film.speed)
+        speed: Any = film.speed  # an int to matplotlib's types, a number to its writers
+        writer = PillowWriter(fps=speed) if path.suffix == ".gif" else FFMpegWriter(fps=speed)
         animation = FuncAnimation(film.figure, film.draw, frames=film.frames, init_func=lambda: None, cache_frame_data=False)
         animation.save(str(path), writer=writer, dpi=DPI, progress_callback=progress and (
             lambda frame, total: progress(frame + 1, total)))
@@ -180,7 +182,7 @@ def check_output(path: str | PathLike[str]) -> None:
                          f"`-o {Path(path).with_suffix('.gif')}`")
 
 
-def _save_frames(film, path, progress):
+def _save_frames(film: Film, path: Path, progress: Callable[[int, int], None] | None) -> None:
     digits = max(4, len(str(film.frames)))
     for frame in range(film.frames):
         film.draw(frame)
@@ -189,7 +191,7 @@ def _save_frames(film, path, progress):
             progress(frame + 1, film.frames)
 
 
-def _size(scene, room):
+def _size(scene: Scene, room: np.ndarray) -> tuple[float, float]:
     """Of the figure [in]."""
     width, depth, height = np.ptp(scene.bounds(room), axis=1)
     across = 0.83 * width + 0.56 * depth if scene.is_spatial else width
@@ -200,10 +202,10 @@ def _size(scene, room):
 class Progress:
     """One line that is written over and over."""
 
-    def __init__(self, stream):
+    def __init__(self, stream: TextIO) -> None:
         self.stream = stream
 
-    def __call__(self, done, total):
+    def __call__(self, done: int, total: int) -> None:
         filled = 30 * done // total
         self.stream.write(f"\r[{'#' * filled}{'.' * (30 - filled)}] frame {done} of {total} ")
         if done == total:
@@ -211,7 +213,7 @@ class Progress:
         self.stream.flush()
 
 
-def _progress(number):
+def _progress(number: int | None) -> Progress | None:
     """On the open file with this number, else on standard error when that is a terminal, else none."""
     if number is not None:
         return Progress(os.fdopen(number, "w"))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.markers import MarkerStyle
 
 from pounding.style import YELLOW, structure_colour
 
@@ -34,21 +35,22 @@ class Drawing:
 
     def __init__(self, axes: Axes, scene: Scene, view: str, marks: bool = True) -> None:
         self.scene, self.view = scene, view
-        self.lines, self.boxes = {}, {}
+        self.lines: dict[str, LineCollection] = {}
+        self.boxes: dict[str, PolyCollection] = {}
         for number, (name, bones) in enumerate(scene.bones.items()):
             colour = "0.25" if scene.run.structures[name].is_wall else structure_colour(number)
             many = len(bones.members) > 300
             width = 3.0 if scene.run.structures[name].is_wall else 0.6 if many else 1.3 if bones.has_place else 2.0
-            self.lines[name] = axes.add_collection(
-                LineCollection([], colors=colour, linewidths=width, capstyle="round", zorder=3, label=name))
-            self.boxes[name] = axes.add_collection(
-                PolyCollection([], facecolors=colour, edgecolors="white", linewidths=0.5, zorder=4))
+            self.lines[name] = LineCollection([], colors=colour, linewidths=width, capstyle="round", zorder=3, label=name)
+            self.boxes[name] = PolyCollection([], facecolors=colour, edgecolors="white", linewidths=0.5, zorder=4)
+            axes.add_collection(self.lines[name])
+            axes.add_collection(self.boxes[name])
             self._set(name, scene.at_rest(name))
         points = np.array([project(face, view) for face in scene.faces.values()]).reshape(-1, 2)
         self.marks = axes.scatter(points[:, 0], points[:, 1], s=22, marker="D", facecolor="white", edgecolor="black",
                                   linewidth=0.8, zorder=6, visible=marks)
         #: One flash a link, invisible while it is open.
-        self.flashes = axes.scatter(points[:, 0], points[:, 1], s=0, marker=star(), facecolor=YELLOW,
+        self.flashes = axes.scatter(points[:, 0], points[:, 1], s=0, marker=MarkerStyle(star()), facecolor=YELLOW,
                                     edgecolor="black", linewidth=0.6, zorder=7)
 
     def move(self, motion: Motion, frame: int) -> None:
@@ -63,7 +65,7 @@ class Drawing:
         self.flashes.set_offsets(np.array(points).reshape(-1, 2))
         self.flashes.set_sizes([60 + 500 * strength if strength > 0 else 0 for strength in strengths])
 
-    def _set(self, name, nodes):
+    def _set(self, name: str, nodes: np.ndarray) -> None:
         bones = self.scene.bones[name]
         points = project(nodes, self.view)
         self.lines[name].set_segments(points[bones.members])
@@ -116,10 +118,10 @@ def hide_x(axes: Axes) -> None:
 
 def label_axes(axes: Axes, scene: Scene, view: str) -> None:
     """Names of the coordinates where they mean something; nothing at all around an oblique view."""
-    horizontal, vertical = {"elevation": "xz", "side": "yz", "plan": "xy", "oblique": "  "}[view]
     if view == "oblique":
         axes.set_axis_off()
         return
+    horizontal, vertical = {"elevation": ("x", "z"), "side": ("y", "z"), "plan": ("x", "y")}[view]
     axes.set_xlabel(f"{horizontal} [m]")
     axes.set_ylabel(f"{vertical} [m]")
     if not scene.has_places and horizontal == "x":

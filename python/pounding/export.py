@@ -13,14 +13,15 @@ import argparse
 import os
 import sys
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Iterable
 from os import PathLike
 from pathlib import Path
 
 import h5py
 import numpy as np
 
-from pounding.results import NotResults, Run, read
-from pounding.skeleton import Scene, displaced_at, node_displacements
+from pounding.results import MemberForces, NotResults, Run, read
+from pounding.skeleton import Scene, Skeleton, displaced_at, node_displacements
 from pounding.style import BadRequest
 
 #: Times whose displacements are in memory at once.
@@ -57,15 +58,15 @@ def export(results: str | PathLike[str], run: Run, path: str | PathLike[str]) ->
 class _Data:
     """A dataset [time, item, ...] of one of the two files, and where it is seen from the .xdmf."""
 
-    def __init__(self, file, place, shape, beside):
+    def __init__(self, file: Path, place: str, shape: tuple[int, ...], beside: Path) -> None:
         self.shape = shape
         self.name = f"{Path(os.path.relpath(file.resolve(), beside.resolve().parent)).as_posix()}:{place}"
 
-    def whole(self, parent, kind):
-        item = ElementTree.SubElement(parent, "DataItem", Format="HDF", Dimensions=_numbers(self.shape), **kind)
+    def whole(self, parent: ElementTree.Element, kind: dict[str, str]) -> None:
+        item = ElementTree.SubElement(parent, "DataItem", {"Format": "HDF", "Dimensions": _numbers(self.shape), **kind})
         item.text = self.name
 
-    def at(self, parent, step, first, count):
+    def at(self, parent: ElementTree.Element, step: int, first: int, count: int) -> None:
         """`count` values of the last axis from `first` on, of one time: [item, count]."""
         items = self.shape[1]
         shape = (items, count) if count > 1 else (items,)
@@ -82,7 +83,7 @@ INTEGERS = {"NumberType": "Int", "Precision": "8"}
 class _Grid:
     """One structure."""
 
-    def __init__(self, name, scene, results, companion, data):
+    def __init__(self, name: str, scene: Scene, results: Path, companion: Path, data: h5py.File) -> None:
         self.name, self.scene, self.data, self.beside = name, scene, data, companion
         structure = self.structure = scene.run.structures[name]
         bones = scene.bones[name]
@@ -94,18 +95,22 @@ class _Grid:
         own = f"/structures/{name}"
         self.points = self._store("points", scene.at_rest(name))
         self.lines = self._store("members", lines.astype(np.int64))
-        if self._has_every_node():
-            self.displacement = _Data(results, f"{own}/nodes/displacement", structure.nodes.displacement.shape, companion)
+        nodes = structure.nodes
+        if nodes is not None and self._has_every_node():
+            self.displacement = _Data(results, f"{own}/nodes/displacement", nodes.displacement.shape, companion)
         else:
             self.displacement = self._store_displacements(bones)
-        self.forces = None
-        if structure.members is not None and structure.geometry is not None:
-            if structure.members.names == structure.geometry.member_names:
-                self.forces = _Data(results, f"{own}/members/end_forces", structure.members.end_forces.shape, companion)
+        #: Dataset and components of the end forces.
+        self.forces: tuple[_Data, list[str]] | None = None
+        members, geometry = structure.members, structure.geometry
+        if members is not None and geometry is not None:
+            if members.names == geometry.member_names:
+                stored = _Data(results, f"{own}/members/end_forces", members.end_forces.shape, companion)
             else:
-                self.forces = self._store_forces()
+                stored = self._store_forces(members, geometry.member_names)
+            self.forces = stored, members.components
 
-    def write(self, parent, step, time):
+    def write(self, parent: ElementTree.Element, step: int, time: float) -> None:
         grid = ElementTree.SubElement(parent, "Grid", Name=self.name, GridType="Uniform")
         ElementTree.SubElement(grid, "Time", Value=repr(time))
         topology = ElementTree.SubElement(grid, "Topology", TopologyType="Polyline", NodesPerElement="2",
@@ -114,21 +119,23 @@ class _Grid:
         self.points.whole(ElementTree.SubElement(grid, "Geometry", GeometryType="XYZ"), FLOATS)
         vectors = ElementTree.SubElement(grid, "Attribute", Name="displacement", AttributeType="Vector", Center="Node")
         self.displacement.at(vectors, step, 0, 3)
-        for i, component in enumerate(self.structure.members.components if self.forces else []):
-            scalars = ElementTree.SubElement(grid, "Attribute", Name=component, AttributeType="Scalar", Center="Cell")
-            self.forces.at(scalars, step, i, 1)
+        if self.forces is not None:
+            forces, components = self.forces
+            for i, component in enumerate(components):
+                scalars = ElementTree.SubElement(grid, "Attribute", Name=component, AttributeType="Scalar", Center="Cell")
+                forces.at(scalars, step, i, 1)
 
-    def _has_every_node(self):
+    def _has_every_node(self) -> bool:
         nodes, geometry = self.structure.nodes, self.structure.geometry
         return (nodes is not None and geometry is not None and nodes.names == geometry.node_names
                 and nodes.directions[:3] == ["x", "y", "z"])
 
-    def _store(self, what, values):
+    def _store(self, what: str, values: np.ndarray) -> _Data:
         place = f"/{self.name}/{what}"
         self.data[place] = values
         return _Data(self.beside, place, values.shape, self.beside)
 
-    def _store_displacements(self, bones):
+    def _store_displacements(self, bones: Skeleton) -> _Data:
         time = self.scene.run.time
         stored = self.data.create_dataset(f"/{self.name}/displacement", (time.size, len(bones.nodes), 3), "f8")
         for first in range(0, time.size, BLOCK):
@@ -136,14 +143,13 @@ class _Grid:
             stored[first:first + BLOCK] = node_displacements(displaced_at(self.structure, time, times), bones)
         return _Data(self.beside, stored.name, stored.shape, self.beside)
 
-    def _store_forces(self):
-        members, names = self.structure.members, self.structure.geometry.member_names
+    def _store_forces(self, members: MemberForces, names: list[str]) -> _Data:
         values = np.full((len(members.end_forces), len(names), len(members.components)), np.nan)
         values[:, [names.index(name) for name in members.names]] = members.end_forces
         return self._store("end_forces", values)
 
 
-def _numbers(values):
+def _numbers(values: Iterable[int]) -> str:
     return " ".join(map(str, values))
 
 

@@ -5,6 +5,7 @@ import functools
 import html
 import io
 import re
+from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.figure import Figure
@@ -13,15 +14,15 @@ from matplotlib.mathtext import MathTextParser
 
 #: Points of the text beside it.
 SIZE = 11
-_STYLE = {"mathtext.fontset": "stix", "svg.fonttype": "path", "svg.hashsalt": "pounding", "text.parse_math": True}
+_STYLE: dict[Any, Any] = {"mathtext.fontset": "stix", "svg.fonttype": "path", "svg.hashsalt": "pounding", "text.parse_math": True}
 
 
-def data_uri(svg):
+def data_uri(svg: str) -> str:
     """An SVG text as the address of a picture."""
     return "data:image/svg+xml;base64," + base64.b64encode(svg.encode()).decode()
 
 
-def svg_of(figure):
+def svg_of(figure: Figure) -> str:
     """A figure as SVG text, the same for the same figure."""
     stream = io.StringIO()
     figure.savefig(stream, format="svg", metadata={"Date": None}, transparent=True)
@@ -29,7 +30,7 @@ def svg_of(figure):
 
 
 @functools.lru_cache(maxsize=None)
-def formula(tex, size=SIZE):
+def formula(tex: str, size: float = SIZE) -> str:
     """The HTML of one formula; `tex` with its dollar signs. Its base line is that of the text around it.
     Raises ValueError when matplotlib cannot read it."""
     with rc_context(_STYLE):
@@ -43,7 +44,7 @@ def formula(tex, size=SIZE):
             f'style="width:{width / SIZE:.3f}em;height:{height / SIZE:.3f}em;vertical-align:{-depth / SIZE:.3f}em">')
 
 
-def rich(text):
+def rich(text: str) -> str:
     """A text with mathematics between dollar signs and `commands` as HTML."""
     parts = re.split(r"(\$[^$]+\$|`[^`]+`)", text)
     return "".join(

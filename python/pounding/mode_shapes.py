@@ -69,7 +69,7 @@ def _view(nodes: np.ndarray) -> str:
     return "oblique" if np.ptp(nodes[:, 1]) > 0 else "elevation"
 
 
-def _draw_structure(row, name, whole, colour):
+def _draw_structure(row: np.ndarray, name: str, whole: dict[str, Any], colour: str) -> None:
     found = whole["modes"][name][:len(row)]
     geometry = whole.get("geometry", {}).get(name)
     shapes = whole.get("node_shapes", {}).get(name)
@@ -90,8 +90,9 @@ def _draw_structure(row, name, whole, colour):
 
 def draw_profile(axes: Axes, shape: np.ndarray, elevations: Sequence[float | None] | None, colour: str) -> None:
     """Amplitudes over the height, zero at the ground; over the numbers of the floors without elevations."""
-    known = elevations is not None and len(elevations) == len(shape) and None not in elevations
-    heights = [0.0, *elevations] if known else np.arange(len(shape) + 1)
+    levels = [level for level in elevations or () if level is not None]
+    known = elevations is not None and len(elevations) == len(levels) == len(shape)
+    heights = np.array([0.0, *levels]) if known else np.arange(len(shape) + 1.0)
     axes.axvline(0, color="0.4", linewidth=0.6, zorder=1)
     axes.plot([0, *shape], heights, color=colour, marker="o", markersize=3, linewidth=1.4)
     size = 1.25 * max(np.max(np.abs(shape)), 1e-300)
@@ -124,7 +125,7 @@ def draw_deformed(axes: Axes, name: str, geometry: dict[str, Any], shape: np.nda
     axes.set_axis_off()
 
 
-def _words(mode):
+def _words(mode: dict[str, Any]) -> str:
     period = "no period" if mode.get("period") is None else f"T = {mode['period']:.4g} s"
     return f"{period}, {100 * mode['damping_ratio']:.3g} % damping"
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import Any
+
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
@@ -23,7 +26,7 @@ def model_figure(run: Run, title: str | None = None, size: tuple[float, float] |
     widest = max((link.gap for link in run.links.values()), default=0.0)
     if not scene.has_places and widest > 0:
         scene = Scene(run, 0.04 * max(np.ptp(scene.bounds(), axis=1)) / widest)
-    views = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
+    views: list[Any] = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
     with rc_context(STYLE):
         figure = Picture(figsize=size or _size(scene), layout="constrained")
         axes = figure.subplot_mosaic(views)
@@ -47,7 +50,7 @@ def draw_model(axes: Axes, scene: Scene, view: str) -> None:
         _label_floors(axes, scene)
 
 
-def _name_structures(axes, scene, view):
+def _name_structures(axes: Axes, scene: Scene, view: str) -> None:
     for number, name in enumerate(scene.bones):
         points = project(scene.at_rest(name), view)
         x, y = (points[:, 0].min() + points[:, 0].max()) / 2, points[:, 1].max() + scene.bones[name].half_height
@@ -56,13 +59,13 @@ def _name_structures(axes, scene, view):
                       color="0.25" if wall else structure_colour(number), zorder=8)
 
 
-def _label_floors(axes, scene):
+def _label_floors(axes: Axes, scene: Scene) -> None:
     """Floors of the structure at the left end on the left of all, of that at the right end on the right, walls included."""
     middles = {name: scene.at_rest(name)[:, 0].mean() for name, s in scene.run.structures.items() if s.floors}
     if not middles:
         return
-    ends = {min(middles, key=middles.get): -1} if len(middles) == 1 else {
-        min(middles, key=middles.get): -1, max(middles, key=middles.get): 1}
+    first, last = min(middles, key=middles.__getitem__), max(middles, key=middles.__getitem__)
+    ends = {first: -1} if first == last else {first: -1, last: 1}
     for name, side in ends.items():
         structure = scene.run.structures[name]
         x = scene.bounds()[0, 1 if side > 0 else 0]
@@ -73,9 +76,9 @@ def _label_floors(axes, scene):
                           ha="left" if side > 0 else "right", fontsize=7, color="0.35")
 
 
-def _legend(run):
+def _legend(run: Run) -> Iterator[Line2D]:
     """The links, one entry for each gap."""
-    gaps = {}
+    gaps: dict[str, list[str]] = {}
     for link in run.links.values():
         gaps.setdefault(f"{MM * link.gap:.4g} mm", []).append(link.name)
     for gap, names in gaps.items():
@@ -84,7 +87,7 @@ def _legend(run):
                      markersize=4.5, label=f"{words}, gap {gap}")
 
 
-def _size(scene):
+def _size(scene: Scene) -> tuple[float, float]:
     """Of the figure [in]: the proportions of what is drawn, within a page."""
     if scene.is_spatial:
         return 7.5, 6.6

@@ -71,7 +71,7 @@ class Link:
         told = self._tell()
         if told["error"]:
             raise SolverError(f"element {self.tag}: {told['error']}")
-        return np.array([tuple(row[name] for name in IMPACT.names) for row in told["impacts"]], dtype=IMPACT)
+        return np.array([tuple(row[name] for name in IMPACT.names or ()) for row in told["impacts"]], dtype=IMPACT)
 
     def __repr__(self) -> str:
         i, j = self.nodes
@@ -141,7 +141,8 @@ def link(tag: int, node_i: int, node_j: int, *, gap: Quantity, law: str | Law, d
     Raises InputError for values that are wrong, ImportError without openseespy."""
     ops = openseespy()
     if isinstance(law, str):
-        law = laws[law](reduced_mass=reduced_mass, **parameters)
+        words: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}
+        law = laws[law](**words)
     elif parameters:
         raise InputError(f"a law was given, which has its parameters; leave out {', '.join(parameters)}")
     if law.kind.instantaneous:

@@ -57,7 +57,7 @@ class Law:
         self._library = ctypes.CDLL(str(LIBRARY))
         self._library.pnd_error_text.restype = ctypes.c_char_p
         self._law = ctypes.c_void_p()
-        pairs = (_Value * len(values))(*((name.encode(), value) for name, value in values.items()))
+        pairs = (_Value * len(values))(*(_Value(name.encode(), value) for name, value in values.items()))
         self._check(self._library.pnd_create(name.encode(), formula.encode(), pairs, ctypes.c_size_t(len(values)),
                                              ctypes.byref(self._law)))
 

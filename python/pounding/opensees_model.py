@@ -349,7 +349,8 @@ class Source:
 
     def _ends(self, member: Member) -> dict[str, Any]:
         """Releases, offsets and axes of a member."""
-        printed, transformation, words = member.printed, member.transformation, {}
+        printed, transformation = member.printed, member.transformation
+        words: dict[str, Any] = {}
         released = {"ry": printed.get("release", 0)} if self.dimension == 2 else {"rz": printed.get("releasez", 0),
                                                                                   "ry": printed.get("releasey", 0)}
         # 1: at the start, 2: at the end, 3: at both.

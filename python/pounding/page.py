@@ -2,6 +2,7 @@
 
 import html
 import re
+from typing import Any
 
 from pounding.mathematics import formula, rich
 
@@ -55,12 +56,12 @@ nav .counts { margin-left: .5rem; }
 """
 
 
-def badge(judgement, text=None):
+def badge(judgement: str, text: str | None = None) -> str:
     """The HTML of a verdict."""
     return f'<span class="badge {BADGES[judgement]}">{html.escape(text or judgement)}</span>'
 
 
-def _counts(items):
+def _counts(items: list[dict[str, Any]]) -> str:
     count = dict.fromkeys(BADGES, 0)
     for item in items:
         for verdict in item["verdicts"]:
@@ -68,7 +69,7 @@ def _counts(items):
     return " ".join(badge(judgement, f"{number} {judgement if number == 1 else OF_SEVERAL[judgement]}") for judgement, number in count.items() if number)
 
 
-def contents(items):
+def contents(items: list[dict[str, Any]]) -> str:
     """What the page is, the verdicts counted, and the way to each part."""
     entries = "".join(f'<li><a href="#{item["name"]}">{html.escape(item["title"])}</a> '
                       f'<span class="quiet">{html.escape(item["sections"])}</span><span class="counts">{_counts([item])}</span></li>'
@@ -85,7 +86,7 @@ CSV file named below it, the whole in report.json.</p>
 <nav><ol>{entries}</ol></nav>"""
 
 
-def _verdicts(verdicts):
+def _verdicts(verdicts: list[dict[str, str]]) -> str:
     rows = "".join(
         f'<tr><td>{badge(v["judgement"])}<br><span class="place">{rich(v["place"])}</span></td><td>{rich(v["claim"])}</td>'
         f'<td>{rich(v["printed"])}</td><td>{rich(v["ours"])}</td><td class="reason">{rich(v["reason"])}</td></tr>' for v in verdicts)
@@ -94,21 +95,21 @@ def _verdicts(verdicts):
             f'<tr><th>Where</th><th>Claim</th><th>Printed</th><th>Ours</th><th>To what, or why not</th></tr>{rows}</table></div>')
 
 
-def _equations(equations):
+def _equations(equations: list[dict[str, str]]) -> str:
     lines = "".join(f'<div class="equation"><span>{formula(e["tex"], 12)}</span><span class="number">({html.escape(e["number"])})</span></div>'
                     for e in equations)
     return f'<div class="equations">{lines}</div>' if equations else ""
 
 
-def _matrices(matrices):
-    def cells(matrix):
+def _matrices(matrices: list[dict[str, Any]]) -> str:
+    def cells(matrix: dict[str, Any]) -> str:
         return "".join("<tr>" + "".join(f"<td>{_number(value, 3)}</td>" for value in row) + "</tr>" for row in matrix["rows"])
     blocks = "".join(f'<div class="matrix"><div class="quiet">{html.escape(m["name"])} [{html.escape(m["unit"])}]</div>'
                      f"<table>{cells(m)}</table></div>" for m in matrices)
     return f'<div class="matrices">{blocks}</div>' if matrices else ""
 
 
-def item_head(item):
+def item_head(item: dict[str, Any]) -> str:
     """The beginning of an item: words, equations, matrices, verdicts. The figures and tables follow, then </section>."""
     paragraphs = "".join(f"<p>{rich(text)}</p>" for text in item["paragraphs"])
     return (f'<section id="{item["name"]}"><h2>{html.escape(item["title"])}</h2>'
@@ -117,7 +118,7 @@ def item_head(item):
             f'{_verdicts(item["verdicts"])}')
 
 
-def figure(described, address):
+def figure(described: dict[str, Any], address: str) -> str:
     """A figure with its caption; `address` is that of the picture."""
     narrow = ' class="narrow"' if len(described["panels"]) == 1 else ""
     of_paper = f'<b>{html.escape(described["of_paper"])} of the paper.</b> ' if described["of_paper"] else ""
@@ -125,7 +126,7 @@ def figure(described, address):
             f'{rich(described["caption"])} Data: <code>{described["name"]}.csv</code></figcaption></figure>')
 
 
-def _number(value, decimals):
+def _number(value: float | None, decimals: int) -> str:
     """With so many decimals; with so many digits where `decimals` is negative."""
     if value is None:
         return "&ndash;"
@@ -137,11 +138,11 @@ def _number(value, decimals):
     return text.replace("-", "&minus;")
 
 
-def _powers(text):
+def _powers(text: str) -> str:
     return re.sub(r"\^([\d.]+)", r"<sup>\1</sup>", html.escape(text))
 
 
-def table(described):
+def table(described: dict[str, Any]) -> str:
     """A table of numbers, units below the headings; a long one is folded."""
     headings = "".join(f'<th>{rich(h["name"])}<span class="unit">{_powers(h["unit"])}</span></th>' for h in described["headings"])
     decimals = [h["decimals"] for h in described["headings"]]
@@ -154,7 +155,7 @@ def table(described):
     return f'<h3>{rich(described["title"])}</h3>{whole_table}'
 
 
-def whole(body):
+def whole(body: str) -> str:
     """The document around its parts; needs nothing but itself."""
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
             f"<title>{TITLE}</title><style>{STYLE_SHEET}</style></head><body><main>{body}</main></body></html>\n")

@@ -10,6 +10,8 @@ from __future__ import annotations
 import argparse
 import sys
 import textwrap
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
@@ -19,7 +21,7 @@ from matplotlib.ticker import MaxNLocator
 
 from pounding.model_picture import model_figure
 from pounding.profiles import profiles_figure
-from pounding.results import NotResults, Run, read
+from pounding.results import Link, NotResults, Run, Structure, read
 from pounding.style import (
     ENERGY_UNITS, FORCE_UNITS, GREEN, IMPULSE_UNITS, LINK_COLOURS, MM, ORANGE, PURPLE, QUIET, SKY, STRUCTURE_COLOURS, STYLE,
     TIME_UNITS, VERMILION, BadRequest, Picture, engineering, head, largest, write_picture)
@@ -38,9 +40,9 @@ def standard_figure(run: Run, title: str | None = None, floors: dict[str, str] |
     A run that is not done says so below the title. `floors` maps names of structures to the labels of the floors whose
     displacements are drawn instead of the linked ones; BadRequest when there are none such. `size` is that of the figure [in]."""
     chosen = _chosen_floors(run, floors or {})
-    over_time = [(lambda axes, run: draw_displacements(axes, run, chosen), 1.3), (draw_energies, 1.0),
-                 (draw_balance_error, 0.4)]
-    over_impacts = []
+    over_time: list[tuple[Callable[[Axes, Run], None], float]] = [
+        (lambda axes, run: draw_displacements(axes, run, chosen), 1.3), (draw_energies, 1.0), (draw_balance_error, 0.4)]
+    over_impacts: list[Callable[[Axes, Run], None]] = []
     if run.links:
         over_time[1:1] = [(draw_openings, 0.9), (draw_forces, 0.9)]
     if run.impacts.size:
@@ -52,16 +54,17 @@ def standard_figure(run: Run, title: str | None = None, floors: dict[str, str] |
     with rc_context(STYLE):
         figure = Picture(figsize=size or (7.5, 0.7 + 1.5 * sum(heights)), layout="constrained")
         rows = figure.add_gridspec(len(heights), 1, height_ratios=heights)
-        histories = []
-        for row, (draw, _) in zip(rows, over_time):
-            histories.append(figure.add_subplot(row, sharex=histories[0] if histories else None))
+        histories: list[Axes] = []
+        for row, (draw, _) in enumerate(over_time):
+            histories.append(figure.add_subplot(rows[row], sharex=histories[0] if histories else None))
             draw(histories[-1], run)
             histories[-1].tick_params(labelbottom=False)
         histories[-1].tick_params(labelbottom=True)
         label_time(histories[-1], run)
         if over_impacts:
-            for place, draw in zip(rows[-1].subgridspec(1, 2, wspace=0.08), over_impacts):
-                draw(figure.add_subplot(place), run)
+            places = rows[-1].subgridspec(1, 2, wspace=0.08)
+            for column, draw in enumerate(over_impacts):
+                draw(figure.add_subplot(places[column]), run)
         for letter, axes in zip("abcdefgh", figure.axes):
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}")
         _write_heading(figure, run, title)
@@ -203,8 +206,8 @@ def draw_restitution(axes: Axes, run: Run) -> None:
 def draw_energies(axes: Axes, run: Run) -> None:
     """Where the energy is: dissipated and stored parts stacked, below the line of the input."""
     energy = run.energy
-    parts = (("damping", "damping", SKY), ("hysteretic", "yielding", ORANGE), ("impact", "impact", VERMILION),
-             ("strain", "strain", GREEN), ("kinetic", "kinetic", PURPLE))
+    parts = [("damping", "damping", SKY), ("hysteretic", "yielding", ORANGE), ("impact", "impact", VERMILION),
+             ("strain", "strain", GREEN), ("kinetic", "kinetic", PURPLE)]
     parts = [part for part in parts if largest([energy[part[0]]]) > 0]
     size, unit = engineering(largest([energy["input"]]), ENERGY_UNITS)
     time_size, _ = _time_unit(run)
@@ -233,12 +236,12 @@ def draw_balance_error(axes: Axes, run: Run) -> None:
     axes.margins(x=0)
 
 
-def _time_unit(run):
+def _time_unit(run: Run) -> tuple[float, str]:
     span = run.time[-1] - run.time[0] if run.time.size else 0.0
     return TIME_UNITS[1] if 0 < span < 0.5 else TIME_UNITS[0]
 
 
-def _plot_time(axes, run, time, values, **style):
+def _plot_time(axes: Axes, run: Run, time: np.ndarray, values: np.ndarray, **style: Any) -> None:
     axes.plot(time / _time_unit(run)[0], values, **style)
     axes.margins(x=0)
 
@@ -251,7 +254,7 @@ def label_time(axes: Axes, run: Run) -> None:
         axes.set_xlim(run.time[0] / size, run.time[-1] / size)
 
 
-def _linked_floor(run, structure):
+def _linked_floor(run: Run, structure: Structure) -> int:
     """Index of the highest linked floor; the top when no link names a floor; -1 for a wall, which has no floor."""
     numbers = [link.left_floor for link in run.links.values() if link.left == structure.name]
     numbers += [link.right_floor for link in run.links.values() if link.right == structure.name]
@@ -259,7 +262,7 @@ def _linked_floor(run, structure):
     return min(max(numbers, default=0) or top, top) - 1
 
 
-def _chosen_floors(run, labels):
+def _chosen_floors(run: Run, labels: dict[str, str]) -> dict[str, int]:
     """Numbers of the floors, from 0, by structure."""
     chosen = {}
     for name, label in labels.items():
@@ -272,12 +275,12 @@ def _chosen_floors(run, labels):
     return chosen
 
 
-def _direction(run):
+def _direction(run: Run) -> np.ndarray:
     """Horizontal direction in which the first link opens; x without links."""
     return next((link.direction for link in run.links.values()), np.array([1.0, 0, 0]))
 
 
-def _axis_words(direction):
+def _axis_words(direction: np.ndarray) -> str:
     x, y = direction[:2]
     for words, value, other in (("x", x, y), ("y", y, x)):
         if abs(other) < 1e-9:
@@ -285,7 +288,7 @@ def _axis_words(direction):
     return f"({x:.2g}, {y:.2g})"
 
 
-def _displacement(run, name, floor):
+def _displacement(run: Run, name: str, floor: int) -> np.ndarray:
     """Displacement of a floor relative to the ground, in the direction of the links; a wall moves with the ground."""
     along = run.structures[name].along
     parts = [(along[axis].displacement, factor) for axis, factor in zip("xy", _direction(run)) if axis in along]
@@ -294,7 +297,7 @@ def _displacement(run, name, floor):
     return sum(factor * displacement[:, floor] for displacement, factor in parts)
 
 
-def _offsets(run, names):
+def _offsets(run: Run, names: list[str]) -> dict[str, float]:
     """Where each structure rests, a gap to the right of its left neighbour [m]."""
     offsets = {names[0]: 0.0} if names else {}
     for _ in names:
@@ -306,9 +309,9 @@ def _offsets(run, names):
     return {name: offsets.get(name, 0.0) for name in names}
 
 
-def _facing(run, floors):
+def _facing(run: Run, floors: dict[str, int]) -> list[tuple[str, str, float]]:
     """Drawn pairs (left, right, gap) that one link joins at the floors that are drawn."""
-    pairs = {}
+    pairs: dict[tuple[str, str], float] = {}
     for link in run.links.values():
         if link.left not in floors or link.right not in floors:
             continue
@@ -318,7 +321,7 @@ def _facing(run, floors):
     return [(left, right, gap) for (left, right), gap in pairs.items()]
 
 
-def _link_styles(run):
+def _link_styles(run: Run) -> Iterator[tuple[Link, dict[str, Any]]]:
     """Each link with its line: the hardest hit ones in colour, the others grey and below them."""
     peaks = {name: largest([run.impacts_of(name)["peak_force"]]) for name in run.links}
     chosen = sorted(run.links, key=lambda name: -peaks[name])[:len(LINK_COLOURS)]
@@ -333,7 +336,7 @@ def _link_styles(run):
         yield run.links[name], {"color": colour, "label": name, "zorder": 2 + 0.1 * rank}
 
 
-def _draw_impulses(axes, run):
+def _draw_impulses(axes: Axes, run: Run) -> None:
     size, unit = engineering(largest([run.impacts["impulse"]]), IMPULSE_UNITS)
     time_size, _ = _time_unit(run)
     for link, style in _link_styles(run):
@@ -347,16 +350,16 @@ def _draw_impulses(axes, run):
     _legend_beside(axes)
 
 
-def _pulls(run):
+def _pulls(run: Run) -> bool:
     return any(link.force.size and link.force.min() < 0 for link in run.links.values())
 
 
-def _closest(run):
+def _closest(run: Run) -> str:
     openings = [-MM * link.penetration.max() for link in run.links.values() if link.penetration.size]
     return f"{min(openings):.4g} mm" if openings else "not recorded"
 
 
-def _arrow(axes, x, y):
+def _arrow(axes: Axes, x: np.ndarray, y: np.ndarray) -> None:
     """Direction of a loop, on its rising branch."""
     if x.size < 4:
         return
@@ -366,19 +369,19 @@ def _arrow(axes, x, y):
                   arrowprops={"arrowstyle": "-|>", "color": VERMILION, "linewidth": 0.8})
 
 
-def _say(axes, words):
+def _say(axes: Axes, words: str) -> None:
     axes.text(0.5, 0.5, words, transform=axes.transAxes, ha="center", va="center", color="0.35", fontsize=9)
     axes.set_yticks([])
 
 
-def _legend_beside(axes, reverse=False):
+def _legend_beside(axes: Axes, reverse: bool = False) -> None:
     """Outside, at the right: never over data."""
     handles, labels = axes.get_legend_handles_labels()
     if handles:
         axes.legend(handles, labels, loc="upper left", bbox_to_anchor=(1.01, 1), reverse=reverse)
 
 
-def _write_heading(figure, run, title):
+def _write_heading(figure: Figure, run: Run, title: str | None) -> None:
     title = run.title if title is None else title
     if run.status == "done":
         head(figure, title)
@@ -391,7 +394,7 @@ def _write_heading(figure, run, title):
     figure.suptitle("\n".join(words), fontsize=9.5, fontweight="bold", color=VERMILION)
 
 
-def _floor_choice(text):
+def _floor_choice(text: str) -> dict[str, str]:
     """{structure: label} of "A.3,B.2"; argparse reports what is not of this form."""
     pairs = [part.strip().partition(".") for part in text.split(",")]
     if not all(name and label for name, _, label in pairs):

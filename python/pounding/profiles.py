@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import Any
+
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from pounding.results import Run
+from pounding.results import Run, Structure
 from pounding.skeleton import floor_heights
 from pounding.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour
 
@@ -83,21 +86,21 @@ def draw_shear(axes: Axes, run: Run, axis: str = "x") -> None:
     _finish(axes, "Storey shear", unit)
 
 
-def _styles(run, axis):
+def _styles(run: Run, axis: str) -> Iterator[tuple[Structure, dict[str, Any]]]:
     for number, structure in enumerate(run.structures.values()):
         if structure.floors and axis in structure.along:
             yield structure, {"color": structure_colour(number), "label": structure.name, "linewidth": 1.2}
 
 
-def _of(structure, axis, what):
+def _of(structure: Structure, axis: str, what: str) -> np.ndarray:
     return getattr(structure.along[axis], what) if axis in structure.along else np.empty((0, 0))
 
 
-def _extremes(values):
+def _extremes(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return values.min(axis=0), values.max(axis=0)
 
 
-def _steps(axes, low, high, heights, style):
+def _steps(axes: Axes, low: np.ndarray, high: np.ndarray, heights: np.ndarray, style: dict[str, Any]) -> None:
     """Values that are constant within a storey."""
     if not low.size:
         return
@@ -106,11 +109,11 @@ def _steps(axes, low, high, heights, style):
         style.pop("label", None)
 
 
-def _all_heights_known(run):
+def _all_heights_known(run: Run) -> bool:
     return all(floor_heights(structure)[1] for structure in run.structures.values() if structure.floors)
 
 
-def _levels(structure, run):
+def _levels(structure: Structure, run: Run) -> np.ndarray:
     """[floor + 1] from the ground: elevations [m], or numbers of the floors where not all are known.
 
     The ground of a structure is at the lowest of its nodes, or at zero."""
@@ -120,11 +123,11 @@ def _levels(structure, run):
     return np.array([ground, *structure.elevations])
 
 
-def _height_label(structures):
+def _height_label(structures: list[Structure]) -> str:
     return "Elevation [m]" if all(floor_heights(structure)[1] for structure in structures) else "Floor"
 
 
-def _finish(axes, title, unit):
+def _finish(axes: Axes, title: str, unit: str) -> None:
     axes.axvline(0, color="0.4", linewidth=0.6, zorder=1)
     axes.set_title(title)
     axes.set_xlabel(f"{title} [{unit}]")

@@ -11,6 +11,7 @@ import json
 import re
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
@@ -24,12 +25,12 @@ from pounding.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
 #: What others are compared with is black in every figure.
 REFERENCE = "0.1"
-DRAWN = {"line": {}, "thin": {"linewidth": 0.7}, "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2, "color": REFERENCE},
+DRAWN: dict[str, dict[str, Any]] = {"line": {}, "thin": {"linewidth": 0.7}, "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2, "color": REFERENCE},
          "points": {"linestyle": "none", "marker": "o", "markersize": 3.5}}
-MATH = {"text.parse_math": True, "mathtext.fontset": "dejavusans", "svg.fonttype": "path", "svg.hashsalt": "pounding"}
+MATH: dict[Any, Any] = {"text.parse_math": True, "mathtext.fontset": "dejavusans", "svg.fonttype": "path", "svg.hashsalt": "pounding"}
 
 
-def draw(figure) -> Figure:
+def draw(figure: dict[str, Any]) -> Figure:
     """One figure of the report, its panels side by side, the legends below them. A label has one colour in all panels."""
     columns = {column["name"]: np.array(column["values"], float) for column in figure["columns"]}
     panels = figure["panels"]
@@ -51,22 +52,23 @@ def draw(figure) -> Figure:
         return drawn
 
 
-def _powers(text):
+def _powers(text: str) -> str:
     """Exponents raised: "m^1.5"."""
     return re.sub(r"\^([\d.]+)", r"$^{\1}$", text)
 
 
-def _share_labels(panels):
+def _share_labels(panels: list[dict[str, Any]]) -> bool:
     labels = [{curve["label"] for curve in panel["curves"]} for panel in panels]
     return len(panels) > 1 and bool(set.intersection(*labels))
 
 
-def _add_legends(figure, panels):
+def _add_legends(figure: Figure, panels: list[dict[str, Any]]) -> None:
     """One legend for all panels that have curves in common, else one each."""
     if _share_labels(panels):
-        lines = {}
+        lines: dict[str, Any] = {}
         for axes in figure.axes:
-            for line, label in zip(*axes.get_legend_handles_labels()):
+            handles: tuple[list[Any], list[str]] = axes.get_legend_handles_labels()
+            for line, label in zip(*handles):
                 # Of a line and points of the same thing the line is shown.
                 if label not in lines or line.get_linestyle() != "None":
                     lines[label] = line
@@ -79,7 +81,7 @@ def _add_legends(figure, panels):
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=axes.transAxes + below_label, ncols=columns)
 
 
-def build(report, directory):
+def build(report: dict[str, Any], directory: Path) -> str:
     """The page as text; writes the pictures beside it."""
     parts = [page.contents(report["items"])]
     for item in report["items"]:
@@ -94,7 +96,7 @@ def build(report, directory):
     return page.whole("".join(parts))
 
 
-def main(arguments=None):
+def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the data cannot be read or the page not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.reproduce", description="Set the report of a reproduction.")
     parser.add_argument("report", help="report.json that `pounding reproduce` wrote")

@@ -285,9 +285,8 @@ def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
         if values.ndim == 2:
             values = values[:, :, None]
         motion[key] = values[:, :, i] if i < values.shape[2] else np.empty((len(values), 0))
-    base = group["base_shear"][:] if "base_shear" in group else None
-    has_base = base is not None and i < base.shape[1]
-    return FloorMotion(**motion, base_shear=base[:, i] if has_base else None)
+    base = group["base_shear"][:] if "base_shear" in group else np.empty((0, 0))
+    return FloorMotion(**motion, base_shear=base[:, i] if i < base.shape[1] else None)
 
 
 def _geometry(group: h5py.Group) -> Geometry:
@@ -307,9 +306,9 @@ def _members(group: h5py.Group) -> MemberForces:
 
 
 def _link(name: str, group: h5py.Group) -> Link:
-    series = {key: group[key][:] for key in ("time", "penetration", "velocity", "force", "energy")}
+    series: dict[str, Any] = {key: group[key][:] for key in ("time", "penetration", "velocity", "force", "energy")}
     ends = {key: group.attrs[key] for key in ("left", "right")}
-    floors = {key: int(group.attrs[key]) for key in ("left_floor", "right_floor")}
+    floors: dict[str, Any] = {key: int(group.attrs[key]) for key in ("left_floor", "right_floor")}
     more: dict[str, Any] = {}
     for side, floor in floors.items():
         word = side.replace("floor", "end")

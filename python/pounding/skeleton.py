@@ -51,7 +51,7 @@ def skeleton(structure: Structure, tallest: float = 2 * UNKNOWN_STOREY) -> Skele
     if half_width <= 0:
         half_width = 0.1 * tallest
     if structure.is_wall:
-        nodes, members, masses = [[0, 0, 0], [0, 0, tallest]], [[0, 1]], []
+        nodes, members, masses = [[0, 0, 0], [0, 0, tallest]], [[0, 1]], range(0)
         half_width = 0.0
     elif structure.kind == "body":
         nodes, members, masses = [[0, 0, height] for height in heights], [], range(len(heights))
@@ -87,7 +87,7 @@ def node_displacements(structure: Structure, bones: Skeleton) -> np.ndarray:
     return moved
 
 
-def displaced_at(structure: Structure, time: float, times: np.ndarray) -> Structure:
+def displaced_at(structure: Structure, time: np.ndarray, times: np.ndarray) -> Structure:
     """The structure with its displacements at `times` instead of `time`; its other histories stay behind."""
     along = {key: replace(motion, displacement=_at_times(time, motion.displacement, times))
              for key, motion in structure.along.items()}
@@ -97,7 +97,7 @@ def displaced_at(structure: Structure, time: float, times: np.ndarray) -> Struct
     return replace(structure, along=along, nodes=nodes)
 
 
-def _by_floors(structure, bones):
+def _by_floors(structure: Structure, bones: Skeleton) -> np.ndarray:
     samples = len(structure.displacement)
     moved = np.zeros((samples, len(bones.nodes), 3))
     if not structure.floors:
@@ -118,7 +118,7 @@ def _by_floors(structure, bones):
     return moved
 
 
-def _floor_of_node(structure, bones):
+def _floor_of_node(structure: Structure, bones: Skeleton) -> np.ndarray:
     if structure.geometry is not None:
         return structure.geometry.floor_of_node
     floors = np.full(len(bones.nodes), -1)
@@ -126,7 +126,7 @@ def _floor_of_node(structure, bones):
     return floors
 
 
-def _plate(structure, bones, floor_of_node, floor, position):
+def _plate(structure: Structure, bones: Skeleton, floor_of_node: np.ndarray, floor: int, position: np.ndarray) -> np.ndarray:
     """[time, 3] of a point that is fixed to a floor."""
     move = np.zeros((len(structure.displacement), 3))
     for j, axis in enumerate("xy"):
@@ -141,12 +141,13 @@ def _plate(structure, bones, floor_of_node, floor, position):
     return move
 
 
-def _between(structure, bones, floor_of_node, heights, held, position):
+def _between(structure: Structure, bones: Skeleton, floor_of_node: np.ndarray, heights: np.ndarray, held: np.ndarray,
+             position: np.ndarray) -> np.ndarray:
     """[time, 3] of a point off the floors, in proportion to its height between the next floors; as the top above it."""
     order = [i for i in np.argsort(heights) if np.isfinite(heights[i])]
     below = [i for i in order if heights[i] <= position[2]]
     above = [i for i in order if heights[i] > position[2]]
-    low = _plate(structure, bones, floor_of_node, below[-1], position) if below else 0.0
+    low = _plate(structure, bones, floor_of_node, below[-1], position) if below else np.zeros((len(structure.displacement), 3))
     if not above:
         return low
     z = heights[below[-1]] if below else held
@@ -160,7 +161,7 @@ class Scene:
     bones: name -> Skeleton; shifts: name -> [3], what is added to its nodes [m]; faces: link name -> [3], the point of
     the left structure where the link is, in the scene at rest [m]."""
 
-    def __init__(self, run, scale=1.0):
+    def __init__(self, run: Run, scale: float = 1.0) -> None:
         self.run, self.scale = run, scale
         heights = [skeleton(s).height for s in run.structures.values() if not s.is_wall]
         tallest = max(heights, default=UNKNOWN_STOREY)
@@ -190,15 +191,15 @@ class Scene:
 
     def bounds(self, margin: float | np.ndarray = 0.0) -> np.ndarray:
         """[3, 2]: least and largest x, y, z of everything at rest, masses included; `margin` is one or [3] more [m]."""
-        points = [self.at_rest(name) + side * np.array([bones.half_width, 0, bones.half_height])
-                  for name, bones in self.bones.items() for side in (-1, 1)]
-        points = np.concatenate(points) if points else np.zeros((1, 3))
+        corners = [self.at_rest(name) + side * np.array([bones.half_width, 0, bones.half_height])
+                   for name, bones in self.bones.items() for side in (-1, 1)]
+        points = np.concatenate(corners) if corners else np.zeros((1, 3))
         low, high = points.min(axis=0), points.max(axis=0)
         low[2] = max(low[2], min(self.at_rest(name)[:, 2].min() for name in self.bones)) if self.bones else 0
         return np.stack([low - margin, high + margin], axis=1)
 
-    def _place(self):
-        shifts = {}
+    def _place(self) -> dict[str, np.ndarray]:
+        shifts: dict[str, np.ndarray] = {}
         for name, bones in self.bones.items():
             if name in shifts:
                 continue
@@ -211,7 +212,7 @@ class Scene:
                 shifts[name] = self._beside(shifts, bones)
         return shifts
 
-    def _linked(self, name):
+    def _linked(self, name: str) -> list[Skeleton]:
         """Skeletons of all structures that links join to this one, over others as well."""
         found, queue = {name}, [name]
         while queue:
@@ -224,7 +225,7 @@ class Scene:
                             queue.append(other)
         return [self.bones[other] for other in found]
 
-    def _place_neighbours(self, shifts):
+    def _place_neighbours(self, shifts: dict[str, np.ndarray]) -> None:
         for _ in self.bones:
             for link in self.run.links.values():
                 if link.left in shifts and link.right not in shifts:
@@ -232,7 +233,7 @@ class Scene:
                 elif link.right in shifts and link.left not in shifts:
                     shifts[link.left] = shifts[link.right] - self._step(link)
 
-    def _step(self, link):
+    def _step(self, link: Link) -> np.ndarray:
         """Shift of the right structure minus that of the left one."""
         left, right = self.bones[link.left], self.bones[link.right]
         if left.has_place and right.has_place:
@@ -243,13 +244,13 @@ class Scene:
             return apart + base if left.has_place else apart - base
         return apart
 
-    def _beside(self, shifts, bones):
+    def _beside(self, shifts: dict[str, np.ndarray], bones: Skeleton) -> np.ndarray:
         """Shift to the right of all that is placed."""
         right = max((self.bones[name].nodes[:, 0].max() + self.bones[name].half_width + shift[0]
                      for name, shift in shifts.items()), default=0.0)
         return np.array([right + 0.3 * max(bones.height, UNKNOWN_STOREY) + bones.half_width - bones.nodes[:, 0].min(), 0, 0])
 
-    def _face(self, link):
+    def _face(self, link: Link) -> np.ndarray:
         left = self.bones[link.left]
         if left.has_place and link.position is not None:
             return link.position + self.shifts[link.left]
@@ -258,7 +259,7 @@ class Scene:
         height = self._height(link)
         return np.array([left.half_width, 0, height]) + self.shifts[link.left]
 
-    def _height(self, link):
+    def _height(self, link: Link) -> float:
         """Of a link without a position: that of the floor that one of its ends names."""
         for name, floor in ((link.left, link.left_floor), (link.right, link.right_floor)):
             heights, _ = floor_heights(self.run.structures[name])
@@ -270,7 +271,7 @@ class Scene:
 class Motion:
     """Where the nodes of a scene are at chosen times."""
 
-    def __init__(self, scene, times):
+    def __init__(self, scene: Scene, times: np.ndarray) -> None:
         """`times` [s] need not be output times: what lies between is taken as linear."""
         run = scene.run
         self.scene, self.times = scene, np.asarray(times, float)
@@ -290,7 +291,7 @@ class Motion:
         return point + self.scene.scale * sum(share * moved[node] for node, share in shares)
 
 
-def _at_times(time, values, times):
+def _at_times(time: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.ndarray:
     """Values [time, ...] at other times, linear between the samples and constant outside."""
     if not len(time):
         return np.zeros((len(times), *values.shape[1:]))

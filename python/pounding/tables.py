@@ -21,7 +21,7 @@ def to_pandas(run: Run) -> dict[str, pandas.DataFrame]:
     """See Run.to_pandas."""
     import pandas
 
-    impacts = pandas.DataFrame({name: run.impacts[name] for name in run.impacts.dtype.names})
+    impacts = pandas.DataFrame({name: run.impacts[name] for name in run.impacts.dtype.names or ()})
     impacts["link"] = [name.decode() for name in run.impacts["link"]]
     tables = {"impacts": impacts, "ground": pandas.DataFrame({"acceleration": run.ground_acceleration}, _index(run.time)),
               "energy": pandas.DataFrame({k: v for k, v in run.energy.items() if k != "time"}, _index(run.energy["time"]))}
@@ -50,7 +50,7 @@ def to_xarray(run: Run) -> dict[str, xarray.Dataset]:
     sets = {"ground": dataset(run.time, {"acceleration": ("time", run.ground_acceleration, {"units": "m/s^2"})}),
             "energy": dataset(run.energy["time"], {key: ("time", values, {"units": "J"})
                                                    for key, values in run.energy.items() if key != "time"}),
-            "impacts": xarray.Dataset({name: ("impact", _texts(run.impacts[name])) for name in run.impacts.dtype.names})}
+            "impacts": xarray.Dataset({name: ("impact", _texts(run.impacts[name])) for name in run.impacts.dtype.names or ()})}
     for name, link in run.links.items():
         sets[f"links/{name}"] = dataset(link.time, {key: ("time", getattr(link, key), {"units": unit})
                                                     for key, unit in LINK_UNITS.items()})
