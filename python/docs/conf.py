@@ -44,5 +44,6 @@ html_math_renderer = "mathml"
 # MathML needs a font that knows how to set formulas, which not every system has.
 html_static_path = ["_static", "/usr/share/fonts/opentype/stix-word/STIXMath-Regular.otf"]
 html_css_files = ["site.css"]
+html_search_scorer = str(HERE / "_static/scorer.js")
 html_show_sphinx = False
 html_copy_source = False

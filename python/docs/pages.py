@@ -91,10 +91,10 @@ def rst(text):
         elif is_code and row.strip() and not row.startswith("    "):
             rows.append("")
             is_code = False
-        # Outside of names in backticks every sign stands for itself.
+        # Outside of names in backticks every sign stands for itself, and "file:line" is no address.
         parts = re.split(r"(`[^`]+`)", row)
         rows.append(row if is_code else "".join(
-            part if place % 2 else re.sub(r"([*|_`\\])", r"\\\1", part) for place, part in enumerate(parts)))
+            part if place % 2 else re.sub(r"([*|_`\\]|(?<=\bfile):)", r"\\\1", part) for place, part in enumerate(parts)))
     return rows
 
 
