@@ -33,15 +33,18 @@ def run_html(run: Run) -> str:
     structures = [[name, *(_number(max(one[key], default=None), size) for key, size in
                            (("peak_displacement", 1e-3), ("peak_drift", 1e-3), ("peak_acceleration", 1.0)))]
                   for name, one in summary.get("structures", {}).items() if one.get("peak_displacement")]
+    words = ["link", "impacts", "peak force [kN]", "penetration [mm]", "impulse [kN s]", "energy lost [kJ]"]
     parts = [f"<b>{html.escape(run.title)}</b>" + ("" if run.status == "done" else f": {html.escape(run.status)}")]
     if links:
-        parts.append(_table(["link", "impacts", "peak force [kN]", "penetration [mm]", "impulse [kN s]", "energy lost [kJ]"], links))
+        parts.append(_table(words, links))
     if structures:
         parts.append(_table(["structure", "displacement [mm]", "drift [mm]", "acceleration [m/s²]"], structures))
     energy = summary.get("energy", {})
     if energy:
-        terms = " + ".join(f"{name} {_number(energy[name], 1e3)}" for name in ("kinetic", "strain", "damping", "hysteretic", "impact"))
-        parts.append(f"energy [kJ]: input {_number(energy['input'], 1e3)} = {terms}; largest imbalance {energy['error']:.1e} of the input")
+        terms = " + ".join(f"{name} {_number(energy[name], 1e3)}"
+                           for name in ("kinetic", "strain", "damping", "hysteretic", "impact"))
+        parts.append(f"energy [kJ]: input {_number(energy['input'], 1e3)} = {terms}; "
+                     f"largest imbalance {energy['error']:.1e} of the input")
     return "".join(f"<div>{part}</div>" for part in parts)
 
 

@@ -25,8 +25,9 @@ from pounding.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
 #: What others are compared with is black in every figure.
 REFERENCE = "0.1"
-DRAWN: dict[str, dict[str, Any]] = {"line": {}, "thin": {"linewidth": 0.7}, "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2, "color": REFERENCE},
-         "points": {"linestyle": "none", "marker": "o", "markersize": 3.5}}
+DRAWN: dict[str, dict[str, Any]] = {
+    "line": {}, "thin": {"linewidth": 0.7}, "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2, "color": REFERENCE},
+    "points": {"linestyle": "none", "marker": "o", "markersize": 3.5}}
 MATH: dict[Any, Any] = {"text.parse_math": True, "mathtext.fontset": "dejavusans", "svg.fonttype": "path", "svg.hashsalt": "pounding"}
 
 

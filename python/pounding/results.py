@@ -183,7 +183,8 @@ class Run:
     def animate(self, path: str | PathLike[str] | None = None, *, frames: int | None = None, start: float | None = None,
                 end: float | None = None, scale: float | None = None, title: str | None = None) -> Film:
         """The run in motion from `start` to `end` [s], displacements `scale` times as large; written to a .gif, .mp4 or
-        .png a frame when `path` is given. Needs matplotlib. Raises InputError for a span that the run does not have."""
+        .png a frame when `path` is given, and played by a notebook. Needs matplotlib. Raises InputError for a span that the
+        run does not have."""
         animation = _needing("matplotlib", "pounding.animation")
         if path is not None:
             animation.check_output(path)

@@ -141,7 +141,7 @@ def _plate(structure: Structure, bones: Skeleton, floor_of_node: np.ndarray, flo
     return move
 
 
-def _between(structure: Structure, bones: Skeleton, floor_of_node: np.ndarray, heights: np.ndarray, held: np.ndarray,
+def _between(structure: Structure, bones: Skeleton, floor_of_node: np.ndarray, heights: np.ndarray, held: float,
              position: np.ndarray) -> np.ndarray:
     """[time, 3] of a point off the floors, in proportion to its height between the next floors; as the top above it."""
     order = [i for i in np.argsort(heights) if np.isfinite(heights[i])]
