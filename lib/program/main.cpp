@@ -1,25 +1,34 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
+#include <string>
 
+#include <fmt/format.h>
+
+#include <pounding/petsc/launch.hpp>
 #include <pounding/version.hpp>
 #include "commands.hpp"
 #include "exit_code.hpp"
 
 namespace {
 
+const pounding::petsc::Launch launched = pounding::petsc::launch().value_or(pounding::petsc::Launch{});
+
 // Under mpirun all processes fail alike, and the first one tells. MPI itself may not have begun, or be over.
-bool speaks() {
-  for (const char* rank : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-    if (const char* value = std::getenv(rank)) return std::strcmp(value, "0") == 0;
-  return true;
-}
+bool speaks() { return launched.rank == 0; }
 
 int report(const char* text, int code) {
   if (speaks()) pounding::program::print_failure(text);
   return code;
+}
+
+// Each of several processes would print the same and write the same files.
+void require_one_process(CLI::App& command) {
+  command.parse_complete_callback([&command] {
+    if (launched.size > 1)
+      throw pounding::InputError(fmt::format("pounding {} works in one process, and {} were started; type it without mpirun",
+                                             command.get_name(), launched.size));
+  });
 }
 
 }  // namespace
@@ -39,6 +48,8 @@ int main(int argc, char** argv) {
   add_animate(app);
   add_export(app);
   add_reproduce(app);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App* each) { return each->get_name() != "run"; }))
+    require_one_process(*command);
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);

@@ -1,7 +1,6 @@
 #include <csignal>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -24,9 +23,6 @@
 
 namespace pounding::program {
 namespace {
-
-// One that fails waits this long for the other processes to fail alike; to read a model takes them no longer [s].
-constexpr double patience = 5;
 
 struct Words {
   std::string model, output, picture, resume;
@@ -91,9 +87,7 @@ Rest rest_of(const CLI::App& command) {
 
 // A file of the same name may be another one in the folder of another process.
 void require_one_model(const petsc::Team& team, const Model& model, const std::string& file) {
-  const auto* text = reinterpret_cast<const std::byte*>(model.source_text.data());
-  const auto texts = team.gather({text, text + model.source_text.size()});
-  if (std::adjacent_find(texts.begin(), texts.end(), std::not_equal_to<>()) != texts.end())
+  if (!team.same(model.source_text))
     throw InputError(fmt::format("{}: the processes read different models; name a file that all of them see", file));
 }
 
@@ -103,9 +97,8 @@ void together(const std::function<void()>& task) {
   try {
     task();
   } catch (const std::exception& error) {
-    if (leaving.together(patience)) throw;
-    const petsc::Team team(PETSC_COMM_WORLD);
-    print_failure(fmt::format("process {} of {} failed alone: {}", team.rank() + 1, team.size(), error.what()).c_str());
+    if (leaving.together(petsc::Leaving::patience)) throw;
+    print_failure(petsc::Team(PETSC_COMM_WORLD).alone(error.what()).c_str());
     MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
   }
   leaving.together(std::numeric_limits<double>::infinity());

@@ -199,6 +199,28 @@ class Voice(Processes):
             self.assertIn("failed: the solve stopped", file.attrs["status"])
 
 
+class Alone(Processes):
+    """Commands that nothing is gained for by several processes, which would print and write everything twice."""
+
+    def test_are_refused(self):
+        self.write(OSCILLATORS)
+        for words in (["check", "model.yaml"], ["modes", "model.yaml"], ["laws"], ["record", "info", "none"], ["plot", "out.h5"],
+                      ["calibrate", "--law", "hertz_damped", "--restitution", "0.5", "--m1", "1", "--m2", "1", "--velocity", "1"],
+                      ["reproduce", "--only", "laws"]):
+            with self.subTest(words[0]):
+                wrong = self.on(2, *words)
+                self.assertEqual((wrong.returncode, wrong.stdout, self.messages(wrong)),
+                                 (2, "", [f"pounding: pounding {words[0]} works in one process, and 2 were started; type it "
+                                          "without mpirun"]))
+        self.assertEqual(sorted(each.name for each in self.folder.iterdir()), ["model.yaml"])
+
+    def test_are_fine_on_one_process_of_a_launcher_and_help_on_all(self):
+        one = subprocess.run([LAUNCHER, "-n", "1", PROGRAM, "laws"], capture_output=True, text=True, env=SURROUNDINGS, timeout=PATIENCE)
+        self.assertEqual((one.returncode, one.stderr), (0, ""))
+        helped = self.on(2, "laws", "--help")
+        self.assertEqual((helped.returncode, helped.stdout.count("Usage")), (0, 1), helped.stderr)
+
+
 class Ends(Processes):
     def test_at_a_place_that_cannot_be_written(self):
         self.write(ENDLESS)

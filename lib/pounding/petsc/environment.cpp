@@ -8,6 +8,8 @@
 #include <cstring>
 #include <sstream>
 
+#include <pounding/petsc/launch.hpp>
+
 namespace pounding::petsc {
 namespace {
 
@@ -28,7 +30,7 @@ PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char
 // no launcher has started talks to itself only. It needs no session folder either: processes that start and end at the same
 // time would share one, and now and then one would find it gone. What the user has set stays.
 void prepare_single_process() {
-  if (std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMIX_RANK") || std::getenv("PMI_RANK")) return;
+  if (launch()) return;
   constexpr int keep_existing = 0;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_existing);
   setenv("OMPI_MCA_pml", "ob1", keep_existing);

@@ -1,14 +1,55 @@
 #include <pounding/petsc/team.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include <pounding/error.hpp>
 
 namespace pounding::petsc {
+namespace {
+
+enum class Kind : char { input, solver, other };
+
+// What a failure is for other processes: its kind, then its text.
+std::vector<std::byte> message(Kind kind, std::string text) {
+  text.insert(text.begin(), static_cast<char>(kind));
+  const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+  return {bytes, bytes + text.size()};
+}
+
+// Empty where there is no failure.
+std::vector<std::byte> failure_of(const std::function<void()>& task) {
+  try {
+    task();
+    return {};
+  } catch (const InputError& error) {
+    return message(Kind::input, error.what());
+  } catch (const std::invalid_argument& error) {
+    return message(Kind::input, error.what());
+  } catch (const SolverError& error) {
+    return message(Kind::solver, error.what());
+  } catch (const std::exception& error) {
+    return message(Kind::other, error.what());
+  }
+}
+
+[[noreturn]] void fail_as(const std::vector<std::byte>& message, const std::string& before = {}) {
+  const std::string text = before + std::string(reinterpret_cast<const char*>(message.data()) + 1, message.size() - 1);
+  switch (static_cast<Kind>(message.front())) {
+    case Kind::input: throw InputError(text);
+    case Kind::solver: throw SolverError(text);
+    case Kind::other: break;
+  }
+  throw std::runtime_error(text);
+}
+
+}  // namespace
 
 Team::Team(MPI_Comm comm) : comm_(comm) {
   MPI_Comm_size(comm, &size_);
@@ -29,28 +70,28 @@ int Team::first_says(int its) const {
 
 void Team::first_does(const std::function<void()>& task) const {
   if (size_ == 1) return task();
-  enum Failure : int { none, input, other };
-  int failure = none;
-  std::string text;
-  if (is_first()) {
-    try {
-      task();
-    } catch (const InputError& error) {
-      failure = input;
-      text = error.what();
-    } catch (const std::exception& error) {
-      failure = other;
-      text = error.what();
-    }
-  }
-  MPI_Bcast(&failure, 1, MPI_INT, 0, comm_);
-  if (failure == none) return;
-  int length = static_cast<int>(text.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, comm_);
-  text.resize(length);
-  MPI_Bcast(text.data(), length, MPI_CHAR, 0, comm_);
-  if (failure == input) throw InputError(text);
-  throw std::runtime_error(text);
+  const auto failures = gather(is_first() ? failure_of(task) : std::vector<std::byte>{});
+  if (!failures.front().empty()) fail_as(failures.front());
+}
+
+void Team::each_does(const std::function<void()>& task) const {
+  if (size_ == 1) return task();
+  const auto failures = gather(failure_of(task));
+  const auto fine = [](const std::vector<std::byte>& failure) { return failure.empty(); };
+  const auto first = std::ranges::find_if_not(failures, fine);
+  if (first == failures.end()) return;
+  const int rank = static_cast<int>(first - failures.begin());
+  fail_as(*first, std::ranges::any_of(failures, fine) ? alone("", rank) : "");
+}
+
+std::string Team::alone(std::string_view text, std::optional<int> rank) const {
+  return fmt::format("process {} of {} failed alone: {}", rank.value_or(rank_) + 1, size_, text);
+}
+
+bool Team::same(std::string_view mine) const {
+  const auto* bytes = reinterpret_cast<const std::byte*>(mine.data());
+  const auto texts = gather({bytes, bytes + mine.size()});
+  return std::ranges::adjacent_find(texts, std::ranges::not_equal_to()) == texts.end();
 }
 
 std::vector<std::vector<std::byte>> Team::gather(const std::vector<std::byte>& mine) const {

@@ -5,6 +5,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace pounding::petsc {
@@ -26,6 +29,14 @@ class Team {
   int first_says(int its) const;
   /// Runs `task` on the first process; what it throws (InputError, std::exception) is thrown on all.
   void first_does(const std::function<void()>& task) const;
+  /// Runs `task`, which must not call the other processes, on all of them. What the first that fails throws is thrown on all
+  /// (InputError and SolverError as they are, std::invalid_argument as InputError, others as std::runtime_error); where not
+  /// all have failed, the text says which: "process 2 of 4 failed alone: ...".
+  void each_does(const std::function<void()>& task) const;
+  /// Whether all have the same text.
+  bool same(std::string_view mine) const;
+  /// How a failure is told that this process, or one of another rank, has alone.
+  std::string alone(std::string_view text, std::optional<int> rank = {}) const;
   /// The bytes of every process, on all of them.
   std::vector<std::vector<std::byte>> gather(const std::vector<std::byte>& mine) const;
 
@@ -44,6 +55,8 @@ class Leaving {
   Leaving(const Leaving&) = delete;
   Leaving& operator=(const Leaving&) = delete;
 
+  /// One that fails waits this long for the others to fail alike; to read a model takes them no longer [s].
+  static constexpr double patience = 5;
   /// Waits for the others; true when all have come, false after so many seconds.
   bool together(double seconds) const;
 

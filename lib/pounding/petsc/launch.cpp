@@ -1,0 +1,20 @@
+#include <pounding/petsc/launch.hpp>
+
+#include <cstdlib>
+
+namespace pounding::petsc {
+
+std::optional<Launch> launch() {
+  // Those of Open MPI, of MPICH and Slurm's PMI, and of PMIx, whose number of processes only Slurm tells.
+  static constexpr struct {
+    const char *rank, *size;
+  } variables[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"}, {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"}};
+  for (const auto& [rank, size] : variables)
+    if (const char* place = std::getenv(rank)) {
+      const char* count = std::getenv(size);
+      return Launch{std::atoi(place), count ? std::atoi(count) : 1};
+    }
+  return std::nullopt;
+}
+
+}  // namespace pounding::petsc

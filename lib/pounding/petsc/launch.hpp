@@ -1,0 +1,15 @@
+#pragma once
+/// What a launcher of MPI programs (mpirun, srun) tells each process in its environment, before MPI begins.
+
+#include <optional>
+
+namespace pounding::petsc {
+
+struct Launch {
+  int rank = 0, size = 1;  ///< place of this process, and how many there are
+};
+
+/// Nothing where no launcher has started this process.
+std::optional<Launch> launch();
+
+}  // namespace pounding::petsc
