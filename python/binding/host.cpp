@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string_view>
@@ -14,13 +15,28 @@
 
 #include <pounding/error.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/team.hpp>
 
 namespace pounding::python {
 namespace {
 
+bool mpi_runs() {
+  int begun = 0, over = 0;
+  MPI_Initialized(&begun);
+  MPI_Finalized(&over);
+  return begun && !over;
+}
+
+bool has_others() { return mpi_runs() && petsc::Team(MPI_COMM_WORLD).size() > 1; }
+
 // Ends with end_petsc(), not with the process: MPI must not outlive what it needs.
-std::unique_ptr<petsc::Environment> environment;
-bool ended = false;
+struct Session {
+  bool owns_mpi = !mpi_runs();
+  petsc::Environment environment;
+  petsc::Leaving leaving{PETSC_COMM_WORLD};
+};
+std::unique_ptr<Session> session;
+bool ended = false, others_wait = false;
 
 std::set<std::string, std::less<>> names_in_environment() {
   std::set<std::string, std::less<>> names;
@@ -59,17 +75,27 @@ class KeptSignals {
 }  // namespace
 
 void start_petsc() {
-  if (environment) return;
+  if (others_wait) throw SolverError("an earlier run failed in this process alone, and the others still wait in it");
+  if (session) return;
   if (ended) throw SolverError("PETSc has ended in this process; start another one");
   const KeptEnvironment variables;
   const KeptSignals signals;
-  environment = std::make_unique<petsc::Environment>();
+  session = std::make_unique<Session>();
 }
 
-void end_petsc() {
-  ended = ended || environment;
-  environment.reset();
+void end_petsc(bool failed) {
+  ended = ended || session;
+  if (has_others()) {
+    // All may have failed alike, or be done.
+    if (others_wait || (failed && !(session && session->leaving.together(petsc::Leaving::patience))))
+      MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
+    // Where MPI is another's it ends later.
+    if (!failed && session && session->owns_mpi) session->leaving.together(std::numeric_limits<double>::infinity());
+  }
+  session.reset();
 }
+
+void leave_the_others() { others_wait = true; }
 
 OptionsOfRun::OptionsOfRun(const std::vector<std::string>& words) {
   std::vector<std::pair<std::string, std::string>> options;

@@ -1,8 +1,11 @@
 /// Models from their text: reading, checking, modes, runs.
 
+#include <exception>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +19,7 @@
 #include <pounding/input.hpp>
 #include <pounding/modes.hpp>
 #include <pounding/petsc/eigen.hpp>
+#include <pounding/petsc/launch.hpp>
 #include <pounding/petsc/team.hpp>
 #include <pounding/structures.hpp>
 #include "bindings.hpp"
@@ -78,6 +82,8 @@ struct Listener {
   py::object progress;  ///< None, or called with time [s], duration [s] and impacts
   /// What a signal handler or `progress` raised; it ends the run.
   std::optional<py::error_already_set> raised = {};
+  /// That for the other processes, which know by themselves when the user stops the run.
+  std::string failure = {};
 
   void report(double time, double duration, int impacts) {
     const py::gil_scoped_acquire hold;
@@ -85,13 +91,18 @@ struct Listener {
     try {
       progress(time, duration, impacts);
     } catch (py::error_already_set& error) {
-      raised.emplace(std::move(error));
+      keep(std::move(error));
     }
   }
   bool stops() {
     const py::gil_scoped_acquire hold;
-    if (!raised && PyErr_CheckSignals() != 0) raised.emplace();
+    if (!raised && PyErr_CheckSignals() != 0) keep(py::error_already_set());
     return raised.has_value();
+  }
+  void keep(py::error_already_set&& error) {
+    if (!error.matches(PyExc_KeyboardInterrupt))
+      failure = py::str("{}: {}").format(error.type().attr("__name__"), error.value());
+    raised.emplace(std::move(error));
   }
 };
 
@@ -114,12 +125,60 @@ Ran ran(const Outcome& outcome, std::string failure, double tolerance) {
           failure, outcome.results.checkpoint.has_value()};
 }
 
-Ran run_model(const Model& model, const RunOptions& options) {
+Ran run_alike(const Model& model, const RunOptions& options) {
   try {
     return ran(run(model, options), "", model.analysis.tolerance);
   } catch (const FailedRun& failed) {
     return ran(failed.outcome(), failed.what(), model.analysis.tolerance);
   }
+}
+
+// What Python raised on one process only has ended the run of all.
+void tell_what_was_raised(const petsc::Team& team, const Listener& listener, Ran& ran) {
+  try {
+    team.each_does([&] {
+      if (!listener.failure.empty()) throw std::runtime_error(listener.failure);
+    });
+  } catch (const std::runtime_error& error) {
+    ran.failure = error.what();
+  }
+}
+
+// One that fails in the middle of a run leaves the others waiting for a message that never comes; what it fails with after
+// that, or before, is what all fail with.
+Ran run_together(const Model& model, const RunOptions& options, const Listener& listener) {
+  const petsc::Team team(PETSC_COMM_WORLD);
+  const petsc::Leaving leaving(team.comm());
+  Ran ran;
+  std::exception_ptr failure;
+  try {
+    ran = run_alike(model, options);
+  } catch (const std::exception& error) {
+    if (!leaving.together(petsc::Leaving::patience)) {
+      leave_the_others();
+      throw SolverError(team.alone(error.what()));
+    }
+    failure = std::current_exception();
+  }
+  if (!failure) leaving.together(std::numeric_limits<double>::infinity());
+  team.each_does([&] {
+    if (failure) std::rethrow_exception(failure);
+  });
+  tell_what_was_raised(team, listener, ran);
+  return ran;
+}
+
+// A file of the same name may be another one in the folder of another process.
+void require_one_run(const petsc::Team& team, const Model& model, const std::vector<std::string>& options,
+                     const std::string& name) {
+  if (!team.same(fmt::format("{}\n{}", model.source_text, fmt::join(options, " "))))
+    throw InputError(fmt::format("{}: the processes run different models or options; give all of them the same", name));
+}
+
+/// What this process cannot run is what none runs. Nothing where there are no others.
+void refuse(const std::string& text) {
+  if (petsc::launch().value_or(petsc::Launch{}).size > 1)
+    with_petsc([&] { petsc::Team(PETSC_COMM_WORLD).each_does([&] { throw InputError(text); }); });
 }
 
 py::dict dict_of(const Ran& ran, const Listener& listener) {
@@ -140,8 +199,15 @@ py::dict run_source(const Source& source, const std::string& output, const std::
                     const std::string& command, const py::object& progress) {
   Listener listener{progress};
   const Ran ran = with_petsc([&] {
-    const OptionsOfRun given(options);
-    return run_model(read(source), run_options(output, command, listener));
+    const petsc::Team team(PETSC_COMM_WORLD);
+    std::optional<OptionsOfRun> given;
+    std::optional<Model> model;
+    team.each_does([&] {
+      given.emplace(options);
+      model.emplace(read(source));
+    });
+    require_one_run(team, *model, options, source.name);
+    return run_together(*model, run_options(output, command, listener), listener);
   });
   return dict_of(ran, listener);
 }
@@ -150,12 +216,19 @@ py::dict resume(const std::string& file, const std::string& output, std::vector<
                 const std::string& command, const py::object& progress) {
   Listener listener{progress};
   const Ran ran = with_petsc([&] {
-    const StoppedRun earlier = read_stopped_run(file);
-    add_earlier_options(earlier, options);
-    const OptionsOfRun given(options);
+    const petsc::Team team(PETSC_COMM_WORLD);
+    std::optional<OptionsOfRun> given;
+    std::optional<Model> model;
+    team.each_does([&] {
+      const StoppedRun earlier = read_stopped_run(file);
+      add_earlier_options(earlier, options);
+      given.emplace(options);
+      model.emplace(read(input_of(earlier)));
+    });
+    require_one_run(team, *model, options, file);
     RunOptions run_as = run_options(output.empty() ? file : output, command, listener);
     run_as.resume = file;
-    return run_model(read(input_of(earlier)), run_as);
+    return run_together(*model, run_as, listener);
   });
   return dict_of(ran, listener);
 }
@@ -171,7 +244,8 @@ void bind_models(py::module_& module) {
   module.def("modes", &modes);
   module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
-  module.def("end_petsc", &end_petsc);
+  module.def("refuse", &refuse, "text"_a);
+  module.def("end_petsc", &end_petsc, "failed"_a);
 }
 
 }  // namespace pounding::python

@@ -1,6 +1,8 @@
 """The compiled part of the package, or what to type where it is missing. Pictures and results files do without it."""
 
 import atexit
+import contextlib
+import sys
 
 try:
     from pounding import _core as core
@@ -8,7 +10,18 @@ except ImportError as error:
     raise ImportError(f"the compiled part of pounding cannot be loaded: {error}. Type `python3 -m pip install .` in the source "
                       "directory, or set PYTHONPATH to build/python after `make`") from error
 
-# Before the interpreter goes; mpi4py, when it started MPI, ends it after this.
-atexit.register(core.end_petsc)
+
+def _end() -> None:
+    """Before the interpreter goes; mpi4py, when it started MPI, ends it after this."""
+    # Python keeps the exception that ended the program, a session at a prompt (ps1) those of its lines.
+    failed = hasattr(sys, "last_value") and not hasattr(sys, "ps1")
+    for stream in (sys.stdout, sys.stderr):
+        # Gone where there is no terminal, or closed at its other end.
+        with contextlib.suppress(AttributeError, OSError, ValueError):
+            stream.flush()
+    core.end_petsc(failed)
+
+
+atexit.register(_end)
 
 __all__ = ["core"]

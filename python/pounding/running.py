@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from os import PathLike, fspath
 from typing import Any
 
 from pounding.compiled import core
-from pounding.errors import AccuracyWarning, Interrupted, SolverError
+from pounding.errors import AccuracyWarning, InputError, Interrupted, SolverError
 from pounding.models import Model, as_model
 from pounding.results import Run, read_image
 
@@ -28,14 +29,15 @@ def run(model: Model | File, *, tolerance: float | None = None, output: File | N
 
     Raises InputError for what is wrong in the model; SolverError when the run fails and Interrupted at Ctrl-C, both with the
     results so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning). Under mpirun all
-    processes call it alike."""
-    model = as_model(model)
-    if tolerance is not None:
-        model = model.copy()
-        model.analysis = {**(model.analysis or {}), "tolerance": tolerance}
-    words = _words(options)
-    source = model._source()
-    call = " ".join(["pounding.run", source.name, *words])
+    processes call it alike, and what one of them raises here, all raise."""
+    with _refused_by_all():
+        model = as_model(model)
+        if tolerance is not None:
+            model = model.copy()
+            model.analysis = {**(model.analysis or {}), "tolerance": tolerance}
+        words = _words(options)
+        source = model._source()
+        call = " ".join(["pounding.run", source.name, *words])
     place = "" if output is None else fspath(output)
     with _Shown(progress) as shown:
         ran = core.run(source, place, words, call, shown.report)
@@ -46,11 +48,26 @@ def resume(results: File, *, output: File | None = None, options: Mapping[str, A
            progress: Progress | bool | None = None) -> Run:
     """Goes on with a run that was killed, interrupted or cut, from its results file, to the bits of one that never stopped.
     `output` is another file to write; `options` beside those of the beginning. Raises as `run`."""
-    place, words = fspath(results), _words(options)
+    with _refused_by_all():
+        place, words = fspath(results), _words(options)
     with _Shown(progress) as shown:
         ran = core.resume(place, "" if output is None else fspath(output), words, " ".join(["pounding.resume", place, *words]),
                           shown.report)
     return _results(ran, place if output is None else fspath(output))
+
+
+@contextlib.contextmanager
+def _refused_by_all() -> Iterator[None]:
+    """Under mpirun the other processes run already, and wait for one that has nothing to run."""
+    try:
+        yield
+    except InputError as error:
+        core.refuse(str(error))
+        raise
+    except Exception as error:
+        with contextlib.suppress(InputError):
+            core.refuse(f"{type(error).__name__}: {error}")
+        raise
 
 
 def _words(options: Mapping[str, Any] | None) -> list[str]:
