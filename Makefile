@@ -11,7 +11,7 @@ ifeq ($(LONG),0)
 CTEST_FLAGS += --label-exclude long
 endif
 
-.PHONY: build test demo docs python packages clean distclean help
+.PHONY: build test demo docs wheel test-wheel python packages clean distclean help
 
 build: build/build.ninja
 	cmake --build build --parallel $(JOBS)
@@ -28,12 +28,20 @@ docs: build .venv/docs-ready
 	PYTHONPATH=$(CURDIR)/build/python .venv/bin/python3 -m sphinx -q -W --keep-going -c python/docs -d build/docs.doctrees . build/docs
 	@echo "build/docs/index.html"
 
+# The wheel is made from the archive of the sources, as PyPI would; b is as deep as build, so that ccache knows the compiled files.
+wheel: .venv/ready
+	rm -rf build/dist
+	.venv/bin/python3 -m build --config-setting=build-dir=b --outdir build/dist
+
+test-wheel: wheel
+	bash tests/install/wheel.sh build/dist/*.whl
+
 python: .venv/ready
 
 packages:
 	@bash cmake/install-debian.sh
 
-.venv/ready: python/requirements.txt python/requirements-records.txt | packages
+.venv/ready: python/requirements.txt python/requirements-records.txt python/requirements-opensees.txt | packages
 	bash cmake/python-env.sh
 
 .venv/docs-ready: python/docs/requirements.txt | .venv/ready
@@ -56,6 +64,7 @@ help:
 	@echo "make test       build and run every test; LONG=0 leaves the long ones out"
 	@echo "make demo       build, run two frames through an earthquake: demo.h5, demo.png"
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"
+	@echo "make wheel      the Python package for pip: build/dist; test-wheel installs it into a new environment and runs it there"
 	@echo "make python     only the Python environment .venv that draws pictures"
 	@echo "make clean      remove build/ and the demo's files; distclean removes .venv too"
 	@echo "JOBS=$(JOBS) processes are used"

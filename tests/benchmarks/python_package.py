@@ -2,6 +2,7 @@
 """What the Python package costs: imports, a law per element of an array of a million, a run beside the program.
 
     PYTHONPATH=build/python .venv/bin/python3 tests/benchmarks/python_package.py build/pounding
+    ... python_package.py --imports           only these
 """
 
 import subprocess
@@ -41,10 +42,16 @@ def typical(kind):
     return kind(**given, reduced_mass=MASS if kind.takes_reduced_mass else None)
 
 
-def main():
+def imports():
     bare = process("pass")
     for words in ("import pounding", "import numpy", "import pounding; pounding.laws", "import pounding; pounding.run"):
         print(f"{words:<40}{process(words) - bare:8.3f} s")
+
+
+def main():
+    imports()
+    if "--imports" in sys.argv:
+        return
     generator = np.random.default_rng(1)
     penetration, rate = generator.uniform(0, 1e-2, SIZE), generator.uniform(-1, 1, SIZE)
     print(f"\n{'law':<30}{'force':>12}{'with slopes':>14}   ns an element, {SIZE} elements")

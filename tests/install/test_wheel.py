@@ -1,0 +1,43 @@
+"""The package as it was installed, and what its extras are for."""
+
+import os
+import sys
+import tempfile
+import unittest
+from importlib.metadata import version
+from pathlib import Path
+
+import pounding
+from pounding import opensees_link
+
+MODEL = Path(os.environ["POUNDING_EXAMPLES"]) / "02_two_oscillators/model.yaml"
+
+
+class Wheel(unittest.TestCase):
+    def test_is_what_is_imported(self):
+        self.assertTrue(Path(pounding.__file__).is_relative_to(sys.prefix), pounding.__file__)
+        self.assertEqual(version("pounding"), pounding.__version__)
+
+    def test_brings_the_laws_for_opensees(self):
+        with self.assertRaisesRegex(ValueError, 'Did you mean "hertz"'):
+            opensees_link.Law("hertzz", "exact", {})
+
+
+class Extras(unittest.TestCase):
+    def test_draw(self):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = Path(folder) / "force.png"
+            pounding.run(MODEL, tolerance=1e-3).plot("force").savefig(picture)
+            self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+
+    def test_fill_tables(self):
+        results = pounding.run(MODEL, tolerance=1e-3)
+        self.assertEqual(len(results.to_pandas()["impacts"]), 5)
+        self.assertEqual(results.to_xarray()["impacts"].sizes, {"impact": 5})
+
+    def test_bring_records(self):
+        self.assertGreater(Path(pounding.record("elcentro")).stat().st_size, 1000)
+
+
+if __name__ == "__main__":
+    unittest.main()
