@@ -28,10 +28,11 @@ docs: build .venv/docs-ready
 	PYTHONPATH=$(CURDIR)/build/python .venv/bin/python3 -m sphinx -q -W --keep-going -c python/docs -d build/docs.doctrees . build/docs
 	@echo "build/docs/index.html"
 
-# The wheel is made from the archive of the sources, as PyPI would; b is as deep as build, so that ccache knows the compiled files.
+# The wheel is made from the archive of the sources. What `build` has compiled comes from ccache: it compares the names of the
+# compilers, and paths from the build folder, for which b lies as deep as build.
 wheel: .venv/ready
 	rm -rf build/dist
-	.venv/bin/python3 -m build --config-setting=build-dir=b --outdir build/dist
+	CC=cc CXX=c++ .venv/bin/python3 -m build --config-setting=build-dir=b --outdir build/dist
 
 test-wheel: wheel
 	bash tests/install/wheel.sh build/dist/*.whl
