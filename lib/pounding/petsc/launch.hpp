@@ -5,6 +5,7 @@
 
 namespace pounding::petsc {
 
+/// One process of a parallel program, by its launcher.
 struct Launch {
   int rank = 0, size = 1;  ///< place of this process, and how many there are
 };
