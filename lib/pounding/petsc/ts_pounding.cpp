@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -81,17 +82,23 @@ void check_step(const Stepper& stepper, double step) {
 // All entries, on every process.
 PetscErrorCode copy(Vec from, Eigen::VectorXd& to) {
   const PetscScalar* values = nullptr;
-  VecScatter scatter = nullptr;
-  Vec all = nullptr;
+  const PetscInt* ranges = nullptr;
+  PetscMPIInt processes = 0;
   PetscFunctionBegin;
-  PetscCall(VecScatterCreateToAll(from, &scatter, &all));
-  PetscCall(VecScatterBegin(scatter, from, all, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecScatterEnd(scatter, from, all, INSERT_VALUES, SCATTER_FORWARD));
-  PetscCall(VecGetArrayRead(all, &values));
-  std::copy_n(values, to.size(), to.data());
-  PetscCall(VecRestoreArrayRead(all, &values));
-  PetscCall(VecDestroy(&all));
-  PetscCall(VecScatterDestroy(&scatter));
+  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(from));
+  PetscCallMPI(MPI_Comm_size(comm, &processes));
+  PetscCall(VecGetOwnershipRanges(from, &ranges));
+  std::vector<PetscMPIInt> counts(processes), first(processes);
+  for (int p = 0; p < processes; ++p) {
+    first[p] = static_cast<PetscMPIInt>(ranges[p]);
+    counts[p] = static_cast<PetscMPIInt>(ranges[p + 1] - ranges[p]);
+  }
+  PetscInt own = 0;
+  PetscCall(VecGetLocalSize(from, &own));
+  PetscCall(VecGetArrayRead(from, &values));
+  PetscCallMPI(MPI_Allgatherv(values, static_cast<PetscMPIInt>(own), MPIU_SCALAR, to.data(), counts.data(), first.data(), MPIU_SCALAR,
+                              comm));
+  PetscCall(VecRestoreArrayRead(from, &values));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
