@@ -31,7 +31,8 @@ FollowedFloors::FollowedFloors(const Model& model) {
     count += static_cast<int>(s.floors.size()) * directions_.back();
   }
   at_rest_ = Eigen::VectorXd::Zero(count);
-  absolute_ = by_difference_ = Eigen::MatrixXd::Zero(count, grounds);
+  ground_of_.assign(static_cast<std::size_t>(count), -1);
+  by_difference_ = Eigen::MatrixXd::Zero(count, grounds);
   for (std::size_t k = 0; k < model.structures.size(); ++k) {
     const Structure& s = model.structures[k];
     const std::vector<std::array<int, 3>>& under = plan.under[k];
@@ -40,7 +41,7 @@ FollowedFloors::FollowedFloors(const Model& model) {
         const Row& row = s.floors[i].motion[j];
         const int c = column(static_cast<int>(k), static_cast<int>(i), j);
         if (s.at_rest.size() > 0) at_rest_[c] = row.dot(s.at_rest);
-        if (j < 2 && under.front()[j] >= 0) absolute_(c, under.front()[j]) = 1;
+        if (j < 2) ground_of_[c] = under.front()[j];
         for (std::size_t q = 1; q < s.supports.size(); ++q)
           for (int axis = 0; axis < 3; ++axis) {
             const double part = row.dot(s.supports[q].influence.col(axis));
@@ -55,14 +56,19 @@ FollowedFloors::FollowedFloors(const Model& model) {
 
 void FollowedFloors::complete(Eigen::MatrixXd& motion, double time, const Eigen::VectorXd& ground) const {
   motion.col(0) += at_rest_;
-  motion.col(2).noalias() += absolute_ * ground;
+  complete_accelerations(motion.col(2), ground);
   if (by_difference_.size() == 0) return;
   for (std::size_t g = 0; g < grounds_.size(); ++g) {
     const auto part = by_difference_.col(static_cast<int>(g));
     motion.col(0) += grounds_[g].displacement(time) * part;
     motion.col(1) += grounds_[g].velocity(time) * part;
-    motion.col(2) += ground[static_cast<int>(g)] * part;
   }
+}
+
+void FollowedFloors::complete_accelerations(Eigen::Ref<Eigen::VectorXd> accelerations, const Eigen::VectorXd& ground) const {
+  for (std::size_t c = 0; c < ground_of_.size(); ++c)
+    if (ground_of_[c] >= 0) accelerations[static_cast<Eigen::Index>(c)] += ground[ground_of_[c]];
+  if (by_difference_.size() > 0) accelerations += by_difference_ * ground;
 }
 
 }  // namespace pounding

@@ -25,13 +25,15 @@ class FollowedFloors {
   int column(int structure, int floor, int direction) const { return first_[structure] + floor * directions_[structure] + direction; }
   /// Of [quantity, u v a] as observed; `ground` are the accelerations of the grounds just then.
   void complete(Eigen::MatrixXd& motion, double time, const Eigen::VectorXd& ground) const;
+  /// Of accelerations alone, a column of them.
+  void complete_accelerations(Eigen::Ref<Eigen::VectorXd> accelerations, const Eigen::VectorXd& ground) const;
 
  private:
   std::vector<GroundMotion> grounds_;
   std::vector<int> first_, directions_;
-  Eigen::VectorXd at_rest_;       // [m]
+  Eigen::VectorXd at_rest_;        // [m]
   Eigen::MatrixXd by_difference_;  // of supports that move differently, columns x grounds; empty when none do
-  Eigen::MatrixXd absolute_;      // of the ground at the first support, columns x grounds
+  std::vector<int> ground_of_;     // that moves the first support along each column; -1 for none
 };
 
 }  // namespace pounding

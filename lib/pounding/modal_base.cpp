@@ -303,10 +303,14 @@ void ModalBase::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::
 void ModalBase::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
   values.setZero(observed_, x.cols());
   for (const View& view : views_)
-    for (Eigen::Index j = 0; j < x.cols(); ++j)
-      for (Eigen::Index mode = 0; mode < view.factors.cols(); ++mode)
-        for (std::size_t i = 0; i < view.rows.size(); ++i)
-          values(view.rows[i], j) += view.factors(static_cast<Eigen::Index>(i), mode) * x(view.first + mode, j);
+    for (Eigen::Index j = 0; j < x.cols(); ++j) {
+      const double* const modes = x.col(j).data() + view.first;
+      double* const to = values.col(j).data();
+      for (Eigen::Index mode = 0; mode < view.factors.cols(); ++mode) {
+        const double* const factors = view.factors.col(mode).data();
+        for (std::size_t i = 0; i < view.rows.size(); ++i) to[view.rows[i]] += factors[i] * modes[mode];
+      }
+    }
 }
 
 Eigen::VectorXd ModalBase::coordinates(const Eigen::VectorXd& u) const {

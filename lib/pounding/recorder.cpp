@@ -371,19 +371,17 @@ void Recorder::follow_peaks() {
   const Observed &first = stepper_.observed_before(), &last = stepper_.observed_arrived();
   const double h = last.time - first.time;
   begin_ = first.motion;
+  followed_.complete(begin_, first.time, stepper_.ground_before());
   end_ = last.motion;
-  motion_ = stepper_.observed().motion;
-  accelerations_of_ground(first.time, ground_);
-  followed_.complete(begin_, first.time, ground_);
-  followed_.complete(end_, last.time, stepper_.ground_before());
-  accelerations_of_ground(last.time, ground_);
-  followed_.complete(motion_, last.time, ground_);
-  middle_ = end_;
-  if (looks_inside_ && h > 0) {
-    const double middle = 0.5 * (first.time + last.time);
-    stepper_.interpolate_observed(middle, middle_);
-    accelerations_of_ground(middle, ground_);
-    followed_.complete(middle_, middle, ground_);
+  followed_.complete(end_, last.time, stepper_.ground_arrived());
+  const bool inside = looks_inside_ && h > 0, jumps = &stepper_.observed() != &last;
+  if (inside) {
+    middle_ = stepper_.observed_middle();
+    followed_.complete_accelerations(middle_.col(0), stepper_.ground_middle());
+  }
+  if (jumps) {
+    motion_ = stepper_.observed().motion;
+    followed_.complete(motion_, last.time, stepper_.ground());
   }
   for (int k = 0; k < static_cast<int>(peaks_.size()); ++k) {
     const int directions = followed_.directions(k);
@@ -392,9 +390,9 @@ void Recorder::follow_peaks() {
       const int c = followed_.column(k, i, 0);
       if (directions == 1) {
         peaks.displacement.follow(h, begin_(c, 0), begin_(c, 1), end_(c, 0), end_(c, 1));
-        if (looks_inside_) peaks.acceleration.follow(begin_(c, 2), middle_(c, 2), end_(c, 2));
+        if (inside) peaks.acceleration.follow(begin_(c, 2), middle_(c, 0), end_(c, 2));
         peaks.acceleration.follow(end_(c, 2));
-        peaks.acceleration.follow(motion_(c, 2));
+        if (jumps) peaks.acceleration.follow(motion_(c, 2));
         const int below = c - 1;
         if (i == 0)
           peaks.drift.follow(h, begin_(c, 0), begin_(c, 1), end_(c, 0), end_(c, 1));
@@ -406,9 +404,9 @@ void Recorder::follow_peaks() {
       follow_vector(peaks.displacement, h, c, -1);
       follow_vector(peaks.drift, h, c, i == 0 ? -1 : c - directions);
       const auto length = [c](const Eigen::MatrixXd& motion) { return std::hypot(motion(c, 2), motion(c + 1, 2)); };
-      if (looks_inside_) peaks.acceleration.follow(length(begin_), length(middle_), length(end_));
+      if (inside) peaks.acceleration.follow(length(begin_), std::hypot(middle_(c, 0), middle_(c + 1, 0)), length(end_));
       peaks.acceleration.follow(length(end_));
-      peaks.acceleration.follow(std::hypot(motion_(c, 2), motion_(c + 1, 2)));
+      if (jumps) peaks.acceleration.follow(length(motion_));
     }
   }
 }

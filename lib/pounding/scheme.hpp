@@ -48,6 +48,18 @@ inline constexpr auto squared = [] {
       for (int k = j; k <= i; ++k) s[i][j] += a[i][k] * a[k][j];
   return s;
 }();
+/// Weights of the accelerations in the errors of velocity and displacement at the end.
+struct ErrorWeights {
+  double velocity[stages], displacement[stages];
+};
+inline constexpr ErrorWeights error = [] {
+  ErrorWeights e{};
+  for (int j = 0; j < stages; ++j) {
+    e.velocity[j] = a[stages - 1][j] - embedded[j];
+    for (int i = j; i < stages; ++i) e.displacement[j] += (a[stages - 1][i] - embedded[i]) * a[i][j];
+  }
+  return e;
+}();
 }  // namespace esdirk4
 
 /// The scheme that a run is stepped with.

@@ -74,7 +74,7 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
     }
     base.gather(rigid_response_, rigid_flexibility_);
   }
-  for (Instant* instant : {&now_, &before_, &trial_.end, &kept_.end}) {
+  for (Instant* instant : {&changed_[0], &changed_[1], &trial_->end, &kept_->end, &previous_->end}) {
     instant->motion = Eigen::MatrixXd::Zero(n, columns);
     instant->force = Eigen::VectorXd::Zero(m);
     instant->closings = Eigen::MatrixXd::Zero(m, width());
@@ -82,13 +82,13 @@ Stepper::Stepper(const System& system, Base& base, const StepperOptions& options
     if (moving_) instant->by_ground = Eigen::MatrixXd::Zero(m, 3);
     if (excess_.any()) instant->excess = Eigen::VectorXd::Zero(n);
   }
-  for (Trial* trial : {&trial_, &kept_}) {
+  for (Trial* trial : {trial_.get(), kept_.get(), previous_.get()}) {
     trial->a_middle = Eigen::VectorXd::Zero(n);
     trial->force_middle = Eigen::VectorXd::Zero(m);
     trial->middle.resize(m);
     trial->ground_middle = Eigen::VectorXd::Zero(grounds);
-    trial->size_u.assign(system.groups.size(), 0.0);
-    trial->size_v.assign(system.groups.size(), 0.0);
+    trial->squares_u.assign(system.groups.size(), 0.0);
+    trial->squares_v.assign(system.groups.size(), 0.0);
   }
   link_groups_.resize(m);
   for (int i = 0; i < m; ++i)
@@ -269,53 +269,68 @@ void Stepper::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd
   }
 }
 
+Stepper::Instant& Stepper::change_now() {
+  if (now_ == &changed_[0] || now_ == &changed_[1]) return *now_;
+  Instant& own = changed_[before_ == &changed_[0] ? 1 : 0];
+  own = *now_;
+  now_ = &own;
+  return own;
+}
+
 // The acceleration that balances the equations now, of a motion whose K u is known.
 void Stepper::balance_now() {
-  Eigen::MatrixXd& x = now_.motion;
+  Instant& now = change_now();
+  Eigen::MatrixXd& x = now.motion;
   base_.stiffness_times(x.col(v), x.col(kv));
   base_.damping_times(x.col(v), x.col(kv), x.col(cv));
   gather_now();
   auto a_now = x.col(a);
-  ground_at(now_.time, now_.ground);
-  if (moving_) closings_by_ground(now_.time, now_.ground, now_.by_ground);
-  push(now_.ground);
+  ground_at(now.time, now.ground);
+  if (moving_) closings_by_ground(now.time, now.ground, now.by_ground);
+  push(now.ground);
   a_now = -push_ - x.col(ku) - x.col(cv);
-  if (excess_.any()) a_now -= now_.excess;
+  if (excess_.any()) a_now -= now.excess;
   now_motions_.resize(system_.links());
-  for (int i = 0; i < system_.links(); ++i) now_motions_[i] = motion(i, now_);
-  balance(now_motions_, now_.by_ground, false, now_.force, a_now);
+  for (int i = 0; i < system_.links(); ++i) now_motions_[i] = motion(i, now);
+  balance(now_motions_, now.by_ground, false, now.force, a_now);
   base_.follow(a_now);
   x.col(c) = x.col(a);
-  products(now_, a, width() - a);
+  products(now, a, width() - a);
   gather_now();
   states_.has_now = observed_.has_now = false;
   changed_at_end_ = true;
 }
 
-void Stepper::gather_now() { base_.gather(now_.motion.leftCols(width()), now_.closings); }
+void Stepper::gather_now() {
+  Instant& now = change_now();
+  base_.gather(now.motion.leftCols(width()), now.closings);
+}
 
 void Stepper::start(double time, const Eigen::VectorXd& u0, const Eigen::VectorXd& v0) {
   const Energies before = started_ ? energies() : Energies{};
-  now_.time = time;
+  Instant& now = change_now();
+  now.time = time;
   find_break_after(time);
-  now_.motion.setZero();
-  now_.motion.col(u) = base_.coordinates(u0);
-  now_.motion.col(v) = base_.coordinates(v0);
-  base_.follow(now_.motion.col(u));
-  base_.follow(now_.motion.col(v));
-  base_.stiffness_times(now_.motion.col(u), now_.motion.col(ku));
-  if (excess_.any()) excess_at(now_.motion.col(u), now_.excess);
+  now.motion.setZero();
+  now.motion.col(u) = base_.coordinates(u0);
+  now.motion.col(v) = base_.coordinates(v0);
+  base_.follow(now.motion.col(u));
+  base_.follow(now.motion.col(v));
+  base_.stiffness_times(now.motion.col(u), now.motion.col(ku));
+  if (excess_.any()) excess_at(now.motion.col(u), now.excess);
   balance_now();
-  before_ = kept_.end = trial_.end = now_;
-  kept_.h = 0;
-  kept_.a_middle = now_.motion.col(a);
+  kept_->end = trial_->end = now;
+  before_ = &kept_->end;
+  kept_->h = 0;
+  kept_->a_middle = now.motion.col(a);
   forget_views();
   const Energies after = energies();
   given_ += after.kinetic + after.strain - before.kinetic - before.strain;
-  measure(now_, kept_.size_u, kept_.size_v);
+  measure(now, kept_->squares_u, kept_->squares_v);
+  update_scales();
   for (std::size_t k = 0; k < system_.groups.size(); ++k) {
-    displacement_scale_[k] = std::max({displacement_scale_[k], kept_.size_u[k], system_.groups[k].displacement_floor});
-    velocity_scale_[k] = std::max({velocity_scale_[k], kept_.size_v[k], system_.groups[k].velocity_floor});
+    displacement_scale_[k] = std::max(displacement_scale_[k], system_.groups[k].displacement_floor);
+    velocity_scale_[k] = std::max(velocity_scale_[k], system_.groups[k].velocity_floor);
   }
   started_ = true;
 }
@@ -345,14 +360,14 @@ void Stepper::set_shift(double h) {
 }
 
 bool Stepper::attempt(double h, std::optional<double> end) {
-  Trial& t = trial_;
+  Trial& t = *trial_;
   landed_.clear();
   t.h = h;
-  t.end.time = end.value_or(now_.time + h);
-  ground_at(now_.time + 0.5 * h, t.ground_middle);
+  t.end.time = end.value_or(now_->time + h);
+  ground_at(now_->time + 0.5 * h, t.ground_middle);
   ground_at(std::min(t.end.time, break_begins_), t.end.ground, true);
   if (moving_) {
-    closings_by_ground(now_.time + 0.5 * h, t.ground_middle, t.by_ground_middle);
+    closings_by_ground(now_->time + 0.5 * h, t.ground_middle, t.by_ground_middle);
     closings_by_ground(t.end.time, t.end.ground, t.end.by_ground);
   }
   active_.clear();
@@ -360,6 +375,7 @@ bool Stepper::attempt(double h, std::optional<double> end) {
     if (works(i)) active_.push_back(i);
   if (!system_.frictions.empty()) find_sliders();
   set_shift(h);
+  if (!active_.empty() && !base_.flexibility(active_, flexibility_)) return false;
   const bool solved = options_.scheme.kind == Scheme::Kind::esdirk4 ? attempt_esdirk(h) : attempt_alpha(h);
   if (!solved) return false;
   finish_error();
@@ -368,9 +384,9 @@ bool Stepper::attempt(double h, std::optional<double> end) {
 
 // Motion of the links at the middle by cubic interpolation, and the accelerations that balance the equations there.
 void Stepper::evaluate_middle() {
-  Trial& t = trial_;
+  Trial& t = *trial_;
   const double h = t.h;
-  const Instant &x = now_, &y = t.end;
+  const Instant &x = *now_, &y = t.end;
   for (int i = 0; i < system_.links(); ++i) {
     const double closure =
         0.5 * (x.closings(i, u) + y.closings(i, u)) + h / 8 * (x.closings(i, v) - y.closings(i, v));
@@ -394,7 +410,7 @@ void Stepper::evaluate_middle() {
   balance(t.middle, t.by_ground_middle, true, t.force_middle, t.a_middle);
 }
 
-void Stepper::measure(const Instant& instant, std::vector<double>& size_u, std::vector<double>& size_v) {
+void Stepper::measure(const Instant& instant, std::vector<double>& squares_u, std::vector<double>& squares_v) {
   const Eigen::VectorXd& w = base_.weights();
   std::fill(sums_.begin(), sums_.end(), 0.0);
   for (const Base::Segment& s : base_.segments())
@@ -404,16 +420,16 @@ void Stepper::measure(const Instant& instant, std::vector<double>& size_u, std::
       sums_[4 * s.group + 3] += w[i] * vi * vi;
     }
   base_.combine(sums_);
-  for (std::size_t k = 0; k < size_u.size(); ++k) {
-    size_u[k] = std::sqrt(sums_[4 * k + 2] / base_.group_masses()[k]);
-    size_v[k] = std::sqrt(sums_[4 * k + 3] / base_.group_masses()[k]);
+  for (std::size_t k = 0; k < squares_u.size(); ++k) {
+    squares_u[k] = sums_[4 * k + 2];
+    squares_v[k] = sums_[4 * k + 3];
   }
 }
 
 // The errors against the motion, both as root mean squares weighed by the masses of a group, and those of the links that
 // press against the motion of their impact.
 void Stepper::finish_error() {
-  Trial& t = trial_;
+  Trial& t = *trial_;
   const double* w = base_.weights().data();
   const double *u1 = t.end.at(u), *v1 = t.end.at(v);
   std::fill(sums_.begin(), sums_.end(), 0.0);
@@ -429,18 +445,19 @@ void Stepper::finish_error() {
     sums[0] += eu, sums[1] += ev, sums[2] += uu, sums[3] += vv;
   }
   base_.combine(sums_);
-  double worst = 0;
+  double square = 0;
   troublesome_ = -1;
   for (std::size_t k = 0; k < system_.groups.size(); ++k) {
     const double* sums = sums_.data() + 4 * k;
-    const double each = 1 / base_.group_masses()[k];
-    t.size_u[k] = std::sqrt(sums[2] * each);
-    t.size_v[k] = std::sqrt(sums[3] * each);
-    const double scale_u = std::max(displacement_scale_[k], t.size_u[k]);
-    const double scale_v = std::max(velocity_scale_[k], t.size_v[k]);
-    worst = std::max({worst, std::sqrt(sums[0] * each) / scale_u, std::sqrt(sums[1] * each) / scale_v});
-    if (!std::isfinite(sums[0] + sums[1] + sums[2] + sums[3])) worst = std::numeric_limits<double>::infinity();
+    const double mass = base_.group_masses()[k];
+    const double scale_u = displacement_scale_[k], scale_v = velocity_scale_[k];
+    t.squares_u[k] = sums[2];
+    t.squares_v[k] = sums[3];
+    square = std::max({square, sums[0] / std::max(scale_u * scale_u * mass, sums[2]),
+                       sums[1] / std::max(scale_v * scale_v * mass, sums[3])});
+    if (!std::isfinite(sums[0] + sums[1] + sums[2] + sums[3])) square = std::numeric_limits<double>::infinity();
   }
+  double worst = std::sqrt(square);
   if (!active_.empty() && active_.front() < system_.contact_count()) {
     work_errors_.resize(base_.size(), 2);
     work_errors_.col(0) = error_u_;
@@ -453,8 +470,9 @@ void Stepper::finish_error() {
       const LinkMotion end = motion(i, t.end);
       double wide_d = 0, wide_r = 0;  // of the bodies that the link joins
       for (const int k : link_groups_[i]) {
-        wide_d += std::max(displacement_scale_[k], t.size_u[k]);
-        wide_r += std::max(velocity_scale_[k], t.size_v[k]);
+        const double mass = base_.group_masses()[k];
+        wide_d += std::max(displacement_scale_[k], std::sqrt(t.squares_u[k] / mass));
+        wide_r += std::max(velocity_scale_[k], std::sqrt(t.squares_v[k] / mass));
       }
       const double scale_d = std::max({penetration_scale_[i], std::abs(end.penetration), part_d * wide_d});
       const double scale_r = std::max({rate_scale_[i], std::abs(end.rate), part_r * wide_r});
@@ -469,9 +487,12 @@ void Stepper::finish_error() {
 }
 
 void Stepper::update_scales() {
+  const auto grow = [](double& scale, double square, double mass) {
+    if (square > scale * scale * mass) scale = std::sqrt(square / mass);
+  };
   for (std::size_t k = 0; k < system_.groups.size(); ++k) {
-    displacement_scale_[k] = std::max(displacement_scale_[k], kept_.size_u[k]);
-    velocity_scale_[k] = std::max(velocity_scale_[k], kept_.size_v[k]);
+    grow(displacement_scale_[k], kept_->squares_u[k], base_.group_masses()[k]);
+    grow(velocity_scale_[k], kept_->squares_v[k], base_.group_masses()[k]);
   }
 }
 
@@ -484,15 +505,17 @@ bool Stepper::in_contact() const {
 }
 
 void Stepper::accept() {
-  const double h = trial_.h;
-  before_.swap(now_);
+  const double h = trial_->h;
+  before_ = now_;
+  previous_.swap(kept_);
   kept_.swap(trial_);
+  now_ = &kept_->end;
   states_.move_on();
   observed_.move_on();
-  observed_a_middle_.resize(0, 0);
+  has_observed_middle_ = false;
   changed_at_end_ = false;
 
-  const Instant &x = before_, &y = kept_.end;
+  const Instant &x = *before_, &y = *now_;
   const int n = base_.size();
   const Eigen::MatrixXd& load = base_.load();
   const double *v0 = x.at(v), *v1 = y.at(v), *a0 = x.at(a), *a1 = y.at(a);
@@ -505,7 +528,7 @@ void Stepper::accept() {
   }
   for (Eigen::Index k = 0; k < load.cols(); ++k) {
     const double* p = load.col(k).data();
-    const double begin = x.ground[k], middle = kept_.ground_middle[k], end = y.ground[k];
+    const double begin = x.ground[k], middle = kept_->ground_middle[k], end = y.ground[k];
     if (k > 0 && begin == 0 && middle == 0 && end == 0) continue;
     for (int i = 0; i < n; ++i) {
       const double vm = 0.5 * (v0[i] + v1[i]) + h / 8 * (a0[i] - a1[i]);
@@ -517,11 +540,11 @@ void Stepper::accept() {
   const int contacts = system_.contact_count();
   for (int i = 0; i < system_.links(); ++i) {
     LinkStep& step = link_steps_[i];
-    step = {x.time,     y.time,     motion(i, x), kept_.middle[i], motion(i, y),
-            x.force[i], kept_.force_middle[i],    y.force[i],
+    step = {x.time,     y.time,     motion(i, x), kept_->middle[i], motion(i, y),
+            x.force[i], kept_->force_middle[i],    y.force[i],
             x.closings(i, a) + ground_part(x.by_ground, i, a), y.closings(i, a) + ground_part(y.by_ground, i, a)};
     if (moving_)
-      carried_work_ += h / 6 * (step.force_begin * x.by_ground(i, v) + 4 * step.force_middle * kept_.by_ground_middle(i, v) +
+      carried_work_ += h / 6 * (step.force_begin * x.by_ground(i, v) + 4 * step.force_middle * kept_->by_ground_middle(i, v) +
                                 step.force_end * y.by_ground(i, v));
     if (i >= frictions_from_) continue;
     if (i >= contacts) {
@@ -538,13 +561,14 @@ void Stepper::accept() {
       friction_work_[k] += h / 6 * (step.force_begin * step.motion_begin.rate + 4 * step.force_middle * step.motion_middle.rate +
                                     step.force_end * step.motion_end.rate);
     }
-  now_ = kept_.end;
   update_scales();
-  if (now_.time >= next_break_) {
-    ground_at(now_.time, now_.ground);
-    find_break_after(now_.time);
+  bool ground_jumps = false;
+  if (now_->time >= next_break_) {
+    ground_at(now_->time, stage_ground_);
+    ground_jumps = stage_ground_ != now_->ground;
+    find_break_after(now_->time);
   }
-  const bool ground_jumps = now_.ground != kept_.end.ground;
+  if (ground_jumps) change_now().ground = stage_ground_;
   if (!landed_.empty())
     enter_phases(false);
   else if (ground_jumps)
@@ -552,13 +576,14 @@ void Stepper::accept() {
 }
 
 void Stepper::cross_now() {
-  before_ = kept_.end = now_;
+  kept_->end = *now_;
+  before_ = &kept_->end;
   forget_views();
   enter_phases(true);
 }
 
 Energies Stepper::energies() const {
-  const Eigen::MatrixXd& x = now_.motion;
+  const Eigen::MatrixXd& x = now_->motion;
   base_.mass_times(x.col(v), work_);
   std::vector<double> sums{input_work_, damping_work_, 0.5 * work_.dot(x.col(v)), 0.5 * x.col(u).dot(x.col(ku))};
   base_.combine(sums);
@@ -605,25 +630,25 @@ void Stepper::show(const Instant& instant, Observed& observed) const {
 void Stepper::forget_views() {
   states_.forget();
   observed_.forget();
-  observed_a_middle_.resize(0, 0);
+  has_observed_middle_ = false;
 }
 
 template <class View>
 const View& Stepper::now_in(Views<View>& views) const {
-  if (!std::exchange(views.has_now, true)) show(now_, views.now);
+  if (!std::exchange(views.has_now, true)) show(*now_, views.now);
   return views.now;
 }
 
 template <class View>
 const View& Stepper::before_in(Views<View>& views) const {
-  if (!std::exchange(views.has_before, true)) show(before_, views.before);
+  if (!std::exchange(views.has_before, true)) show(*before_, views.before);
   return views.before;
 }
 
 template <class View>
 const View& Stepper::arrived_in(Views<View>& views) const {
   if (!changed_at_end_) return now_in(views);
-  if (!std::exchange(views.has_arrived, true)) show(kept_.end, views.arrived);
+  if (!std::exchange(views.has_arrived, true)) show(kept_->end, views.arrived);
   return views.arrived;
 }
 
@@ -657,14 +682,27 @@ void Stepper::interpolate_acceleration(double time, Eigen::VectorXd& out) const 
   }
   const Parabola parabola((time - x.time) / h);
   Eigen::VectorXd middle;
-  base_.follow(kept_.a_middle);
-  base_.physical(kept_.a_middle, middle);
+  base_.follow(kept_->a_middle);
+  base_.physical(kept_->a_middle, middle);
   if (excess_.any()) {
     Eigen::VectorXd u_middle, v_middle;
     interpolate(0.5 * (x.time + y.time), u_middle, v_middle);
     excess_.complete(u_middle, v_middle, middle);
   }
   out = parabola.begin * x.a + parabola.middle * middle + parabola.end * y.a;
+}
+
+const Eigen::MatrixXd& Stepper::observed_middle() const {
+  if (std::exchange(has_observed_middle_, true)) return observed_middle_;
+  if (observed_follow_) {
+    Eigen::VectorXd middle;
+    interpolate_acceleration(0.5 * (before().time + arrived().time), middle);
+    observed_middle_ = system_.observed.transpose() * middle;
+  } else {
+    base_.follow(kept_->a_middle);
+    base_.observe(kept_->a_middle, observed_middle_);
+  }
+  return observed_middle_;
 }
 
 void Stepper::interpolate_observed(double time, Eigen::MatrixXd& out) const {
@@ -674,44 +712,13 @@ void Stepper::interpolate_observed(double time, Eigen::MatrixXd& out) const {
     out = observed().motion;
     return;
   }
-  if (observed_a_middle_.size() == 0 && observed_follow_) {
-    Eigen::VectorXd middle;
-    interpolate_acceleration(0.5 * (x.time + y.time), middle);
-    observed_a_middle_ = system_.observed.transpose() * middle;
-  } else if (observed_a_middle_.size() == 0) {
-    base_.follow(kept_.a_middle);
-    base_.observe(kept_.a_middle, observed_a_middle_);
-  }
   const double s = (time - x.time) / h;
   const Cubic cubic(s, h);
   const Parabola parabola(s);
   out.resize(x.motion.rows(), 3);
   out.leftCols(2) = cubic.begin * x.motion.leftCols(2) + cubic.end * y.motion.leftCols(2) +
                     cubic.slope_begin * x.motion.rightCols(2) + cubic.slope_end * y.motion.rightCols(2);
-  out.col(2) = parabola.begin * x.motion.col(2) + parabola.middle * observed_a_middle_ + parabola.end * y.motion.col(2);
-}
-
-void Stepper::Instant::swap(Instant& other) {
-  std::swap(time, other.time);
-  ground.swap(other.ground);
-  motion.swap(other.motion);
-  force.swap(other.force);
-  closings.swap(other.closings);
-  by_ground.swap(other.by_ground);
-  excess.swap(other.excess);
-}
-
-void Stepper::Trial::swap(Trial& other) {
-  std::swap(h, other.h);
-  end.swap(other.end);
-  a_middle.swap(other.a_middle);
-  force_middle.swap(other.force_middle);
-  middle.swap(other.middle);
-  ground_middle.swap(other.ground_middle);
-  by_ground_middle.swap(other.by_ground_middle);
-  std::swap(error, other.error);
-  size_u.swap(other.size_u);
-  size_v.swap(other.size_v);
+  out.col(2) = parabola.begin * x.motion.col(2) + parabola.middle * observed_middle() + parabola.end * y.motion.col(2);
 }
 
 void Stepper::Instant::archive(Archive& archive) {
@@ -733,14 +740,18 @@ void Stepper::Trial::archive(Archive& archive) {
   archive(ground_middle);
   archive(by_ground_middle);
   archive(error);
-  archive(size_u);
-  archive(size_v);
+  archive(squares_u);
+  archive(squares_v);
 }
 
 void Stepper::archive(Archive& archive) {
-  archive(now_);
-  archive(before_);
-  archive(kept_);
+  if (archive.reading()) {
+    now_ = &changed_[0];
+    before_ = &previous_->end;
+  }
+  archive(*now_);
+  archive(*before_);
+  archive(*kept_);
   archive(link_steps_);
   archive(input_work_);
   archive(damping_work_);

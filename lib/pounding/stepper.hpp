@@ -3,7 +3,9 @@
 /// contact changes phase inside it. Knows no PETSc: the TS type `pounding` drives it.
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -68,7 +70,7 @@ class Stepper {
   /// `end` is the time at its end when that is known better than by adding h.
   bool attempt(double h, std::optional<double> end = std::nullopt);
   /// Error of the trial in one step divided by what the tolerance allows; the trial is good when it is at most 1.
-  double error_ratio() const { return trial_.error; }
+  double error_ratio() const { return trial_->error; }
   /// The error falls with this power of the step.
   int error_order() const { return options_.scheme.error_order(); }
   /// Length of the shortest trial step at whose end a contact reaches the end of its phase, located by re-integrated
@@ -81,11 +83,9 @@ class Stepper {
   void cross_now();
 
   /// Of the present state [s].
-  double time() const { return now_.time; }
+  double time() const { return now_->time; }
   /// The next time at which one of the ground motions has a corner or a jump; infinity for none.
   double next_break() const { return next_break_; }
-  /// Accelerations of the grounds just before the end of the last kept step [m/s^2].
-  const Eigen::VectorXd& ground_before() const { return kept_.end.ground; }
   /// The present state.
   const State& state() const;
   /// The state at the beginning of the last kept step.
@@ -97,9 +97,16 @@ class Stepper {
   const Observed& observed() const;
   const Observed& observed_before() const;
   const Observed& observed_arrived() const;
+  /// What a report follows of the accelerations that balance the equations in the middle of the last kept step: [quantity, 1].
+  const Eigen::MatrixXd& observed_middle() const;
+  /// Accelerations of the grounds at the same instants [m/s^2].
+  const Eigen::VectorXd& ground() const { return now_->ground; }
+  const Eigen::VectorXd& ground_before() const { return before_->ground; }
+  const Eigen::VectorXd& ground_middle() const { return kept_->ground_middle; }
+  const Eigen::VectorXd& ground_arrived() const { return kept_->end.ground; }
   const std::vector<LinkStep>& link_steps() const { return link_steps_; }
   /// Forces of all links at the present state [N].
-  const Eigen::VectorXd& link_forces() const { return now_.force; }
+  const Eigen::VectorXd& link_forces() const { return now_->force; }
   Energies energies() const;
   /// Work that each friction of the system has dissipated [J].
   const std::vector<double>& friction_work() const { return friction_work_; }
@@ -139,7 +146,6 @@ class Stepper {
     Eigen::VectorXd excess;     // see ExcessForces, [coordinate]; empty for none
     const double* at(Column column) const { return motion.col(column).data(); }
     double* at(Column column) { return motion.col(column).data(); }
-    void swap(Instant& other);
     void archive(Archive& archive);
   };
   /// A margin that is negative at the end of the trial.
@@ -158,8 +164,7 @@ class Stepper {
     Eigen::VectorXd ground_middle;     // accelerations [m/s^2]
     Eigen::MatrixXd by_ground_middle;  // as Instant::by_ground
     double error = 0;
-    std::vector<double> size_u, size_v;  // of the motion at the end, by group
-    void swap(Trial& other);
+    std::vector<double> squares_u, squares_v;  // of the motion at the end weighed by the masses, summed by group
     void archive(Archive& archive);
   };
 
@@ -215,12 +220,13 @@ class Stepper {
   void closings_by_ground(double time, const Eigen::VectorXd& ground, Eigen::MatrixXd& by_ground) const;
   void products(Instant& instant, int first, int count) const;
   void evaluate_middle();
-  void measure(const Instant& instant, std::vector<double>& size_u, std::vector<double>& size_v);
+  void measure(const Instant& instant, std::vector<double>& squares_u, std::vector<double>& squares_v);
   void add_simpson_error(double part);
   void finish_error();
   /// r, the forces other than those of links, becomes the acceleration; forces of the links from their motions.
   void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step, Eigen::VectorXd& force,
                Eigen::Ref<Eigen::VectorXd> r) const;
+  Instant& change_now();  // the present instant, to be written
   void balance_now();
   void gather_now();
   /// Penetration of a contact, or deformation of a spring, whose ends have closed by `closure`.
@@ -272,8 +278,12 @@ class Stepper {
   Eigen::MatrixXd rigid_response_;     // M^-1 B of the contacts, when one of them is rigid
   Eigen::MatrixXd rigid_flexibility_;  // B^T M^-1 B
 
-  Instant now_, before_;
-  Trial trial_, kept_;
+  // The present trial, the last kept step and the one before it take turns.
+  std::unique_ptr<Trial> trial_ = std::make_unique<Trial>(), kept_ = std::make_unique<Trial>(), previous_ = std::make_unique<Trial>();
+  // The end of the kept step until something changes there, then a copy of it; and the beginning of that step.
+  Instant* now_ = &changed_[0];
+  Instant* before_ = &kept_->end;
+  std::array<Instant, 2> changed_;
   std::vector<Ending> landed_;  // endings at the end of the trial
   std::vector<LinkStep> link_steps_;
   double input_work_ = 0, damping_work_ = 0;  // of this process
@@ -309,7 +319,8 @@ class Stepper {
   std::vector<double> sums_;
   mutable Views<State> states_;
   mutable Views<Observed> observed_;
-  mutable Eigen::MatrixXd observed_a_middle_;  // empty until somebody asks for it
+  mutable Eigen::MatrixXd observed_middle_;
+  mutable bool has_observed_middle_ = false;
   bool changed_at_end_ = false;  // the present state is not the end of the last step
 };
 

@@ -82,8 +82,8 @@ constexpr int most_corner_trials = 8;
 double Stepper::noise_of(int link, int margin, const LinkMotion& at) const {
   double size_u = largest_u(), size_v = largest_v();
   if (moving_) {
-    size_u = std::max(size_u, std::abs(now_.by_ground(link, u)));
-    size_v = std::max(size_v, std::abs(now_.by_ground(link, v)));
+    size_u = std::max(size_u, std::abs(now_->by_ground(link, u)));
+    size_v = std::max(size_v, std::abs(now_->by_ground(link, v)));
   }
   const auto cut = [&] {
     return cut_noise + system_.contacts[link]->force_margin_noise(at, {noise * size_u, noise * size_v});
@@ -106,12 +106,12 @@ std::vector<Stepper::Ending> Stepper::endings() const {
   std::vector<Ending> found;
   for (int i = 0; i < system_.contact_count(); ++i) {
     const Contact& contact = *system_.contacts[i];
-    const LinkMotion begin = motion(i, now_), end = motion(i, trial_.end);
-    const Contact::Margins at_begin = contact.margins(begin, now_.force[i]);
-    const Contact::Margins at_end = contact.margins(end, trial_.end.force[i]);
+    const LinkMotion begin = motion(i, *now_), end = motion(i, trial_->end);
+    const Contact::Margins at_begin = contact.margins(begin, now_->force[i]);
+    const Contact::Margins at_end = contact.margins(end, trial_->end.force[i]);
     for (int k = 0; k < Contact::max_margins; ++k) {
       if (!ended(i, k, at_end[k], end)) continue;
-      const double guess = at_begin[k] <= 0 ? 0 : trial_.h * at_begin[k] / (at_begin[k] - at_end[k]);
+      const double guess = at_begin[k] <= 0 ? 0 : trial_->h * at_begin[k] / (at_begin[k] - at_end[k]);
       found.push_back({i, k, 0, at_begin[k], at_end[k], guess});
     }
   }
@@ -122,16 +122,16 @@ std::vector<Stepper::Ending> Stepper::endings() const {
 // of least opening.
 void Stepper::inner_touch(int link) {
   if (system_.contacts[link]->phase() != ContactPhase::open) return;
-  const LinkMotion begin = motion(link, now_), end = motion(link, trial_.end);
+  const LinkMotion begin = motion(link, *now_), end = motion(link, trial_->end);
   if (!(begin.rate > 0 && end.rate < 0 && begin.penetration <= 0 && end.penetration <= 0)) return;
-  const CubicPenetration between(begin, end, trial_.h);
+  const CubicPenetration between(begin, end, trial_->h);
   const double s = between.turn();
   if (!(s > 0 && s < 1)) return;
-  const double reach = 0.25 * trial_.h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
+  const double reach = 0.25 * trial_->h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
   if (between.at(s) < -reach) return;
-  const double whole = trial_.h, end_time = trial_.end.time;
+  const double whole = trial_->h, end_time = trial_->end.time;
   const bool touches = attempt(s * whole) && ended(link, reversal_or_touch,
-                                                   -motion(link, trial_.end).penetration, motion(link, trial_.end));
+                                                   -motion(link, trial_->end).penetration, motion(link, trial_->end));
   // The trial as it was, its end at the exact time of a corner of the ground motion included.
   if (!touches && !attempt(whole, end_time)) throw SolverError(lost_trial);
 }
@@ -139,8 +139,8 @@ void Stepper::inner_touch(int link) {
 // Where in the trial, from 0 to 1, a spring begins to yield, or turns while it does: by the cubic through both ends.
 std::optional<double> Stepper::corner(int link) const {
   const Spring& spring = *system_.springs[link - system_.contact_count()];
-  const LinkMotion begin = motion(link, now_), end = motion(link, trial_.end);
-  const CubicPenetration between(begin, end, trial_.h);
+  const LinkMotion begin = motion(link, *now_), end = motion(link, trial_->end);
+  const CubicPenetration between(begin, end, trial_->h);
   const auto yields = [&](double s) { return spring.evaluate({between.at(s), 0}).by_penetration != 0; };
   const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
   const auto onset = [&](double low, double high) {
@@ -161,11 +161,11 @@ std::optional<double> Stepper::corner(int link) const {
 
 // The force of a spring has corners; a step that ends there keeps its order.
 void Stepper::stop_at_corner(int link) {
-  const double whole = trial_.h, end_time = trial_.end.time;
+  const double whole = trial_->h, end_time = trial_->end.time;
   for (int trials = 0; trials < most_corner_trials; ++trials) {
     const std::optional<double> s = corner(link);
     if (!s) return;
-    if (attempt(*s * trial_.h)) continue;
+    if (attempt(*s * trial_->h)) continue;
     if (!attempt(whole, end_time)) throw SolverError(lost_trial);
     return;
   }
@@ -180,7 +180,7 @@ std::optional<double> Stepper::land() {
   while (!open.empty()) {
     Ending first =
         *std::min_element(open.begin(), open.end(), [](const Ending& a, const Ending& b) { return a.guess < b.guess; });
-    const double noise_here = noise_of(first.link, first.margin, motion(first.link, now_)), longest = trial_.h;
+    const double noise_here = noise_of(first.link, first.margin, motion(first.link, *now_)), longest = trial_->h;
     const bool at_zero = first.at_begin <= noise_here;
     const bool doubtful = at_zero || first.at_begin <= grouped_part * std::abs(first.at_end);
     if (doubtful && !begins_inside(first, longest) && at_zero) {
@@ -210,22 +210,22 @@ std::optional<double> Stepper::land() {
                                      [&](const Ending& e) { return e.link == other.link; });
       if (!known && margin <= grouped_part * change) landed_.push_back(other);
     }
-    return trial_.h;
+    return trial_->h;
   }
-  return trial_.h;
+  return trial_->h;
 }
 
 // Bodies that stand face to face and close touch whatever the other contacts do, unless a velocity jumps.
 bool Stepper::touches_now(const Ending& ending) const {
   const Contact& contact = *system_.contacts[ending.link];
-  const LinkMotion here = motion(ending.link, now_);
+  const LinkMotion here = motion(ending.link, *now_);
   return contact.phase() == ContactPhase::open && !contact.is_rigid() &&
          ending.at_begin <= noise_of(ending.link, ending.margin, here) && here.rate > noise * largest_v();
 }
 
 double Stepper::margin_of_trial(const Ending& ending) const {
-  const LinkMotion end = motion(ending.link, trial_.end);
-  return system_.contacts[ending.link]->margins(end, trial_.end.force[ending.link])[ending.margin];
+  const LinkMotion end = motion(ending.link, trial_->end);
+  return system_.contacts[ending.link]->margins(end, trial_->end.force[ending.link])[ending.margin];
 }
 
 // A phase that has just begun may do so on the wrong side of its margin by rounding, and end properly later in the trial:
@@ -234,7 +234,7 @@ bool Stepper::begins_inside(Ending& ending, double longest) {
   for (double h = longest / 2; h > shortest_look * longest; h /= 4) {
     if (!attempt(h)) continue;
     const double margin = margin_of_trial(ending);
-    if (ended(ending.link, ending.margin, -margin, motion(ending.link, trial_.end))) {  // clearly positive
+    if (ended(ending.link, ending.margin, -margin, motion(ending.link, trial_->end))) {  // clearly positive
       ending.from = h;
       ending.at_begin = margin;
       ending.guess = 0.5 * (h + longest);
@@ -246,7 +246,7 @@ bool Stepper::begins_inside(Ending& ending, double longest) {
 
 // Anderson and Bjorck's regula falsi on the length of the step; every value is a re-integrated step.
 bool Stepper::locate(const Ending& ending, double longest) {
-  const double noise_here = noise_of(ending.link, ending.margin, motion(ending.link, trial_.end)), change = ending.at_begin - ending.at_end;
+  const double noise_here = noise_of(ending.link, ending.margin, motion(ending.link, trial_->end)), change = ending.at_begin - ending.at_end;
   // Below the noise, so that the landing itself is not taken for an end of the next phase.
   const double landed = noise_here > 0 ? std::min(landed_part * change, 0.1 * noise_here) : landed_part * change;
   double low = ending.from, at_low = ending.at_begin, high = longest, at_high = ending.at_end;
@@ -280,7 +280,7 @@ void Stepper::enter_phases(bool without_step) {
   std::vector<int> rigid;
   for (const Ending& ending : landed_) {
     Contact& contact = *system_.contacts[ending.link];
-    const LinkMotion here = motion(ending.link, now_);
+    const LinkMotion here = motion(ending.link, *now_);
     const bool touches = contact.phase() == ContactPhase::open;
     ++events_;
     if (touches && contact.is_rigid()) {
@@ -291,7 +291,7 @@ void Stepper::enter_phases(bool without_step) {
       rate_scale_[ending.link] = std::abs(here.rate);
       penetration_scale_[ending.link] = 0;
     }
-    contact.crossed(ending.margin, now_.time, here);
+    contact.crossed(ending.margin, now_->time, here);
   }
   landed_.clear();
   if (!rigid.empty()) {
@@ -306,14 +306,14 @@ void Stepper::enter_phases(bool without_step) {
 void Stepper::settle() {
   for (int i = 0; i < system_.contact_count(); ++i) {
     Contact& contact = *system_.contacts[i];
-    const LinkMotion here = motion(i, now_);
+    const LinkMotion here = motion(i, *now_);
     // From a reversal to a release, or to the separation, there are two changes at most.
     for (int change = 0; change < 2; ++change) {
       if (contact.phase() == ContactPhase::open || held(i)) break;
-      const Contact::Margins margins = contact.margins(here, now_.force[i]);
+      const Contact::Margins margins = contact.margins(here, now_->force[i]);
       for (int k = 0; k < Contact::max_margins; ++k) {
         if (!ended(i, k, margins[k], here)) continue;
-        contact.crossed(k, now_.time, here);
+        contact.crossed(k, now_->time, here);
         break;
       }
     }
@@ -325,10 +325,10 @@ void Stepper::settle() {
 Eigen::VectorXd Stepper::slowest_rates(const std::vector<int>& closed) const {
   Eigen::VectorXd slowest = Eigen::VectorXd::Constant(static_cast<int>(closed.size()), options_.tolerance * largest_v());
   for (std::size_t k = 0; k < closed.size(); ++k) {
-    const double press = now_.closings(closed[k], a) + ground_part(now_.by_ground, closed[k], a), e = system_.contacts[closed[k]]->restitution();
+    const double press = now_->closings(closed[k], a) + ground_part(now_->by_ground, closed[k], a), e = system_.contacts[closed[k]]->restitution();
     if (!(press > 0)) continue;
     const double lowest = std::sqrt(2 * press * least_hop * noise * largest_u());
-    const double briefest = 0.5 * press * shortest_hop * std::max(1.0, now_.time);
+    const double briefest = 0.5 * press * shortest_hop * std::max(1.0, now_->time);
     slowest[static_cast<int>(k)] = std::max({slowest[static_cast<int>(k)], lowest / e, briefest / e});
   }
   return slowest;
@@ -341,15 +341,15 @@ void Stepper::bounce(const std::vector<int>& touching, bool without_step) {
   std::vector<int> closed = touching;
   for (int i = 0; i < system_.contact_count(); ++i) {
     const Contact& contact = *system_.contacts[i];
-    const LinkMotion here = motion(i, now_);
+    const LinkMotion here = motion(i, *now_);
     if (!contact.is_rigid() || std::find(touching.begin(), touching.end(), i) != touching.end()) continue;
     if (held(i) || contact.margins(here, 0)[reversal_or_touch] <= noise_of(i, reversal_or_touch, here))
       closed.push_back(i);
   }
   const int count = static_cast<int>(closed.size());
   const Eigen::MatrixXd g = rigid_flexibility_(closed, closed);
-  Eigen::VectorXd before = now_.closings.col(v)(closed);
-  for (int k = 0; k < count; ++k) before[k] += ground_part(now_.by_ground, closed[k], v);
+  Eigen::VectorXd before = now_->closings.col(v)(closed);
+  for (int k = 0; k < count; ++k) before[k] += ground_part(now_->by_ground, closed[k], v);
   const Eigen::VectorXd slowest = slowest_rates(closed);
   Eigen::VectorXd rate = before, impulse = Eigen::VectorXd::Zero(count), work = impulse;
   const auto strike = [&](int k, double after) {
@@ -380,9 +380,9 @@ void Stepper::bounce(const std::vector<int>& touching, bool without_step) {
     const bool stays = after[k] >= -still, touches = k < static_cast<int>(touching.size());
     // Without an impulse: a touch at rest is held, a rest may end, and all else goes on.
     if (impulse[k] == 0 && !(touches && stays) && !(held(i) && !stays)) continue;
-    now_.motion.col(v) -= impulse[k] * rigid_response_.col(i);
-    carried_work_ += impulse[k] * ground_part(now_.by_ground, i, v);
-    contact.jumped(now_.time, {std::max(0.0, impulse[k]), work[k], before[k], after[k], motion(i, now_).penetration}, stays);
+    change_now().motion.col(v) -= impulse[k] * rigid_response_.col(i);
+    carried_work_ += impulse[k] * ground_part(now_->by_ground, i, v);
+    contact.jumped(now_->time, {std::max(0.0, impulse[k]), work[k], before[k], after[k], motion(i, *now_).penetration}, stays);
   }
 }
 

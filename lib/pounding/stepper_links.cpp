@@ -31,13 +31,12 @@ void Stepper::find_sliders() {
 bool Stepper::condense(double by_u, double by_v, double weight, const Eigen::VectorXd& guess,
                        Eigen::Ref<Eigen::VectorXd> x) {
   const int count = static_cast<int>(active_.size());
-  if (!base_.flexibility(active_, flexibility_)) return false;
   active_force_.resize(count);
   for (int k = 0; k < count; ++k) active_force_[k] = guess[active_[k]];
   if (!(count == 1 ? solve_one_link(0, by_u, by_v, weight, 0.0, active_force_[0])
                    : solve_many_links(by_u, by_v, weight)))
     return false;
-  for (int k = 0; k < count; ++k) trial_.end.force[active_[k]] = active_force_[k];
+  for (int k = 0; k < count; ++k) trial_->end.force[active_[k]] = active_force_[k];
   base_.add_response(-weight, active_, active_force_, x);
   return true;
 }

@@ -1,6 +1,7 @@
 /// A trial step by each scheme, and its error.
 
 #include <Eigen/QR>
+#include <array>
 #include <cmath>
 
 #include <pounding/stepper.hpp>
@@ -11,22 +12,40 @@ namespace {
 // Where a link presses, the error by Simpson's rule counts beside that of the embedded scheme.
 constexpr double simpson_part = 3;
 
+// r -= K and C times what the accelerations of `earlier` stages add to a displacement and a velocity. `products` are three
+// columns of n a stage: acceleration, K and C times it. One pass, as vectors are short or long.
+template <int earlier>
+void subtract_stages(int n, double h, const double* __restrict products, double* __restrict r) {
+  double by_k[earlier], by_c[earlier];
+  for (int j = 0; j < earlier; ++j) {
+    by_k[j] = h * h * esdirk4::squared[earlier][j];
+    by_c[j] = h * esdirk4::a[earlier][j];
+  }
+  for (int k = 0; k < n; ++k) {
+    double sum = r[k];
+    for (int j = 0; j < earlier; ++j) sum -= by_k[j] * products[(3 * j + 1) * n + k] + by_c[j] * products[(3 * j + 2) * n + k];
+    r[k] = sum;
+  }
+}
+
+constexpr std::array subtract{subtract_stages<1>, subtract_stages<2>, subtract_stages<3>, subtract_stages<4>, subtract_stages<5>};
+
 }  // namespace
 
 bool Stepper::attempt_alpha(double h) {
-  Trial& t = trial_;
+  Trial& t = *trial_;
   const int n = base_.size();
   const auto [alpha_m, alpha_f, beta, gamma] = alpha_;
   // With a spectral radius below one the scheme carries the acceleration of a time (alpha_m - alpha_f) h earlier: it goes
   // along when the step changes, else each change would cost an order.
-  const double part = carries_ && kept_.h > 0 ? h / kept_.h : 1;
+  const double part = carries_ && kept_->h > 0 ? h / kept_->h : 1;
   const Column carried = carries_ ? c : a, k_carried = carries_ ? kc : ka, c_carried = carries_ ? cc : ca;
 
-  const double *u0 = now_.at(u), *v0 = now_.at(v), *a0 = now_.at(a), *c0 = now_.at(carried);
-  const double *ku0 = now_.at(ku), *kv0 = now_.at(kv), *ka0 = now_.at(ka), *kc0 = now_.at(k_carried);
-  const double *cv0 = now_.at(cv), *ca0 = now_.at(ca), *cc0 = now_.at(c_carried);
+  const double *u0 = now_->at(u), *v0 = now_->at(v), *a0 = now_->at(a), *c0 = now_->at(carried);
+  const double *ku0 = now_->at(ku), *kv0 = now_->at(kv), *ka0 = now_->at(ka), *kc0 = now_->at(k_carried);
+  const double *cv0 = now_->at(cv), *ca0 = now_->at(ca), *cc0 = now_->at(c_carried);
   const double by_c_in_u = h * h * (0.5 - beta), by_c_in_v = h * (1 - gamma);
-  stage_ground_ = alpha_f * t.end.ground + (1 - alpha_f) * now_.ground;
+  stage_ground_ = alpha_f * t.end.ground + (1 - alpha_f) * now_->ground;
 
   for (int i = 0; i < n; ++i) work_[i] = a0[i] + part * (c0[i] - a0[i]);
   base_.mass_times(work_, r_);
@@ -35,10 +54,10 @@ bool Stepper::attempt_alpha(double h) {
     r_[i] = (alpha_m - 1) * r_[i] - pushed[i] - ku0[i] - cv0[i] -
             alpha_f * (h * kv0[i] + by_c_in_u * (ka0[i] + part * (kc0[i] - ka0[i])) +
                        by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
-  if (!active_.empty()) base_.add_forces(alpha_f - 1, now_.force, r_);
+  if (!active_.empty()) base_.add_forces(alpha_f - 1, now_->force, r_);
 
   t.end.force.setZero();
-  if (!active_.empty()) t.end.force = now_.force;
+  if (!active_.empty()) t.end.force = now_->force;
   const auto respond = [&] {
     if (!base_.solve(r_)) return false;
     if (active_.empty()) return true;
@@ -49,23 +68,23 @@ bool Stepper::attempt_alpha(double h) {
     free_closing_.resize(static_cast<int>(active_.size()));
     for (std::size_t k = 0; k < active_.size(); ++k) {
       const int i = active_[k];
-      const double sa = now_.closings(i, a), s = carries_ ? sa + part * (now_.closings(i, c) - sa) : sa;
+      const double sa = now_->closings(i, a), s = carries_ ? sa + part * (now_->closings(i, c) - sa) : sa;
       const double g = gathered_(i, 0);
-      const double closure = now_.closings(i, u) + h * now_.closings(i, v) + by_c_in_u * s + beta * h * h * g;
+      const double closure = now_->closings(i, u) + h * now_->closings(i, v) + by_c_in_u * s + beta * h * h * g;
       free_[k] = {deformation(i, closure + ground_part(t.end.by_ground, i, u)),
-                  now_.closings(i, v) + by_c_in_v * s + gamma * h * g + ground_part(t.end.by_ground, i, v)};
+                  now_->closings(i, v) + by_c_in_v * s + gamma * h * g + ground_part(t.end.by_ground, i, v)};
       free_closing_[static_cast<int>(k)] = g;
       if (!moving_) continue;
       // At the time that the acceleration of the scheme belongs to.
-      const double begin = now_.by_ground(i, a), end = t.end.by_ground(i, a);
+      const double begin = now_->by_ground(i, a), end = t.end.by_ground(i, a);
       free_closing_[static_cast<int>(k)] += end + (alpha_m - alpha_f) * (begin - end);
     }
     return condense(beta * h * h, gamma * h, alpha_f, link_guess_, r_);
   };
   if (excess_.any()) {
-    r_ -= (1 - alpha_f) * now_.excess;
-    stage_guess_ = now_.motion.col(a) + part * (now_.motion.col(carried) - now_.motion.col(a));
-    stage_free_ = now_.motion.col(u) + h * now_.motion.col(v) + by_c_in_u * stage_guess_;
+    r_ -= (1 - alpha_f) * now_->excess;
+    stage_guess_ = now_->motion.col(a) + part * (now_->motion.col(carried) - now_->motion.col(a));
+    stage_free_ = now_->motion.col(u) + h * now_->motion.col(v) + by_c_in_u * stage_guess_;
     if (!solve_turning(stage_free_, beta * h * h, alpha_f, stage_guess_, respond)) return false;
   } else if (!respond()) {
     return false;
@@ -110,12 +129,12 @@ void Stepper::hold_end() {
   for (int i = 0; i < system_.contact_count(); ++i)
     if (held(i)) holding.push_back(i);
   if (holding.empty()) return;
-  Instant& end = trial_.end;
+  Instant& end = trial_->end;
   base_.gather(end.motion.leftCols(2), gathered_);
   Eigen::MatrixXd drift(static_cast<Eigen::Index>(holding.size()), 2);
   for (std::size_t k = 0; k < holding.size(); ++k) {
     const int i = holding[k];
-    const double before = now_.closings(i, u) + now_.by_ground(i, u);
+    const double before = now_->closings(i, u) + now_->by_ground(i, u);
     drift.row(static_cast<Eigen::Index>(k)) << gathered_(i, u) + end.by_ground(i, u) - before, gathered_(i, v) + end.by_ground(i, v);
   }
   const Eigen::MatrixXd back =
@@ -128,9 +147,9 @@ void Stepper::hold_end() {
 // ends and its middle. It sees forces that are not smooth, such as a dashpot that grows like d^(1/4) from the touch.
 // The larger of this, times `part`, and the error that is there already stays.
 void Stepper::add_simpson_error(double part) {
-  const Trial& t = trial_;
+  const Trial& t = *trial_;
   const double h = t.h;
-  const double *u0 = now_.at(u), *v0 = now_.at(v), *a0 = now_.at(a);
+  const double *u0 = now_->at(u), *v0 = now_->at(v), *a0 = now_->at(a);
   const double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(a), *am = t.a_middle.data();
   const int n = base_.size();
   for (int i = 0; i < n; ++i) {
@@ -143,34 +162,31 @@ void Stepper::add_simpson_error(double part) {
 
 bool Stepper::attempt_esdirk(double h) {
   using namespace esdirk4;
-  Trial& t = trial_;
+  Trial& t = *trial_;
   const int m = system_.links();
-  const double begin = now_.time;
+  const double begin = now_->time;
   const auto acceleration = [this](int j) { return stages_.col(3 * j); };
   const auto k_times = [this](int j) { return stages_.col(3 * j + 1); };
   const auto c_times = [this](int j) { return stages_.col(3 * j + 2); };
-  stages_.col(0) = now_.motion.col(Stepper::a);
-  stages_.col(1) = now_.motion.col(ka);
-  stages_.col(2) = now_.motion.col(ca);
+  const int n = base_.size();
+  const double *u0 = now_->at(u), *v0 = now_->at(v), *ku0 = now_->at(ku), *kv0 = now_->at(kv), *cv0 = now_->at(cv);
+  std::copy_n(now_->at(Stepper::a), n, stages_.col(0).data());
+  std::copy_n(now_->at(ka), n, stages_.col(1).data());
+  std::copy_n(now_->at(ca), n, stages_.col(2).data());
   stage_closings_.resize(m, stages);
-  if (m > 0) stage_closings_.col(0) = now_.closings.col(Stepper::a);
-  t.end.force = now_.force;
+  if (m > 0) stage_closings_.col(0) = now_->closings.col(Stepper::a);
+  t.end.force = now_->force;
   for (int i = 1; i < stages; ++i) {
     const double ci = esdirk4::c[i];
     const bool last = i + 1 == stages;
-    if (last)
-      stage_ground_ = t.end.ground;
-    else
-      ground_at(begin + ci * h, stage_ground_);
-    if (moving_) {
-      if (last)
-        stage_by_ground_ = t.end.by_ground;
-      else
-        closings_by_ground(begin + ci * h, stage_ground_, stage_by_ground_);
-    }
-    push(stage_ground_);
-    r_ = -push_ - now_.motion.col(ku) - now_.motion.col(cv) - ci * h * now_.motion.col(kv);
-    for (int j = 0; j < i; ++j) r_ -= h * h * squared[i][j] * k_times(j) + h * esdirk4::a[i][j] * c_times(j);
+    const bool middle = ci == 0.5;
+    if (!last && !middle) ground_at(begin + ci * h, stage_ground_);
+    const Eigen::VectorXd& ground = last ? t.end.ground : middle ? t.ground_middle : stage_ground_;
+    if (moving_ && !last && !middle) closings_by_ground(begin + ci * h, ground, stage_by_ground_);
+    const Eigen::MatrixXd& by_ground = last ? t.end.by_ground : middle ? t.by_ground_middle : stage_by_ground_;
+    const double* pushed = push(ground);
+    for (int k = 0; k < n; ++k) r_[k] = -pushed[k] - ku0[k] - cv0[k] - ci * h * kv0[k];
+    subtract[i - 1](n, h, stages_.data(), r_.data());
     const auto respond = [&] {
       if (!base_.solve(r_)) return false;
       if (active_.empty()) return true;
@@ -180,53 +196,59 @@ bool Stepper::attempt_esdirk(double h) {
       for (std::size_t k = 0; k < active_.size(); ++k) {
         const int link = active_[k];
         const double g = gathered_(link, 0);
-        double closure = now_.closings(link, u) + ci * h * now_.closings(link, v) + shift * shift * h * h * g;
-        double rate = now_.closings(link, v) + shift * h * g;
+        double closure = now_->closings(link, u) + ci * h * now_->closings(link, v) + shift * shift * h * h * g;
+        double rate = now_->closings(link, v) + shift * h * g;
         for (int j = 0; j < i; ++j) {
           closure += h * h * squared[i][j] * stage_closings_(link, j);
           rate += h * esdirk4::a[i][j] * stage_closings_(link, j);
         }
-        free_[k] = {deformation(link, closure + ground_part(stage_by_ground_, link, u)),
-                    rate + ground_part(stage_by_ground_, link, v)};
-        free_closing_[static_cast<int>(k)] = g + ground_part(stage_by_ground_, link, Stepper::a);
+        free_[k] = {deformation(link, closure + ground_part(by_ground, link, u)),
+                    rate + ground_part(by_ground, link, v)};
+        free_closing_[static_cast<int>(k)] = g + ground_part(by_ground, link, Stepper::a);
       }
       link_guess_ = t.end.force;
       t.end.force.setZero();
-      return condense(shift * shift * h * h, shift * h, 1, link_guess_, r_);
+      if (!condense(shift * shift * h * h, shift * h, 1, link_guess_, r_)) return false;
+      for (std::size_t k = 0; k < active_.size(); ++k) {
+        double relief = 0;
+        for (std::size_t l = 0; l < active_.size(); ++l) relief += flexibility_(k, l) * active_force_[l];
+        stage_closings_(active_[k], i) = gathered_(active_[k], 0) - relief;
+      }
+      return true;
     };
     if (excess_.any()) {
-      stage_free_ = now_.motion.col(u) + ci * h * now_.motion.col(v);
+      stage_free_ = now_->motion.col(u) + ci * h * now_->motion.col(v);
       for (int j = 0; j < i; ++j) stage_free_ += h * h * squared[i][j] * acceleration(j);
       stage_guess_ = acceleration(i - 1);
       if (!solve_turning(stage_free_, shift * shift * h * h, 1, stage_guess_, respond)) return false;
     } else if (!respond()) {
       return false;
     }
-    if (!active_.empty()) {
-      base_.gather(r_, gathered_);
-      stage_closings_.col(i) = gathered_;
-    }
-    acceleration(i) = r_;
+    std::copy_n(r_.data(), n, acceleration(i).data());
     if (last) break;
     base_.stiffness_times(acceleration(i), k_times(i));
     base_.damping_times(acceleration(i), k_times(i), c_times(i));
   }
-  auto u1 = t.end.motion.col(u), v1 = t.end.motion.col(v);
-  u1 = now_.motion.col(u) + h * now_.motion.col(v);
-  v1 = now_.motion.col(v);
-  error_u_.setZero();
-  error_v_.setZero();
+  double *u1 = t.end.at(u), *v1 = t.end.at(v);
+  for (int k = 0; k < n; ++k) {
+    u1[k] = u0[k] + h * v0[k];
+    v1[k] = v0[k];
+    error_u_[k] = error_v_[k] = 0;
+  }
   for (int j = 0; j < stages; ++j) {
-    double by_u = 0;
-    for (int i = j; i < stages; ++i) by_u += (esdirk4::a[stages - 1][i] - embedded[i]) * esdirk4::a[i][j];
-    u1 += h * h * squared[stages - 1][j] * acceleration(j);
-    v1 += h * esdirk4::a[stages - 1][j] * acceleration(j);
-    error_u_ += h * h * by_u * acceleration(j);
-    error_v_ += h * (esdirk4::a[stages - 1][j] - embedded[j]) * acceleration(j);
+    const double* x = stages_.col(3 * j).data();
+    const double by_u = h * h * squared[stages - 1][j], by_v = h * esdirk4::a[stages - 1][j];
+    const double error_by_u = h * h * error.displacement[j], error_by_v = h * error.velocity[j];
+    for (int k = 0; k < n; ++k) {
+      u1[k] += by_u * x[k];
+      v1[k] += by_v * x[k];
+      error_u_[k] += error_by_u * x[k];
+      error_v_[k] += error_by_v * x[k];
+    }
   }
   hold_end();
   if (excess_.any()) excess_at(t.end.motion.col(u), t.end.excess);
-  t.end.motion.col(Stepper::a) = acceleration(stages - 1);
+  std::copy_n(acceleration(stages - 1).data(), n, t.end.at(Stepper::a));
   products(t.end, u, 3);
   base_.gather(t.end.motion.leftCols(width()), t.end.closings);
   evaluate_middle();
