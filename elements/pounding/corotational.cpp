@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -149,83 +150,86 @@ CorotationalBeam::Chord CorotationalBeam::chord(const Vector12& u) const {
   return c;
 }
 
-CorotationalBeam::Vector7 CorotationalBeam::plane_deformation(const Vector12& u, const Chord& chord) const {
-  const Vector3d from = axes_.col(0), &to = chord.direction;
-  const double turn = std::atan2(from.z() * to.x() - from.x() * to.z(), from.dot(to));
-  const double sense = axes_(1, 1);  // local y is global y or against it
-  Vector7 d = Vector7::Zero();
-  d[1] = sense * std::remainder(u[4] - turn, 2 * std::numbers::pi);
-  d[3] = chord.elongation;
-  d[5] = sense * std::remainder(u[10] - turn, 2 * std::numbers::pi);
-  return d;
-}
-
-// The same as below in numbers instead of matrices, for motions in time: some five times as fast.
-CorotationalBeam::Response CorotationalBeam::plane_without_tangent(const Vector12& u) const {
-  struct Arm {
-    double x, z, by_x = 0, by_z = 0;  // turned; by how much it has moved
-    Arm(const Vector3d& offset, double turn) : x(offset.x()), z(offset.z()) {
-      if (x == 0 && z == 0) return;
-      const double half = std::sin(turn / 2), s = std::sin(turn), less = -2 * half * half;
-      by_x = less * x + s * z;
-      by_z = -s * x + less * z;
-      x += by_x;
-      z += by_z;
-    }
+// In numbers instead of matrices: motions in time ask for nothing else.
+CorotationalBeam::Plane CorotationalBeam::plane(const Vector12& u) const {
+  Plane p{};
+  const auto turn_arm = [](const Vector3d& offset, double turn, double& x, double& z) {
+    x = offset.x();
+    z = offset.z();
+    if (x == 0 && z == 0) return std::array{0.0, 0.0};
+    const double half = std::sin(turn / 2), s = std::sin(turn), less = -2 * half * half;
+    const double by_x = less * x + s * z, by_z = -s * x + less * z;
+    x += by_x;
+    z += by_z;
+    return std::array{by_x, by_z};
   };
-  const Arm start(start_offset_, u[4]), end(end_offset_, u[10]);
-  const double change_x = u[6] + end.by_x - u[0] - start.by_x, change_z = u[8] + end.by_z - u[2] - start.by_z;
-  const double x = undeformed_.x() + change_x, z = undeformed_.z() + change_z, length = std::sqrt(x * x + z * z);
-  const double elongation = (change_x * (undeformed_.x() + x) + change_z * (undeformed_.z() + z)) / (length + length_);
-  const double turn = std::atan2(undeformed_.z() * x - undeformed_.x() * z, undeformed_.x() * x + undeformed_.z() * z);
-  const double sense = axes_(1, 1);
+  const auto [start_by_x, start_by_z] = turn_arm(start_offset_, u[4], p.start_x, p.start_z);
+  const auto [end_by_x, end_by_z] = turn_arm(end_offset_, u[10], p.end_x, p.end_z);
+  const double change_x = u[6] + end_by_x - u[0] - start_by_x, change_z = u[8] + end_by_z - u[2] - start_by_z;
+  p.x = undeformed_.x() + change_x;
+  p.z = undeformed_.z() + change_z;
+  p.length = std::sqrt(p.x * p.x + p.z * p.z);
+  // Not as a difference of two lengths, which would lose the digits of a small one.
+  const double elongation = (change_x * (undeformed_.x() + p.x) + change_z * (undeformed_.z() + p.z)) / (p.length + length_);
+  const double turn = std::atan2(undeformed_.z() * p.x - undeformed_.x() * p.z, undeformed_.x() * p.x + undeformed_.z() * p.z);
+  const double sense = axes_(1, 1);  // local y is global y or against it
   const auto bend = [&](double rotation) {
     const double angle = rotation - turn;
     return sense * (std::abs(angle) < std::numbers::pi ? angle : std::remainder(angle, 2 * std::numbers::pi));
   };
   const double d[3] = {bend(u[4]), elongation, bend(u[10])};
   double s[3];
-  Response out;
   for (int i = 0; i < 3; ++i) {
     s[i] = 0;
     for (int j = 0; j < 3; ++j) s[i] += stiffness_(1 + 2 * i, 1 + 2 * j) * d[j];
-    out.energy += 0.5 * d[i] * s[i];
+    p.energy += 0.5 * d[i] * s[i];
   }
-  const double across = sense * (s[0] + s[2]) / (length * length), along = s[1] / length;
-  const double force_x = across * z - along * x, force_z = -across * x - along * z;  // on the start
-  out.force << force_x, 0, force_z, 0, sense * s[0] + start.z * force_x - start.x * force_z, 0,
-      -force_x, 0, -force_z, 0, sense * s[2] - end.z * force_x + end.x * force_z, 0;
-  return out;
+  p.start_moment = sense * s[0];
+  p.normal_force = s[1];
+  p.end_moment = sense * s[2];
+  const double across = (p.start_moment + p.end_moment) / (p.length * p.length), along = p.normal_force / p.length;
+  p.force_x = across * p.z - along * p.x;
+  p.force_z = -across * p.x - along * p.z;
+  return p;
 }
 
-CorotationalBeam::Response CorotationalBeam::plane_ends(const Vector12& u, const Chord& chord, bool with_tangent) const {
-  const Vector7 d = plane_deformation(u, chord), s = stiffness_ * d;
-  const double l = chord.length, sense = axes_(1, 1), normal_force = s[3], moments = sense * (s[1] + s[5]);
-  const Vector3d &e = chord.direction, n(e.z(), 0, -e.x());  // where a positive ry moves the tip of e
-
-  Eigen::Matrix<double, 7, 12> b = Eigen::Matrix<double, 7, 12>::Zero();
-  for (const int row : {1, 5}) {
-    b.block<1, 3>(row, 0) = sense / l * n.transpose();
-    b.block<1, 3>(row, 6) = -sense / l * n.transpose();
-  }
-  b(1, 4) = b(5, 10) = sense;
-  b.block<1, 3>(3, 0) = -e.transpose();
-  b.block<1, 3>(3, 6) = e.transpose();
-
+CorotationalBeam::Response CorotationalBeam::plane_response(const Plane& p, Matrix12* tangent) const {
   Response out;
-  out.energy = 0.5 * d.dot(s);
-  out.force = b.transpose() * s;
-  if (!with_tangent) return out;
-  const Matrix3d curved =
-      normal_force / l * n * n.transpose() + moments / (l * l) * (e * n.transpose() + n * e.transpose());
-  out.tangent = b.transpose() * stiffness_ * b;
-  for (const int i : {0, 6})
-    for (const int j : {0, 6}) out.tangent.block<3, 3>(i, j) += i == j ? curved : Matrix3d(-curved);
+  out.energy = p.energy;
+  out.force << p.force_x, 0, p.force_z, 0, p.start_moment + p.start_z * p.force_x - p.start_x * p.force_z, 0,
+      -p.force_x, 0, -p.force_z, 0, p.end_moment - p.end_z * p.force_x + p.end_x * p.force_z, 0;
+  if (!tangent) return out;
+  // By x and z from end to end and the rotations of both ends, whose deformations are rows of b.
+  const double sense = axes_(1, 1), l = p.length;
+  const Eigen::Vector2d e(p.x / l, p.z / l), n(e[1], -e[0]);  // n: where a positive ry moves the tip of e
+  Eigen::Matrix<double, 3, 4> b;
+  b.col(0) << -sense * n[0] / l, e[0], -sense * n[0] / l;
+  b.col(1) << -sense * n[1] / l, e[1], -sense * n[1] / l;
+  b.col(2) << sense, 0, 0;
+  b.col(3) << 0, 0, sense;
+  Matrix3d stiffness;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) stiffness(i, j) = stiffness_(1 + 2 * i, 1 + 2 * j);
+  Eigen::Matrix4d within = b.transpose() * (stiffness * b);
+  within.topLeftCorner<2, 2>() += p.normal_force / l * n * n.transpose() +
+                                  (p.start_moment + p.end_moment) / (l * l) * (e * n.transpose() + n * e.transpose());
+  Eigen::Matrix<double, 4, 6> by_nodes;
+  by_nodes << -1, 0, -p.start_z, 1, 0, p.end_z,  //
+      0, -1, p.start_x, 0, 1, -p.end_x,          //
+      0, 0, 1, 0, 0, 0,                          //
+      0, 0, 0, 0, 0, 1;
+  Eigen::Matrix<double, 6, 6> k = by_nodes.transpose() * (within * by_nodes);
+  k(2, 2) -= p.force_x * p.start_x + p.force_z * p.start_z;
+  k(5, 5) += p.force_x * p.end_x + p.force_z * p.end_z;
+  tangent->setZero();
+  // A Hessian: what is not symmetric is rounding.
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) (*tangent)(2 * i, 2 * j) = 0.5 * (k(i, j) + k(j, i));
   return out;
 }
 
 // Everything in the turned axes; d and s are rotations of the start, elongation, rotations of the end.
-CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const Chord& chord, bool with_tangent) const {
+CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const Chord& chord, Matrix12* tangent) const {
   const double l = chord.length;
   const std::array node{rotation(u.segment<3>(3)), rotation(u.segment<3>(9))};
   const Vector3d mean_y = 0.5 * (node[0] + node[1]) * axes_.col(1);
@@ -275,10 +279,10 @@ CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const
   Response out;
   out.energy = 0.5 * d.dot(s);
   out.force = b.transpose() * s;
-  if (with_tangent) {
+  if (tangent) {
     const double normal_force = s[3];
     const Vector3d sum = moment[0] + moment[1];
-    Matrix12& k = out.tangent;
+    Matrix12& k = *tangent;
     k = b.transpose() * stiffness_ * b;
     for (int i : {0, 1})
       k += spin[i].transpose() * inverse[i].derivative(turn[i], bend[i]) * b.middleRows<3>(4 * i);
@@ -307,10 +311,10 @@ CorotationalBeam::Response CorotationalBeam::space_ends(const Vector12& u, const
   return out;
 }
 
-CorotationalBeam::Response CorotationalBeam::evaluate(const Vector12& u, bool with_tangent) const {
-  if (is_plane_ && !with_tangent) return plane_without_tangent(u);
+CorotationalBeam::Response CorotationalBeam::respond(const Vector12& u, Matrix12* tangent) const {
+  if (is_plane_) return plane_response(plane(u), tangent);
   const Chord c = chord(u);
-  Response out = is_plane_ ? plane_ends(u, c, with_tangent) : space_ends(u, c, with_tangent);
+  Response out = space_ends(u, c, tangent);
 
   // From the ends to the nodes, and from spins to rotation vectors.
   Matrix12 to_ends = Matrix12::Identity();
@@ -319,29 +323,35 @@ CorotationalBeam::Response CorotationalBeam::evaluate(const Vector12& u, bool wi
     const Vector3d& arm = i == 0 ? c.arm_start : c.arm_end;
     const Vector3d turn = u.segment<3>(6 * i + 3), force = out.force.segment<3>(6 * i);
     const Vector3d moment = out.force.segment<3>(6 * i + 3) + arm.cross(force);
-    // In a plane the spin is the rate of the only rotation.
-    const RotationMap map = is_plane_ ? RotationMap{0, 0, 0, 0} : spin_transposed(turn);
+    const RotationMap map = spin_transposed(turn);
     const Matrix3d to_moment = map.matrix(turn);
     out.force.segment<3>(6 * i + 3) = to_moment * moment;
-    if (!with_tangent) continue;
+    if (!tangent) continue;
     curved[i] = to_moment * cross(force) * cross(arm) * to_moment.transpose() + map.derivative(turn, moment);
     to_ends.block<3, 3>(6 * i, 6 * i + 3) = -cross(arm) * to_moment.transpose();
     to_ends.block<3, 3>(6 * i + 3, 6 * i + 3) = to_moment.transpose();
   }
-  if (!with_tangent) return out;
-  out.tangent = (to_ends.transpose() * out.tangent * to_ends).eval();
-  for (int i : {0, 1}) out.tangent.block<3, 3>(6 * i + 3, 6 * i + 3) += curved[i];
+  if (!tangent) return out;
+  // Matrices this small cost less without the blocks that large ones are multiplied in.
+  const Matrix12 by_ends = tangent->lazyProduct(to_ends);
+  (*tangent) = to_ends.transpose().lazyProduct(by_ends);
+  for (int i : {0, 1}) tangent->block<3, 3>(6 * i + 3, 6 * i + 3) += curved[i];
   // A Hessian: what is not symmetric is rounding.
-  out.tangent = (0.5 * (out.tangent + out.tangent.transpose())).eval();
+  (*tangent) = (0.5 * ((*tangent) + tangent->transpose())).eval();
   return out;
 }
 
 Vector12 CorotationalBeam::end_forces(const Vector12& u) const {
-  const Chord c = chord(u);
-  const Response ends = is_plane_ ? plane_ends(u, c, false) : space_ends(u, c, false);
+  Vector12 ends;
+  if (is_plane_) {
+    const Plane p = plane(u);
+    ends << p.force_x, 0, p.force_z, 0, p.start_moment, 0, -p.force_x, 0, -p.force_z, 0, p.end_moment, 0;
+  } else {
+    ends = space_ends(u, chord(u), nullptr).force;
+  }
   const Matrix3d to_local = axes(u);
   Vector12 local;
-  for (int i : {0, 3, 6, 9}) local.segment<3>(i) = to_local * ends.force.segment<3>(i);
+  for (int i : {0, 3, 6, 9}) local.segment<3>(i) = to_local * ends.segment<3>(i);
   return local;
 }
 
@@ -383,7 +393,7 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
       const Vector3d &from = assembled.positions[m.start], &to = assembled.positions[m.end];
       members_.push_back({m.is_truss ? CorotationalBeam::truss(from, to, m.section.area, m.material, assembled.dimension)
                                      : CorotationalBeam(from, to, m.section, m.material, m.options, assembled.dimension),
-                          {}, Matrix12::Zero()});
+                          {}, {}, Matrix12::Zero()});
     } catch (const std::invalid_argument& error) {
       refuse(where + error.what());
     }
@@ -395,7 +405,7 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
         for (Transform::InnerIterator it(assembled.transform, row); it; ++it)
           member.rows.emplace_back(6 * end + dofs[at], static_cast<int>(it.col()), it.value());
       }
-    member.linear = member.beam.evaluate(Vector12::Zero(), true).tangent;
+    member.beam.evaluate(Vector12::Zero(), member.linear);
     for (const auto& a : member.rows)
       for (const auto& b : member.rows)
         entries.emplace_back(a.col(), b.col(), a.value() * member.linear(a.row(), b.row()) * b.value());
@@ -403,6 +413,14 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
   Eigen::SparseMatrix<double> turning(size(), size());
   turning.setFromTriplets(entries.begin(), entries.end());
   rest_ -= turning;
+  linear_ = (linear_ + 0 * turning).eval();  // with places for what is zero at rest
+  for (Member& member : members_)
+    for (const auto& b : member.rows)
+      for (const auto& a : member.rows) {
+        const int* const column = linear_.innerIndexPtr() + linear_.outerIndexPtr()[b.col()];
+        const int* const end = linear_.innerIndexPtr() + linear_.outerIndexPtr()[b.col() + 1];
+        member.places.push_back(static_cast<int>(std::lower_bound(column, end, a.col()) - linear_.innerIndexPtr()));
+      }
   // What the members leave but for rounding.
   rest_.prune([&](int i, int j, double value) { return std::abs(value) > 1e-12 * std::sqrt(linear_.coeff(i, i) * linear_.coeff(j, j)); });
   for (int j = 0; j < size(); ++j)
@@ -426,7 +444,7 @@ Vector12 CorotationalFrame::displacements(const Member& member, const Eigen::Vec
 double CorotationalFrame::energy(const Eigen::VectorXd& q) const {
   require_size(q, "q");
   double sum = 0.5 * q.dot(rest_ * q);
-  for (const Member& member : members_) sum += member.beam.evaluate(displacements(member, q), false).energy;
+  for (const Member& member : members_) sum += member.beam.evaluate(displacements(member, q)).energy;
   return sum;
 }
 
@@ -434,14 +452,16 @@ Eigen::VectorXd CorotationalFrame::force(const Eigen::VectorXd& q) const {
   require_size(q, "q");
   Eigen::VectorXd sum = rest_ * q;
   for (const Member& member : members_) {
-    const Vector12 f = member.beam.evaluate(displacements(member, q), false).force;
+    const Vector12 f = member.beam.evaluate(displacements(member, q)).force;
     for (const auto& row : member.rows) sum[row.col()] += row.value() * f[row.row()];
   }
   return sum;
 }
 
 Eigen::SparseMatrix<double> CorotationalFrame::tangent(const Eigen::VectorXd& q) const {
-  return linear_ + excess_tangent(q);
+  Eigen::SparseMatrix<double> sum = linear_;
+  add_excess_tangent(q, sum);
+  return sum;
 }
 
 double CorotationalFrame::excess_energy(const Eigen::VectorXd& q) const {
@@ -449,7 +469,7 @@ double CorotationalFrame::excess_energy(const Eigen::VectorXd& q) const {
   double sum = 0;
   for (const Member& member : members_) {
     const Vector12 u = displacements(member, q);
-    sum += member.beam.evaluate(u, false).energy - 0.5 * u.dot(member.linear * u);
+    sum += member.beam.evaluate(u).energy - 0.5 * u.dot(member.linear * u);
   }
   return sum;
 }
@@ -458,24 +478,28 @@ Eigen::VectorXd CorotationalFrame::excess_force(const Eigen::VectorXd& q) const 
   require_size(q, "q");
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(size());
   for (const Member& member : members_) {
-    const Vector12 u = displacements(member, q), f = member.beam.evaluate(u, false).force - member.linear * u;
+    const Vector12 u = displacements(member, q), f = member.beam.evaluate(u).force - member.linear * u;
     for (const auto& row : member.rows) sum[row.col()] += row.value() * f[row.row()];
   }
   return sum;
 }
 
 Eigen::SparseMatrix<double> CorotationalFrame::excess_tangent(const Eigen::VectorXd& q) const {
-  require_size(q, "q");
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const Member& member : members_) {
-    const Matrix12 k = member.beam.evaluate(displacements(member, q), true).tangent - member.linear;
-    for (const auto& a : member.rows)
-      for (const auto& b : member.rows)
-        entries.emplace_back(a.col(), b.col(), a.value() * k(a.row(), b.row()) * b.value());
-  }
-  Eigen::SparseMatrix<double> sum(size(), size());
-  sum.setFromTriplets(entries.begin(), entries.end());
+  Eigen::SparseMatrix<double> sum = 0 * linear_;
+  add_excess_tangent(q, sum);
   return sum;
+}
+
+void CorotationalFrame::add_excess_tangent(const Eigen::VectorXd& q, Eigen::SparseMatrix<double>& sum) const {
+  require_size(q, "q");
+  for (const Member& member : members_) {
+    Matrix12 k;
+    member.beam.evaluate(displacements(member, q), k);
+    k -= member.linear;
+    const int* place = member.places.data();
+    for (const auto& b : member.rows)
+      for (const auto& a : member.rows) sum.valuePtr()[*place++] += a.value() * k(a.row(), b.row()) * b.value();
+  }
 }
 
 const CorotationalFrame::Member& CorotationalFrame::of(int member, const Eigen::VectorXd& q) const {
@@ -497,7 +521,7 @@ Matrix3d CorotationalFrame::axes(int member, const Eigen::VectorXd& q) const {
 
 Vector12 CorotationalFrame::nodal_forces(int member, const Eigen::VectorXd& q) const {
   const Member& m = of(member, q);
-  return m.beam.evaluate(displacements(m, q), false).force;
+  return m.beam.evaluate(displacements(m, q)).force;
 }
 
 }  // namespace pounding

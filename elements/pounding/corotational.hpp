@@ -26,11 +26,10 @@ namespace pounding {
 /// tangent of the exact logarithm.
 class CorotationalBeam {
  public:
-  /// Energy of the member with its first and second derivatives by the displacements.
+  /// Energy of the member and its derivatives by the displacements.
   struct Response {
-    double energy = 0;                    ///< [J]
-    Vector12 force = Vector12::Zero();    ///< on the nodes, global axes [N], [N m]
-    Matrix12 tangent = Matrix12::Zero();  ///< zero when it was not asked for
+    double energy = 0;                  ///< [J]
+    Vector12 force = Vector12::Zero();  ///< on the nodes, global axes [N], [N m]
   };
 
   /// dimension 2: only ux, uz and ry of the nodes act. Throws std::invalid_argument as Beam does, and for an axial force:
@@ -41,8 +40,10 @@ class CorotationalBeam {
   static CorotationalBeam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
                                 const Material& material, int dimension);
 
-  /// At displacements of its nodes; without the tangent it costs much less.
-  Response evaluate(const Vector12& displacements, bool with_tangent) const;
+  /// At displacements of its nodes.
+  Response evaluate(const Vector12& displacements) const { return respond(displacements, nullptr); }
+  /// With the tangent, the second derivatives of the energy; it costs several times as much.
+  Response evaluate(const Vector12& displacements, Matrix12& tangent) const { return respond(displacements, &tangent); }
   /// On its two ends in local axes that turned with the chord; as Beam::end_forces for small displacements.
   Vector12 end_forces(const Vector12& displacements) const;
   /// Rows: the local axes that have turned with the chord. Those of Beam for no displacements.
@@ -58,11 +59,20 @@ class CorotationalBeam {
     double length, elongation;
   };
 
+  /// A plane member: x and z in global axes, moments about global y.
+  struct Plane {
+    double start_x, start_z, end_x, end_z;          // turned offsets
+    double x, z, length;                            // from end to end
+    double start_moment, normal_force, end_moment;  // on the ends
+    double force_x, force_z;                        // on the start
+    double energy;
+  };
+
+  Response respond(const Vector12& displacements, Matrix12* tangent) const;
   Chord chord(const Vector12& displacements) const;
-  Vector7 plane_deformation(const Vector12& displacements, const Chord& chord) const;
-  Response plane_without_tangent(const Vector12& displacements) const;
-  Response plane_ends(const Vector12& displacements, const Chord& chord, bool with_tangent) const;
-  Response space_ends(const Vector12& displacements, const Chord& chord, bool with_tangent) const;
+  Plane plane(const Vector12& displacements) const;
+  Response plane_response(const Plane& plane, Matrix12* tangent) const;
+  Response space_ends(const Vector12& displacements, const Chord& chord, Matrix12* tangent) const;
 
   bool is_plane_;
   double length_;
@@ -111,7 +121,8 @@ class CorotationalFrame {
 
   double energy(const Eigen::VectorXd& q) const;          ///< strain energy [J]
   Eigen::VectorXd force(const Eigen::VectorXd& q) const;  ///< gradient of the energy [N], [N m]
-  Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q) const;  ///< symmetric; at q = 0 the linear stiffness K
+  /// Symmetric, its entries always at the same places; at q = 0 the linear stiffness K.
+  Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q) const;
 
   /// What these have beyond the linear frame; exactly zero at q = 0.
   double excess_energy(const Eigen::VectorXd& q) const;          ///< energy(q) - q.K q/2
@@ -143,11 +154,13 @@ class CorotationalFrame {
   struct Member {
     CorotationalBeam beam;
     std::vector<Eigen::Triplet<double>> rows;  // displacement of the member, unknown, factor
+    std::vector<int> places;                   // of each pair of rows among the values of the tangent, the first going faster
     Matrix12 linear;                           // tangent at rest
   };
   class Path;
 
   static Vector12 displacements(const Member& member, const Eigen::VectorXd& q);
+  void add_excess_tangent(const Eigen::VectorXd& q, Eigen::SparseMatrix<double>& sum) const;
   const Member& of(int member, const Eigen::VectorXd& q) const;
   void require_size(const Eigen::VectorXd& q, const char* what) const;
 

@@ -15,9 +15,10 @@ class ElasticForces {
 
   /// What u counts from: rounding of the forces goes with the whole displacements.
   virtual const Eigen::VectorXd& at_rest() const = 0;
-  virtual double energy(const Eigen::VectorXd& u) const = 0;                         ///< [J]
-  virtual Eigen::VectorXd force(const Eigen::VectorXd& u) const = 0;                 ///< [N], [N m]
-  virtual Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& u) const = 0;  ///< symmetric
+  virtual double energy(const Eigen::VectorXd& u) const = 0;          ///< [J]
+  virtual Eigen::VectorXd force(const Eigen::VectorXd& u) const = 0;  ///< [N], [N m]
+  /// Symmetric and compressed, its entries always at the same places.
+  virtual Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& u) const = 0;
 };
 
 }  // namespace pounding

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace pounding {
@@ -33,6 +34,25 @@ SparseMatrix block(const SparseMatrix& matrix, int first, const std::vector<int>
   return part;
 }
 
+/// Rows and columns of matrices whose entries are at the same places.
+class Extract {
+ public:
+  Extract() = default;
+  Extract(SparseMatrix whole, const std::vector<int>& rows, const std::vector<int>& columns) {
+    std::iota(whole.valuePtr(), whole.valuePtr() + whole.nonZeros(), 0.0);
+    part_ = block(whole, 0, rows, columns, static_cast<int>(whole.rows()));
+    from_.assign(part_.valuePtr(), part_.valuePtr() + part_.nonZeros());
+  }
+  const SparseMatrix& operator()(const SparseMatrix& whole) {
+    for (std::size_t k = 0; k < from_.size(); ++k) part_.valuePtr()[k] = whole.valuePtr()[from_[k]];
+    return part_;
+  }
+
+ private:
+  SparseMatrix part_;
+  std::vector<int> from_;  // among the values of the whole
+};
+
 }  // namespace
 
 // One group; vectors count from its first unknown.
@@ -44,6 +64,8 @@ struct ExcessForces::Part {
   SparseMatrix couplings;              // of the light ones to all, without signs
   VectorXd diagonal;                   // of the stiffness at the light ones
   Factor at_rest;                      // of the stiffness at the light ones
+  mutable Extract light_of_tangent, coupling_of_tangent;  // light to light, light to heavy
+  mutable Factor light_factor;                            // of a tangent
 
   Part(const System& system, int number)
       : group(number), first(system.groups[number].first), size(system.groups[number].count),
@@ -61,6 +83,10 @@ struct ExcessForces::Part {
     at_rest.compute(own);
     if (at_rest.info() != Eigen::Success || !(at_rest.vectorD().minCoeff() > 0))
       throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+    const SparseMatrix tangent = forces.tangent(VectorXd::Zero(size));
+    light_of_tangent = Extract(tangent, light, light);
+    coupling_of_tangent = Extract(tangent, light, heavy);
+    light_factor.analyzePattern(light_of_tangent(tangent));
   }
 
   VectorXd of(const VectorXd& whole) const { return whole.segment(first, size); }
@@ -71,14 +97,14 @@ struct ExcessForces::Part {
     if (light.empty()) return true;
     const double scale = std::sqrt((couplings * (u.cwiseAbs() + forces.at_rest().cwiseAbs())).cwiseAbs2().cwiseQuotient(diagonal).sum());
     double last = std::numeric_limits<double>::infinity();
-    std::unique_ptr<Factor> tangent;
+    bool turned = false;  // too far for the factor at rest
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
-      if (tangent) tangent->compute(block(forces.tangent(u), 0, light, light, size));
-      const VectorXd step = (tangent ? *tangent : at_rest).solve(-f(light));
+      if (turned) light_factor.factorize(light_of_tangent(forces.tangent(u)));
+      const VectorXd step = (turned ? light_factor : at_rest).solve(-f(light));
       const double length = std::sqrt(step.cwiseAbs2().dot(diagonal));
       if (!std::isfinite(length)) return false;
       if (length <= solved * scale || (length > 0.5 * last && length <= nearly_solved * scale)) return true;
-      if (!tangent && length > slow * last && length > nearly_solved * scale) tangent = std::make_unique<Factor>();
+      turned = turned || (length > slow * last && length > nearly_solved * scale);
       last = length;
       u(light) += step;
       f = forces.force(u);
@@ -92,9 +118,9 @@ struct ExcessForces::Part {
     if (!settle(u, f)) u(light).setConstant(std::nan(""));
     if (!v) return;
     const SparseMatrix tangent = forces.tangent(u);
-    const Factor factor(block(tangent, 0, light, light, size));
-    const SparseMatrix coupling = block(tangent, 0, light, heavy, size);
-    (*v)(light) = factor.solve(-(coupling * (*v)(heavy)));
+    light_factor.factorize(light_of_tangent(tangent));
+    const SparseMatrix& coupling = coupling_of_tangent(tangent);
+    (*v)(light) = light_factor.solve(-(coupling * (*v)(heavy)));
     if (!a) return;
     VectorXd pull = coupling * (*a)(heavy);
     const double stiff = v->dot(stiffness * *v), heavy_part = v->dot(mass * *v);
@@ -103,7 +129,7 @@ struct ExcessForces::Part {
       const VectorXd change = (forces.tangent(u + by * *v) * *v - forces.tangent(u - by * *v) * *v) / (2 * by);
       pull += change(light);
     }
-    (*a)(light) = factor.solve(-pull);
+    (*a)(light) = light_factor.solve(-pull);
   }
 };
 
