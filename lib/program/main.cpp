@@ -7,6 +7,7 @@
 
 #include <pounding/petsc/launch.hpp>
 #include <pounding/version.hpp>
+#include "blas_threads.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
 
@@ -34,6 +35,7 @@ void require_one_process(CLI::App& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  pounding::program::use_one_blas_thread();
   CLI::App app{"Adjacent structures that hit each other in earthquakes"};
   app.set_version_flag("--version", "pounding " POUNDING_VERSION);
   app.require_subcommand(1);
