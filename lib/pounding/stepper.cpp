@@ -545,7 +545,6 @@ void Stepper::accept() {
     ground_jumps = stage_ground_ != now_->ground;
     find_break_after(now_->time);
   }
-  if (ground_jumps) change_now().ground = stage_ground_;
   if (!landed_.empty())
     enter_phases(false);
   else if (ground_jumps)

@@ -195,42 +195,40 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
           .stop = [&] { return listener.stops(); }};
 }
 
-py::dict run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
-                    const std::string& command, const py::object& progress) {
+/// Runs what `read` makes of the words of PETSc's options; these hold from where it hands them over.
+py::dict run_read(const std::string& name, const std::string& output, std::vector<std::string> words, const std::string& command,
+                  const std::string& resumed, const py::object& progress,
+                  const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
   Listener listener{progress};
   const Ran ran = with_petsc([&] {
     const petsc::Team team(PETSC_COMM_WORLD);
     std::optional<OptionsOfRun> given;
     std::optional<Model> model;
-    team.each_does([&] {
-      given.emplace(options);
-      model.emplace(read(source));
-    });
-    require_one_run(team, *model, options, source.name);
-    return run_together(*model, run_options(output, command, listener), listener);
+    team.each_does([&] { model.emplace(read(read_input(words, given))); });
+    require_one_run(team, *model, words, name);
+    RunOptions options = run_options(output, command, listener);
+    options.resume = resumed;
+    return run_together(*model, options, listener);
   });
   return dict_of(ran, listener);
 }
 
-py::dict resume(const std::string& file, const std::string& output, std::vector<std::string> options,
-                const std::string& command, const py::object& progress) {
-  Listener listener{progress};
-  const Ran ran = with_petsc([&] {
-    const petsc::Team team(PETSC_COMM_WORLD);
-    std::optional<OptionsOfRun> given;
-    std::optional<Model> model;
-    team.each_does([&] {
-      const StoppedRun earlier = read_stopped_run(file);
-      add_earlier_options(earlier, options);
-      given.emplace(options);
-      model.emplace(read(input_of(earlier)));
-    });
-    require_one_run(team, *model, options, file);
-    RunOptions run_as = run_options(output.empty() ? file : output, command, listener);
-    run_as.resume = file;
-    return run_together(*model, run_as, listener);
+py::dict run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
+                    const std::string& command, const py::object& progress) {
+  return run_read(source.name, output, options, command, "", progress, [&](auto& words, auto& given) {
+    given.emplace(words);
+    return Input::read_text(source.text, source.name);
   });
-  return dict_of(ran, listener);
+}
+
+py::dict resume(const std::string& file, const std::string& output, const std::vector<std::string>& options,
+                const std::string& command, const py::object& progress) {
+  return run_read(file, output.empty() ? file : output, options, command, file, progress, [&](auto& words, auto& given) {
+    const StoppedRun earlier = read_stopped_run(file);
+    add_earlier_options(earlier, words);
+    given.emplace(words);
+    return input_of(earlier);
+  });
 }
 
 }  // namespace
