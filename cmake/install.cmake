@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(config_directory ${CMAKE_INSTALL_LIBDIR}/cmake/Pounding)
-set(parts laws c links model elements lib)
+set(parts laws c links elements lib)
 if(TARGET pounding_fortran)
   list(APPEND parts fortran)
 endif()
@@ -13,7 +13,7 @@ endforeach()
 install(TARGETS pounding_laws EXPORT PoundingLawsTargets)
 install(TARGETS pounding_c EXPORT PoundingCTargets)
 install(TARGETS pounding_links pounding_warnings EXPORT PoundingLinksTargets)
-install(TARGETS pounding_model pounding_elements EXPORT PoundingElementsTargets)
+install(TARGETS pounding_elements EXPORT PoundingElementsTargets)
 install(TARGETS pounding_lib EXPORT PoundingLibTargets)
 set(exports Laws C Links Elements Lib)
 if(TARGET pounding_fortran)
@@ -26,7 +26,7 @@ install(TARGETS pounding_program)
 
 install(DIRECTORY elements/pounding lib/pounding DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
   PATTERN records EXCLUDE)
-install(FILES ${PROJECT_BINARY_DIR}/lib/pounding/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pounding)
+install(FILES ${PROJECT_BINARY_DIR}/elements/pounding/core/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pounding/core)
 install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py")
 
@@ -49,7 +49,7 @@ endfunction()
 install_pc(pounding-laws "Contact laws of pounding structures, C++20 headers" "" "" "")
 install_pc(pounding-links "Gap links between structures" "eigen3" "-L\${libdir} -lpounding_links" "")
 install_pc(pounding-elements "Structures, the model and its reader" "pounding-links yaml-cpp fmt"
-  "-L\${libdir} -lpounding_elements -lpounding_model" "")
+  "-L\${libdir} -lpounding_elements" "")
 install_pc(pounding "Time integration and results of pounding structures" "pounding-elements slepc PETSc hdf5-openmpi"
   "-L\${libdir} -lpounding_lib" "")
 install_pc(pounding-c "Contact laws of pounding structures, C interface" "" "-L\${libdir} -lpounding_c" "")

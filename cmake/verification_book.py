@@ -21,9 +21,10 @@ from generated_pages import ROOT, arguments, refuse
 
 PAGE = ROOT / "tests/verification/README.md"
 #: Folders of tests, with the words that head their chapters.
-CHAPTERS = {"tests/laws": "Contact laws and free impacts", "tests/verification": "Impacts of structures", "tests/elements": "Structures and frames",
-            "tests/analysis": "Time integration", "tests/io": "Ground motions", "tests/reproduce": "The paper, recomputed",
-            "tests/program": "The program"}
+CHAPTERS = {"tests/laws": "Contact laws and free impacts", "tests/verification": "Impacts of structures",
+            "tests/frames": "Structures and frames", "tests/structures": "Structures and frames",
+            "tests/stepping": "Time integration", "tests/linear": "Time integration", "tests/run": "Time integration",
+            "tests/ground": "Ground motions", "tests/reproduce": "The paper, recomputed", "tests/program": "The program"}
 INTRODUCTION = """\
 # Verification book
 
@@ -175,12 +176,12 @@ def anchor(title):
 
 def page(written):
     contents, body, cases, rows = [], [], 0, 0
-    for folder, of_chapter in groupby(written, key=lambda entry: str(Path(entry["file"]).parent)):
+    for chapter, of_chapter in groupby(written, key=lambda entry: CHAPTERS[str(Path(entry["file"]).parent)]):
         sections = {}
         for entry in of_chapter:
             sections.setdefault(entry["subject"], {}).setdefault((entry["source"], entry["reason"]), []).append(entry)
-        contents.append(f"- {CHAPTERS[folder]}")
-        body += [f"## {CHAPTERS[folder]}", ""]
+        contents.append(f"- {chapter}")
+        body += [f"## {chapter}", ""]
         for subject, sources in sections.items():
             contents.append(f"  - [{subject}](#{anchor(subject)})")
             body += [f"### {subject}", ""]

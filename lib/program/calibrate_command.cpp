@@ -7,22 +7,22 @@
 
 #include <fmt/format.h>
 
-#include <pounding/calibration.hpp>
-#include <pounding/error.hpp>
+#include <pounding/input/collision.hpp>
+#include <pounding/core/error.hpp>
 #include <pounding/laws/cyclic_calibration.hpp>
 #include "commands.hpp"
 
 namespace pounding::program {
 namespace {
 
-struct Words {
-  CollisionWords collision;
+struct Arguments {
+  CollisionInput collision;
   std::vector<std::string> parameters;  // NAME=VALUE
   bool json = false, cyclic = false;
 };
 
-CollisionWords collision_words(const Words& words) {
-  CollisionWords collision = words.collision;
+CollisionInput collision_words(const Arguments& words) {
+  CollisionInput collision = words.collision;
   collision.before_names = "--";
   for (const std::string& text : words.parameters) {
     const auto equals = text.find('=');
@@ -158,7 +158,7 @@ void print_json(const Collision& c, const std::vector<CyclicRow>& rows) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("calibrate", "Damping of a law for a restitution, by every formula, and what each really gives");
   command->add_option("--law", words->collision.law, "Contact law (see pounding laws)")->required();

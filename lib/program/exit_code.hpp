@@ -5,7 +5,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include <pounding/error.hpp>
+#include <pounding/core/error.hpp>
 
 namespace pounding::program {
 

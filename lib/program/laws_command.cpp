@@ -113,11 +113,11 @@ void print_law(const laws::Entry& entry) {
 }  // namespace
 
 void add_laws(CLI::App& app) {
-  struct Words {
+  struct Arguments {
     std::string name;
     bool json = false;
   };
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("laws", "Contact laws: their formulas, parameters and what restitution they give");
   command->add_option("NAME", words->name, "One law in detail");
   command->add_flag("--json", words->json, "Print JSON");

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <pounding/petsc/launch.hpp>
-#include <pounding/version.hpp>
+#include <pounding/core/version.hpp>
 #include "blas_threads.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"

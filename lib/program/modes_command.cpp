@@ -3,22 +3,22 @@
 #include <memory>
 #include <string>
 
-#include <pounding/input.hpp>
-#include <pounding/modes.hpp>
-#include <pounding/petsc/eigen.hpp>
+#include <pounding/input/input.hpp>
+#include <pounding/model/modes.hpp>
+#include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/structures.hpp>
+#include <pounding/structures/oscillators.hpp>
 #include "commands.hpp"
 
 namespace pounding::program {
 
 void add_modes(CLI::App& app) {
-  struct Words {
+  struct Arguments {
     std::string model, picture;
     int count = 12;
     bool json = false, plot = false;
   };
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("modes", "Periods, damping ratios, participation and shapes of every structure");
   command->add_option("MODEL", words->model, "Input file (YAML)")->required();
   command->add_option("--count", words->count, "Modes of a frame; of other structures all are told")

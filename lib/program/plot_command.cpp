@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "pounding/error.hpp"
+#include <pounding/core/error.hpp>
 #include "program/commands.hpp"
 #include "program/python_process.hpp"
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "pounding/error.hpp"
+#include <pounding/core/error.hpp>
 
 namespace pounding::program {
 namespace {

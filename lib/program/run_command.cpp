@@ -11,20 +11,20 @@
 
 #include <fmt/format.h>
 
-#include <pounding/analysis.hpp>
-#include <pounding/checkpoint.hpp>
-#include <pounding/input.hpp>
-#include <pounding/petsc/eigen.hpp>
+#include <pounding/run/run.hpp>
+#include <pounding/run/restart.hpp>
+#include <pounding/input/input.hpp>
+#include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/petsc/team.hpp>
-#include <pounding/structures.hpp>
+#include <pounding/petsc/ranks.hpp>
+#include <pounding/structures/oscillators.hpp>
 #include "commands.hpp"
 #include "exit_code.hpp"
 
 namespace pounding::program {
 namespace {
 
-struct Words {
+struct Arguments {
   std::string model, output, picture, resume;
   bool json = false, plot = false, quiet = false;
 };
@@ -60,7 +60,7 @@ class StopOnSignal {
 };
 volatile std::sig_atomic_t StopOnSignal::stop = 0;
 
-// Words that CLI11 does not know: MODEL, then PETSc's options, which carry its prefix, each with its value.
+// Arguments that CLI11 does not know: MODEL, then PETSc's options, which carry its prefix, each with its value.
 struct Rest {
   std::string model;
   std::vector<std::string> options;
@@ -86,19 +86,19 @@ Rest rest_of(const CLI::App& command) {
 }
 
 // A file of the same name may be another one in the folder of another process.
-void require_one_model(const petsc::Team& team, const Model& model, const std::string& file) {
-  if (!team.same(model.source_text))
+void require_one_model(const petsc::Ranks& ranks, const Model& model, const std::string& file) {
+  if (!ranks.same(model.source_text))
     throw InputError(fmt::format("{}: the processes read different models; name a file that all of them see", file));
 }
 
 // All processes do the same and mostly fail alike; one that fails alone ends the others, who wait for it.
 void together(const std::function<void()>& task) {
-  const petsc::Leaving leaving(PETSC_COMM_WORLD);
+  const petsc::CollectiveExit leaving(PETSC_COMM_WORLD);
   try {
     task();
   } catch (const std::exception& error) {
-    if (leaving.together(petsc::Leaving::patience)) throw;
-    print_failure(petsc::Team(PETSC_COMM_WORLD).alone(error.what()).c_str());
+    if (leaving.together(petsc::CollectiveExit::patience)) throw;
+    print_failure(petsc::Ranks(PETSC_COMM_WORLD).alone(error.what()).c_str());
     MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
   }
   leaving.together(std::numeric_limits<double>::infinity());
@@ -107,16 +107,16 @@ void together(const std::function<void()>& task) {
 struct Task {
   std::string model_file;
   std::vector<std::string> options;
-  StoppedRun earlier;
+  InterruptedRun earlier;
 };
 
-void run_task(const Words& words, const Task& task) {
+void run_task(const Arguments& words, const Task& task) {
   const auto& [model_file, options, earlier] = task;
   const bool resume = !words.resume.empty();
-  const petsc::Team team(PETSC_COMM_WORLD);
-  const bool speaks = team.is_first();
+  const petsc::Ranks ranks(PETSC_COMM_WORLD);
+  const bool speaks = ranks.is_root();
   const Model model = read(model_file.empty() ? input_of(earlier) : Input::read_file(model_file));
-  require_one_model(team, model, model_file.empty() ? words.resume : model_file);
+  require_one_model(ranks, model, model_file.empty() ? words.resume : model_file);
   RunOptions run_options;
   const bool plot = words.plot || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;
@@ -140,7 +140,7 @@ void run_task(const Words& words, const Task& task) {
     if (terminal) clear_progress();
     if (words.json && speaks) std::puts(to_json(failed.outcome().summary).c_str());
     if (!failed.outcome().results.checkpoint) throw;
-    const std::string launcher = team.size() > 1 ? fmt::format("mpirun -n {} ", team.size()) : "";
+    const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
     throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}", failed.what(), launcher, run_options.output));
   } catch (...) {
     if (terminal) clear_progress();
@@ -164,13 +164,13 @@ void run_task(const Words& words, const Task& task) {
   if (!words.json && !words.quiet) std::printf("picture      %s\n", picture.c_str());
 }
 
-void run_model(const Words& words, const CLI::App& command) {
+void run_model(const Arguments& words, const CLI::App& command) {
   auto [model_file, options] = rest_of(command);
   const bool resume = !words.resume.empty();
   if (model_file.empty() && !resume) throw InputError("MODEL is required; type pounding run MODEL.yaml");
-  StoppedRun earlier;
+  InterruptedRun earlier;
   if (resume) {
-    earlier = read_stopped_run(words.resume);
+    earlier = read_interrupted_run(words.resume);
     add_earlier_options(earlier, options);
   }
   const petsc::Environment environment(options);
@@ -180,7 +180,7 @@ void run_model(const Words& words, const CLI::App& command) {
 }  // namespace
 
 void add_run(CLI::App& app) {
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<Arguments>();
   CLI::App* run_command = app.add_subcommand("run", "Run MODEL, an input file (YAML), through time");
   run_command->add_option("--resume", words->resume,
                           "Results file of a run that was killed, stopped or cut: goes on in it with the model that it holds; "
@@ -195,7 +195,7 @@ void add_run(CLI::App& app) {
                       "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_radius 0.8  -pounding_ts_view  -pounding_ts_monitor");
   run_command->callback([words, run_command] { run_model(*words, *run_command); });
 
-  const auto check_words = std::make_shared<Words>();
+  const auto check_words = std::make_shared<Arguments>();
   CLI::App* check_command = app.add_subcommand("check", "Read and check a model without running it");
   check_command->add_option("MODEL", check_words->model, "Input file (YAML)")->required();
   check_command->add_flag("--json", check_words->json, "Print one JSON object");

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <pounding/error.hpp>
-#include <pounding/input.hpp>
+#include <pounding/core/error.hpp>
+#include <pounding/input/input.hpp>
 #include <pounding/laws/free_impact.hpp>
-#include <pounding/structures.hpp>
+#include <pounding/structures/oscillators.hpp>
 
 namespace pounding::reproduce {
 namespace {

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include <pounding/analysis.hpp>
+#include <pounding/run/run.hpp>
 #include <pounding/laws/all.hpp>
 #include <pounding/laws/integrated_impact.hpp>
-#include <pounding/results.hpp>
+#include <pounding/results/results.hpp>
 
 namespace pounding::reproduce {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <pounding/error.hpp>
+#include <pounding/core/error.hpp>
 
 namespace pounding::reproduce {
 namespace {

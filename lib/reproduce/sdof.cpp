@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include <pounding/input.hpp>
-#include <pounding/structures.hpp>
+#include <pounding/input/input.hpp>
+#include <pounding/structures/oscillators.hpp>
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 
@@ -39,7 +39,7 @@ std::string pair_yaml(bool free) {
 Touching assembled(double c) {
   const Model model = read_model(Input::read_text(pair_yaml(false), "pair.yaml"), kinds());
   const System system = assemble(model);
-  const Vector2d closing = Eigen::MatrixXd(system.closing).col(0);
+  const Vector2d closing = Eigen::MatrixXd(system.gap_jacobian).col(0);
   Touching t{Matrix2d(system.mass), Matrix2d(system.damping), Matrix2d(system.stiffness)};
   for (int i = 0; i < 2; ++i) {
     const Group& group = system.groups.at(static_cast<std::size_t>(i));

@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
-#include <pounding/error.hpp>
+#include <pounding/core/error.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/petsc/team.hpp>
+#include <pounding/petsc/ranks.hpp>
 
 namespace pounding::python {
 namespace {
@@ -27,13 +27,13 @@ bool mpi_runs() {
   return begun && !over;
 }
 
-bool has_others() { return mpi_runs() && petsc::Team(MPI_COMM_WORLD).size() > 1; }
+bool has_others() { return mpi_runs() && petsc::Ranks(MPI_COMM_WORLD).size() > 1; }
 
 // Ends with end_petsc(), not with the process: MPI must not outlive what it needs.
 struct Session {
   bool owns_mpi = !mpi_runs();
   petsc::Environment environment;
-  petsc::Leaving leaving{PETSC_COMM_WORLD};
+  petsc::CollectiveExit leaving{PETSC_COMM_WORLD};
 };
 std::unique_ptr<Session> session;
 bool ended = false, others_wait = false;
@@ -87,7 +87,7 @@ void end_petsc(bool failed) {
   ended = ended || session;
   if (has_others()) {
     // All may have failed alike, or be done.
-    if (others_wait || (failed && !(session && session->leaving.together(petsc::Leaving::patience))))
+    if (others_wait || (failed && !(session && session->leaving.together(petsc::CollectiveExit::patience))))
       MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
     // Where MPI is another's it ends later.
     if (!failed && session && session->owns_mpi) session->leaving.together(std::numeric_limits<double>::infinity());

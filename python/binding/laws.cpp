@@ -11,9 +11,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <pounding/calibration.hpp>
+#include <pounding/input/collision.hpp>
 #include <pounding/laws/free_impact.hpp>
-#include <pounding/units.hpp>
+#include <pounding/core/units.hpp>
 #include "bindings.hpp"
 
 namespace py = pybind11;
@@ -193,7 +193,7 @@ py::list catalogue() {
 }
 
 // The keys are those of `pounding calibrate --json`.
-py::dict calibrated(const CollisionWords& words) {
+py::dict calibrated(const CollisionInput& words) {
   const Collision collision = read_collision(words);
   py::list rows;
   for (const CalibratedRow& row : calibrate(collision)) {

@@ -14,14 +14,14 @@
 
 #include <fmt/format.h>
 
-#include <pounding/analysis.hpp>
-#include <pounding/checkpoint.hpp>
-#include <pounding/input.hpp>
-#include <pounding/modes.hpp>
-#include <pounding/petsc/eigen.hpp>
+#include <pounding/run/run.hpp>
+#include <pounding/run/restart.hpp>
+#include <pounding/input/input.hpp>
+#include <pounding/model/modes.hpp>
+#include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/launch.hpp>
-#include <pounding/petsc/team.hpp>
-#include <pounding/structures.hpp>
+#include <pounding/petsc/ranks.hpp>
+#include <pounding/structures/oscillators.hpp>
 #include "bindings.hpp"
 #include "host.hpp"
 
@@ -116,8 +116,8 @@ struct Ran {
 
 // The histories are whole on the first process.
 std::vector<std::byte> image_for_all(const Results& results) {
-  const petsc::Team team(PETSC_COMM_WORLD);
-  return team.gather(team.is_first() ? results_image(results) : std::vector<std::byte>{}).front();
+  const petsc::Ranks ranks(PETSC_COMM_WORLD);
+  return ranks.gather(ranks.is_root() ? results_image(results) : std::vector<std::byte>{}).front();
 }
 
 Ran ran(const Outcome& outcome, std::string failure, double tolerance) {
@@ -134,9 +134,9 @@ Ran run_alike(const Model& model, const RunOptions& options) {
 }
 
 // What Python raised on one process only has ended the run of all.
-void tell_what_was_raised(const petsc::Team& team, const Listener& listener, Ran& ran) {
+void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, Ran& ran) {
   try {
-    team.each_does([&] {
+    ranks.on_each([&] {
       if (!listener.failure.empty()) throw std::runtime_error(listener.failure);
     });
   } catch (const std::runtime_error& error) {
@@ -147,38 +147,38 @@ void tell_what_was_raised(const petsc::Team& team, const Listener& listener, Ran
 // One that fails in the middle of a run leaves the others waiting for a message that never comes; what it fails with after
 // that, or before, is what all fail with.
 Ran run_together(const Model& model, const RunOptions& options, const Listener& listener) {
-  const petsc::Team team(PETSC_COMM_WORLD);
-  const petsc::Leaving leaving(team.comm());
+  const petsc::Ranks ranks(PETSC_COMM_WORLD);
+  const petsc::CollectiveExit leaving(ranks.comm());
   Ran ran;
   std::exception_ptr failure;
   try {
     ran = run_alike(model, options);
   } catch (const std::exception& error) {
-    if (!leaving.together(petsc::Leaving::patience)) {
+    if (!leaving.together(petsc::CollectiveExit::patience)) {
       leave_the_others();
-      throw SolverError(team.alone(error.what()));
+      throw SolverError(ranks.alone(error.what()));
     }
     failure = std::current_exception();
   }
   if (!failure) leaving.together(std::numeric_limits<double>::infinity());
-  team.each_does([&] {
+  ranks.on_each([&] {
     if (failure) std::rethrow_exception(failure);
   });
-  tell_what_was_raised(team, listener, ran);
+  tell_what_was_raised(ranks, listener, ran);
   return ran;
 }
 
 // A file of the same name may be another one in the folder of another process.
-void require_one_run(const petsc::Team& team, const Model& model, const std::vector<std::string>& options,
+void require_one_run(const petsc::Ranks& ranks, const Model& model, const std::vector<std::string>& options,
                      const std::string& name) {
-  if (!team.same(fmt::format("{}\n{}", model.source_text, fmt::join(options, " "))))
+  if (!ranks.same(fmt::format("{}\n{}", model.source_text, fmt::join(options, " "))))
     throw InputError(fmt::format("{}: the processes run different models or options; give all of them the same", name));
 }
 
 /// What this process cannot run is what none runs. Nothing where there are no others.
 void refuse(const std::string& text) {
   if (petsc::launch().value_or(petsc::Launch{}).size > 1)
-    with_petsc([&] { petsc::Team(PETSC_COMM_WORLD).each_does([&] { throw InputError(text); }); });
+    with_petsc([&] { petsc::Ranks(PETSC_COMM_WORLD).on_each([&] { throw InputError(text); }); });
 }
 
 py::dict dict_of(const Ran& ran, const Listener& listener) {
@@ -201,11 +201,11 @@ py::dict run_read(const std::string& name, const std::string& output, std::vecto
                   const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
   Listener listener{progress};
   const Ran ran = with_petsc([&] {
-    const petsc::Team team(PETSC_COMM_WORLD);
+    const petsc::Ranks ranks(PETSC_COMM_WORLD);
     std::optional<OptionsOfRun> given;
     std::optional<Model> model;
-    team.each_does([&] { model.emplace(read(read_input(words, given))); });
-    require_one_run(team, *model, words, name);
+    ranks.on_each([&] { model.emplace(read(read_input(words, given))); });
+    require_one_run(ranks, *model, words, name);
     RunOptions options = run_options(output, command, listener);
     options.resume = resumed;
     return run_together(*model, options, listener);
@@ -224,7 +224,7 @@ py::dict run_source(const Source& source, const std::string& output, const std::
 py::dict resume(const std::string& file, const std::string& output, const std::vector<std::string>& options,
                 const std::string& command, const py::object& progress) {
   return run_read(file, output.empty() ? file : output, options, command, file, progress, [&](auto& words, auto& given) {
-    const StoppedRun earlier = read_stopped_run(file);
+    const InterruptedRun earlier = read_interrupted_run(file);
     add_earlier_options(earlier, words);
     given.emplace(words);
     return input_of(earlier);

@@ -3,8 +3,8 @@
 #include <exception>
 #include <stdexcept>
 
-#include <pounding/error.hpp>
-#include <pounding/version.hpp>
+#include <pounding/core/error.hpp>
+#include <pounding/core/version.hpp>
 
 namespace py = pybind11;
 

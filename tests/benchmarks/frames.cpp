@@ -24,13 +24,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include <pounding/frame.hpp>
-#include <pounding/gap_link.hpp>
-#include <pounding/modal_base.hpp>
+#include <pounding/frames/frame.hpp>
+#include <pounding/links/gap_link.hpp>
+#include <pounding/linear/modal_solver.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/petsc/sparse_base.hpp>
-#include <pounding/petsc/ts_pounding.hpp>
-#include <pounding/stepper.hpp>
+#include <pounding/linear/make_solver.hpp>
+#include <pounding/linear/sparse_solver.hpp>
+#include <pounding/stepping/ts_pounding.hpp>
+#include <pounding/stepping/stepper.hpp>
 
 namespace {
 
@@ -133,8 +134,8 @@ struct Pair {
         contacts.push_back(make_contact(link));
         system.contacts.push_back(contacts.back().get());
       }
-    system.closing.resize(n, static_cast<int>(contacts.size()));
-    system.closing.setFromTriplets(closing.begin(), closing.end());
+    system.gap_jacobian.resize(n, static_cast<int>(contacts.size()));
+    system.gap_jacobian.setFromTriplets(closing.begin(), closing.end());
   }
 
   // Of the displacement along x.
@@ -180,11 +181,11 @@ GroundMotion motion_of(const std::string& path) {
   return GroundMotion(std::move(samples), path);
 }
 
-petsc::BaseKind base_kind(const Words& words) {
+petsc::SolverKind base_kind(const Words& words) {
   const auto found = words.find("--base");
-  if (found == words.end()) return petsc::BaseKind::automatic;
-  if (found->second == "modal") return petsc::BaseKind::modal;
-  if (found->second == "sparse") return petsc::BaseKind::sparse;
+  if (found == words.end()) return petsc::SolverKind::automatic;
+  if (found->second == "modal") return petsc::SolverKind::modal;
+  if (found->second == "sparse") return petsc::SolverKind::sparse;
   throw std::invalid_argument("--base: modal or sparse");
 }
 
@@ -274,14 +275,14 @@ nlohmann::json plane(const Words& words) {
     group.velocity_floor = 1e-2 * pair.system.grounds[0].peak() / w;
   }
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<Base> base = petsc::make_base(pair.system, base_kind(words));
-  Stepper stepper(pair.system, *base, {.tolerance = tolerance, .scheme = scheme(words), .first_rung = longest});
+  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words));
+  Stepper stepper(pair.system, *base, {.tolerance = tolerance, .scheme = scheme(words), .max_step = longest});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(pair.system.size());
   stepper.start(0, zero, zero);
   Watch watch{stepper, {pair.unknown(0, 8, 3), pair.unknown(1, 6, 0)}, 0.1, {}, {0, 0}, 0, 0, {}, {}};
   watch.look();
   Solve solve(stepper, duration, longest / 64);
-  check(petsc::set_choice(solve.ts, {stepper.options().scheme, petsc::BaseKind::automatic}));
+  check(petsc::set_solver_options(solve.ts, {stepper.options().scheme, petsc::SolverKind::automatic}));
   check(TSAdaptSetStepLimits(solve.adapt(), 1e-18, longest));
   check(TSSetApplicationContext(solve.ts, &watch));
   check(TSSetPostStep(solve.ts, Watch::after_step));
@@ -322,12 +323,12 @@ double median(std::vector<double> values) {
 
 // Both frames pushed towards each other with a force that grows with time; without a gap and with elastic links the static
 // answer to a push of 1 m/s^2 times the time is the motion itself but for the damping, so that the links stay pressed.
-Eigen::VectorXd static_answer(const Pair& pair, Base& base) {
-  base.shift({0, 0, 1}, std::nullopt);
+Eigen::VectorXd static_answer(const Pair& pair, StructureSolver& base) {
+  base.set_matrix({0, 0, 1}, std::nullopt);
   Eigen::VectorXd x = base.load().col(0);
   if (!base.solve(x)) throw SolverError("the static answer failed");
-  Eigen::MatrixXd closings, g;
-  base.gather(x, closings);
+  Eigen::MatrixXd relative, g;
+  base.gather(x, relative);
   std::vector<int> links(pair.contacts.size());
   for (std::size_t i = 0; i < links.size(); ++i) links[i] = static_cast<int>(i);
   Eigen::VectorXd force;
@@ -336,7 +337,7 @@ Eigen::VectorXd static_answer(const Pair& pair, Base& base) {
     if (!base.flexibility(links, g)) throw SolverError("the static answer failed");
     g.diagonal().array() += 1 / linear_stiffness;
     Eigen::VectorXd closing(count);
-    for (int i = 0; i < count; ++i) closing[i] = closings(links[i], 0);
+    for (int i = 0; i < count; ++i) closing[i] = relative(links[i], 0);
     force = g.ldlt().solve(closing);
     std::vector<int> pressed;
     for (int i = 0; i < count; ++i)
@@ -346,7 +347,7 @@ Eigen::VectorXd static_answer(const Pair& pair, Base& base) {
   }
   base.add_response(-1, links, force, x);
   Eigen::VectorXd u;
-  base.follow(x);
+  base.recover(x);
   base.physical(x, u);
   return u;
 }
@@ -377,14 +378,14 @@ nlohmann::json space(const Words& words) {
   pair.system.grounds = {GroundMotion(Samples{{0, far}, {0, -far}, true})};
 
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<Base> base = petsc::make_base(pair.system, base_kind(words));
+  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words));
   const Eigen::VectorXd pushed = static_answer(pair, *base);
-  Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(words), .first_rung = space_step});
+  Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(words), .max_step = space_step});
   // They press from the start, rather than touch at once.
-  const Eigen::VectorXd closing = pair.system.closing.transpose() * pushed;
+  const Eigen::VectorXd closing = pair.system.gap_jacobian.transpose() * pushed;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i)
     if (closing[static_cast<Eigen::Index>(i)] > 0)
-      pair.contacts[i]->crossed(0, begin, {begin * closing[static_cast<Eigen::Index>(i)], closing[static_cast<Eigen::Index>(i)]});
+      pair.contacts[i]->on_event(0, begin, {begin * closing[static_cast<Eigen::Index>(i)], closing[static_cast<Eigen::Index>(i)]});
   stepper.start(begin, begin * pushed, pushed);
   Solve solve(stepper, far, space_step);
   StepClock clock;

@@ -15,11 +15,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <pounding/gap_link.hpp>
-#include <pounding/modal_base.hpp>
+#include <pounding/links/gap_link.hpp>
+#include <pounding/linear/modal_solver.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/petsc/ts_pounding.hpp>
-#include <pounding/stepper.hpp>
+#include <pounding/stepping/ts_pounding.hpp>
+#include <pounding/stepping/stepper.hpp>
 
 namespace {
 
@@ -36,14 +36,14 @@ struct Oscillators {
     system.mass.resize(2, 2);
     system.stiffness.resize(2, 2);
     system.damping.resize(2, 2);
-    system.closing.resize(2, 1);
+    system.gap_jacobian.resize(2, 1);
     system.load.resize(2, 1);
     for (int i = 0; i < 2; ++i) {
       const double w = 2 * M_PI / period[i];
       system.mass.insert(i, i) = system.load(i, 0) = mass[i];
       system.stiffness.insert(i, i) = mass[i] * w * w;
       system.damping.insert(i, i) = 2 * damping * w * mass[i];
-      system.closing.insert(i, 0) = i == 0 ? 1 : -1;
+      system.gap_jacobian.insert(i, 0) = i == 0 ? 1 : -1;
       system.groups.push_back({i, 1, 1e-2 * 4 / (w * w), 1e-2 * 4 / w});
     }
     system.contacts.push_back(&link);
@@ -58,8 +58,8 @@ struct Result {
 
 Result run(double gap, double end, double longest, bool fixed) {
   Oscillators oscillators(gap);
-  ModalBase base(oscillators.system);
-  Stepper stepper(oscillators.system, base, {.tolerance = 1e-4, .first_rung = longest});
+  ModalSolver base(oscillators.system);
+  Stepper stepper(oscillators.system, base, {.tolerance = 1e-4, .max_step = longest});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
   stepper.start(0, zero, zero);
   petsc::Handle<TS> ts;

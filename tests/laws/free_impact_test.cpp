@@ -136,7 +136,7 @@ TEST(FreeImpact, PublishedFormulasOfFirstOrderMeetTheExactOneNearOne) {
   test::Book book("Free impacts: restitution, identities, limits",
                   "limits of the published formulas over the exact one as e -> 1",
                   "ten times 1 - e = 1e-5");
-  const Asked q{.restitution = 1 - 1e-5};
+  const CalibrationTarget q{.restitution = 1 - 1e-5};
   for (const DampingFormula f : {hunt_crossley, herbert_mcwhannell, lankarani_nikravesh, zhiying_qishao, hu_guo})
     book.near("Hunt-Crossley and others of first order over exact [-]", f(q) / exact_factor(q), 1, 1e-4);
   book.near("Lee-Wang over exact: 1/2 [-]", lee_wang(q) / exact_factor(q), 0.5, 1e-4);

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <pounding/results.hpp>
+#include <pounding/results/results.hpp>
 
 namespace pounding::sample {
 

@@ -16,7 +16,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/error.hpp>
+#include <pounding/core/error.hpp>
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 #include "reproduce/paper.hpp"

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/error.hpp>
+#include <pounding/core/error.hpp>
 #include <pounding/laws/free_impact.hpp>
 #include "support/book.hpp"
 #include "support/runs.hpp"
@@ -39,7 +39,7 @@ std::vector<Case> cases() {
 }
 
 // With a yield ratio of 0.1 the unloading branch reaches zero stiffness here: K_t2 = 0 at the design penetration.
-constexpr double least_of_bilinear_hertz = 0.354;
+constexpr double min_of_bilinear_hertz = 0.354;
 
 class FreeImpact : public testing::TestWithParam<Case> {};
 
@@ -60,7 +60,7 @@ TEST_P(FreeImpact, OfTheTimeIntegrationAgreesWithTheCompanion) {
                                                    "links: [{{between: [ball, wall], gap: 5 mm, law: {}{}{}}}]\n"
                                                    "analysis: {{duration: 4, tolerance: 1e-8}}\n",
                                                    mass, speed, c.law, c.parameters, damping);
-    if (c.law == "bilinear_hertz" && c.formula == "exact" && asked < least_of_bilinear_hertz) {
+    if (c.law == "bilinear_hertz" && c.formula == "exact" && asked < min_of_bilinear_hertz) {
       EXPECT_THROW(test::model_of(yaml), InputError) << "a loop cannot lose more than its own area";
       continue;
     }

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/gap_link.hpp>
+#include <pounding/links/gap_link.hpp>
 #include <pounding/laws/all.hpp>
 #include "support/book.hpp"
 #include "support/jankowski_in_both_phases.hpp"

@@ -112,7 +112,7 @@ struct PlainModel {
     mass_inverse = mass.inverse();
     load = system.load.col(0);
     ground = system.grounds[0];
-    const MatrixXd closing(system.closing);
+    const MatrixXd closing(system.gap_jacobian);
     for (const Link& link : model.links)
       links.push_back({.law = law_of(link), .closing = closing.col(links.size()), .gap = link.gap});
     std::tie(u, v) = initial_state(model);

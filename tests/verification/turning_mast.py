@@ -1,4 +1,4 @@
-"""Reference numbers for tests/analysis/turning_test.cpp: a mast of corotational members that is thrown, from its energy alone.
+"""Reference numbers for tests/stepping/turning_test.cpp: a mast of corotational members that is thrown, from its energy alone.
 
     .venv/bin/python3 tests/verification/turning_mast.py
 

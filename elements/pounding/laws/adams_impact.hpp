@@ -13,7 +13,7 @@
 namespace pounding::laws {
 
 /// c D/(m v) that gives a restitution at one closing speed, integrated. D = (m v^2/k)^(1/(n+1)).
-double exact_adams_impact(const Asked& asked);
+double exact_adams_impact(const CalibrationTarget& asked);
 
 /// F = max(0, k d^n + c STEP(d) d'), STEP = s^2 (3 - 2 s) with s = d/depth, 1 beyond depth: the IMPACT function.
 ///
@@ -106,7 +106,7 @@ struct AdamsImpact {
   }
 };
 
-inline double exact_adams_impact(const Asked& asked) {
+inline double exact_adams_impact(const CalibrationTarget& asked) {
   const double length = impact_length(asked.reduced_mass, asked.closing_speed, asked.stiffness, asked.exponent);
   const double depth = asked.depth / length;
   // An impact that stays far short of the depth of full damping meets 3 (d/depth)^2 of it.

@@ -29,10 +29,10 @@ inline double restitution_of_bilinear_loss(double loss, double exponent, double 
 inline double largest_bilinear_loss(double exponent, double yield_ratio) { return (exponent + 1) * (1 - yield_ratio); }
 
 /// loss = 1 - e^2. Muthukumar & DesRoches 2006: the loop area is right when d_m is reached, which it is not.
-inline double muthukumar_desroches(const Asked& q) { return 1 - q.restitution * q.restitution; }
+inline double muthukumar_desroches(const CalibrationTarget& q) { return 1 - q.restitution * q.restitution; }
 
 /// loss with which the law gives e at its design speed. Throws std::invalid_argument when no loss does.
-inline double exact_bilinear_loss(const Asked& q) {
+inline double exact_bilinear_loss(const CalibrationTarget& q) {
   const double e = q.restitution, high = largest_bilinear_loss(q.exponent, q.yield_ratio);
   const double least = restitution_of_bilinear_loss(high, q.exponent, q.yield_ratio);
   if (e <= least)

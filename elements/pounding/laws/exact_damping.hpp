@@ -54,7 +54,7 @@ inline double restitution_of_factor(double a) noexcept {
 }
 
 /// a of F = k d^n (1 + a d'/v): the root of a (1+e) = ln[(1+a)/(1-a e)] in (0, 1/e).
-inline double exact_factor(const Asked& q) {
+inline double exact_factor(const CalibrationTarget& q) {
   const double e = q.restitution;
   if (e >= 1) return 0;
   const auto excess = [e](double a) { return log_excess(a) - log_excess(-a * e); };
@@ -83,7 +83,7 @@ inline double restitution_to_zero_force(double z) noexcept { return std::exp(-2 
 inline double restitution_of_approach(double z) noexcept { return std::exp(-z * angle_ratio(z)); }
 
 /// z with restitution_of_approach(z) = e.
-inline double exact_approach_ratio(const Asked& q) {
+inline double exact_approach_ratio(const CalibrationTarget& q) {
   const double asked = -std::log(q.restitution);
   if (!(asked > 0)) return 0;
   // z arccos(z)/sqrt(1-z^2) rises from 0 without bound.
@@ -94,14 +94,14 @@ inline double exact_approach_ratio(const Asked& q) {
 }
 
 /// z with restitution_to_zero_force(z) = e.
-inline double exact_cut_ratio(const Asked& q) {
+inline double exact_cut_ratio(const CalibrationTarget& q) {
   return exact_approach_ratio({.restitution = std::sqrt(q.restitution)});
 }
 
 /// xi of Jankowski: the oscillator in stretched time has z = 2 xi/sqrt(5).
-inline double exact_jankowski(const Asked& q) { return std::sqrt(5.0) / 2 * exact_approach_ratio(q); }
+inline double exact_jankowski(const CalibrationTarget& q) { return std::sqrt(5.0) / 2 * exact_approach_ratio(q); }
 
 /// alpha of viscous_hertz with the force cut at zero: z = alpha/sqrt(2 (n+1)).
-inline double exact_viscous(const Asked& q) { return std::sqrt(2 * (q.exponent + 1)) * exact_cut_ratio(q); }
+inline double exact_viscous(const CalibrationTarget& q) { return std::sqrt(2 * (q.exponent + 1)) * exact_cut_ratio(q); }
 
 }  // namespace pounding::laws

@@ -16,7 +16,7 @@ namespace pounding::laws {
 /// F = k d^1.5 + c d' in approach (d' > 0), k d^1.5 in restitution; c = 2 xi sqrt(k sqrt(d) m).
 ///
 /// k [N/m^1.5], xi [-], m [kg] reduced mass, d [m], d' [m/s], c [N s/m]. The nonlinear viscoelastic model, Jankowski 2005,
-/// EESD 34:595; paper Eqs. 8-10. Kept as prefactor: c = C d^0.25 with C = 2 xi sqrt(k m) [N s/m^1.25]. Asked 0.50, the
+/// EESD 34:595; paper Eqs. 8-10. Kept as prefactor: c = C d^0.25 with C = 2 xi sqrt(k m) [N s/m^1.25]. CalibrationTarget 0.50, the
 /// formula of 2005 gives 0.558, that of 2006 gives 0.495.
 ///
 /// The law's own slope by d is infinite at d = 0 (d^0.25); there the slope is bounded by its value at shallowest_slope,

@@ -13,7 +13,7 @@
 namespace pounding::laws {
 
 /// A v/D that gives a restitution: one universal curve, integrated. D = (m v^2/k)^(2/5).
-double exact_kuwabara_kono(const Asked& asked);
+double exact_kuwabara_kono(const CalibrationTarget& asked);
 
 /// F = max(0, k d^1.5 + (3/2) A k d^0.5 d'): viscoelastic spheres; the restitution falls with the closing speed.
 ///
@@ -89,7 +89,7 @@ struct KuwabaraKono {
   }
 };
 
-inline double exact_kuwabara_kono(const Asked& asked) {
+inline double exact_kuwabara_kono(const CalibrationTarget& asked) {
   return number_of_restitution(asked.restitution, [](double number) {
     return KuwabaraKono{.stiffness = 1, .dissipation_time = number, .reduced_mass = 1};
   });

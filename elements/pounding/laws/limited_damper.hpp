@@ -13,7 +13,7 @@
 namespace pounding::laws {
 
 /// c D/(m v) that gives a restitution: one curve for each exponent, integrated. D = (m v^2/k)^(1/(n+1)).
-double exact_limited_damper(const Asked& asked);
+double exact_limited_damper(const CalibrationTarget& asked);
 
 /// F = k d^n + clamp(c d', -k d^n, k d^n): a dashpot whose force is limited to that of the spring.
 ///
@@ -93,7 +93,7 @@ struct LimitedDamper {
   }
 };
 
-inline double exact_limited_damper(const Asked& asked) {
+inline double exact_limited_damper(const CalibrationTarget& asked) {
   return number_of_restitution(asked.restitution, [&](double number) {
     return LimitedDamper{.stiffness = 1, .exponent = asked.exponent, .damping_coefficient = number, .reduced_mass = 1};
   });

@@ -29,7 +29,7 @@ struct Parameter {
 };
 
 /// What a damping formula may use; most need the restitution alone.
-struct Asked {
+struct CalibrationTarget {
   double restitution = 1;    ///< e in (0, 1]
   double closing_speed = 1;  ///< v [m/s]
   double stiffness = 1;      ///< k [N/m^n]
@@ -40,7 +40,7 @@ struct Asked {
 };
 
 /// Gives the law's dimensionless damping number (its `number`: a, zeta, xi ...) for a restitution.
-using DampingFormula = double (*)(const Asked&);
+using DampingFormula = double (*)(const CalibrationTarget&);
 
 /// A published damping formula, or the exact calibration: the number that gives the restitution e.
 struct Formula {

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include <pounding/gap_link.hpp>
+#include <pounding/links/gap_link.hpp>
 
-using pounding::LinkForce, pounding::LinkMotion, pounding::LinkStep;
+namespace laws = pounding::laws;
+using pounding::LinkMotion, pounding::LinkStep;
 using std::numbers::pi;
 
 struct Oscillators {
@@ -56,7 +57,7 @@ static PetscErrorCode jacobian(TS, PetscReal, Vec U, Vec V, Vec, PetscReal shift
   PetscFunctionBegin;
   PetscCall(VecGetArrayRead(U, &u));
   PetscCall(VecGetArrayRead(V, &v));
-  const LinkForce f = o.link.evaluate(o.motion_of(u, v));
+  const laws::Response f = o.link.evaluate(o.motion_of(u, v));
   const double slope = f.by_penetration + shift_v * f.by_rate;
   for (int i = 0; i < 2; ++i) {
     const double own = shift_a * o.mass[i] + shift_v * o.damping[i] + o.stiffness[i];
@@ -98,9 +99,9 @@ static PetscErrorCode after_step(TS ts) {
   step.force_middle = o->link.evaluate(step.motion_middle).force;
 
   o->link.accept(step);
-  const auto margins = o->link.margins(step.motion_end, step.force_end);
-  const auto crossed = std::find_if(margins.begin(), margins.end(), [](double margin) { return margin < 0; });
-  if (crossed != margins.end()) o->link.crossed(static_cast<int>(crossed - margins.begin()), t, step.motion_end);
+  const auto values = o->link.event_functions(step.motion_end, step.force_end);
+  const auto ended = std::find_if(values.begin(), values.end(), [](double value) { return value < 0; });
+  if (ended != values.end()) o->link.on_event(static_cast<int>(ended - values.begin()), t, step.motion_end);
 
   for (int i = 0; i < 2; ++i) o->peak[i] = std::max(o->peak[i], std::abs(u[i]));
   o->time = t, o->motion = step.motion_end, o->acceleration = step.acceleration_end;

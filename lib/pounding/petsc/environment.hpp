@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <pounding/error.hpp>
+#include <pounding/core/error.hpp>
 
 namespace pounding::petsc {
 

@@ -1,5 +1,5 @@
 // A code of its own with our gap link, without PETSc: Newmark's average acceleration, a ball on a wall.
-#include <pounding/gap_link.hpp>
+#include <pounding/links/gap_link.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ int main() {
   while (link.impacts().empty() || link.phase() != pounding::ContactPhase::open) {
     const double u0 = u, v0 = v, a0 = a;
     pounding::LinkMotion motion;
-    pounding::LinkForce f;
+    pounding::laws::Response f;
     for (double change = 1; std::abs(change) > 1e-16; u += change) {
       a = 4 * (u - u0 - h * v0) / (h * h) - a0;
       v = v0 + h / 2 * (a0 + a);
@@ -29,9 +29,9 @@ int main() {
     step.force_middle = link.evaluate(step.motion_middle).force;
     step.force_end = f.force;
     link.accept(step);
-    const auto margins = link.margins(motion, f.force);
-    const auto crossed = std::find_if(margins.begin(), margins.end(), [](double margin) { return margin < 0; });
-    if (crossed != margins.end()) link.crossed(static_cast<int>(crossed - margins.begin()), t, motion);
+    const auto values = link.event_functions(motion, f.force);
+    const auto ended = std::find_if(values.begin(), values.end(), [](double value) { return value < 0; });
+    if (ended != values.end()) link.on_event(static_cast<int>(ended - values.begin()), t, motion);
   }
   const pounding::ImpactRow& row = link.impacts().front();
   std::printf("restitution %.6f, peak force %.0f N\n", row.restitution, row.peak_force);

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <string>
 
-#include <pounding/analysis.hpp>
+#include <pounding/run/run.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/structures.hpp>
+#include <pounding/structures/oscillators.hpp>
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);

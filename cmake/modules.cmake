@@ -1,0 +1,45 @@
+# A folder of pounding/ is a module. Modules are declared in one order, elements/CMakeLists.txt before lib/CMakeLists.txt, and
+# need only what was declared before them; tests/docs/test_modules.py holds every include against NEEDS.
+
+# pounding_module(NAME [NEEDS modules] [WITH packages] [SOURCES files])
+function(pounding_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 module "" "" "NEEDS;WITH;SOURCES")
+  list(TRANSFORM module_NEEDS PREPEND pounding_module_)
+  foreach(need IN LISTS module_NEEDS)
+    if(NOT TARGET ${need})
+      message(FATAL_ERROR "module ${name} needs ${need}, which is declared after it or not at all")
+    endif()
+  endforeach()
+  set(target pounding_module_${name})
+  if(module_SOURCES)
+    list(TRANSFORM module_SOURCES PREPEND pounding/${name}/)
+    add_library(${target} OBJECT ${module_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE pounding_warnings)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(${target} ${scope} ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR})
+  target_link_libraries(${target} ${scope} ${module_NEEDS} ${module_WITH})
+endfunction()
+
+# pounding_public(NAME OF modules [WITH targets]): the library that users link, made of these modules.
+function(pounding_public name)
+  cmake_parse_arguments(PARSE_ARGV 1 public "" "" "OF;WITH")
+  set(target pounding_${name})
+  set(objects)
+  foreach(module IN LISTS public_OF)
+    list(APPEND objects $<TARGET_OBJECTS:pounding_module_${module}>)
+  endforeach()
+  add_library(${target} ${objects})
+  add_library(Pounding::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target} PUBLIC ${public_WITH})
+endfunction()

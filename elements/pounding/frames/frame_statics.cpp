@@ -1,0 +1,161 @@
+#include <pounding/frames/frame.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include <pounding/frames/frame_dofs.hpp>
+#include <pounding/frames/static_solver.hpp>
+#include <pounding/core/units.hpp>
+
+namespace pounding {
+
+using Eigen::SparseMatrix;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using namespace frame_dofs;
+
+namespace {
+
+SparseMatrix<double> sparse(const Eigen::MatrixXd& dense) { return dense.sparseView(1, 0); }
+
+}  // namespace
+
+// Names the node that a mode moves most; a rotation only where no node moves.
+void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFrame& frame) const {
+  int at[2] = {-1, -1};  // largest translation, largest rotation
+  for (int j = 0; j < frame.size(); ++j) {
+    int& largest = at[is_rotation(frame.unknowns[j].second)];
+    // A little more, so that among equals the first is named.
+    if (largest < 0 || std::abs(mode[j]) > 1.000001 * std::abs(mode[largest])) largest = j;
+  }
+  double size = 0;
+  for (const Vector3d& position : positions_) size = std::max(size, (position - positions_.front()).norm());
+  const bool turns = at[0] < 0 || (at[1] >= 0 && std::abs(mode[at[0]]) < 1e-6 * size * std::abs(mode[at[1]]));
+  const auto [node, dof] = frame.unknowns[at[turns]];
+  const std::string where = node_text(node) + name(dof) + ": ";
+
+  const auto pressed = std::min_element(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
+    return a.beam.axial_force() < b.beam.axial_force();
+  });
+  if (!buckles || pressed == members_.end() || !(pressed->beam.axial_force() < 0))
+    refuse(where + "nothing holds the frame against this displacement; fix it, brace it or connect it");
+  const int member = static_cast<int>(pressed - members_.begin());
+  refuse(fmt::format("{}the frame buckles here under its axial forces, the largest compression of which is {:.4g} N in "
+                     "member {}", where, -pressed->beam.axial_force(), member_name(member)));
+}
+
+VectorXd Frame::rest(const AssembledFrame& assembled) const {
+  StaticSolver solver(assembled.stiffness);
+  if (!solver.holds()) refuse_to_hold(solver.mode(), solver.buckles(), assembled);
+  if (assembled.load_at_rest.isZero(0)) return VectorXd::Zero(assembled.size());
+  return solver.solve(assembled.load_at_rest);
+}
+
+void Frame::add_p_delta(bool gravity) {
+  Frame trial = *this;
+  VectorXd force = VectorXd::Zero(members());
+  for (int round = 0; round < 100; ++round) {
+    for (int member = 0; member < members(); ++member) trial.set_axial_force(member, force[member]);
+    const AssembledFrame assembled = trial.assemble(gravity);
+    const VectorXd q = trial.rest(assembled);
+    const VectorXd before = force;
+    for (int member = 0; member < members(); ++member) {
+      const Vector12 ends = trial.end_forces(member, assembled, q) + trial.fixed_end_forces(member, gravity);
+      force[member] = (ends[6] - ends[0]) / 2;  // the mean where it varies along the member
+    }
+    if (members() == 0 || (force - before).cwiseAbs().maxCoeff() <= 1e-10 * force.cwiseAbs().maxCoeff()) {
+      *this = std::move(trial);
+      return;
+    }
+  }
+  refuse("the axial forces of P-Delta do not settle: under its own loads the frame is about to buckle");
+}
+
+// Those rows of a matrix, one a displacement, that belong to the nodes of a member, in the order of Vector12.
+SparseMatrix<double, Eigen::RowMajor> Frame::member_motion(int member, const SparseMatrix<double, Eigen::RowMajor>& of_all) const {
+  const Member& m = of(member);
+  Entries entries;
+  for (const auto& [node, first] : {std::pair(m.start, 0), {m.end, 6}})
+    for (const Dof dof : dofs_of(dimension_)) {
+      using Terms = SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+      for (Terms it(of_all, index(node, dof)); it; ++it)
+        entries.emplace_back(first + static_cast<int>(dof), it.col(), it.value());
+    }
+  SparseMatrix<double, Eigen::RowMajor> rows(12, of_all.cols());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+Vector12 Frame::end_forces(int member, const AssembledFrame& assembled, const VectorXd& q) const {
+  return of(member).beam.end_forces(member_motion(member, assembled.transform) * q);
+}
+
+SparseMatrix<double> Frame::end_force_rows(int member, const AssembledFrame& assembled) const {
+  return sparse(of(member).beam.end_force_matrix()) * SparseMatrix<double>(member_motion(member, assembled.transform));
+}
+
+Eigen::Matrix<double, 12, 3> Frame::enforced_end_forces(int member, const Eigen::MatrixX3d& enforced) const {
+  const Member& m = of(member);
+  Eigen::Matrix<double, 12, 3> motion = Eigen::Matrix<double, 12, 3>::Zero();
+  for (const auto& [node, first] : {std::pair(m.start, 0), {m.end, 6}})
+    for (const Dof dof : dofs_of(dimension_)) motion.row(first + static_cast<int>(dof)) = enforced.row(index(node, dof));
+  return m.beam.end_force_matrix() * motion;
+}
+
+Vector12 Frame::fixed_end_forces(int member, bool gravity) const {
+  const Member& m = of(member);
+  Vector12 held = m.beam.fixed_end_forces(m.load);
+  if (gravity) held += standard_gravity * m.beam.held_end_forces_of_weight();
+  return held;
+}
+
+Frame::PointOnMember Frame::point_on_member(int member, double along, const AssembledFrame& assembled) const {
+  const Beam& beam = of(member).beam;
+  if (!(along >= 0 && along <= 1))
+    refuse(fmt::format("member {}: a point on it lies at 0 to 1 of its length, not at {}", member_name(member), along));
+  const SparseMatrix<double> shapes = sparse(beam.motion_at(along));
+  const auto at_point = [&](const SparseMatrix<double, Eigen::RowMajor>& of_all) {
+    const SparseMatrix<double> motion = shapes * SparseMatrix<double>(member_motion(member, of_all));
+    const SparseMatrix<double, Eigen::RowMajor> rows = motion;
+    std::array<Eigen::SparseVector<double>, 3> by_axis;
+    for (int axis = 0; axis < 3; ++axis) by_axis[axis] = rows.row(axis).transpose();
+    return by_axis;
+  };
+  PointOnMember point;
+  point.motion = at_point(assembled.transform);
+  SparseMatrix<double, Eigen::RowMajor> every(assembled.transform.rows(), assembled.transform.rows());
+  every.setIdentity();
+  point.supported = at_point(every);
+  point.fixed_ends = beam.held_end_forces_at(along);
+  return point;
+}
+
+Frame::SupportMotion Frame::support_motion(const std::vector<int>& nodes, const AssembledFrame& assembled) const {
+  const int all = static_cast<int>(positions_.size()) * dofs();
+  Eigen::MatrixX3d supports = Eigen::MatrixX3d::Zero(all, 3);  // displacements that these supports enforce
+  Eigen::MatrixX3d pulls = Eigen::MatrixX3d::Zero(all, 3);     // forces of their springs on nodes that stay
+  for (const int node : std::set<int>(nodes.begin(), nodes.end())) {
+    bool supports_something = false;
+    for (const Dof dof : {Dof::ux, Dof::uy, Dof::uz}) {
+      if (place(dimension_, dof) < 0) continue;
+      const int at = index(node, dof), axis = static_cast<int>(dof);
+      if (fixed_.contains(at)) supports(at, axis) = 1, supports_something = true;
+      for (const auto& [of, stiffness] : ground_springs_)
+        if (of == at) pulls(at, axis) += stiffness, supports_something = true;
+    }
+    if (!supports_something) refuse(node_text(node) + "it is no support: neither fixed nor on a spring to the ground");
+  }
+  const SparseMatrix<double> t = assembled.transform;
+  SupportMotion motion;
+  motion.enforced = assembled.supported * supports;
+  StaticSolver solver(assembled.stiffness);
+  if (!solver.holds()) refuse_to_hold(solver.mode(), solver.buckles(), assembled);
+  motion.influence = solver.solve(t.transpose() * (pulls - gathered(springs_, &Beam::stiffness) * motion.enforced));
+  motion.load = t.transpose() * (gathered(masses_, &Beam::mass) * (t * motion.influence + motion.enforced));
+  return motion;
+}
+
+}  // namespace pounding

@@ -1,0 +1,232 @@
+#include <pounding/frames/frame_surface.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <pounding/input/names.hpp>
+#include <pounding/core/units.hpp>
+
+namespace pounding {
+namespace {
+
+using Eigen::Vector3d;
+
+// Points nearer than this are one [m].
+constexpr double together = 1e-6;
+
+[[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
+
+std::string metres(double length) { return format_quantity(length, dimension::length, 6); }
+
+}  // namespace
+
+double mass_along_x(const AssembledFrame& frame, const std::vector<int>& nodes) {
+  std::set<int> unknowns;
+  for (const int node : nodes) {
+    const Row row = frame.motion(node, Dof::ux);
+    for (Row::InnerIterator it(row); it; ++it)
+      if (frame.unknowns[it.index()].second == Dof::ux) unknowns.insert(static_cast<int>(it.index()));
+  }
+  double sum = 0;
+  for (const int unknown : unknowns) sum += frame.load(unknown, 0);
+  return sum;
+}
+
+FrameSurface::FrameSurface(std::shared_ptr<const FrameModel> model, std::shared_ptr<const AssembledFrame> assembled)
+    : model_(std::move(model)), assembled_(std::move(assembled)), floor_of_node_(model_->frame.nodes(), -1) {
+  for (std::size_t f = 0; f < model_->floors.size(); ++f) {
+    for (const int node : model_->floors[f].nodes) floor_of_node_[node] = static_cast<int>(f);
+    floor_mass_.push_back(mass_along_x(*assembled_, model_->floors[f].nodes));
+  }
+}
+
+std::optional<std::array<double, 4>> FrameSurface::plan() const {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  std::array<double, 4> box{far, -far, far, -far};
+  for (int node = 0; node < model_->given_nodes; ++node)
+    for (const int axis : {0, 1}) {
+      box[2 * axis] = std::min(box[2 * axis], position(node)[axis]);
+      box[2 * axis + 1] = std::max(box[2 * axis + 1], position(node)[axis]);
+    }
+  return box;
+}
+
+int FrameSurface::axis_of(Side side) const {
+  const bool along_x = side == Side::plus_x || side == Side::minus_x;
+  if (!along_x && assembled_->dimension == 2) refuse("a plane frame is touched along x only");
+  return along_x ? 0 : 1;
+}
+
+// The outermost nodes, in the order along the edge.
+std::vector<int> FrameSurface::edge_nodes(int floor, Side side) const {
+  if (floor < 0 || floor >= static_cast<int>(model_->floors.size()))
+    refuse(fmt::format("there is no floor {} among {}", floor + 1, model_->floors.size()));
+  const int across = 1 - axis_of(side);
+  const Vector3d out = outward(side);
+  const std::vector<int>& nodes = model_->floors[floor].nodes;
+  double outermost = -std::numeric_limits<double>::infinity();
+  for (const int node : nodes) outermost = std::max(outermost, out.dot(position(node)));
+  std::vector<int> edge;
+  for (const int node : nodes)
+    if (out.dot(position(node)) > outermost - together) edge.push_back(node);
+  std::stable_sort(edge.begin(), edge.end(), [&](int a, int b) { return position(a)[across] < position(b)[across]; });
+  return edge;
+}
+
+std::array<double, 2> FrameSurface::edge(int floor, Side side) const {
+  const std::vector<int> nodes = edge_nodes(floor, side);
+  const int across = 1 - axis_of(side);
+  return {position(nodes.front())[across], position(nodes.back())[across]};
+}
+
+ContactPoint FrameSurface::floor(int floor, Side side, double along) const {
+  const std::vector<int> nodes = edge_nodes(floor, side);
+  const int axis = axis_of(side), across = 1 - axis;
+  const FrameFloor& of = model_->floors[floor];
+  if (assembled_->dimension == 2) return pushed(on_arm(nodes.front(), position(nodes.front()), floor_mass_[floor]), axis);
+
+  const double first = position(nodes.front())[across], last = position(nodes.back())[across];
+  if (!(along > first - together && along < last + together))
+    refuse(fmt::format("the edge of floor {} goes from {} to {}, and {} lies beside it", of.label, metres(first), metres(last),
+                       metres(along)));
+  for (const int node : nodes)
+    if (std::abs(position(node)[across] - along) < together)
+      return pushed(on_arm(node, position(node), floor_mass_[floor]), axis);
+  const auto after = std::find_if(nodes.begin(), nodes.end(), [&](int node) { return position(node)[across] > along; });
+  const double share = (along - position(*(after - 1))[across]) / (position(*after)[across] - position(*(after - 1))[across]);
+  const Vector3d point = (1 - share) * position(*(after - 1)) + share * position(*after);
+  if (of.master >= 0) return pushed(on_rigid_floor(floor, *(after - 1), *after, point), axis);
+  const auto member = member_through(point);
+  if (!member)
+    refuse(fmt::format("no member passes the edge of floor {} at {}, between the nodes {} and {}; add one, or let the floor be rigid",
+                       of.label, metres(along), model_->frame.node_name(*(after - 1)), model_->frame.node_name(*after)));
+  return pushed(on_member(member->first, member->second, point, floor_mass_[floor]), axis);
+}
+
+ContactPoint FrameSurface::column(double elevation, Side side, double along) const {
+  const int axis = axis_of(side), across = 1 - axis;
+  const Vector3d out = outward(side);
+  std::vector<OnColumn> candidates;
+  double outermost = -std::numeric_limits<double>::infinity();
+  double lowest = -outermost, highest = outermost;
+  for (int member = 0; member < model_->frame.members(); ++member) {
+    if (model_->frame.beam(member).is_truss()) continue;
+    for (const int node : model_->frame.ends(member)) {
+      lowest = std::min(lowest, position(node).z());
+      highest = std::max(highest, position(node).z());
+    }
+    if (const auto point = on_column(member, elevation)) {
+      candidates.push_back(*point);
+      outermost = std::max(outermost, out.dot(point->position));
+    }
+  }
+  if (candidates.empty())
+    refuse(fmt::format("there is no column {} up; its members reach from {} to {}", metres(elevation), metres(lowest), metres(highest)));
+  std::erase_if(candidates, [&](const OnColumn& each) { return out.dot(each.position) < outermost - together; });
+  const auto distance = [&](const OnColumn& each) { return std::abs(each.position[across] - along); };
+  const OnColumn& hit = *std::min_element(candidates.begin(), candidates.end(),
+                                          [&](const OnColumn& a, const OnColumn& b) { return distance(a) < distance(b); });
+  const ContactPoint point = hit.node >= 0 ? on_arm(hit.node, hit.position, mass_of(hit))
+                                           : on_member(hit.member, hit.along, hit.position, mass_of(hit));
+  return pushed(point, axis);
+}
+
+ContactPoint FrameSurface::node(const std::string& name) const {
+  std::vector<std::string> names;
+  for (int node = 0; node < model_->given_nodes; ++node) {
+    names.push_back(model_->frame.node_name(node));
+    if (names.back() == name) return on_arm(node, position(node), mass_along_x(*assembled_, {node}));
+  }
+  refuse(unknown_name("node", name, names));
+}
+
+// The member from node to node over its rigid offsets; nothing where it does not reach this height or lies level.
+std::optional<FrameSurface::OnColumn> FrameSurface::on_column(int member, double elevation) const {
+  const auto [start, end] = model_->frame.ends(member);
+  const auto& [start_offset, end_offset] = model_->offsets[member];
+  const std::array<Vector3d, 4> path{position(start), position(start) + start_offset, position(end) + end_offset, position(end)};
+  if (std::abs(path[3].z() - path[0].z()) < together) return {};
+  for (const int node : {start, end})
+    if (std::abs(position(node).z() - elevation) < together) return OnColumn{member, node, node == start ? 0.0 : 1.0, position(node)};
+  for (const int part : {1, 0, 2}) {
+    const double rise = path[part + 1].z() - path[part].z(), share = (elevation - path[part].z()) / rise;
+    if (std::abs(rise) < together || share < 0 || share > 1) continue;
+    const int node = part == 1 ? -1 : part == 0 ? start : end;
+    return OnColumn{member, node, part == 1 ? share : part == 0 ? 0.0 : 1.0, (1 - share) * path[part] + share * path[part + 1]};
+  }
+  return {};
+}
+
+std::optional<std::pair<int, double>> FrameSurface::member_through(const Vector3d& point) const {
+  for (int member = 0; member < model_->frame.members(); ++member) {
+    if (model_->frame.beam(member).is_truss()) continue;
+    const auto [start, end] = model_->frame.ends(member);
+    const Vector3d from = position(start) + model_->offsets[member][0], way = position(end) + model_->offsets[member][1] - from;
+    const double along = (point - from).dot(way) / way.squaredNorm();
+    if (along >= 0 && along <= 1 && (from + along * way - point).norm() < together) return std::pair(member, along);
+  }
+  return {};
+}
+
+double FrameSurface::mass_of(int node) const {
+  const int floor = floor_of_node_[node];
+  return floor >= 0 ? floor_mass_[floor] : mass_along_x(*assembled_, {node});
+}
+
+// Between two floors, of both by the height.
+double FrameSurface::mass_of(const OnColumn& point) const {
+  if (point.node >= 0) return mass_of(point.node);
+  const auto [start, end] = model_->frame.ends(point.member);
+  return (1 - point.along) * mass_of(start) + point.along * mass_of(end);
+}
+
+ContactPoint FrameSurface::on_arm(int node, const Vector3d& at, double mass) const {
+  ContactPoint point;
+  point.position = at;
+  point.mass = mass;
+  const Vector3d arm = at - position(node);
+  point.motion = {assembled_->motion(node, Dof::ux, arm), Row(assembled_->size()), assembled_->motion(node, Dof::uz, arm)};
+  if (assembled_->dimension == 3) point.motion[1] = assembled_->motion(node, Dof::uy, arm);
+  return point;
+}
+
+ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& at, double mass) const {
+  if (model_->corotational)
+    refuse("with geometry: corotational a member is not hit between its ends; put a node there");
+  const Frame::PointOnMember on = model_->frame.point_on_member(member, along, *assembled_);
+  ContactPoint point;
+  point.position = at;
+  point.mass = mass;
+  point.motion = on.motion;
+  point.supported = on.supported;
+  point.member = member;
+  point.fixed_ends = on.fixed_ends;
+  return point;
+}
+
+ContactPoint FrameSurface::on_rigid_floor(int floor, int before, int after, const Vector3d& at) const {
+  ContactPoint point = on_arm(model_->floors[floor].master, at, floor_mass_[floor]);
+  const double share = (at - position(before)).norm() / (position(after) - position(before)).norm();
+  point.motion[2] = (1 - share) * assembled_->motion(before, Dof::uz) + share * assembled_->motion(after, Dof::uz);
+  return point;
+}
+
+ContactPoint FrameSurface::pushed(ContactPoint point, int axis) const {
+  for (Row::InnerIterator it(point.motion[axis]); it; ++it) {
+    if (it.value() == 0 || !assembled_->massless[it.index()]) continue;
+    const auto& [node, dof] = assembled_->unknowns[it.index()];
+    const std::string name = assembled_->node_names[node];
+    refuse(fmt::format("a push there acts on {0} of node {1}, which has no mass; type masses: {{{1}: {{{0}: {2}}}}}, or mass: consistent "
+                       "with a density",
+                       pounding::name(dof), name, dof < Dof::rx ? "1 t" : "100 kg m^2"));
+  }
+  return point;
+}
+
+}  // namespace pounding

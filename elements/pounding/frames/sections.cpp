@@ -1,0 +1,99 @@
+#include <pounding/frames/sections.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace pounding {
+namespace {
+
+void require_positive(double value, const char* what) {
+  if (!(value > 0) || std::isinf(value)) throw std::invalid_argument(std::string(what) + " must be positive and finite");
+}
+
+double cubed(double x) { return x * x * x; }
+
+double rectangle_torsion(double one, double other) {
+  const double a = std::max(one, other), b = std::min(one, other);
+  double sum = 0;
+  // The terms fall at least as n^-5: beyond 1999 they are below the rounding of the sum. Smallest first.
+  for (int n = 1999; n >= 1; n -= 2) sum += std::tanh(n * M_PI * a / (2 * b)) / std::pow(n, 5);
+  return a * cubed(b) / 3 * (1 - 192 / std::pow(M_PI, 5) * b / a * sum);
+}
+
+// `ratio`: inner over outer diameter.
+Section ring(double diameter, double ratio) {
+  const double solid = M_PI * diameter * diameter / 4, squares = 1 + ratio * ratio;
+  Section s;
+  s.area = solid * (1 - ratio) * (1 + ratio);
+  s.inertia_y = s.inertia_z = s.area * diameter * diameter / 16 * squares;
+  s.torsion = 2 * s.inertia_y;
+  s.shear_area_y = s.shear_area_z = s.area * 6 * squares * squares / (7 * squares * squares + 20 * ratio * ratio);
+  return s;
+}
+
+// Thin-walled, in the letters of the paper: b flange width, h between the middles of the flanges.
+double cowper_i_factor(double b, double h, double flange, double web) {
+  const double m = 2 * b * flange / (h * web), n = b / h;
+  return 10 * (1 + 3 * m) * (1 + 3 * m) /
+         (12 + 72 * m + 150 * m * m + 90 * m * m * m + 30 * n * n * (m + m * m));
+}
+
+}  // namespace
+
+Section rectangle_section(double width, double depth) {
+  require_positive(width, "width");
+  require_positive(depth, "depth");
+  const double area = width * depth;
+  return {.area = area,
+          .inertia_y = width * cubed(depth) / 12,
+          .inertia_z = depth * cubed(width) / 12,
+          .torsion = rectangle_torsion(width, depth),
+          .shear_area_y = area * 5 / 6,
+          .shear_area_z = area * 5 / 6};
+}
+
+Section circle_section(double diameter) {
+  require_positive(diameter, "diameter");
+  return ring(diameter, 0);
+}
+
+Section tube_section(double diameter, double thickness) {
+  require_positive(diameter, "diameter");
+  require_positive(thickness, "thickness");
+  if (2 * thickness >= diameter) throw std::invalid_argument("thickness must be less than half the diameter");
+  return ring(diameter, (diameter - 2 * thickness) / diameter);
+}
+
+Section i_section(double depth, double width, double flange, double web) {
+  require_positive(depth, "depth");
+  require_positive(width, "width");
+  require_positive(flange, "flange");
+  require_positive(web, "web");
+  if (2 * flange >= depth) throw std::invalid_argument("flange must be less than half the depth");
+  if (web > width) throw std::invalid_argument("web must not be wider than the flanges (width)");
+  const double clear = depth - 2 * flange, between = depth - flange;
+  Section s;
+  s.area = 2 * width * flange + clear * web;
+  s.inertia_y = (width * cubed(depth) - (width - web) * cubed(clear)) / 12;
+  s.inertia_z = (2 * flange * cubed(width) + clear * cubed(web)) / 12;
+  s.torsion = (2 * width * cubed(flange) + between * cubed(web)) / 3;
+  s.shear_area_z = s.area * cowper_i_factor(width, between, flange, web);
+  s.shear_area_y = 2 * width * flange * 5 / 6;
+  return s;
+}
+
+Section without_shear_deformation(Section section) {
+  section.shear_area_y = section.shear_area_z = Section{}.shear_area_y;
+  return section;
+}
+
+Section with_stiffness(Section section, double factor) {
+  require_positive(factor, "stiffness");
+  section.inertia_y *= factor;
+  section.inertia_z *= factor;
+  return section;
+}
+
+}  // namespace pounding

@@ -1,0 +1,53 @@
+#include <pounding/frames/static_solver.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace pounding {
+
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double rounding = 2e-14;
+
+VectorXd unit_diagonal(const VectorXd& diagonal) {
+  return diagonal.unaryExpr([](double k) { return k == 0 ? 1.0 : 1 / std::sqrt(std::abs(k)); });
+}
+
+}  // namespace
+
+StaticSolver::StaticSolver(const Eigen::SparseMatrix<double>& stiffness) : scale_(unit_diagonal(stiffness.diagonal())) {
+  const Eigen::Index n = stiffness.rows();
+  if (n == 0) return;
+  scaled_ = scale_.asDiagonal() * stiffness * scale_.asDiagonal();
+  Eigen::SparseMatrix<double> unit(n, n);
+  unit.setIdentity();
+  // Shifted, so that a singular matrix has factors too: its null vector is what inverse iteration grows.
+  factors_.compute(scaled_ + rounding * unit);
+  Eigen::Index weakest = 0;
+  const bool positive = factors_.info() == Eigen::Success && factors_.vectorD().minCoeff(&weakest) > 0;
+  // Where L^T x is one at the weakest pivot only, x^T K x is this pivot.
+  VectorXd x = VectorXd::Unit(n, weakest);
+  if (factors_.info() == Eigen::Success) {
+    factors_.matrixU().solveInPlace(x);
+    x = (factors_.permutationPinv() * x).eval();
+  }
+  for (int i = 0; positive && i < 4; ++i) x = factors_.solve(x).normalized();
+  const double eigenvalue = x.dot(scaled_ * x) / x.squaredNorm();
+  if (!positive || eigenvalue < rounding) {
+    mode_ = scale_.cwiseProduct(x);
+    buckles_ = eigenvalue < -rounding;
+  }
+}
+
+Eigen::MatrixXd StaticSolver::solve(const Eigen::MatrixXd& forces) {
+  if (scale_.size() == 0) return forces;
+  if (std::exchange(shifted_, false)) factors_.factorize(scaled_);
+  const Eigen::MatrixXd f = scale_.asDiagonal() * forces;
+  Eigen::MatrixXd x = factors_.solve(f);
+  x += factors_.solve(f - scaled_ * x);
+  return scale_.asDiagonal() * x;
+}
+
+}  // namespace pounding

@@ -1,0 +1,291 @@
+#include <pounding/ground/ground_motion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
+
+namespace pounding {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double two_pi = 2 * std::numbers::pi;
+
+void require_finite(double value, const char* what) {
+  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("ground motion: {} is not finite", what));
+}
+
+void require_positive(double value, const char* what) {
+  if (!(std::isfinite(value) && value > 0))
+    throw std::invalid_argument(fmt::format("ground motion: {} is {:g}; it must be finite and > 0", what, value));
+}
+
+void check(const Samples& samples) {
+  const auto& [times, accelerations, uniform] = samples;
+  if (times.size() != accelerations.size() || times.size() < 2)
+    throw std::invalid_argument(fmt::format("ground motion: {} times and {} accelerations; two or more of each, and as "
+                                            "many of one as of the other, are needed", times.size(), accelerations.size()));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || !std::isfinite(accelerations[i]))
+      throw std::invalid_argument(fmt::format("ground motion: sample {} is not finite", i));
+    if (i > 0 && times[i] <= times[i - 1])
+      throw std::invalid_argument(fmt::format("ground motion: the time of sample {} does not increase", i));
+  }
+  if (uniform && !evenly_spaced(times))
+    throw std::invalid_argument("ground motion: samples that claim to be uniform are not evenly spaced");
+}
+
+template <class Closed>
+double end_of(const Closed& motion) {
+  return motion.start + motion.duration;
+}
+
+double inside(const Harmonic& motion, double t) { return motion.amplitude * std::sin(two_pi * (t - motion.start) / motion.period); }
+
+double inside(const Pulse& pulse, double t) {
+  const double part = (t - pulse.start) / pulse.duration;
+  switch (pulse.shape) {
+    case Pulse::Shape::half_sine: return pulse.amplitude * std::sin(std::numbers::pi * part);
+    case Pulse::Shape::sine: return pulse.amplitude * std::sin(two_pi * part);
+    case Pulse::Shape::rectangle: return pulse.amplitude;
+  }
+  return 0;
+}
+
+struct Moved {
+  double velocity = 0, displacement = 0;
+};
+
+// By a = amplitude sin(w s) from rest at s = 0.
+Moved moved_by_sine(double amplitude, double w, double s) {
+  const double half = std::sin(0.5 * w * s);
+  return {2 * amplitude / w * half * half, amplitude / w * (s - std::sin(w * s) / w)};
+}
+
+// s after the start.
+Moved moved_inside(const Harmonic& motion, double s) { return moved_by_sine(motion.amplitude, two_pi / motion.period, s); }
+
+Moved moved_inside(const Pulse& pulse, double s) {
+  switch (pulse.shape) {
+    case Pulse::Shape::half_sine: return moved_by_sine(pulse.amplitude, std::numbers::pi / pulse.duration, s);
+    case Pulse::Shape::sine: return moved_by_sine(pulse.amplitude, two_pi / pulse.duration, s);
+    case Pulse::Shape::rectangle: return {pulse.amplitude * s, 0.5 * pulse.amplitude * s * s};
+  }
+  return {};
+}
+
+template <class Closed>
+Moved moved(const Closed& motion, double t) {
+  const double s = t - motion.start;
+  if (!(s > 0)) return {};
+  if (s <= motion.duration) return moved_inside(motion, s);
+  const Moved end = moved_inside(motion, motion.duration);
+  return {end.velocity, end.displacement + end.velocity * (s - motion.duration)};
+}
+
+const char* name_of(Pulse::Shape shape) {
+  switch (shape) {
+    case Pulse::Shape::half_sine: return "half sine";
+    case Pulse::Shape::sine: return "full sine";
+    case Pulse::Shape::rectangle: return "rectangle";
+  }
+  return "";
+}
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // Clang before 17 cannot deduce it
+
+}  // namespace
+
+bool evenly_spaced(const std::vector<double>& times) {
+  if (times.size() < 2) return false;
+  const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (!(std::abs(times[i] - (times.front() + static_cast<double>(i) * step)) <= 1e-6 * step)) return false;
+  return true;
+}
+
+GroundMotion::GroundMotion(Harmonic motion) : motion_(motion) {
+  require_finite(motion.amplitude, "amplitude");
+  require_positive(motion.period, "period");
+  require_positive(motion.duration, "duration");
+  require_finite(motion.start, "start");
+  const bool reaches_amplitude = motion.duration >= motion.period / 4;
+  peak_ = std::abs(reaches_amplitude ? motion.amplitude : inside(motion, end_of(motion)));
+  duration_ = end_of(motion);
+  source_ = fmt::format("harmonic, {} at {:g} s for {:g} s",
+                        format_quantity(motion.amplitude, dimension::acceleration), motion.period, motion.duration);
+}
+
+GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
+  require_finite(motion.amplitude, "amplitude");
+  require_finite(motion.start, "start");
+  require_positive(motion.duration, "duration");
+  peak_ = std::abs(motion.amplitude);
+  duration_ = end_of(motion);
+  source_ = fmt::format("{} pulse, {} for {:g} s from {:g} s", name_of(motion.shape),
+                        format_quantity(motion.amplitude, dimension::acceleration), motion.duration, motion.start);
+}
+
+GroundMotion::GroundMotion(Samples motion, std::string source) : source_(std::move(source)) {
+  check(motion);
+  for (const double a : motion.accelerations) peak_ = std::max(peak_, std::abs(a));
+  duration_ = motion.times.back();
+  if (motion.uniform)
+    per_step_ = static_cast<double>(motion.times.size() - 1) / (motion.times.back() - motion.times.front());
+  if (source_.empty()) source_ = fmt::format("{} samples", motion.times.size());
+  motion_ = std::make_shared<const Record>(std::move(motion));
+}
+
+GroundMotion::Record::Record(Samples samples) : Samples(std::move(samples)) {
+  velocities.reserve(times.size());
+  displacements.reserve(times.size());
+  long double v = 0, d = 0;  // long records add up many small parts
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (i > 0) {
+      const long double h = static_cast<long double>(times[i]) - times[i - 1], a = accelerations[i - 1], b = accelerations[i];
+      d += h * (v + h / 6 * (2 * a + b));
+      v += h / 2 * (a + b);
+    }
+    velocities.push_back(static_cast<double>(v));
+    displacements.push_back(static_cast<double>(d));
+  }
+}
+
+// The number of the sample before t, which lies between the first and the last.
+std::size_t GroundMotion::interval(const Samples& samples, double t) const noexcept {
+  const std::vector<double>& times = samples.times;
+  if (per_step_ == 0) return static_cast<std::size_t>(std::upper_bound(times.begin() + 1, times.end() - 1, t) - times.begin()) - 1;
+  const std::size_t last = times.size() - 2;
+  const std::size_t i = std::min(static_cast<std::size_t>((t - times.front()) * per_step_), last);
+  // Rounding may have put t into the neighbouring interval.
+  if (t < times[i]) return i - 1;
+  return i < last && t >= times[i + 1] ? i + 1 : i;
+}
+
+double GroundMotion::sampled(const Samples& samples, double t) const noexcept {
+  const std::vector<double>& times = samples.times;
+  const std::size_t i = interval(samples, t);
+  const double part = (t - times[i]) / (times[i + 1] - times[i]);
+  const std::vector<double>& a = samples.accelerations;
+  // At part = 1 this form gives a[i + 1] to the last bit, which a[i] + part (a[i + 1] - a[i]) need not.
+  return a[i] * (1 - part) + a[i + 1] * part;
+}
+
+double GroundMotion::acceleration(double t) const noexcept {
+  return std::visit(
+      Overloaded{[](const Still&) { return 0.0; },
+                 [t](const Harmonic& motion) { return t >= motion.start && t < end_of(motion) ? inside(motion, t) : 0; },
+                 [t](const Pulse& pulse) { return t >= pulse.start && t < end_of(pulse) ? inside(pulse, t) : 0; },
+                 [this, t](const SharedSamples& shared) {
+                   const std::vector<double>& times = shared->times;
+                   return t >= times.front() && t < times.back() ? sampled(*shared, t) : 0;
+                 }},
+      motion_);
+}
+
+double GroundMotion::acceleration_before(double t) const noexcept {
+  return std::visit(
+      Overloaded{[](const Still&) { return 0.0; },
+                 [t](const Harmonic& motion) { return t > motion.start && t <= end_of(motion) ? inside(motion, t) : 0; },
+                 [t](const Pulse& pulse) { return t > pulse.start && t <= end_of(pulse) ? inside(pulse, t) : 0; },
+                 [this, t](const SharedSamples& shared) {
+                   const std::vector<double>& times = shared->times;
+                   return t > times.front() && t <= times.back() ? sampled(*shared, t) : 0;
+                 }},
+      motion_);
+}
+
+// A straight line from sample i on: its integrals are those up to the sample and a parabola, a cubic.
+double GroundMotion::velocity(double t) const noexcept {
+  return std::visit(
+      Overloaded{[](const Still&) { return 0.0; },
+                 [t](const auto& closed) { return moved(closed, t).velocity; },
+                 [this, t](const SharedSamples& shared) {
+                   const Record& r = *shared;
+                   if (!(t > r.times.front())) return 0.0;
+                   if (t >= r.times.back()) return r.velocities.back();
+                   const std::size_t i = interval(r, t);
+                   const double h = r.times[i + 1] - r.times[i], s = t - r.times[i], a = r.accelerations[i];
+                   return r.velocities[i] + s * (a + 0.5 * s / h * (r.accelerations[i + 1] - a));
+                 }},
+      motion_);
+}
+
+double GroundMotion::displacement(double t) const noexcept {
+  return std::visit(
+      Overloaded{[](const Still&) { return 0.0; },
+                 [t](const auto& closed) { return moved(closed, t).displacement; },
+                 [this, t](const SharedSamples& shared) {
+                   const Record& r = *shared;
+                   if (!(t > r.times.front())) return 0.0;
+                   if (t >= r.times.back()) return r.displacements.back() + r.velocities.back() * (t - r.times.back());
+                   const std::size_t i = interval(r, t);
+                   const double h = r.times[i + 1] - r.times[i], s = t - r.times[i], a = r.accelerations[i];
+                   return r.displacements[i] + s * (r.velocities[i] + s * (0.5 * a + s / (6 * h) * (r.accelerations[i + 1] - a)));
+                 }},
+      motion_);
+}
+
+GroundMotion GroundMotion::delayed(double delay) const {
+  require_finite(delay, "delay");
+  if (delay == 0) return *this;
+  const auto later = [&](auto closed) {
+    closed.start += delay;
+    return GroundMotion(closed);
+  };
+  GroundMotion out = std::visit(Overloaded{[](const Still&) { return GroundMotion(); }, later,
+                                           [&](const SharedSamples& shared) {
+                                             Samples samples = *shared;
+                                             for (double& time : samples.times) time += delay;
+                                             return GroundMotion(std::move(samples));
+                                           }},
+                                motion_);
+  if (!is_still()) out.source_ = fmt::format("{}, {:g} s later", source_, delay);
+  return out;
+}
+
+double GroundMotion::next_break(double t) const noexcept {
+  const auto next_of_two = [t](double begin, double end) { return t < begin ? begin : t < end ? end : infinity; };
+  return std::visit(
+      Overloaded{[](const Still&) { return infinity; },
+                 [&](const Harmonic& motion) { return next_of_two(motion.start, end_of(motion)); },
+                 [&](const Pulse& pulse) { return next_of_two(pulse.start, end_of(pulse)); },
+                 [this, t](const SharedSamples& shared) {
+                   const std::vector<double>& times = shared->times;
+                   if (t < times.front()) return times.front();
+                   if (!(t < times.back())) return infinity;
+                   if (per_step_ == 0) return *std::upper_bound(times.begin(), times.end(), t);
+                   auto i = static_cast<std::size_t>((t - times.front()) * per_step_);
+                   // Rounding may have put the index one off, on either side; one too high is what is sought.
+                   while (times[i] <= t) ++i;
+                   return times[i];
+                 }},
+      motion_);
+}
+
+double GroundMotion::sample_step() const noexcept { return per_step_ > 0 ? 1 / per_step_ : 0; }
+
+double GroundMotion::shortest_period() const noexcept {
+  if (const auto* const harmonic = std::get_if<Harmonic>(&motion_)) return harmonic->period;
+  const auto* const pulse = std::get_if<Pulse>(&motion_);
+  if (pulse == nullptr || pulse->shape == Pulse::Shape::rectangle) return infinity;
+  return pulse->shape == Pulse::Shape::sine ? pulse->duration : 2 * pulse->duration;
+}
+
+const Samples* GroundMotion::samples() const noexcept {
+  const auto* const shared = std::get_if<SharedSamples>(&motion_);
+  return shared == nullptr ? nullptr : shared->get();
+}
+
+}  // namespace pounding

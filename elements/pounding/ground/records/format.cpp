@@ -1,0 +1,269 @@
+#include <pounding/ground/records/format.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/core/units.hpp>
+
+namespace pounding::records {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+char small(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+
+}  // namespace
+
+std::span<const Format* const> formats() {
+  static constexpr const Format* all[] = {&knet, &esm, &cosmos, &csmip, &smc, &peer_at2, &two_columns};
+  return all;
+}
+
+Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // mark of UTF-8
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines_.push_back(line);
+    begin = end + 1;
+  }
+}
+
+std::string_view Lines::at(std::size_t i, std::string_view expected) const {
+  if (i >= size()) fail(size() - 1, fmt::format("the file ends here, before {}", expected));
+  return lines_[i];
+}
+
+void Lines::fail(std::size_t i, const std::string& message) const {
+  throw InputError(fmt::format("{}:{}: {}", name_, i + 1, message));
+}
+
+double Lines::number(std::size_t i, std::string_view text) const {
+  double value = 0;
+  if (!parse_number(text, value)) fail(i, fmt::format("\"{}\" is not a finite number", text));
+  return value;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), capital);
+  return result;
+}
+
+std::string single_spaced(std::string_view text) { return fmt::format("{}", fmt::join(split_at_blanks(text), " ")); }
+
+std::vector<std::string_view> split_at_blanks(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+bool contains(std::string_view text, std::string_view part) { return upper(text).find(part) != std::string::npos; }
+
+bool begins_with(std::string_view text, std::string_view part) { return upper(text.substr(0, part.size())) == part; }
+
+std::regex pattern(const char* text) { return std::regex(text, std::regex::ECMAScript | std::regex::icase); }
+
+std::optional<std::vector<std::string>> captured(std::string_view line, const std::regex& pattern) {
+  // A header line is short. std::regex recurses by the character and would exhaust the stack on a long one.
+  if (line.size() > 500) return std::nullopt;
+  std::cmatch match;
+  if (!std::regex_search(line.data(), line.data() + line.size(), match, pattern)) return std::nullopt;
+  std::vector<std::string> parts;
+  for (std::size_t i = 1; i < match.size(); ++i) parts.push_back(match[i].str());
+  return parts;
+}
+
+std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view name, double value) {
+  if (!(value >= 2 && value <= 1e9 && value == std::floor(value)))
+    lines.fail(i, fmt::format("{} is {:g}; it must be an integer >= 2", name, value));
+  return static_cast<std::size_t>(value);
+}
+
+double checked_positive(const Lines& lines, std::size_t i, std::string_view name, double value, std::string_view what) {
+  if (!(value > 0) || std::isinf(value)) lines.fail(i, fmt::format("{} is {:g}; it must be {} > 0", name, value, what));
+  return value;
+}
+
+namespace {
+
+[[noreturn]] void fail_early(const Lines& lines, std::size_t i, std::size_t read, const Stated& stated) {
+  lines.fail(i, fmt::format("the values end here, after {}; {} states {}", read, stated.by, stated.count));
+}
+
+[[noreturn]] void fail_late(const Lines& lines, std::size_t i, const Stated& stated) {
+  lines.fail(i, fmt::format("more values than the {} that {} states", stated.count, stated.by));
+}
+
+/// Whether a line is no line of numbers: blank, or with a word in it. "NaN" and "***" are meant as numbers.
+bool ends_numbers(std::string_view line) {
+  if (trimmed(line).empty() || line.starts_with('/')) return true;
+  int letters = 0;
+  for (const char c : line) {
+    letters = std::isalpha(static_cast<unsigned char>(c)) ? letters + 1 : 0;
+    if (letters == 4) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated) {
+  std::vector<double> values;
+  std::size_t last_line = begin - 1;
+  for (std::size_t i = begin; i < lines.size(); ++i)
+    for (const std::string_view word : split_at_blanks(lines[i])) {
+      if (values.size() == stated.count) fail_late(lines, i, stated);
+      values.push_back(lines.number(i, word));
+      last_line = i;
+    }
+  if (values.size() < stated.count) fail_early(lines, last_line, values.size(), stated);
+  return values;
+}
+
+std::optional<Columns> fortran_columns(std::string_view line) {
+  static const std::regex format = pattern(R"(\(\s*([0-9]{1,3})\s*[FEIG]([0-9]{1,3})(\.[0-9]+)?E?\s*\))");
+  const auto parts = captured(line, format);
+  if (!parts) return std::nullopt;
+  const Columns columns{std::stoul((*parts)[0]), std::stoul((*parts)[1])};
+  if (columns.per_line == 0 || columns.width == 0) return std::nullopt;
+  return columns;
+}
+
+std::string_view column_field(const Lines& lines, std::size_t begin, const Columns& columns, std::size_t i) {
+  const std::string_view line = lines.at(begin + i / columns.per_line, "the end of its header");
+  const std::size_t at = i % columns.per_line * columns.width;
+  return at < line.size() ? trimmed(line.substr(at, columns.width)) : std::string_view{};
+}
+
+std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Columns& columns, const Stated& stated) {
+  std::vector<double> values;
+  const auto rest_is_blank = [&](std::size_t line, std::size_t fields) {
+    const std::size_t at = fields * columns.width;
+    return at >= lines[line].size() || trimmed(lines[line].substr(at)).empty();
+  };
+  std::size_t i = begin;
+  for (; values.size() < stated.count; ++i) {
+    if (i >= lines.size() || ends_numbers(lines[i])) fail_early(lines, i - 1, values.size(), stated);
+    const std::size_t fields = std::min(columns.per_line, stated.count - values.size());
+    for (std::size_t k = 0; k < fields; ++k) {
+      const std::string_view field = column_field(lines, i, columns, k);
+      if (field.empty() && rest_is_blank(i, k)) fail_early(lines, i, values.size(), stated);
+      values.push_back(lines.number(i, field));
+    }
+    if (rest_is_blank(i, fields)) continue;
+    if (fields < columns.per_line) fail_late(lines, i, stated);
+    lines.fail(i, fmt::format("goes on after {} numbers of {} characters, which {} allows", fields, columns.width, stated.by));
+  }
+  if (i < lines.size() && !ends_numbers(lines[i])) fail_late(lines, i, stated);
+  return values;
+}
+
+std::vector<double> even_times(std::size_t count, double dt) {
+  std::vector<double> times(count);
+  for (std::size_t i = 0; i < count; ++i) times[i] = static_cast<double>(i) * dt;
+  return times;
+}
+
+namespace {
+
+/// The unit of an acceleration as records spell it ("G", "CM/SEC/SEC", "m/s**2", "g/10"); nothing when it is none.
+std::optional<double> acceleration_unit(std::string_view text) {
+  std::string unit;
+  for (const char c : trimmed(text)) unit += small(c);
+  if (unit == "g/10") return standard_gravity / 10;
+  if (unit == "mg") return standard_gravity / 1000;  // no record states milligrams
+  for (std::size_t at; (at = unit.find("sec")) != std::string::npos;) unit.erase(at + 1, 2);
+  for (std::size_t at; (at = unit.find("**")) != std::string::npos; unit.erase(at + 1, 1)) unit[at] = '^';
+  try {
+    const Unit parsed = parse_unit(unit);
+    if (parsed.dimension == dimension::acceleration) return parsed.factor;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string& stated, const RecordOptions& options,
+                   std::string& unit) {
+  std::optional<double> said;
+  if (!options.units.empty()) {
+    said = acceleration_unit(options.units);
+    if (!said) throw InputError(fmt::format("{}: units: \"{}\" is not the unit of an acceleration; type {}", lines.name(),
+                                            options.units, unit_advice));
+  }
+  if (stated.empty()) {
+    if (!said) throw InputError(fmt::format("{}: the file does not state the unit of its accelerations; add \"units:\" "
+                                            "with {}", lines.name(), unit_advice));
+    unit = options.units;
+    return *said;
+  }
+  const std::optional<double> factor = acceleration_unit(stated);
+  if (!factor)
+    lines.fail(stated_at,
+               fmt::format("\"{}\" is not the unit of an acceleration; allowed are {}", stated, unit_advice));
+  if (said && std::abs(*said - *factor) > 1e-9 * *factor)
+    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" says {}; remove \"units\"", stated, options.units));
+  unit = stated;
+  return *factor;
+}
+
+std::string Channel::text() const {
+  std::string result = component;
+  if (!number.empty()) result = component.empty() ? number : number + ": " + component;
+  return place.empty() ? result : result + ", " + place;
+}
+
+Channel chosen(const Lines& lines, std::vector<Channel> channels, const RecordOptions& options) {
+  std::set<std::string> numbers;
+  for (const Channel& channel : channels) numbers.insert(channel.number);
+  if (channels.size() > 1 && (numbers.size() < channels.size() || numbers.count("")))
+    for (std::size_t i = 0; i < channels.size(); ++i) channels[i].number = std::to_string(i + 1);
+
+  std::vector<std::string> texts;
+  for (const Channel& channel : channels) texts.push_back(channel.text());
+  const auto fail = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: {}: {}", lines.name(), what, fmt::join(texts, "; ")));
+  };
+  const std::string asked = upper(single_spaced(options.channel));
+  if (asked.empty()) {
+    if (channels.size() > 1)
+      fail(fmt::format("{} channels; add \"channel:\" with the number or the component of one", channels.size()));
+    return channels.front();
+  }
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (upper(channels[i].number) == asked) return channels[i];
+    if (upper(channels[i].component) == asked) found.push_back(i);
+  }
+  if (found.empty())
+    fail(fmt::format("no channel has the number or the component \"{}\"; the file has", options.channel));
+  if (found.size() > 1) fail(fmt::format("{} channels are \"{}\"; type the number of one", found.size(), options.channel));
+  return channels[found.front()];
+}
+
+void refuse_channel(const Lines& lines, const RecordOptions& options) {
+  if (!options.channel.empty())
+    throw InputError(fmt::format("{}: the file has one channel without a name; remove \"channel\"", lines.name()));
+}
+
+}  // namespace pounding::records

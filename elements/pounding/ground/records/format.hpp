@@ -1,0 +1,129 @@
+#pragma once
+/// What the readers of record formats share. Users call read_record() instead.
+///
+/// A format is one file with a `Format` in it, declared below and listed in `formats()`.
+
+#include <cstddef>
+#include <optional>
+#include <regex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <pounding/ground/record.hpp>
+
+namespace pounding::records {
+
+/// The lines of a file, and errors that name them. Lines count from 0 here and from 1 in messages.
+class Lines {
+ public:
+  Lines(std::string_view text, std::string name);
+
+  std::size_t size() const { return lines_.size(); }
+  std::string_view operator[](std::size_t i) const { return lines_[i]; }
+  const std::string& name() const { return name_; }
+  /// Line i; fails at the last line, saying what was expected, when there is none.
+  std::string_view at(std::size_t i, std::string_view expected) const;
+  /// Throws InputError with "file:line: ".
+  [[noreturn]] void fail(std::size_t i, const std::string& message) const;
+  /// The number that `text`, a part of line i, is.
+  double number(std::size_t i, std::string_view text) const;
+
+ private:
+  std::string name_;
+  std::vector<std::string_view> lines_;
+};
+
+struct Format {
+  std::string_view name;
+  bool (*recognises)(const Lines& lines);
+  /// Fills all but file, `uniform` and measures.
+  Record (*read)(const Lines& lines, const RecordOptions& options);
+};
+
+extern const Format knet, esm, cosmos, csmip, smc, peer_at2, two_columns;
+
+/// Every format, the surest to be recognised first.
+std::span<const Format* const> formats();
+
+// Words.
+
+std::string_view trimmed(std::string_view text);
+std::string upper(std::string_view text);
+/// Without blanks at the ends, and with one where there were several.
+std::string single_spaced(std::string_view text);
+std::vector<std::string_view> split_at_blanks(std::string_view text);
+/// Whether `text` contains `part`, or begins with it, in capitals or not; `part` is in capitals.
+bool contains(std::string_view text, std::string_view part);
+bool begins_with(std::string_view text, std::string_view part);
+/// What the pattern's brackets caught; nothing when it does not occur in the line.
+std::optional<std::vector<std::string>> captured(std::string_view line, const std::regex& pattern);
+/// A pattern that does not distinguish capitals.
+std::regex pattern(const char* text);
+
+// Numbers.
+
+/// A count of samples. Fails unless it is an integer from 2 to 1e9.
+std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view name, double value);
+/// A spacing or a rate. Fails unless it is > 0; `what`: "a time".
+double checked_positive(const Lines& lines, std::size_t i, std::string_view name, double value, std::string_view what);
+
+/// How many values a file must hold, and what of the file says so.
+struct Stated {
+  std::size_t count;
+  std::string by;  ///< "NPTS", "line 46"
+};
+
+/// Numbers parted by blanks, from line `begin` to the end of the file. Fails when there are fewer or more than stated.
+std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated);
+
+/// Numbers in columns as Fortran writes them, often without a blank between: (8F10.3) is {8, 10}.
+struct Columns {
+  std::size_t per_line, width;
+
+  std::size_t lines_for(std::size_t count) const { return (count + per_line - 1) / per_line; }
+};
+
+/// The first "(8F10.3)", "(10I8)" or "(5E15.7)" in a line, in capitals or not; nothing when there is none.
+std::optional<Columns> fortran_columns(std::string_view line);
+
+/// Field i, from 0, of the numbers that begin at a line; fails when the file ends before it.
+std::string_view column_field(const Lines& lines, std::size_t begin, const Columns& columns, std::size_t i);
+
+/// Numbers in columns from line `begin` on. Fails when there are fewer or more than stated.
+std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Columns& columns, const Stated& stated);
+
+/// 0, dt, 2 dt, ... [s]
+std::vector<double> even_times(std::size_t count, double dt);
+
+// Units.
+
+/// What a user may type as the unit of an acceleration.
+inline constexpr std::string_view unit_advice = "g, m/s^2, cm/s^2 or gal";
+
+/// The acceleration [m/s^2] that 1 in the file stands for, from what the file states (empty: nothing) and what the user
+/// says; `unit` becomes what was taken. Fails when neither or both and not alike, and for what is no acceleration.
+double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string& stated, const RecordOptions& options,
+                   std::string& unit);
+
+// Channels.
+
+struct Channel {
+  std::string number;     ///< as in the file; may be empty
+  std::string component;  ///< "90 deg", "Up", "N-S"; may be empty
+  std::string place;      ///< where in a structure or borehole; may be empty
+  std::size_t begin = 0;  ///< first line
+
+  /// "2: 90 deg, roof"
+  std::string text() const;
+};
+
+/// The channel that the options name by number or component, or the only one. Where numbers lack or repeat, channels are
+/// numbered as they come. Fails with the list of them when none, or none of these, was named.
+Channel chosen(const Lines& lines, std::vector<Channel> channels, const RecordOptions& options);
+
+/// Fails when a channel is asked for of a format that does not name any.
+void refuse_channel(const Lines& lines, const RecordOptions& options);
+
+}  // namespace pounding::records

@@ -1,0 +1,59 @@
+#pragma once
+/// Words of a frame's input that mean other things in the plane than in space: displacements, vectors, supports.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <pounding/frames/frame.hpp>
+#include <pounding/ground/components.hpp>
+#include <pounding/input/input.hpp>
+#include <pounding/core/units.hpp>
+
+namespace pounding {
+
+/// What holds or loads a displacement, by whether it is a translation.
+const Dimension& of_mass(Dof dof);
+const Dimension& of_load(Dof dof);
+const Dimension& of_spring(Dof dof);
+const Dimension& of_dashpot(Dof dof);
+
+/// What a support is asked to hold.
+struct SupportWish {
+  std::vector<Dof> fixed;
+  std::vector<std::pair<Dof, double>> springs, dashpots;  ///< [N/m], [N m]; [N s/m], [N m s]
+  double delay = 0;                                       ///< [s]
+  std::optional<GroundComponents> motion;
+};
+
+/// Reads single words. Everything throws InputError at what is wrong.
+class FrameParser {
+ public:
+  /// `frame` is the whole input: its dimension is given, or 3 where its bays or nodes are those of a space, else 2.
+  explicit FrameParser(const Input& frame);
+
+  /// 2 in the plane, 3 in space.
+  int dimension() const noexcept { return dimension_; }
+
+  /// A displacement by its name such as ux, among those of a node of this frame.
+  Dof dof(const Input& item) const;
+  /// The same where the name is the key of a value.
+  Dof dof_at_key(const std::string& key, const Input& value) const;
+  /// A list of them.
+  std::vector<Dof> dofs(const Input& list) const;
+  /// [x, z] in the plane, [x, y, z] in space; `example` is for the message.
+  Eigen::Vector3d vector(const Input& node, const Dimension& unit, std::string_view example) const;
+  /// `fixed`, `pinned` or `roller`, or a map of what it fixes and of its springs, dashpots, delay and motion.
+  SupportWish support(const Input& node) const;
+
+ private:
+  std::vector<Dof> fixed_by(const Input& word) const;
+  GroundComponents ground(const Input& node) const;
+
+  int dimension_;
+};
+
+}  // namespace pounding

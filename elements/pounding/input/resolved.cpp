@@ -1,0 +1,189 @@
+#include <cmath>
+#include <yaml-cpp/yaml.h>
+
+#include <fmt/format.h>
+
+#include <pounding/model/model.hpp>
+
+namespace pounding {
+namespace {
+
+// Larger damping matrices are told by their note.
+constexpr int max_shown_matrix = 20;
+
+// Every digit that a double needs, and no more.
+std::string exact(double value) { return fmt::format("{}", value); }
+
+void emit(YAML::Emitter& out, const char* key, double value) { out << YAML::Key << key << YAML::Value << exact(value); }
+
+void emit_list(YAML::Emitter& out, const char* key, const std::vector<double>& values) {
+  out << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq;
+  for (const double value : values) out << exact(value);
+  out << YAML::EndSeq;
+}
+
+std::vector<double> periods(const Structure& s) {
+  std::vector<double> all;
+  for (const double w : s.frequencies) all.push_back(2 * M_PI / w);
+  return all;
+}
+
+// The matrices of a frame are too large to show.
+void emit_frame(YAML::Emitter& out, const Structure& s) {
+  out << YAML::Key << "unknowns" << YAML::Value << s.size();
+  std::vector<double> masses, elevations;
+  for (const Floor& floor : s.floors) {
+    masses.push_back(floor.mass);
+    elevations.push_back(floor.elevation.value_or(0));
+  }
+  emit_list(out, "floor_mass", masses);
+  emit_list(out, "floor_elevation", elevations);
+  double mass = 0;
+  for (const Support& support : s.supports) mass += support.load.col(0).sum();
+  emit(out, "load_along_x", mass);
+  emit_list(out, "periods", periods(s));
+  if (s.supports.size() > 1) {
+    out << YAML::Key << "supports" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+    for (const Support& support : s.supports) out << support.name;
+    out << YAML::EndSeq;
+  }
+}
+
+void emit_storeys(YAML::Emitter& out, const Structure& s) {
+  const Eigen::VectorXd masses = s.mass.diagonal();
+  emit_list(out, "mass", {masses.begin(), masses.end()});
+  if (!s.storey_stiffness.empty()) {
+    emit_list(out, "stiffness", s.storey_stiffness);
+    if (!s.yielding.empty()) {
+      std::vector<double> forces, hardening;
+      for (const YieldingStorey& storey : s.yielding) {
+        forces.push_back(storey.yield_force);
+        hardening.push_back(storey.hardening);
+      }
+      emit_list(out, "yield_force", forces);
+      emit_list(out, "hardening", hardening);
+    }
+    emit_list(out, "periods", periods(s));
+    const Eigen::MatrixXd damping = s.whole_damping();
+    if (s.size() <= max_shown_matrix) emit_list(out, "damping_matrix", {damping.data(), damping.data() + damping.size()});
+  }
+  if (s.floors.front().elevation) {
+    std::vector<double> heights;
+    double below = 0;
+    for (const Floor& floor : s.floors) {
+      heights.push_back(*floor.elevation - below);
+      below = *floor.elevation;
+    }
+    emit_list(out, "height", heights);
+  }
+  emit_list(out, "initial_displacement", {s.initial_displacement.begin(), s.initial_displacement.end()});
+  emit_list(out, "initial_velocity", {s.initial_velocity.begin(), s.initial_velocity.end()});
+}
+
+void emit_structure(YAML::Emitter& out, const Structure& s) {
+  out << YAML::Key << s.name << YAML::Value << YAML::BeginMap;
+  out << YAML::Key << "kind" << YAML::Value << s.kind;
+  if (!s.is_rigid()) {
+    if (s.dimension == 1)
+      emit_storeys(out, s);
+    else
+      emit_frame(out, s);
+    out << YAML::Key << "damping" << YAML::Value << s.damping_note;
+    if (s.dimension > 1) {
+      emit(out, "damping_by_mass", s.by_mass);
+      emit(out, "damping_by_stiffness", s.by_stiffness);
+    }
+  }
+  if (s.supports.front().delay > 0) emit(out, "delay", s.supports.front().delay);
+  out << YAML::EndMap;
+}
+
+std::string end_of(const Model& model, const LinkEnd& end) {
+  const Structure& s = model.structures[end.structure];
+  if (end.floor >= 0) return fmt::format("{}.{}", s.name, end.floor + 1);
+  return end.label.empty() ? s.name : fmt::format("{}, {}", s.name, end.label);
+}
+
+void emit_ground(YAML::Emitter& out, const Model& model) {
+  const GroundComponents& components = model.ground.components;
+  const auto emit_motion = [&](const GroundMotion& motion) {
+    out << YAML::Key << "source" << YAML::Value << (motion.is_still() ? "none" : motion.source());
+    emit(out, "peak_acceleration", motion.peak());
+    emit(out, "duration", motion.duration());
+  };
+  out << YAML::Key << "ground_motion" << YAML::Value << YAML::BeginMap;
+  if (components[1].is_still() && components[2].is_still()) {
+    emit_motion(components[0]);
+  } else {
+    constexpr const char* names[] = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) {
+      if (components[i].is_still()) continue;
+      out << YAML::Key << names[i] << YAML::Value << YAML::BeginMap;
+      emit_motion(components[i]);
+      out << YAML::EndMap;
+    }
+  }
+  if (model.ground.wave) {
+    emit(out, "wave_velocity", model.ground.wave->velocity);
+    const Eigen::Vector3d& d = model.ground.wave->direction;
+    emit_list(out, "wave_direction", {d.begin(), d.end()});
+  }
+  out << YAML::EndMap;
+}
+
+void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
+  out << YAML::BeginMap;
+  out << YAML::Key << "name" << YAML::Value << link.name;
+  out << YAML::Key << "between" << YAML::Value << YAML::Flow << YAML::BeginSeq
+      << end_of(model, link.left) << end_of(model, link.right) << YAML::EndSeq;
+  emit(out, "gap", link.gap);
+  out << YAML::Key << "law" << YAML::Value << link.law;
+  if (!link.formula.empty()) out << YAML::Key << "formula" << YAML::Value << link.formula;
+  emit(out, "reduced_mass", link.reduced_mass);
+  out << YAML::Key << "reduced_mass_from" << YAML::Value
+      << (link.reduced_mass_given ? "the input" : "the masses of the two floors");
+  if (link.friction > 0) {
+    emit(out, "friction", link.friction);
+    emit(out, "sliding_velocity", link.sliding_velocity);
+  }
+  out << YAML::Key << "parameters" << YAML::Value << YAML::BeginMap;
+  for (const Value& value : link.parameters)
+    out << YAML::Key << value.name << YAML::Value << exact(value.value)
+        << YAML::Comment(value.unit.empty() ? "-" : value.unit);
+  out << YAML::EndMap << YAML::EndMap;
+}
+
+}  // namespace
+
+std::string resolved_yaml(const Model& model) {
+  YAML::Emitter out;
+  out << YAML::BeginMap;
+  out << YAML::Key << "title" << YAML::Value << model.title;
+  out << YAML::Key << "units" << YAML::Value << "SI";
+  emit_ground(out, model);
+  out << YAML::Key << "structures" << YAML::Value << YAML::BeginMap;
+  for (const Structure& s : model.structures) emit_structure(out, s);
+  out << YAML::EndMap;
+  out << YAML::Key << "links" << YAML::Value << YAML::BeginSeq;
+  for (const Link& link : model.links) emit_link(out, model, link);
+  out << YAML::EndSeq;
+  out << YAML::Key << "analysis" << YAML::Value << YAML::BeginMap;
+  emit(out, "duration", model.analysis.duration);
+  emit(out, "tolerance", model.analysis.tolerance);
+  emit(out, "output_step", model.analysis.output_step);
+  out << YAML::Key << "integrator" << YAML::Value << std::string(model.analysis.scheme.name());
+  if (model.analysis.scheme.kind == Scheme::Kind::generalized_alpha)
+    emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
+  if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
+  out << YAML::EndMap;
+  if (model.checkpoint.asked()) {
+    out << YAML::Key << "checkpoint" << YAML::Value << YAML::BeginMap;
+    if (model.checkpoint.every > 0) emit(out, "every", model.checkpoint.every);
+    if (model.checkpoint.every_simulated > 0) emit(out, "every_simulated", model.checkpoint.every_simulated);
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
+  return std::string(out.c_str()) + "\n";
+}
+
+}  // namespace pounding

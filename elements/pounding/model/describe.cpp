@@ -1,0 +1,29 @@
+#include <pounding/model/model.hpp>
+
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
+
+namespace pounding {
+
+std::string describe(const Model& model) {
+  std::string text = model.title.empty() ? "" : model.title + "\n";
+  constexpr const char* axes[] = {"", " along y", " along z"};
+  for (int i = 0; i < 3; ++i) {
+    const GroundMotion& motion = model.ground.components[i];
+    if (motion.is_still()) continue;
+    text += fmt::format("ground motion{}  {}, peak {:.4g} m/s^2 ({:.4g} g)\n", axes[i], motion.source(), motion.peak(),
+                        motion.peak() / standard_gravity);
+  }
+  for (const Link& link : model.links) {
+    text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
+                        link.formula, 1e3 * link.gap);
+    if (link.reduced_mass > 0)
+      text += fmt::format(", reduced mass {:.6g} t {}", link.reduced_mass / 1e3,
+                          link.reduced_mass_given ? "(as given)" : "(of the two floors)");
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace pounding

@@ -1,0 +1,146 @@
+#include <pounding/structures/damping.hpp>
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace pounding {
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+// Of its diagonal, a pivot of a singular matrix.
+constexpr double no_pivot = 1e-12;
+// Rounding of the quotient and of the entries of K itself, of the sum of magnitudes |phi|^T |K| |phi|.
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+// Components that differ by less count as equally large: those of a symmetric structure do but for rounding.
+constexpr double equally_large = 1 - 1e-6;
+
+// 1 where a row of the smaller matrix is taken from: n x part.
+SparseMatrix selection(int size, const std::vector<int>& part) {
+  SparseMatrix s(size, static_cast<int>(part.size()));
+  for (std::size_t k = 0; k < part.size(); ++k) s.insert(part[k], static_cast<int>(k)) = 1;
+  s.makeCompressed();
+  return s;
+}
+
+std::vector<int> others(int size, const std::vector<int>& part) {
+  std::vector<int> all(size), rest;
+  std::iota(all.begin(), all.end(), 0);
+  std::set_difference(all.begin(), all.end(), part.begin(), part.end(), std::back_inserter(rest));
+  return rest;
+}
+
+// Of K over the unknowns without mass.
+void factor(Eigen::SimplicialLDLT<SparseMatrix>& ldlt, const SparseMatrix& k, const std::vector<int>& unknowns) {
+  if (unknowns.empty()) return;
+  ldlt.compute(k);
+  const Eigen::VectorXd pivots = ldlt.vectorD();
+  // In the order of elimination: a pivot that is exactly zero ends it.
+  for (int step = 0; step < pivots.size(); ++step) {
+    const int i = ldlt.permutationPinv().indices()[step];
+    if (!(pivots[step] > no_pivot * k.coeff(i, i)))
+      throw std::invalid_argument(fmt::format("the stiffness at the unknowns without mass is singular or not positive "
+                                              "definite: a motion with unknown {} meets nothing",
+                                              unknowns[i]));
+  }
+}
+
+bool turned(const Eigen::VectorXd& shape) {
+  const double largest = shape.lpNorm<Eigen::Infinity>();
+  for (const double component : shape)
+    if (std::abs(component) >= equally_large * largest) return component < 0;
+  return false;
+}
+
+}  // namespace
+
+std::vector<int> unknowns_with_mass(const SparseMatrix& mass) {
+  std::vector<int> heavy;
+  for (int j = 0; j < mass.cols(); ++j)
+    for (SparseMatrix::InnerIterator it(mass, j); it; ++it)
+      if (it.value() != 0) {
+        heavy.push_back(j);
+        break;
+      }
+  return heavy;
+}
+
+void require_mode_count(int count, std::size_t available) {
+  if (count < 0 || static_cast<std::size_t>(count) > available)
+    throw std::invalid_argument(
+        fmt::format("{} modes asked for; there are {}, as many as unknowns with mass", count, available));
+}
+
+void require_static_stiffness(const SparseMatrix& mass, const SparseMatrix& stiffness) {
+  const int n = static_cast<int>(mass.rows());
+  const std::vector<int> light = others(n, unknowns_with_mass(mass));
+  const SparseMatrix take = selection(n, light);
+  Eigen::SimplicialLDLT<SparseMatrix> ldlt;
+  factor(ldlt, SparseMatrix(take.transpose() * stiffness * take), light);
+}
+
+Eigenmodes modes_of_shapes(const SparseMatrix& mass, const SparseMatrix& stiffness, const Eigen::MatrixXd& shapes) {
+  const SparseMatrix magnitudes = stiffness.cwiseAbs();
+  const int count = static_cast<int>(shapes.cols());
+  Eigen::VectorXd squares(count);
+  Eigen::MatrixXd scaled(shapes.rows(), count);
+  for (int j = 0; j < count; ++j) {
+    Eigen::VectorXd shape = shapes.col(j);
+    shape /= (turned(shape) ? -1 : 1) * std::sqrt(shape.dot(mass * shape));
+    const double noise = rounding * shape.cwiseAbs().dot(magnitudes * shape.cwiseAbs());
+    squares[j] = shape.dot(stiffness * shape);
+    if (squares[j] < -noise)
+      throw std::invalid_argument(fmt::format(
+          "the stiffness is negative for some motion (w^2 = {:.4g} (rad/s)^2): the structure buckles", squares[j]));
+    if (squares[j] <= noise) squares[j] = 0;
+    scaled.col(j) = shape;
+  }
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return squares[a] < squares[b]; });
+  return {squares(order).cwiseSqrt(), scaled(Eigen::all, order)};
+}
+
+Eigenmodes dense_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count) {
+  const int n = static_cast<int>(mass.rows());
+  const std::vector<int> heavy = unknowns_with_mass(mass), light = others(n, heavy);
+  require_mode_count(count, heavy.size());
+  const SparseMatrix take = selection(n, heavy), leave = selection(n, light);
+  Eigen::SimplicialLDLT<SparseMatrix> ldlt;
+  factor(ldlt, SparseMatrix(leave.transpose() * stiffness * leave), light);
+  const SparseMatrix coupling = leave.transpose() * stiffness * take;
+  const Eigen::MatrixXd following = light.empty() ? Eigen::MatrixXd(0, heavy.size()) : -ldlt.solve(Eigen::MatrixXd(coupling));
+  const Eigen::MatrixXd condensed =
+      Eigen::MatrixXd(take.transpose() * stiffness * take) + Eigen::MatrixXd(coupling.transpose() * following);
+  const Eigen::MatrixXd shapes =
+      heavy.empty() ? Eigen::MatrixXd(0, 0)
+                    : eigenmodes(Eigen::MatrixXd(take.transpose() * mass * take), condensed).shapes;
+  return modes_of_shapes(mass, stiffness,
+                         take * shapes.leftCols(count) + leave * Eigen::MatrixXd(following * shapes.leftCols(count)));
+}
+
+Eigenmodes eigenmodes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
+  // The solver does not look whether its own factor of the mass matrix exists.
+  if (mass.llt().info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass);
+  return {solver.eigenvalues().cwiseMax(0).cwiseSqrt(), solver.eigenvectors()};
+}
+
+Rayleigh rayleigh_damping(double ratio, double w1, double w2) {
+  return {2 * ratio * w1 * w2 / (w1 + w2), 2 * ratio / (w1 + w2)};
+}
+
+Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& modes, double ratio) {
+  const Eigen::MatrixXd shapes = mass * modes.shapes;
+  return shapes * (2 * ratio * modes.frequencies).asDiagonal() * shapes.transpose();
+}
+
+}  // namespace pounding

@@ -1,0 +1,42 @@
+#include <pounding/structures/structure.hpp>
+
+#include <stdexcept>
+
+namespace pounding {
+
+YieldingStorey::YieldingStorey(double force, double ratio, std::unique_ptr<Spring> undeformed)
+    : yield_force(force), hardening(ratio), spring(std::move(undeformed)) {
+  Archive archive;
+  spring->archive(archive);
+  fresh = archive.bytes();
+}
+
+Eigen::Vector3d outward(Side side) {
+  switch (side) {
+    case Side::plus_x: return Eigen::Vector3d::UnitX();
+    case Side::minus_x: return -Eigen::Vector3d::UnitX();
+    case Side::plus_y: return Eigen::Vector3d::UnitY();
+    default: return -Eigen::Vector3d::UnitY();
+  }
+}
+
+Side opposite(Side side) {
+  switch (side) {
+    case Side::plus_x: return Side::minus_x;
+    case Side::minus_x: return Side::plus_x;
+    case Side::plus_y: return Side::minus_y;
+    default: return Side::plus_y;
+  }
+}
+
+ContactPoint Surface::column(double, Side, double) const {
+  throw std::invalid_argument("it has no columns that could be hit between the floors; name a floor");
+}
+
+ContactPoint Surface::node(const std::string&) const {
+  throw std::invalid_argument("it has no nodes; name a floor");
+}
+
+SparseMatrix Structure::whole_damping() const { return by_mass * mass + by_stiffness * stiffness + damping; }
+
+}  // namespace pounding

@@ -1,0 +1,167 @@
+#pragma once
+/// One structure: its matrices, its floors, where others can touch it, what is reported of it.
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+#include <pounding/structures/elastic_forces.hpp>
+#include <pounding/ground/components.hpp>
+#include <pounding/structures/spring.hpp>
+
+namespace pounding {
+
+/// The matrices here, column by column.
+using SparseMatrix = Eigen::SparseMatrix<double>;
+/// How the unknowns of a structure make one quantity: their factors.
+using Row = Eigen::SparseVector<double>;
+
+/// What makes a storey yield, on top of its stiffness.
+struct YieldingStorey {
+  double yield_force = 0;  ///< [N]
+  double hardening = 0;    ///< stiffness after the yield over that before it
+  std::unique_ptr<Spring> spring;
+  std::vector<std::byte> fresh;  ///< archive of the spring as it was given
+
+  /// Takes a spring that has not been deformed.
+  YieldingStorey(double force, double ratio, std::unique_ptr<Spring> undeformed);
+};
+
+/// Supports that the ground moves alike.
+struct Support {
+  std::string name;                                     ///< for messages; empty where the structure has one only
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< where a travelling wave arrives [m]
+  double delay = 0;                                     ///< the ground moves later here [s]
+  std::optional<GroundComponents> motion;               ///< of its own instead of the model's
+  /// n x 3: where the unknowns go when the ground moves by one here along x, y, z and rests at the other supports.
+  Eigen::MatrixX3d influence;
+  Eigen::MatrixX3d load;  ///< n x 3 [kg]: mass times influence, and what couples the unknowns to the support
+
+  // What such a motion does while the unknowns rest; empty in a structure with one support, which all is relative to.
+  Eigen::MatrixX3d enforced;  ///< displacements of the nodes, see ContactPoint::supported
+  Eigen::MatrixX3d nodes;     ///< rows of NodeReport, node by node
+  Eigen::MatrixX3d shears;    ///< storey shears, floor by floor [N/m]
+  Eigen::MatrixX3d members;   ///< rows of MemberReport, member by member [N/m], [N]
+};
+
+/// One floor.
+struct Floor {
+  std::string label;     ///< "1" at the lowest
+  double mass = 0;       ///< that moves along x with it [kg]
+  std::optional<double> elevation;  ///< above the common datum [m]; nothing where heights were not given
+  /// Displacements that are reported: x; and y and the turn about z in a structure in space.
+  std::vector<Row> motion;
+  /// Shear forces of the storey below, along x, and y in space [N]; empty in a structure without storeys.
+  std::vector<Row> storey_shear;
+};
+
+/// A point where a structure can be touched.
+struct ContactPoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
+  std::array<Row, 3> motion;  ///< displacements along x, y, z
+  /// The same by what supports enforce (Support::enforced): of a point on a member that ends at one. Else empty.
+  std::array<Row, 3> supported;
+  double mass = 0;            ///< that the damping of a link is calibrated with: of the floor or of the node [kg]
+  int member = -1;            ///< that is met between its ends
+  /// Of a unit force along x, y, z at the point: forces on the ends of the member, local axes, its nodes held.
+  Eigen::Matrix<double, 12, 3> fixed_ends = Eigen::Matrix<double, 12, 3>::Zero();
+};
+
+/// Horizontal direction, along or against x or y, in which a side faces.
+enum class Side { plus_x, minus_x, plus_y, minus_y };
+Eigen::Vector3d outward(Side side);
+Side opposite(Side side);
+
+/// Where a structure can be touched. Made by the kind of structure; floors count from 0 at the lowest. What is asked for
+/// and does not exist throws std::invalid_argument with what there is.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  /// In plan [m]: {least x, largest x, least y, largest y}; nothing for a structure that has no place of its own.
+  virtual std::optional<std::array<double, 4>> plan() const { return {}; }
+  /// Ends of the edge of a floor on this side, measured along it (y for sides that face x); a point where there is no width.
+  virtual std::array<double, 2> edge(int /*floor*/, Side /*side*/) const { return {0, 0}; }
+  /// The point of a floor on this side at `along` on the edge.
+  virtual ContactPoint floor(int floor, Side side, double along) const = 0;
+  /// The point of the column on this side at this elevation [m]; in space of the column nearest to `along`.
+  virtual ContactPoint column(double elevation, Side side, double along) const;
+  virtual ContactPoint node(const std::string& name) const;
+};
+
+/// Nodes whose motion is reported, in the order of `directions` ("x", "z", "ry" ...).
+struct NodeReport {
+  std::vector<std::string> names, directions;
+  std::vector<std::vector<Row>> motion;  ///< of each node in each direction
+};
+
+/// Members whose end forces are reported, in their local axes.
+struct MemberReport {
+  std::vector<std::string> names, components;  ///< "start N", "start Vz", "start My", "end N" ...
+  std::vector<int> members;                    ///< their numbers in the frame
+  std::vector<std::vector<Row>> forces;        ///< of each member in each component [N], [N m]
+  std::vector<std::vector<double>> held;       ///< what its own load adds to them, the nodes held
+  std::vector<int> places;                     ///< of each component among the twelve of a member
+};
+
+/// For pictures.
+struct Geometry {
+  std::vector<std::string> node_names, member_names;
+  std::vector<Eigen::Vector3d> positions;    ///< of the nodes [m]
+  std::vector<std::array<int, 2>> members;   ///< nodes of each
+  std::vector<int> floor_of_node;            ///< -1 for none
+};
+
+/// The unknowns q are displacements relative to the ground, and to where the structure rests under gravity. With several
+/// supports that move differently they are relative to where the ground takes the structure statically, influence times
+/// the displacements of the supports. A wall has no unknown at all.
+struct Structure {
+  Structure() = default;
+  Structure(Structure&&) noexcept = default;  // Eigen's sparse matrices do not promise it
+  Structure& operator=(Structure&&) noexcept = default;
+
+  std::string name;
+  std::string kind;   ///< the word of the input: oscillator, shear_building, frame ...
+  int dimension = 1;  ///< 1: along x only; 2: in x and z; 3: in space
+  SparseMatrix mass, stiffness;  ///< n x n, symmetric [kg], [N/m]
+  SparseMatrix damping;          ///< n x n, beside the Rayleigh damping [N s/m]
+  std::shared_ptr<const ElasticForces> elastic;  ///< where they are not K q; nothing else
+  double by_mass = 0, by_stiffness = 0;  ///< Rayleigh damping: by_mass M + by_stiffness K [1/s], [s]
+  std::vector<std::string> unknowns;     ///< what each unknown is, for messages
+  /// The supports as a wave along a horizontal direction reaches them one after the other; empty where they are at one place.
+  std::function<std::vector<Support>(const Eigen::Vector3d& direction)> supports_along;
+  std::vector<Support> supports;         ///< one at least; displacements are relative to the ground at the first
+  std::vector<Floor> floors;             ///< from the ground up
+  std::vector<double> storey_stiffness;  ///< of a structure whose storeys are springs, from the ground up [N/m]
+  std::vector<YieldingStorey> yielding;  ///< one a storey from the ground up; empty when they stay elastic
+  bool is_free = false;                  ///< nothing holds it to the ground: a body
+  Eigen::VectorXd at_rest;               ///< displacements under gravity [m]; empty for none
+  Eigen::VectorXd initial_displacement, initial_velocity;  ///< of the unknowns [m], [m/s]
+  Eigen::VectorXd frequencies;  ///< of its lowest modes, at least two where it has them, increasing [rad/s]; 0 for a body
+  std::string damping_note;  ///< how the damping was made, one line
+  std::shared_ptr<const Surface> surface;
+  NodeReport nodes;
+  MemberReport members;
+  /// Of members that turn, to be added to what the rows above say: storey shears floor by floor, and end forces member by
+  /// member with what their own loads add; by q + at_rest. Empty for none.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> storey_shears, end_forces;
+  Geometry geometry;
+  /// Translations of all nodes of the geometry, nodes x 3; empty without geometry.
+  std::function<Eigen::MatrixX3d(const Eigen::VectorXd& q)> node_translations;
+
+  /// Number of unknowns.
+  int size() const { return static_cast<int>(mass.rows()); }
+  /// A wall: it moves with the ground.
+  bool is_rigid() const { return size() == 0; }
+  /// Whether drift and storey shear mean something.
+  bool has_storeys() const { return !floors.empty() && !floors.front().storey_shear.empty(); }
+  /// The whole damping matrix.
+  SparseMatrix whole_damping() const;
+};
+
+}  // namespace pounding

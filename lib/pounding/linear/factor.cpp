@@ -1,0 +1,218 @@
+#include <pounding/linear/factor.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <pounding/petsc/version.hpp>
+
+namespace pounding::petsc {
+namespace {
+
+// Below this PETSc's own Cholesky is faster: a call to CHOLMOD or MUMPS has a cost of its own.
+constexpr PetscInt small_matrix = 500;
+// A solution that differs by more from the one that its right-hand side was made of belongs to a singular matrix. Frames have
+// condition numbers up to 1e12.
+constexpr double lost = 1e-2;
+constexpr double close_enough = 1e-13;
+constexpr PetscInt max_iterations = 200;
+
+int processes(MPI_Comm comm) {
+  int count = 1;
+  MPI_Comm_size(comm, &count);
+  return count;
+}
+
+// Gives a Vec the memory of somebody else while this lives.
+class Placed {
+ public:
+  Placed(Vec vec, const double* values) : vec_(vec) { check(VecPlaceArray(vec, values)); }
+  ~Placed() { VecResetArray(vec_); }
+  Placed(const Placed&) = delete;
+  Placed& operator=(const Placed&) = delete;
+
+ private:
+  Vec vec_;
+};
+
+PetscErrorCode apply_near(PC pc, Vec x, Vec y) {
+  void* near = nullptr;
+  PetscFunctionBegin;
+  PetscCall(PCShellGetContext(pc, &near));
+  PetscCall(PCApply(static_cast<const Factor*>(near)->preconditioner(), x, y));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+}  // namespace
+
+Handle<Mat> make_matrix(MPI_Comm comm, const Pattern& pattern, std::span<const double> values) {
+  Handle<Mat> matrix;
+  check(MatCreate(comm, matrix.out()));
+  check(MatSetSizes(matrix, pattern.rows(), pattern.rows(), PETSC_DETERMINE, PETSC_DETERMINE));
+  check(MatSetType(matrix, MATAIJ));
+  if (processes(comm) == 1)
+    check(MatSeqAIJSetPreallocationCSR(matrix, pattern.begin.data(), pattern.columns.data(), values.data()));
+  else
+    check(MatMPIAIJSetPreallocationCSR(matrix, pattern.begin.data(), pattern.columns.data(), values.data()));
+  check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
+  return matrix;
+}
+
+Product::Product(Handle<Mat> matrix) : matrix_(std::move(matrix)) {
+  check(MatGetLocalSize(matrix_, &rows_, nullptr));
+  for (Handle<Vec>* vec : {&x_, &y_}) {
+    const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(matrix_.get()));
+    if (processes(comm) == 1)
+      check(VecCreateSeqWithArray(comm, 1, rows_, nullptr, vec->out()));
+    else
+      check(VecCreateMPIWithArray(comm, 1, rows_, PETSC_DETERMINE, nullptr, vec->out()));
+  }
+}
+
+void Product::operator()(const double* x, double* y) const {
+  const Placed from(x_, x), to(y_, y);
+  check(MatMult(matrix_, x_, y_));
+}
+
+Factor::Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix)
+    : product_(make_matrix(comm, pattern, values)) {
+  PetscInt size = 0;
+  check(MatGetSize(product_.matrix(), &size, nullptr));
+  check(KSPCreate(comm, ksp_.out()));
+  check(KSPSetOptionsPrefix(ksp_, prefix.c_str()));
+  check(KSPSetOperators(ksp_, product_.matrix(), product_.matrix()));
+  check(KSPSetType(ksp_, KSPPREONLY));
+  PC pc = nullptr;
+  check(KSPGetPC(ksp_, &pc));
+  check(PCSetType(pc, PCCHOLESKY));
+  if (processes(comm) > 1) {
+    check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  } else if (size < small_matrix) {
+    check(PCFactorSetMatSolverType(pc, MATSOLVERPETSC));
+    check(PCFactorSetMatOrderingType(pc, MATORDERINGND));
+  } else {
+    check(PCFactorSetMatSolverType(pc, MATSOLVERCHOLMOD));
+  }
+  check(KSPSetFromOptions(ksp_));
+  set_up();
+  if (ok_) inspect();
+}
+
+void Factor::set_up() {
+  PC pc = nullptr;
+  check(KSPGetPC(ksp_, &pc));
+  try {
+    check(KSPSetUp(ksp_));
+    PCFailedReason reason = PC_NOERROR;
+    check(PCGetFailedReason(pc, &reason));
+    ok_ = reason == PC_NOERROR && reproduces();
+  } catch (const SolverError&) {
+    ok_ = false;
+  }
+}
+
+bool Factor::refactor(std::span<const double> values) {
+  const Mat matrix = product_.matrix();
+  if (processes(PetscObjectComm(reinterpret_cast<PetscObject>(matrix))) > 1) return false;
+  PetscScalar* entries = nullptr;
+  check(MatSeqAIJGetArray(matrix, &entries));
+  std::copy(values.begin(), values.end(), entries);
+  check(MatSeqAIJRestoreArray(matrix, &entries));
+  check(KSPSetOperators(ksp_, matrix, matrix));
+  set_up();
+  return true;
+}
+
+// The vector is any that has a part of every motion.
+bool Factor::reproduces() const {
+  Eigen::VectorXd x(product_.rows()), b(product_.rows()), again(product_.rows());
+  for (PetscInt i = 0; i < product_.rows(); ++i) x[i] = 1 + 0.5 * std::sin(1.7 * i);
+  product_(x.data(), b.data());
+  return solve(b.data(), again.data()) && (again - x).lpNorm<Eigen::Infinity>() <= lost;
+}
+
+void Factor::inspect() {
+  PC pc = nullptr;
+  check(KSPGetPC(ksp_, &pc));
+  MatInfo info;
+  check(MatGetInfo(product_.matrix(), MAT_LOCAL, &info));
+  memory_ = info.memory;
+  PetscBool cholesky = PETSC_FALSE, lu = PETSC_FALSE;
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCLU, &lu));
+  KSPType ksp_type = nullptr;
+  check(KSPGetType(ksp_, &ksp_type));
+  direct_ = (cholesky || lu) && std::string_view(ksp_type) == KSPPREONLY;
+  if (!cholesky && !lu) {
+    PCType pc_type = nullptr;
+    check(PCGetType(pc, &pc_type));
+    package_ = std::string(ksp_type) + " with " + pc_type;
+    return;
+  }
+  Mat factor = nullptr;
+  MatSolverType type = nullptr;
+  check(PCFactorGetMatrix(pc, &factor));
+  check(MatFactorGetSolverType(factor, &type));
+  check(MatGetInfo(factor, MAT_LOCAL, &info));
+  package_ = std::string(type) + (cholesky ? " Cholesky" : " LU");
+  // MUMPS reports entries and no bytes.
+  memory_ += std::max<double>(info.memory, info.nz_used * sizeof(PetscScalar));
+}
+
+PC Factor::preconditioner() const {
+  PC pc = nullptr;
+  check(KSPGetPC(ksp_, &pc));
+  return pc;
+}
+
+bool Factor::solve(const double* b, double* x) const {
+  const Placed from(product_.x_, b), to(product_.y_, x);
+  check(KSPSolve(ksp_, product_.x_, product_.y_));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(ksp_, &reason));
+  return reason > 0;
+}
+
+bool Factor::solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const {
+  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(ksp_.get()));
+  x.resize(b.rows(), b.cols());
+  Handle<Mat> from, to;
+  const PetscInt rows = static_cast<PetscInt>(b.rows()), columns = static_cast<PetscInt>(b.cols());
+  check(MatCreateDense(comm, rows, PETSC_DECIDE, PETSC_DETERMINE, columns, const_cast<double*>(b.data()), from.out()));
+  check(MatCreateDense(comm, rows, PETSC_DECIDE, PETSC_DETERMINE, columns, x.data(), to.out()));
+  check(KSPMatSolve(ksp_, from, to));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(ksp_, &reason));
+  return reason > 0;
+}
+
+NearSolver::NearSolver(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const Factor& near,
+                       const std::string& prefix)
+    : product_(make_matrix(comm, pattern, values)) {
+  check(KSPCreate(comm, ksp_.out()));
+  check(KSPSetOptionsPrefix(ksp_, prefix.c_str()));
+  check(KSPSetOperators(ksp_, product_.matrix(), product_.matrix()));
+  check(KSPSetType(ksp_, KSPCG));
+  check(KSPSetTolerances(ksp_, close_enough, 0, PETSC_DEFAULT, max_iterations));
+  PC pc = nullptr;
+  check(KSPGetPC(ksp_, &pc));
+  check(PCSetType(pc, PCSHELL));
+  check(PCShellSetContext(pc, const_cast<Factor*>(&near)));
+  check(PCShellSetApply(pc, apply_near));
+  check(PCShellSetName(pc, "factor of a near step"));
+  check(KSPSetFromOptions(ksp_));
+}
+
+bool NearSolver::solve(const double* b, double* x, bool guess) {
+  check(KSPSetInitialGuessNonzero(ksp_, guess ? PETSC_TRUE : PETSC_FALSE));
+  const Placed from(product_.x_, b), to(product_.y_, x);
+  check(KSPSolve(ksp_, product_.x_, product_.y_));
+  PetscInt iterations = 0;
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetIterationNumber(ksp_, &iterations));
+  check(KSPGetConvergedReason(ksp_, &reason));
+  iterations_ += iterations;
+  return reason > 0;
+}
+
+}  // namespace pounding::petsc

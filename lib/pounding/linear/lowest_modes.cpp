@@ -1,0 +1,308 @@
+#include <pounding/linear/lowest_modes.hpp>
+
+#include <fmt/format.h>
+#include <slepceps.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include <pounding/linear/factor.hpp>
+#include <pounding/petsc/version.hpp>
+
+namespace pounding::petsc {
+
+template <>
+struct Destroyer<EPS> {
+  static PetscErrorCode destroy(EPS* object) { return EPSDestroy(object); }
+};
+
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+constexpr const char* prefix = "pounding_modes_";
+// Unknowns with mass, and all: below both a dense matrix is faster.
+constexpr std::size_t few_with_mass = 300;
+constexpr Eigen::Index few = 1500;
+// Of the largest quotient of stiffness and mass: far above rounding. Beside light masses they may exceed the lowest
+// frequencies; this costs iterations, not accuracy.
+constexpr double negative_shifts[] = {-1e-8, -1e-6, -1e-4};
+// Residual of the iteration, of each eigenvalue. Frequencies err by its square.
+constexpr double close_enough = 1e-12;
+// Frequencies are counted up to a gap of this part behind the last one wanted, so that rounding of equal ones cannot matter.
+constexpr double gap = 1e-3;
+
+Pattern pattern_of(const SparseMatrix& a) {
+  const PetscInt* begin = a.outerIndexPtr();
+  return {{begin, begin + a.cols() + 1}, {a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros()}};
+}
+
+std::span<const double> values_of(const SparseMatrix& a) { return {a.valuePtr(), static_cast<std::size_t>(a.nonZeros())}; }
+
+SparseMatrix shifted(const SparseMatrix& mass, const SparseMatrix& stiffness, double shift) {
+  SparseMatrix a = stiffness;
+  if (shift != 0) a -= shift * mass;
+  a.makeCompressed();
+  return a;
+}
+
+// L, n x unknowns with mass, with M = L L^T.
+SparseMatrix root_of(const SparseMatrix& mass, const std::vector<int>& heavy) {
+  SparseMatrix take(mass.rows(), static_cast<int>(heavy.size()));
+  for (std::size_t k = 0; k < heavy.size(); ++k) take.insert(heavy[k], static_cast<int>(k)) = 1;
+  const Eigen::SimplicialLLT<SparseMatrix> llt(take.transpose() * mass * take);
+  if (llt.info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
+  return take * SparseMatrix(llt.permutationPinv() * SparseMatrix(llt.matrixL()));
+}
+
+// CHOLMOD prints a warning for every matrix that is not positive definite; here this is how a free body is recognised.
+class QuietCholmod {
+ public:
+  QuietCholmod() {
+    PetscBool given = PETSC_FALSE;
+    check(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &given));
+    ours_ = !given;
+    if (ours_) check(PetscOptionsSetValue(nullptr, name.c_str(), "0"));
+  }
+  ~QuietCholmod() {
+    if (ours_) PetscOptionsClearValue(nullptr, name.c_str());
+  }
+  QuietCholmod(const QuietCholmod&) = delete;
+  QuietCholmod& operator=(const QuietCholmod&) = delete;
+
+ private:
+  const std::string name = std::string("-") + prefix + "mat_cholmod_print";
+  bool ours_ = false;
+};
+
+// L^T (K - s M)^-1 L as a PETSc matrix.
+class Flexibility {
+ public:
+  Flexibility(const SparseMatrix& mass, const SparseMatrix& stiffness, const SparseMatrix& root, double shift)
+      : root_(root),
+        shift_(shift),
+        a_(shifted(mass, stiffness, shift)),
+        factor_(PETSC_COMM_SELF, pattern_of(a_), values_of(a_), prefix) {
+    const PetscInt m = size();
+    check(MatCreateShell(PETSC_COMM_SELF, m, m, m, m, this, shell_.out()));
+    check(MatShellSetOperation(shell_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+    check(MatSetOption(shell_, MAT_HERMITIAN, PETSC_TRUE));
+  }
+  Flexibility(const Flexibility&) = delete;
+  Flexibility& operator=(const Flexibility&) = delete;
+
+  bool ok() const { return factor_.ok(); }
+  PetscInt size() const { return static_cast<PetscInt>(root_.cols()); }
+  double shift() const { return shift_; }
+  Mat matrix() const { return shell_; }
+
+  /// (K - s M)^-1 L y.
+  Eigen::VectorXd shape(const Eigen::VectorXd& y) const {
+    const Eigen::VectorXd force = root_ * y;
+    Eigen::VectorXd u(force.size());
+    if (!factor_.solve(force.data(), u.data())) throw SolverError("the linear solver of the modes did not converge");
+    return u;
+  }
+
+ private:
+  static PetscErrorCode multiply(Mat shell, Vec from, Vec to) {
+    void* self = nullptr;
+    const PetscScalar* x = nullptr;
+    PetscScalar* y = nullptr;
+    std::string failure;
+    PetscFunctionBegin;
+    PetscCall(MatShellGetContext(shell, &self));
+    PetscCall(VecGetArrayRead(from, &x));
+    PetscCall(VecGetArrayWrite(to, &y));
+    try {
+      const auto& me = *static_cast<const Flexibility*>(self);
+      Eigen::VectorXd::Map(y, me.size()) = me.root_.transpose() * me.shape(Eigen::VectorXd::Map(x, me.size()));
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+    PetscCall(VecRestoreArrayRead(from, &x));
+    PetscCall(VecRestoreArrayWrite(to, &y));
+    if (!failure.empty()) PetscFunctionReturn(fail(failure));
+    PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+  }
+
+  const SparseMatrix& root_;
+  double shift_;
+  SparseMatrix a_;
+  Factor factor_;
+  Handle<Mat> shell_;
+};
+
+// Eigenvectors of a Flexibility, orthonormal, and 1 / (w^2 - s), decreasing.
+struct Pairs {
+  std::vector<double> values;
+  std::vector<Eigen::VectorXd> vectors;
+
+  std::size_t size() const { return values.size(); }
+  void add(double value, Eigen::VectorXd vector) {
+    const auto at = std::upper_bound(values.begin(), values.end(), value, std::greater<>()) - values.begin();
+    values.insert(values.begin() + at, value);
+    vectors.insert(vectors.begin() + at, std::move(vector));
+  }
+};
+
+// Has a part of every shape, symmetric or not, and another one in each round.
+Eigen::VectorXd start(PetscInt size, std::size_t round) {
+  Eigen::VectorXd x(size);
+  for (PetscInt i = 0; i < size; ++i) x[i] = 1 + std::sin(1.7 * i + 0.3 * std::sqrt(2.0 + i) + static_cast<double>(round));
+  return x;
+}
+
+Handle<Vec> copy_of(const Eigen::VectorXd& x) {
+  Handle<Vec> vec;
+  check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(x.size()), vec.out()));
+  PetscScalar* values = nullptr;
+  check(VecGetArrayWrite(vec, &values));
+  Eigen::VectorXd::Map(values, x.size()) = x;
+  check(VecRestoreArrayWrite(vec, &values));
+  return vec;
+}
+
+// Adds `count` pairs at least, orthogonal to those that are there.
+void find(const Flexibility& flexibility, int count, Pairs& pairs) {
+  Handle<EPS> eps;
+  check(EPSCreate(PETSC_COMM_SELF, eps.out()));
+  check(EPSSetOptionsPrefix(eps, prefix));
+  check(EPSSetOperators(eps, flexibility.matrix(), nullptr));
+  check(EPSSetProblemType(eps, EPS_HEP));
+  check(EPSSetType(eps, EPSKRYLOVSCHUR));
+  check(EPSSetWhichEigenpairs(eps, EPS_LARGEST_REAL));
+  check(EPSSetDimensions(eps, count, PETSC_DEFAULT, PETSC_DEFAULT));
+  check(EPSSetTolerances(eps, close_enough, PETSC_DEFAULT));
+  std::vector<Handle<Vec>> known;
+  std::vector<Vec> raw;
+  for (const Eigen::VectorXd& vector : pairs.vectors) raw.push_back(known.emplace_back(copy_of(vector)));
+  if (!raw.empty()) check(EPSSetDeflationSpace(eps, static_cast<PetscInt>(raw.size()), raw.data()));
+  Handle<Vec> first = copy_of(start(flexibility.size(), pairs.size()));
+  Vec raw_first = first;
+  check(EPSSetInitialSpace(eps, 1, &raw_first));
+  check(EPSSetFromOptions(eps));
+  check(EPSSolve(eps));
+  PetscInt found = 0, iterations = 0;
+  check(EPSGetConverged(eps, &found));
+  check(EPSGetIterationNumber(eps, &iterations));
+  if (found < count)
+    throw SolverError(fmt::format("{} of {} modes found in {} iterations; allow more by -{}eps_max_it {}, or a larger "
+                                  "subspace by -{}eps_ncv {}",
+                                  found, count, iterations, prefix, std::max(100, 4 * iterations), prefix,
+                                  std::min(flexibility.size(), 4 * count + 30)));
+  Handle<Vec> vector = copy_of(Eigen::VectorXd::Zero(flexibility.size()));
+  for (PetscInt i = 0; i < found; ++i) {
+    PetscScalar value = 0;
+    check(EPSGetEigenpair(eps, i, &value, nullptr, vector, nullptr));
+    const PetscScalar* entries = nullptr;
+    check(VecGetArrayRead(vector, &entries));
+    pairs.add(value, Eigen::VectorXd::Map(entries, flexibility.size()));
+    check(VecRestoreArrayRead(vector, &entries));
+  }
+}
+
+// How many w^2 do not lie above `square`: the negative pivots of K - square M.
+int modes_below(const SparseMatrix& mass, const SparseMatrix& stiffness, double square) {
+  const SparseMatrix a = shifted(mass, stiffness, square);
+  const Handle<Mat> matrix = make_matrix(PETSC_COMM_SELF, pattern_of(a), values_of(a));
+  check(MatSetOption(matrix, MAT_SPD, PETSC_FALSE));
+  check(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+  const std::string count_prefix = std::string(prefix) + "count_";
+  check(MatSetOptionsPrefixFactor(matrix, count_prefix.c_str()));
+  Handle<KSP> ksp;
+  check(KSPCreate(PETSC_COMM_SELF, ksp.out()));
+  check(KSPSetOptionsPrefix(ksp, count_prefix.c_str()));
+  check(KSPSetOperators(ksp, matrix, matrix));
+  check(KSPSetType(ksp, KSPPREONLY));
+  PC pc = nullptr;
+  check(KSPGetPC(ksp, &pc));
+  check(PCSetType(pc, PCCHOLESKY));
+  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  // MUMPS tells the inertia only where it looks for pivots that are zero.
+  Mat factor = nullptr;
+  check(PCFactorSetUpMatSolverType(pc));
+  check(PCFactorGetMatrix(pc, &factor));
+  check(MatMumpsSetIcntl(factor, 24, 1));
+  check(KSPSetFromOptions(ksp));
+  check(KSPSetUp(ksp));
+  PCFailedReason reason = PC_NOERROR;
+  check(PCGetFailedReason(pc, &reason));
+  if (reason != PC_NOERROR)
+    throw SolverError(fmt::format("the modes below {:.6g} rad/s could not be counted: no factor (MUMPS; more memory by "
+                                  "-{}count_mat_mumps_icntl_14 100)",
+                                  std::sqrt(std::max(square, 0.0)), prefix));
+  PetscInt negative = 0, zero = 0, positive = 0;
+  check(MatGetInertia(factor, &negative, &zero, &positive));
+  return negative + zero;
+}
+
+// Where to count: behind the first gap after the last pair wanted, as w^2 - s.
+double behind(const Pairs& pairs, int count) {
+  std::size_t last = count - 1;
+  const auto distance = [&](std::size_t i) { return 1 / pairs.values[i]; };
+  while (last + 1 < pairs.size() && distance(last + 1) < distance(last) * (1 + gap)) ++last;
+  return distance(last) * (1 + gap / 2);
+}
+
+// Of the `count` lowest none is missing then. False when K - s M is not positive definite, which not every factor tells.
+bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Flexibility& flexibility, int count,
+              Pairs& pairs) {
+  find(flexibility, count, pairs);
+  while (static_cast<PetscInt>(pairs.size()) < flexibility.size()) {
+    if (pairs.values[count - 1] <= 0) return false;
+    const double limit = behind(pairs, count);
+    const int known = static_cast<int>(
+        std::count_if(pairs.values.begin(), pairs.values.end(), [&](double value) { return 1 / value < limit; }));
+    const int there = modes_below(mass, stiffness, flexibility.shift() + limit);
+    if (there == known) break;
+    if (modes_below(mass, stiffness, flexibility.shift()) > 0) return false;
+    if (there < known)
+      throw SolverError(fmt::format("{} modes found where the pivots of the stiffness count {}: it is too badly conditioned "
+                                    "for its lowest modes",
+                                    known, there));
+    find(flexibility, there - known, pairs);
+  }
+  return pairs.values.back() > 0;
+}
+
+// Nothing when K - s M is not positive definite.
+std::optional<Eigenmodes> modes_by_shift(const SparseMatrix& mass, const SparseMatrix& stiffness, const SparseMatrix& root,
+                                         int count, double shift) {
+  const Flexibility flexibility(mass, stiffness, root, shift);
+  if (!flexibility.ok()) return {};
+  Pairs pairs;
+  if (!find_all(mass, stiffness, flexibility, count, pairs)) return {};
+  Eigen::MatrixXd shapes(mass.rows(), count);
+  for (int j = 0; j < count; ++j) shapes.col(j) = flexibility.shape(pairs.vectors[j]);
+  return modes_of_shapes(mass, stiffness, shapes);
+}
+
+}  // namespace
+
+Eigenmodes sparse_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count) {
+  const std::vector<int> heavy = unknowns_with_mass(mass);
+  require_mode_count(count, heavy.size());
+  if (count == 0) return {Eigen::VectorXd(0), Eigen::MatrixXd(mass.rows(), 0)};
+  const SparseMatrix root = root_of(mass, heavy);
+  const QuietCholmod quiet;
+  // Beside a motion at rest the others would drown without a shift.
+  if (auto modes = modes_by_shift(mass, stiffness, root, count, 0); modes && modes->frequencies[0] > 0)
+    return *std::move(modes);
+  double scale = 0;
+  for (const int i : heavy) scale = std::max(scale, stiffness.coeff(i, i) / mass.coeff(i, i));
+  for (const double part : negative_shifts)
+    if (auto modes = modes_by_shift(mass, stiffness, root, count, part * scale)) return *std::move(modes);
+  require_static_stiffness(mass, stiffness);
+  throw std::invalid_argument("the stiffness is negative for some motion: the structure buckles");
+}
+
+Eigenmodes lowest_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count) {
+  const bool dense = mass.rows() <= few && unknowns_with_mass(mass).size() <= few_with_mass;
+  return dense ? dense_modes(mass, stiffness, count) : sparse_modes(mass, stiffness, count);
+}
+
+}  // namespace pounding::petsc

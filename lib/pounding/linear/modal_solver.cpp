@@ -1,0 +1,339 @@
+#include <pounding/linear/modal_solver.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace pounding {
+namespace {
+
+// Off the diagonal of a classical damping matrix stands rounding of this part of its largest entry.
+constexpr double rounding = 1e-11;
+
+// Unknowns of a group with and without mass, counted in the group.
+struct Partition {
+  std::vector<int> heavy, massless;
+};
+
+Partition partition(const System& system, const Group& group) {
+  Partition p;
+  for (int i = 0; i < group.count; ++i) {
+    const double m = system.mass.coeff(group.first + i, group.first + i);
+    if (!(m >= 0)) throw std::invalid_argument("the mass matrix is not positive definite");
+    (m > 0 ? p.heavy : p.massless).push_back(i);
+  }
+  return p;
+}
+
+Eigen::MatrixXd dense(const SparseMatrix& a, const std::vector<int>& rows, const std::vector<int>& columns, int first) {
+  std::vector<int> place(static_cast<std::size_t>(a.rows() - first), -1);
+  for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = static_cast<int>(i);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (SparseMatrix::InnerIterator it(a, first + columns[j]); it; ++it)
+      if (it.row() >= first && place[it.row() - first] >= 0) out(place[it.row() - first], static_cast<int>(j)) = it.value();
+  return out;
+}
+
+SparseMatrix sparse(const SparseMatrix& a, const std::vector<int>& unknowns, int first) {
+  std::vector<int> place(static_cast<std::size_t>(a.rows() - first), -1);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) place[unknowns[i]] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t j = 0; j < unknowns.size(); ++j)
+    for (SparseMatrix::InnerIterator it(a, first + unknowns[j]); it; ++it)
+      if (it.row() >= first && place[it.row() - first] >= 0)
+        entries.emplace_back(place[it.row() - first], static_cast<int>(j), it.value());
+  const int n = static_cast<int>(unknowns.size());
+  SparseMatrix out(n, n);
+  out.setFromTriplets(entries.begin(), entries.end());
+  return out;
+}
+
+}  // namespace
+
+int ModalSolver::largest_block(const System& system) {
+  std::size_t largest = 0;
+  for (const Group& group : system.groups) largest = std::max(largest, partition(system, group).heavy.size());
+  return static_cast<int>(largest);
+}
+
+ModalSolver::ModalSolver(const System& system) : unknowns_(system.size()) {
+  for (const Group& group : system.groups) add_block(system, group);
+  const int n = static_cast<int>(stiffness_.size());
+  for (const Block& block : blocks_) classical_ = classical_ && block.damping.size() == 0;
+  if (!classical_) {
+    for (Block& block : blocks_)
+      if (block.damping.size() == 0) {
+        const int count = static_cast<int>(block.shapes.cols());
+        block.damping = Eigen::MatrixXd(damping_.segment(block.coordinate, count).asDiagonal());
+      }
+    factors_.resize(blocks_.size());
+  }
+  if (n == unknowns_ && std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.shapes.size() == 1; })) {
+    single_.resize(n);
+    for (const Block& block : blocks_) single_[block.first] = block.shapes(0, 0);
+  }
+  load_.resize(n, system.load.cols());
+  weights_ = Eigen::VectorXd::Ones(n);
+  inverse_.resize(n);
+  for (const Block& block : blocks_)
+    for (Eigen::Index j = 0; j < load_.cols(); ++j)
+      load_.col(j).segment(block.coordinate, block.shapes.cols()) =
+          block.shapes.transpose() * system.load.col(j).segment(block.first, block.shapes.rows());
+  outputs_ = static_cast<int>(system.outputs.cols());
+  for (const Block& block : blocks_) add_view(system.outputs, block);
+  closing_.resize(system.links());
+  for (int i = 0; i < system.links(); ++i) {
+    const Eigen::VectorXd column(system.gap_jacobian.col(i));
+    for (const Block& block : blocks_) {
+      const auto part = column.segment(block.first, block.shapes.rows());
+      if (part.isZero(0)) continue;
+      for (int k = 0; k < part.size(); ++k)
+        if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
+          throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, block.first + k));
+      closing_[i].push_back({block.coordinate, block.shapes.transpose() * part});
+    }
+  }
+}
+
+void ModalSolver::add_block(const System& system, const Group& group) {
+  const Partition p = partition(system, group);
+  const int count = static_cast<int>(p.heavy.size());
+  Eigen::MatrixXd stiffness = dense(system.stiffness, p.heavy, p.heavy, group.first);
+  const Eigen::MatrixXd mass = dense(system.mass, p.heavy, p.heavy, group.first);
+  Eigen::MatrixXd follow;  // of the unknowns without mass
+  if (!p.massless.empty()) {
+    const Eigen::MatrixXd coupling = dense(system.stiffness, p.massless, p.heavy, group.first);
+    const Eigen::SimplicialLLT<SparseMatrix> solver(sparse(system.stiffness, p.massless, group.first));
+    if (solver.info() != Eigen::Success)
+      throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+    follow = -solver.solve(coupling);
+    stiffness += coupling.transpose() * follow;
+    stiffness = 0.5 * (stiffness + stiffness.transpose().eval());
+    if (!dense(system.damping, p.massless, p.massless, group.first).isZero(0) ||
+        !dense(system.damping, p.massless, p.heavy, group.first).isZero(0))
+      throw std::invalid_argument("a dashpot acts on an unknown without mass");
+  }
+  if (Eigen::LLT<Eigen::MatrixXd>(mass).info() != Eigen::Success)
+    throw std::invalid_argument("the mass matrix is not positive definite");
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass);
+  if (modes.info() != Eigen::Success) throw std::invalid_argument("the modes of a structure could not be computed");
+  const Eigen::MatrixXd& phi = modes.eigenvectors();
+
+  Block block;
+  block.first = group.first;
+  block.coordinate = static_cast<int>(stiffness_.size());
+  block.shapes = Eigen::MatrixXd::Zero(group.count, count);
+  for (int i = 0; i < count; ++i) block.shapes.row(p.heavy[i]) = phi.row(i);
+  if (follow.size() > 0) {
+    const Eigen::MatrixXd others = follow * phi;
+    for (std::size_t i = 0; i < p.massless.size(); ++i) block.shapes.row(p.massless[i]) = others.row(static_cast<int>(i));
+  }
+  block.project = Eigen::MatrixXd::Zero(count, group.count);
+  const Eigen::MatrixXd project = phi.transpose() * mass;
+  for (int i = 0; i < count; ++i) block.project.col(p.heavy[i]) = project.col(i);
+
+  const Eigen::VectorXd squares = modes.eigenvalues().cwiseMax(0);
+  const Eigen::MatrixXd rest = phi.transpose() * dense(system.damping, p.heavy, p.heavy, group.first) * phi;
+  Eigen::VectorXd diagonal = rest.diagonal() + group.by_stiffness * squares;
+  diagonal.array() += group.by_mass;
+  Eigen::MatrixXd coupled = rest;
+  coupled.diagonal().setZero();
+  if (coupled.cwiseAbs().maxCoeff() > rounding * diagonal.cwiseAbs().maxCoeff()) {
+    block.damping = rest;
+    block.damping.diagonal() = diagonal;
+  }
+  stiffness_.conservativeResize(block.coordinate + count);
+  damping_.conservativeResize(block.coordinate + count);
+  stiffness_.tail(count) = squares;
+  damping_.tail(count) = diagonal;
+  group_masses_.push_back(mass.diagonal().sum());
+  segments_.push_back({block.coordinate, count, static_cast<int>(&group - system.groups.data())});
+  blocks_.push_back(std::move(block));
+}
+
+void ModalSolver::add_view(const SparseMatrix& outputs, const Block& block) {
+  View view{block.coordinate, {}, {}};
+  const auto inside = [&](Eigen::Index row) { return row >= block.first && row < block.first + block.shapes.rows(); };
+  for (int j = 0; j < outputs_; ++j)
+    for (SparseMatrix::InnerIterator it(outputs, j); it; ++it)
+      if (inside(it.row()) && (view.rows.empty() || view.rows.back() != j)) view.rows.push_back(j);
+  if (view.rows.empty()) return;
+  view.factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(view.rows.size()), block.shapes.cols());
+  for (std::size_t i = 0; i < view.rows.size(); ++i)
+    for (SparseMatrix::InnerIterator it(outputs, view.rows[i]); it; ++it)
+      if (inside(it.row())) view.factors.row(static_cast<Eigen::Index>(i)) += it.value() * block.shapes.row(it.row() - block.first);
+  views_.push_back(std::move(view));
+}
+
+void ModalSolver::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const {
+  const Eigen::Index n = x.rows();
+  for (Eigen::Index j = 0; j < x.cols(); ++j)
+    for (Eigen::Index i = 0; i < n; ++i) y(i, j) = stiffness_[i] * x(i, j);
+}
+
+void ModalSolver::damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> /*kx*/,
+                              Eigen::Ref<Eigen::MatrixXd> y) const {
+  if (classical_) {
+    const Eigen::Index n = x.rows();
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
+      for (Eigen::Index i = 0; i < n; ++i) y(i, j) = damping_[i] * x(i, j);
+    return;
+  }
+  for (const Block& block : blocks_) {
+    const Eigen::Index count = block.damping.rows();
+    y.middleRows(block.coordinate, count).noalias() = block.damping * x.middleRows(block.coordinate, count);
+  }
+}
+
+void ModalSolver::mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const { y = x; }
+void ModalSolver::accelerate(Eigen::Ref<Eigen::VectorXd>) const {}
+void ModalSolver::recover(Eigen::Ref<Eigen::VectorXd>) const {}
+
+void ModalSolver::set_matrix(const EffectiveMatrix& s, std::optional<int> /*rung*/) {
+  if (s.mass == shift_.mass && s.damping == shift_.damping && s.stiffness == shift_.stiffness) return;
+  shift_ = s;
+  if (classical_) {
+    const Eigen::Index n = stiffness_.size();
+    for (Eigen::Index i = 0; i < n; ++i) inverse_[i] = 1 / (s.mass + s.damping * damping_[i] + s.stiffness * stiffness_[i]);
+    return;
+  }
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& block = blocks_[b];
+    Eigen::MatrixXd a = s.damping * block.damping;
+    a.diagonal() += s.stiffness * stiffness_.segment(block.coordinate, a.rows());
+    a.diagonal().array() += s.mass;
+    factors_[b].compute(a);
+  }
+  ++factorizations_;
+}
+
+bool ModalSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
+  if (classical_) {
+    const Eigen::Index n = x.size();
+    for (Eigen::Index i = 0; i < n; ++i) x[i] *= inverse_[i];
+    return true;
+  }
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    auto part = x.segment(blocks_[b].coordinate, blocks_[b].damping.rows());
+    factors_[b].solveInPlace(part);
+  }
+  return true;
+}
+
+bool ModalSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
+  const int count = static_cast<int>(links.size());
+  g.setZero(count, count);
+  for (int j = 0; j < count; ++j)
+    for (const Part& part : closing_[links[j]]) {
+      const Eigen::Index n = part.values.size();
+      Eigen::VectorXd solved;
+      if (!classical_) {
+        solved = part.values;
+        for (std::size_t b = 0; b < blocks_.size(); ++b)
+          if (blocks_[b].coordinate == part.first) factors_[b].solveInPlace(solved);
+      }
+      for (int i = 0; i <= j; ++i)
+        for (const Part& other : closing_[links[i]]) {
+          if (other.first != part.first) continue;
+          double sum = 0;
+          if (classical_)
+            for (Eigen::Index k = 0; k < n; ++k) sum += other.values[k] * inverse_[part.first + k] * part.values[k];
+          else
+            sum = other.values.dot(solved);
+          g(i, j) += sum;
+          if (i != j) g(j, i) += sum;
+        }
+    }
+  return true;
+}
+
+void ModalSolver::add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
+                             Eigen::Ref<Eigen::VectorXd> y) const {
+  for (std::size_t j = 0; j < links.size(); ++j) {
+    const double scale = factor * f[static_cast<Eigen::Index>(j)];
+    for (const Part& part : closing_[links[j]]) {
+      const Eigen::Index n = part.values.size();
+      if (classical_) {
+        for (Eigen::Index k = 0; k < n; ++k)
+          y[part.first + k] += scale * inverse_[part.first + k] * part.values[k];
+        continue;
+      }
+      for (std::size_t b = 0; b < blocks_.size(); ++b)
+        if (blocks_[b].coordinate == part.first) y.segment(part.first, n) += scale * factors_[b].solve(part.values);
+    }
+  }
+}
+
+void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  const Eigen::Index columns = x.cols();
+  relative.resize(static_cast<Eigen::Index>(closing_.size()), columns);
+  for (std::size_t i = 0; i < closing_.size(); ++i)
+    for (Eigen::Index j = 0; j < columns; ++j) {
+      double sum = 0;
+      for (const Part& part : closing_[i]) {
+        const Eigen::Index n = part.values.size();
+        for (Eigen::Index k = 0; k < n; ++k) sum += part.values[k] * x(part.first + k, j);
+      }
+      relative(static_cast<Eigen::Index>(i), j) = sum;
+    }
+}
+
+void ModalSolver::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
+  for (std::size_t i = 0; i < closing_.size(); ++i) {
+    const double scale = factor * f[static_cast<Eigen::Index>(i)];
+    if (scale == 0) continue;
+    for (const Part& part : closing_[i]) {
+      const Eigen::Index n = part.values.size();
+      for (Eigen::Index k = 0; k < n; ++k) y[part.first + k] += scale * part.values[k];
+    }
+  }
+}
+
+void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
+  for (const Block& block : blocks_)
+    y.segment(block.coordinate, block.shapes.cols()).noalias() += block.shapes.transpose() * f.segment(block.first, block.shapes.rows());
+}
+
+void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
+  values.setZero(outputs_, x.cols());
+  for (const View& view : views_)
+    for (Eigen::Index j = 0; j < x.cols(); ++j) {
+      const double* const modes = x.col(j).data() + view.first;
+      double* const to = values.col(j).data();
+      for (Eigen::Index mode = 0; mode < view.factors.cols(); ++mode) {
+        const double* const factors = view.factors.col(mode).data();
+        for (std::size_t i = 0; i < view.rows.size(); ++i) to[view.rows[i]] += factors[i] * modes[mode];
+      }
+    }
+}
+
+Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd x(stiffness_.size());
+  for (const Block& block : blocks_)
+    x.segment(block.coordinate, block.project.rows()) = block.project * u.segment(block.first, block.project.cols());
+  return x;
+}
+
+void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
+  u.resize(unknowns_);
+  if (single_.size() > 0) {
+    for (Eigen::Index i = 0; i < single_.size(); ++i) u[i] = single_[i] * x[i];
+    return;
+  }
+  for (const Block& block : blocks_)
+    u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
+}
+
+std::string ModalSolver::description() const {
+  return classical_ ? fmt::format("all {} modes of {} unknowns, decoupled", stiffness_.size(), unknowns_)
+                    : fmt::format("all {} modes of {} unknowns, coupled by the damping, {} factorizations", stiffness_.size(),
+                                  unknowns_, factorizations_);
+}
+
+}  // namespace pounding

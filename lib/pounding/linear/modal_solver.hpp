@@ -1,0 +1,86 @@
+#pragma once
+/// All natural modes of every structure: coordinates in which the equations without links are decoupled.
+
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include <pounding/linear/structure_solver.hpp>
+
+namespace pounding {
+
+/// Mass-normalised modes q, u = Phi q, of each group by itself, none left out: M becomes the identity and K diagonal, so
+/// a step of any length costs a few operations an unknown and no factorization. Unknowns without mass are condensed out
+/// exactly. C becomes diagonal too when the damping is classical (Rayleigh, modal); else it stays a full block and each
+/// length of step is factored once.
+///
+/// For small and middle systems; setting up costs the cube of the number of unknowns with mass of a structure.
+class ModalSolver final : public StructureSolver {
+ public:
+  /// Throws std::invalid_argument for a mass that is not positive, a stiffness that leaves an unknown without mass loose,
+  /// and a link or a dashpot at an unknown without mass.
+  explicit ModalSolver(const System& system);
+
+  /// Largest number of unknowns with mass in one structure, what the set-up is measured by.
+  static int largest_block(const System& system);
+
+  void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
+  void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
+                     Eigen::Ref<Eigen::MatrixXd> y) const override;
+  void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const override;
+  void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override;
+  void recover(Eigen::Ref<Eigen::VectorXd> x) const override;
+  bool prefers_dyadic_steps() const override { return !classical_; }
+  void set_matrix(const EffectiveMatrix& shift, std::optional<int> rung) override;
+  bool solve(Eigen::Ref<Eigen::VectorXd> x) override;
+  bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) override;
+  void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
+                    Eigen::Ref<Eigen::VectorXd> y) const override;
+  void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
+  void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
+  void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
+  void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override;
+  void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
+  std::string description() const override;
+
+ private:
+  // The modes of one group. Rows of `shapes` are the unknowns of the group, massless ones included.
+  struct Block {
+    int first = 0;        // unknown
+    int coordinate = 0;   // first mode
+    Eigen::MatrixXd shapes;
+    Eigen::MatrixXd project;  // Phi^T M: displacements to modes
+    Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
+  };
+  // A link's column of B in these coordinates, where it is not zero.
+  struct Part {
+    int first = 0;
+    Eigen::VectorXd values;
+  };
+
+  // What is outputs of one group: values[rows[i]] counts factors.row(i) times the modes from `first` on.
+  struct View {
+    int first = 0;
+    std::vector<int> rows;
+    Eigen::MatrixXd factors;
+  };
+
+  void add_block(const System& system, const Group& group);
+  void add_view(const SparseMatrix& outputs, const Block& block);
+
+  std::vector<Block> blocks_;
+  Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
+  std::vector<std::vector<Part>> closing_;
+  std::vector<View> views_;
+  int outputs_ = 0;  // quantities
+  Eigen::VectorXd stiffness_, damping_;  // diagonals
+  bool classical_ = true;
+  int unknowns_ = 0;
+
+  EffectiveMatrix shift_{0, 0, 0};
+  Eigen::VectorXd inverse_;  // of the diagonal of A
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;  // by block, of the present shift, when not classical
+};
+
+}  // namespace pounding

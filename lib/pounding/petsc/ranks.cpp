@@ -1,0 +1,137 @@
+#include <pounding/petsc/ranks.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+
+namespace pounding::petsc {
+namespace {
+
+enum class Kind : char { input, solver, other };
+
+// What a failure is for other processes: its kind, then its text.
+std::vector<std::byte> message(Kind kind, std::string text) {
+  text.insert(text.begin(), static_cast<char>(kind));
+  const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+  return {bytes, bytes + text.size()};
+}
+
+// Empty where there is no failure.
+std::vector<std::byte> failure_of(const std::function<void()>& task) {
+  try {
+    task();
+    return {};
+  } catch (const InputError& error) {
+    return message(Kind::input, error.what());
+  } catch (const std::invalid_argument& error) {
+    return message(Kind::input, error.what());
+  } catch (const SolverError& error) {
+    return message(Kind::solver, error.what());
+  } catch (const std::exception& error) {
+    return message(Kind::other, error.what());
+  }
+}
+
+[[noreturn]] void fail_as(const std::vector<std::byte>& message, const std::string& before = {}) {
+  const std::string text = before + std::string(reinterpret_cast<const char*>(message.data()) + 1, message.size() - 1);
+  switch (static_cast<Kind>(message.front())) {
+    case Kind::input: throw InputError(text);
+    case Kind::solver: throw SolverError(text);
+    case Kind::other: break;
+  }
+  throw std::runtime_error(text);
+}
+
+}  // namespace
+
+Ranks::Ranks(MPI_Comm comm) : comm_(comm) {
+  MPI_Comm_size(comm, &size_);
+  MPI_Comm_rank(comm, &rank_);
+}
+
+bool Ranks::any(bool mine) const {
+  if (size_ == 1) return mine;
+  int value = mine;
+  MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT, MPI_MAX, comm_);
+  return value != 0;
+}
+
+int Ranks::from_root(int its) const {
+  if (size_ > 1) MPI_Bcast(&its, 1, MPI_INT, 0, comm_);
+  return its;
+}
+
+void Ranks::on_root(const std::function<void()>& task) const {
+  if (size_ == 1) return task();
+  const auto failures = gather(is_root() ? failure_of(task) : std::vector<std::byte>{});
+  if (!failures.front().empty()) fail_as(failures.front());
+}
+
+void Ranks::on_each(const std::function<void()>& task) const {
+  if (size_ == 1) return task();
+  const auto failures = gather(failure_of(task));
+  const auto fine = [](const std::vector<std::byte>& failure) { return failure.empty(); };
+  const auto first = std::ranges::find_if_not(failures, fine);
+  if (first == failures.end()) return;
+  const int rank = static_cast<int>(first - failures.begin());
+  fail_as(*first, std::ranges::any_of(failures, fine) ? alone("", rank) : "");
+}
+
+std::string Ranks::alone(std::string_view text, std::optional<int> rank) const {
+  return fmt::format("process {} of {} failed alone: {}", rank.value_or(rank_) + 1, size_, text);
+}
+
+bool Ranks::same(std::string_view mine) const {
+  const auto* bytes = reinterpret_cast<const std::byte*>(mine.data());
+  const auto texts = gather({bytes, bytes + mine.size()});
+  return std::ranges::adjacent_find(texts, std::ranges::not_equal_to()) == texts.end();
+}
+
+std::vector<std::vector<std::byte>> Ranks::gather(const std::vector<std::byte>& mine) const {
+  if (size_ == 1) return {mine};
+  std::vector<int> counts(size_), first(size_);
+  const int count = static_cast<int>(mine.size());
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+  int sum = 0;
+  for (int r = 0; r < size_; ++r) {
+    first[r] = sum;
+    sum += counts[r];
+  }
+  std::vector<std::byte> all(sum);
+  MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), first.data(), MPI_BYTE, comm_);
+  std::vector<std::vector<std::byte>> parts;
+  for (int r = 0; r < size_; ++r) parts.emplace_back(all.begin() + first[r], all.begin() + first[r] + counts[r]);
+  return parts;
+}
+
+CollectiveExit::CollectiveExit(MPI_Comm comm) {
+  if (Ranks(comm).size() > 1) MPI_Comm_dup(comm, &comm_);
+}
+
+CollectiveExit::~CollectiveExit() {
+  if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
+}
+
+bool CollectiveExit::together(double seconds) const {
+  if (comm_ == MPI_COMM_NULL) return true;
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  MPI_Request all = MPI_REQUEST_NULL;
+  MPI_Ibarrier(comm_, &all);
+  for (;;) {
+    int come = 0;
+    MPI_Test(&all, &come, MPI_STATUS_IGNORE);
+    if (come) return true;
+    if (std::chrono::duration<double>(Clock::now() - begin).count() > seconds) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+}  // namespace pounding::petsc

@@ -1,0 +1,341 @@
+#include <pounding/results/results.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/core/checksum.hpp>
+#include <pounding/results/hdf5.hpp>
+#include <pounding/results/replace_file.hpp>
+
+namespace pounding {
+namespace {
+
+using hdf5::array;
+using hdf5::attribute;
+using hdf5::checked;
+using hdf5::group;
+using hdf5::Handle;
+using hdf5::Label;
+using hdf5::integers;
+using hdf5::scalar;
+using hdf5::text;
+using hdf5::texts;
+
+void check_length(std::size_t length, std::size_t expected, const std::string& what) {
+  if (length != expected)
+    throw std::invalid_argument(what + " holds " + std::to_string(length) + " values; " + std::to_string(expected) +
+                                " are expected");
+}
+
+template <class Histories>
+void check_names(const Histories& histories, const std::string& kind) {
+  std::set<std::string_view> seen;
+  for (const auto& history : histories) {
+    const std::string& name = history.name;
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
+      throw InputError(kind + " name \"" + name +
+                       "\" cannot name a group of the results file: write a name that is not empty, \".\" or \"..\" "
+                       "and has no '/' in it.");
+    if (!seen.insert(name).second)
+      throw InputError("two " + kind + "s are named \"" + name + "\": give each its own name.");
+  }
+}
+
+using Names = std::vector<std::string>;
+
+// Names of floors stand beside their numbers; those of nodes may be too many for an attribute.
+void write_motion(hid_t place, const std::string& name, std::size_t places, const Names* floors, const Names& directions, std::size_t samples,
+                  const std::array<const std::vector<double>*, 3>& histories) {
+  const Label labels[] = {{"displacement", "m", "displacement relative to the ground"},
+                          {"velocity", "m/s", "velocity relative to the ground"},
+                          {"acceleration", "m/s^2", "absolute acceleration"}};
+  for (int i = 0; i < 3; ++i) {
+    check_length(histories[i]->size(), samples * places * directions.size(), name + ": " + labels[i].name);
+    const Handle made = array(place, labels[i], *histories[i], {samples, places, directions.size()});
+    if (floors) attribute(made, "floors", *floors);
+    attribute(made, "directions", directions);
+  }
+}
+
+void write_geometry(hid_t parent, const Geometry& geometry) {
+  const Handle place = group(parent, "geometry");
+  std::vector<double> nodes;
+  for (const Eigen::Vector3d& p : geometry.positions) nodes.insert(nodes.end(), p.begin(), p.end());
+  array(place, {"nodes", "m", "positions of the nodes at rest: x, y, z"}, nodes, {geometry.positions.size(), 3});
+  std::vector<int> members;
+  for (const auto& ends : geometry.members) members.insert(members.end(), ends.begin(), ends.end());
+  integers(place, {"members", "1", "nodes of the members, counted from 0"}, members, {geometry.members.size(), 2});
+  integers(place, {"floor_of_node", "1", "floor of each node, counted from 0 at the lowest; -1 for none"}, geometry.floor_of_node,
+           {geometry.floor_of_node.size()});
+  texts(place, "node_names", "names of the nodes", geometry.node_names);
+  texts(place, "member_names", "names of the members", geometry.member_names);
+}
+
+void write_structure(hid_t parent, const StructureHistory& history, std::size_t samples) {
+  const Handle place = group(parent, history.name);
+  const std::size_t floors = history.floors.size();
+  attribute(place, "kind", history.kind);
+  attribute(place, "dimension", history.dimension);
+  attribute(place, "floors", history.floors);
+  attribute(place, "elevations", history.elevations);
+  attribute(place, "directions", history.directions);
+  write_motion(place, history.name, floors, &history.floors, history.directions, samples,
+               {&history.displacement, &history.velocity, &history.acceleration});
+
+  const std::size_t directions = history.storey_directions();
+  const auto storey = [&](const Label& label, const std::vector<double>& values) {
+    const std::size_t storeys = values.empty() ? 0 : floors;
+    check_length(values.size(), samples * storeys * directions, history.name + ": " + label.name);
+    const Handle made = directions == 1 ? array(place, label, values, {samples, storeys})
+                                        : array(place, label, values, {samples, storeys, directions});
+    attribute(made, "floors", storeys == 0 ? Names{} : history.floors);
+  };
+  storey({"drift", "m", "storey drift, floor minus the floor below"}, history.drift);
+  storey({"storey_shear", "N", "shear force of the storey below the floor"}, history.storey_shear);
+  if (!history.storey_shear.empty()) {
+    std::vector<double> lowest;
+    for (std::size_t t = 0; t < samples; ++t)
+      for (std::size_t j = 0; j < directions; ++j) lowest.push_back(history.storey_shear[t * floors * directions + j]);
+    array(place, {"base_shear", "N", "shear force of the lowest storey"}, lowest, {samples, directions});
+  }
+  if (!history.nodes.empty()) {
+    const Handle nodes = group(place, "nodes");
+    texts(nodes, "names", "names of the nodes", history.nodes);
+    write_motion(nodes, history.name, history.nodes.size(), nullptr, history.node_directions, samples,
+                 {&history.node_displacement, &history.node_velocity, &history.node_acceleration});
+  }
+  if (!history.members.empty()) {
+    const Handle members = group(place, "members");
+    texts(members, "names", "names of the members", history.members);
+    check_length(history.end_forces.size(), samples * history.members.size() * history.member_components.size(),
+                 history.name + ": end forces");
+    const Handle made =
+        array(members, {"end_forces", "N", "forces [N] and moments [N m] on the ends of members, local axes"},
+              history.end_forces, {samples, history.members.size(), history.member_components.size()});
+    attribute(made, "components", history.member_components);
+  }
+  if (!history.geometry.positions.empty()) write_geometry(place, history.geometry);
+}
+
+void write_link(hid_t parent, const LinkHistory& history) {
+  const Handle place = group(parent, history.name);
+  attribute(place, "gap", history.gap);
+  attribute(place, "gap_units", std::string("m"));
+  attribute(place, "law", history.law);
+  attribute(place, "left", history.left.structure);
+  attribute(place, "left_floor", history.left.floor);
+  attribute(place, "right", history.right.structure);
+  attribute(place, "right_floor", history.right.floor);
+  attribute(place, "left_end", history.left.label);
+  attribute(place, "right_end", history.right.label);
+  attribute(place, "position", std::vector<double>(history.position.begin(), history.position.end()));
+  attribute(place, "direction", std::vector<double>(history.direction.begin(), history.direction.end()));
+
+  const auto column = [&](const Label& label, const std::vector<double>& values) {
+    check_length(values.size(), history.time.size(), history.name + ": " + label.name);
+    array(place, label, values, {values.size()});
+  };
+  column({"time", "s", "time, dense inside contacts"}, history.time);
+  column({"penetration", "m", "penetration, positive when overlapping, negative when open"}, history.penetration);
+  column({"velocity", "m/s", "rate of the penetration, positive when closing"}, history.velocity);
+  column({"force", "N", "contact force, positive when it pushes apart"}, history.force);
+  column({"energy", "J", "work done on the link, stored and lost"}, history.energy);
+  if (history.tangents == 0) return;
+  const std::size_t tangents = history.tangents;
+  check_length(history.friction.size(), history.time.size() * tangents, history.name + ": friction");
+  array(place, {"friction", "N", "friction force on the left body against its sliding: along the edge, up; up only in the plane"},
+        history.friction, {history.time.size(), tangents});
+}
+
+struct ImpactField {
+  Label label;
+  double ImpactRow::*value;
+};
+
+constexpr ImpactField impact_fields[] = {
+    {{"t_start", "s", "touch"}, &ImpactRow::t_start},
+    {{"t_end", "s", "separation"}, &ImpactRow::t_end},
+    {{"t_release", "s", "the force fell to zero for good"}, &ImpactRow::t_release},
+    {{"v_approach", "m/s", "closing speed at touch"}, &ImpactRow::v_approach},
+    {{"v_separation", "m/s", "opening speed at separation"}, &ImpactRow::v_separation},
+    {{"restitution", "1", "v_separation / v_approach, NaN for a touch at rest"}, &ImpactRow::restitution},
+    {{"peak_force", "N", "largest contact force"}, &ImpactRow::peak_force},
+    {{"t_peak", "s", "time of the largest contact force"}, &ImpactRow::t_peak},
+    {{"peak_penetration", "m", "largest penetration"}, &ImpactRow::peak_penetration},
+    {{"impulse", "N s", "integral of the contact force"}, &ImpactRow::impulse},
+    {{"energy_lost", "J", "work that the link took and did not give back"}, &ImpactRow::energy_lost},
+};
+
+/// One table, one row an impact: the link's name as text of a fixed length, then the numbers.
+void write_impacts(hid_t file, const Results& results) {
+  std::size_t name_size = 1;
+  for (const LinkHistory& link : results.links) name_size = std::max(name_size, link.name.size());
+  const std::size_t fields = std::size(impact_fields);
+  const std::size_t row_size = name_size + fields * sizeof(double);
+
+  const Handle row(H5Tcreate(H5T_COMPOUND, row_size), H5Tclose, "make the type of an impact");
+  checked(H5Tinsert(row, "link", 0, hdf5::text_type(name_size)), "add link to the type of an impact");
+  std::vector<std::string> units{"text"}, long_names{"name of the link"};
+  for (std::size_t i = 0; i < fields; ++i) {
+    const Label& label = impact_fields[i].label;
+    checked(H5Tinsert(row, label.name, name_size + i * sizeof(double), H5T_NATIVE_DOUBLE),
+            std::string("add ") + label.name + " to the type of an impact");
+    units.emplace_back(label.units);
+    long_names.emplace_back(label.long_name);
+  }
+
+  std::vector<std::byte> table(results.impacts.size() * row_size);
+  std::byte* place = table.data();
+  for (const ImpactRow& impact : results.impacts) {
+    if (impact.link < 0 || static_cast<std::size_t>(impact.link) >= results.links.size())
+      throw std::invalid_argument("an impact names link " + std::to_string(impact.link) + "; there are " +
+                                  std::to_string(results.links.size()) + " links, counted from 0");
+    const std::string& name = results.links[static_cast<std::size_t>(impact.link)].name;
+    std::memcpy(place, name.data(), name.size());
+    for (std::size_t i = 0; i < fields; ++i)
+      std::memcpy(place + name_size + i * sizeof(double), &(impact.*impact_fields[i].value), sizeof(double));
+    place += row_size;
+  }
+
+  hdf5::table(file, "impacts", "impacts in the order of their touches", row, results.impacts.size(), table.data(), units,
+              long_names);
+}
+
+void write_energy(hid_t file, const EnergyHistory& energy) {
+  const Handle place = group(file, "energy");
+  const auto column = [&](const Label& label, const std::vector<double>& values) {
+    check_length(values.size(), energy.time.size(), std::string("energy: ") + label.name);
+    array(place, label, values, {values.size()});
+  };
+  column({"time", "s", "time"}, energy.time);
+  column({"input", "J", "relative input energy: work of -M r ag on the motion relative to the ground, and the energy at the start"}, energy.input);
+  column({"kinetic", "J", "kinetic energy of the motion relative to the ground"}, energy.kinetic);
+  column({"strain", "J", "elastic energy"}, energy.strain);
+  column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);
+  column({"hysteretic", "J", "energy dissipated by yielding"}, energy.hysteretic);
+  column({"impact", "J", "work done on the links: lost, and stored while they press"}, energy.impact);
+  column({"error", "J", "input minus all other parts"}, energy.error);
+}
+
+void write_solver(hid_t file, const SolverStatistics& solver) {
+  const Handle place = group(file, "solver");
+  scalar(place, {"steps", "1", "steps kept"}, solver.steps);
+  scalar(place, {"rejected", "1", "steps thrown away by the error control"}, solver.rejected);
+  scalar(place, {"events", "1", "located touches, reversals, releases and separations"}, solver.events);
+  scalar(place, {"iterations", "1", "iterations of the link equations"}, solver.iterations);
+  scalar(place, {"wall_seconds", "s", "wall time"}, solver.wall_seconds);
+  scalar(place, {"wall_setup", "s", "wall time before the first step"}, solver.wall_setup);
+  scalar(place, {"wall_solve", "s", "wall time of the steps"}, solver.wall_solve);
+  scalar(place, {"wall_output", "s", "wall time of recording and writing"}, solver.wall_output);
+}
+
+void write_checkpoint(hid_t file, const Results& results) {
+  const Checkpoint& checkpoint = *results.checkpoint;
+  const Handle place = group(file, "checkpoint");
+  attribute(place, "ground", checkpoint.ground);
+  attribute(place, "histories", checksum_of_histories(results));
+  attribute(place, "fingerprint", checksum_of(checkpoint, results.model_yaml, results.resolved_yaml));
+  text(place, "model_file", "input file, absolute", checkpoint.model_file);
+  text(place, "options", "PETSc options that the result depends on", fmt::format("{}", fmt::join(checkpoint.options, "\n")));
+  hdf5::bytes(place, "state", "state of the program that wrote it", checkpoint.state);
+}
+
+// Names every history once, for reading, writing and comparing.
+template <class AnyResults, class Visit>
+void visit_all(AnyResults& results, Visit&& visit) {
+  visit("time", results.time);
+  visit("ground/acceleration", results.ground_acceleration);
+  for (auto& s : results.structures) {
+    const std::string place = "structures/" + s.name + '/';
+    visit(place + "displacement", s.displacement);
+    visit(place + "velocity", s.velocity);
+    visit(place + "acceleration", s.acceleration);
+    visit(place + "drift", s.drift);
+    visit(place + "storey_shear", s.storey_shear);
+    if (!s.nodes.empty()) {
+      visit(place + "nodes/displacement", s.node_displacement);
+      visit(place + "nodes/velocity", s.node_velocity);
+      visit(place + "nodes/acceleration", s.node_acceleration);
+    }
+    if (!s.members.empty()) visit(place + "members/end_forces", s.end_forces);
+  }
+  for (auto& link : results.links) {
+    const std::string place = "links/" + link.name + '/';
+    visit(place + "time", link.time);
+    visit(place + "penetration", link.penetration);
+    visit(place + "velocity", link.velocity);
+    visit(place + "force", link.force);
+    visit(place + "energy", link.energy);
+    if (link.tangents > 0) visit(place + "friction", link.friction);
+  }
+  auto& energy = results.energy;
+  visit("energy/time", energy.time);
+  visit("energy/input", energy.input);
+  visit("energy/kinetic", energy.kinetic);
+  visit("energy/strain", energy.strain);
+  visit("energy/damping", energy.damping);
+  visit("energy/hysteretic", energy.hysteretic);
+  visit("energy/impact", energy.impact);
+  visit("energy/error", energy.error);
+}
+
+void write_all(hid_t file, const Results& results) {
+  attribute(file, "program", results.program);
+  attribute(file, "version", results.version);
+  attribute(file, "created", results.created);
+  attribute(file, "title", results.title);
+  attribute(file, "command", results.command);
+  attribute(file, "status", results.status);
+
+  const Handle input = group(file, "input");
+  text(input, "model.yaml", "input as given", results.model_yaml);
+  text(input, "resolved.yaml", "input with every default and calibrated parameter", results.resolved_yaml);
+
+  array(file, {"time", "s", "output times"}, results.time, {results.time.size()});
+  const Handle ground = group(file, "ground");
+  check_length(results.ground_acceleration.size(), results.time.size(), "ground acceleration");
+  array(ground, {"acceleration", "m/s^2", "acceleration of the ground at the output times"},
+        results.ground_acceleration, {results.time.size()});
+
+  const Handle structures = group(file, "structures");
+  for (const StructureHistory& history : results.structures) write_structure(structures, history, results.time.size());
+  const Handle links = group(file, "links");
+  for (const LinkHistory& history : results.links) write_link(links, history);
+  write_impacts(file, results);
+  write_energy(file, results.energy);
+  text(file, "summary", "summary as JSON", results.summary_json);
+  write_solver(file, results.solver);
+  if (results.checkpoint) write_checkpoint(file, results);
+}
+
+}  // namespace
+
+void visit_histories(Results& results,
+                     const std::function<void(const std::string& place, std::vector<double>& values)>& visit) {
+  visit_all(results, visit);
+}
+
+std::string checksum_of_histories(const Results& results) {
+  Checksum checksum;
+  visit_all(results, [&](const std::string&, const std::vector<double>& values) { checksum.add(values); });
+  return checksum.text();
+}
+
+std::vector<std::byte> results_image(const Results& results) {
+  check_names(results.structures, "structure");
+  check_names(results.links, "link");
+  return hdf5::file_image([&](hid_t file) { write_all(file, results); });
+}
+
+void write_results(const Results& results, const std::string& path) { replace_file(path, results_image(results)); }
+
+}  // namespace pounding

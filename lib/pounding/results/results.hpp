@@ -1,0 +1,106 @@
+#pragma once
+/// What a run leaves behind, in memory and in one HDF5 file that h5py reads without help (DESIGN of the file: README).
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pounding/results/checkpoint.hpp>
+#include <pounding/links/impact_row.hpp>
+#include <pounding/structures/structure.hpp>
+
+namespace pounding {
+
+/// One end of a link: a structure and its floor, counted from 1 at the lowest; 0 when there is no floor to name.
+struct NamedEnd {
+  std::string structure;
+  int floor = 0;
+  std::string label{};  ///< "floor 3", "node b", "10.5 m up"; empty for a wall
+};
+
+/// History of one link, dense inside contacts.
+struct LinkHistory {
+  std::string name;
+  std::vector<double> time, penetration, velocity, force, energy;  ///< [s], [m], [m/s], [N], [J]
+  int tangents = 0;              ///< directions in which friction acts
+  std::vector<double> friction;  ///< row-major [time, tangent] [N]
+  double gap = 0;       ///< opening when nothing moves [m]
+  std::string law;      ///< name of the contact law
+  NamedEnd left, right;  ///< what it is between; pictures place the right one a gap away from the left one
+  std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
+};
+
+/// Histories of one structure at the output times, row-major [time, place, direction].
+struct StructureHistory {
+  std::string name, kind;
+  int dimension = 1;
+  std::vector<std::string> floors;      ///< labels from the ground up
+  std::vector<double> elevations;       ///< of the floors [m]; NaN where not known
+  std::vector<std::string> directions{"x"};  ///< of the floors' motion
+  std::vector<double> displacement, velocity;  ///< of floors, relative to the ground [m], [m/s], [rad], [rad/s]
+  std::vector<double> acceleration;            ///< absolute [m/s^2], [rad/s^2]
+  /// Floor minus the floor below [m], and the force of the storey below a floor [N]: [time, floor], in space [time, floor, x y].
+  /// Empty in a structure without storeys.
+  std::vector<double> drift, storey_shear;
+  std::vector<std::string> nodes, node_directions;
+  std::vector<double> node_displacement, node_velocity, node_acceleration;  ///< [time, node, direction]
+  std::vector<std::string> members, member_components;
+  std::vector<double> end_forces;  ///< [time, member, component] [N], [N m]
+  Geometry geometry;
+
+  /// In which drift and storey shear are given.
+  int storey_directions() const { return dimension == 3 ? 2 : 1; }
+};
+
+/// The balance at the output times [J]. input = kinetic + strain + damping + hysteretic + impact + error.
+struct EnergyHistory {
+  std::vector<double> time, input, kinetic, strain, damping, hysteretic, impact, error;
+};
+
+/// What a run cost.
+struct SolverStatistics {
+  long steps = 0;       ///< kept
+  long rejected = 0;    ///< thrown away by the error control
+  long events = 0;      ///< located touches, reversals, releases, separations
+  long iterations = 0;  ///< of the link equations
+  double wall_seconds = 0;
+  double wall_setup = 0, wall_solve = 0, wall_output = 0;
+};
+
+/// All that the results file holds.
+struct Results {
+  std::string program = "pounding", version, created, title, command;
+  std::string status = "running";  ///< running | done | failed: reason
+  std::string model_yaml;          ///< the input as given
+  std::string resolved_yaml;       ///< every default and calibrated parameter filled in
+  std::vector<double> time;        ///< output times [s]
+  std::vector<StructureHistory> structures;
+  std::vector<LinkHistory> links;
+  std::vector<ImpactRow> impacts;
+  EnergyHistory energy;
+  std::vector<double> ground_acceleration;  ///< at the output times [m/s^2]
+  SolverStatistics solver;
+  std::string summary_json;  ///< the object that --json prints
+  std::optional<Checkpoint> checkpoint;  ///< of a run that can go on
+};
+
+/// Writes the whole file beside its place and moves it there in one step: whoever opens `path`, also after a kill at
+/// any moment, finds a complete earlier or a complete new file. Names of structures and links become group names, so
+/// they must differ, must not be empty, "." or "..", and must not contain '/'.
+/// Throws InputError when the place cannot be written or a name is not possible, std::invalid_argument when the lengths
+/// of the histories do not fit together, std::runtime_error with HDF5's own text when HDF5 fails.
+void write_results(const Results& results, const std::string& path);
+
+/// The bytes of that file, for whoever reads the results without a disk; throws as write_results.
+std::vector<std::byte> results_image(const Results& results);
+
+/// Calls `visit` with the place in the file and the values of every history of a number in time, those of the links and of
+/// the energy included.
+void visit_histories(Results& results,
+                     const std::function<void(const std::string& place, std::vector<double>& values)>& visit);
+std::string checksum_of_histories(const Results& results);
+
+}  // namespace pounding

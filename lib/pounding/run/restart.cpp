@@ -1,0 +1,155 @@
+#include <pounding/run/restart.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/core/checksum.hpp>
+#include <pounding/results/hdf5.hpp>
+#include <pounding/input/input.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/results/results.hpp>
+#include <pounding/core/version.hpp>
+
+namespace pounding {
+namespace {
+
+// What prints, and where a run may be cut: the steps stay the same.
+bool result_depends_on(const std::string& option) {
+  const std::string name = option.substr(0, option.find(' '));
+  return name.find("monitor") == std::string::npos && name.find("view") == std::string::npos &&
+         name != "-pounding_ts_max_steps";
+}
+
+std::vector<std::string> deciding(std::vector<std::string> options) {
+  std::erase_if(options, [](const std::string& option) { return !result_depends_on(option); });
+  return options;
+}
+
+// The closed forms stand in resolved.yaml.
+std::string checksum_of_ground(const GroundPlan& ground) {
+  Checksum checksum;
+  bool any = false;
+  for (const GroundMotion& motion : ground.motions) {
+    const Samples* samples = motion.samples();
+    if (!samples) continue;
+    any = true;
+    checksum.add(samples->times);
+    checksum.add(samples->accelerations);
+  }
+  return any ? checksum.text() : "";
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// Counted from 1.
+std::size_t first_different_line(const std::string& a, const std::string& b) {
+  const auto place = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+  return static_cast<std::size_t>(std::count(a.begin(), place, '\n')) + 1;
+}
+
+std::string shown(const std::vector<std::string>& options) {
+  return options.empty() ? "no option of the time stepping" : fmt::format("{}", fmt::join(options, " "));
+}
+
+[[noreturn]] void refuse_damaged(const std::string& file, const std::string& what) {
+  throw InputError(fmt::format("{}: the file is damaged ({}); run the model from the start", file, what));
+}
+
+void read(hid_t file, InterruptedRun& run) {
+  const std::string version = hdf5::read_attribute(file, "version"), status = hdf5::read_attribute(file, "status");
+  if (hdf5::read_attribute(file, "program") != "pounding")
+    throw InputError(fmt::format("{}: was not written by pounding", run.file));
+  if (version != POUNDING_VERSION)
+    throw InputError(fmt::format("{}: was written by pounding {}, and this is {}; only the same version goes on with the same "
+                                 "result. Run the model from the start",
+                                 run.file, version, POUNDING_VERSION));
+  if (status == "done") throw InputError(fmt::format("{}: the run is done; there is nothing to go on with", run.file));
+  if (!hdf5::has(file, "checkpoint"))
+    throw InputError(fmt::format("{}: holds no checkpoint (status: {}); run the model from the start", run.file, status));
+  const hdf5::Handle place(H5Gopen2(file, "checkpoint", H5P_DEFAULT), H5Gclose, "open group checkpoint");
+  Checkpoint& checkpoint = run.checkpoint;
+  run.model_yaml = hdf5::read_text(file, "input/model.yaml");
+  run.resolved_yaml = hdf5::read_text(file, "input/resolved.yaml");
+  run.histories = hdf5::read_attribute(place, "histories");
+  checkpoint.ground = hdf5::read_attribute(place, "ground");
+  checkpoint.model_file = hdf5::read_text(place, "model_file");
+  checkpoint.options = lines_of(hdf5::read_text(place, "options"));
+  hdf5::read_bytes(place, "state", checkpoint.state);
+  if (checksum_of(checkpoint, run.model_yaml, run.resolved_yaml) != hdf5::read_attribute(place, "fingerprint"))
+    refuse_damaged(run.file, "the checkpoint is not what was written");
+}
+
+}  // namespace
+
+Checkpoint checkpoint_of(const Model& model, const std::vector<std::string>& options) {
+  const std::string& file = model.source_file;
+  return {file.empty() ? "" : std::filesystem::absolute(file).string(), deciding(options), checksum_of_ground(ground_plan(model)), {}};
+}
+
+InterruptedRun read_interrupted_run(const std::string& file) {
+  if (!std::filesystem::exists(file)) throw InputError(fmt::format("{}: no such file", file));
+  InterruptedRun run{.file = file};
+  try {
+    hdf5::open_file(file, [&](hid_t open) { read(open, run); });
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw InputError(fmt::format("{}: cannot be read as a results file, it is another or a damaged one ({})", file, error.what()));
+  }
+  return run;
+}
+
+Input input_of(const InterruptedRun& run) {
+  const std::string& file = run.checkpoint.model_file;
+  return Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file);
+}
+
+void add_earlier_options(const InterruptedRun& run, std::vector<std::string>& options) {
+  const std::vector<std::string> typed = options;
+  for (const std::string& option : run.checkpoint.options) {
+    const std::size_t space = option.find(' ');
+    const std::string name = option.substr(0, space);
+    if (std::find(typed.begin(), typed.end(), name) != typed.end()) continue;
+    options.push_back(name);
+    if (space != std::string::npos) options.push_back(option.substr(space + 1));
+  }
+}
+
+void check_same_run(const InterruptedRun& run, const Model& model, const std::vector<std::string>& options) {
+  if (model.source_text != run.model_yaml)
+    throw InputError(fmt::format("{}: holds the run of another model, {} differs from line {} on; go on with the model in the "
+                                 "file, or run the new one from the start",
+                                 run.file, model.source_file, first_different_line(run.model_yaml, model.source_text)));
+  const Checkpoint now = checkpoint_of(model, options);
+  if (now.ground != run.checkpoint.ground || resolved_yaml(model) != run.resolved_yaml)
+    throw InputError(fmt::format("{}: the ground motion that {} reads is not the one that the run began with; put the earlier "
+                                 "record back, or run the model from the start",
+                                 run.file, model.source_file));
+  if (now.options != run.checkpoint.options)
+    throw InputError(fmt::format("{}: the run began with {}, and now there is {}; go on with the same ones", run.file,
+                                 shown(run.checkpoint.options), shown(now.options)));
+}
+
+void read_histories(const InterruptedRun& run, Results& results) {
+  try {
+    hdf5::open_file(run.file, [&](hid_t file) {
+      visit_histories(results, [&](const std::string& place, std::vector<double>& values) {
+        hdf5::read_array(file, place.c_str(), values);
+      });
+    });
+  } catch (const std::runtime_error& error) {
+    refuse_damaged(run.file, error.what());
+  }
+  if (checksum_of_histories(results) != run.histories) refuse_damaged(run.file, "the histories are not what was written");
+}
+
+}  // namespace pounding

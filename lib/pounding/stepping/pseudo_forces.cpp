@@ -1,0 +1,203 @@
+#include <pounding/stepping/pseudo_forces.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace pounding {
+namespace {
+
+using Eigen::VectorXd;
+using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
+
+// Of the displacements that their neighbours ask for; steps this small are rounding.
+constexpr double solved = 3e-14;
+// Where rounding is larger, of stiff members say, the steps stop shrinking at it.
+constexpr double nearly_solved = 1e-10;
+// With the factor at rest each step is to be this part of the one before, else the tangent is factored.
+constexpr double slow = 0.2;
+constexpr int max_iterations = 60;
+// Of the time in which the motion goes round: for the change of a tangent by central differences.
+constexpr double short_time = 1e-4;
+
+SparseMatrix block(const SparseMatrix& matrix, int first, const std::vector<int>& rows, const std::vector<int>& columns, int size) {
+  std::vector<int> to(size, -1);
+  for (std::size_t i = 0; i < rows.size(); ++i) to[rows[i]] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (SparseMatrix::InnerIterator it(matrix, first + columns[j]); it; ++it)
+      if (const int row = to[it.row() - first]; row >= 0) entries.emplace_back(row, static_cast<int>(j), it.value());
+  SparseMatrix part(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
+  part.setFromTriplets(entries.begin(), entries.end());
+  return part;
+}
+
+/// Rows and columns of matrices whose entries are at the same places.
+class Extract {
+ public:
+  Extract() = default;
+  Extract(SparseMatrix whole, const std::vector<int>& rows, const std::vector<int>& columns) {
+    std::iota(whole.valuePtr(), whole.valuePtr() + whole.nonZeros(), 0.0);
+    part_ = block(whole, 0, rows, columns, static_cast<int>(whole.rows()));
+    from_.assign(part_.valuePtr(), part_.valuePtr() + part_.nonZeros());
+  }
+  const SparseMatrix& operator()(const SparseMatrix& whole) {
+    for (std::size_t k = 0; k < from_.size(); ++k) part_.valuePtr()[k] = whole.valuePtr()[from_[k]];
+    return part_;
+  }
+
+ private:
+  SparseMatrix part_;
+  std::vector<int> from_;  // among the values of the whole
+};
+
+}  // namespace
+
+// One group; vectors count from its first unknown.
+struct PseudoForces::Part {
+  int group, first, size;
+  const ElasticForces& forces;
+  SparseMatrix mass, stiffness;
+  std::vector<int> all, heavy, light;  // unknowns; with mass, without
+  SparseMatrix couplings;              // of the light ones to all, without signs
+  VectorXd diagonal;                   // of the stiffness at the light ones
+  Factor at_rest;                      // of the stiffness at the light ones
+  mutable Extract light_of_tangent, coupling_of_tangent;  // light to light, light to heavy
+  mutable Factor light_factor;                            // of a tangent
+
+  Part(const System& system, int number)
+      : group(number), first(system.groups[number].first), size(system.groups[number].count),
+        forces(*system.groups[number].elastic) {
+    for (int i = 0; i < size; ++i) {
+      all.push_back(i);
+      (system.mass.coeff(first + i, first + i) > 0 ? heavy : light).push_back(i);
+    }
+    mass = block(system.mass, first, all, all, size);
+    stiffness = block(system.stiffness, first, all, all, size);
+    if (light.empty()) return;
+    couplings = block(system.stiffness, first, light, all, size).cwiseAbs();
+    const SparseMatrix own = block(system.stiffness, first, light, light, size);
+    diagonal = own.diagonal();
+    at_rest.compute(own);
+    if (at_rest.info() != Eigen::Success || !(at_rest.vectorD().minCoeff() > 0))
+      throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+    const SparseMatrix tangent = forces.tangent(VectorXd::Zero(size));
+    light_of_tangent = Extract(tangent, light, light);
+    coupling_of_tangent = Extract(tangent, light, heavy);
+    light_factor.analyzePattern(light_of_tangent(tangent));
+  }
+
+  VectorXd of(const VectorXd& whole) const { return whole.segment(first, size); }
+
+  // Moves the light unknowns to where no force is left on them; f becomes the forces there.
+  bool settle(VectorXd& u, VectorXd& f) const {
+    f = forces.force(u);
+    if (light.empty()) return true;
+    const double scale = std::sqrt((couplings * (u.cwiseAbs() + forces.at_rest().cwiseAbs())).cwiseAbs2().cwiseQuotient(diagonal).sum());
+    double last = std::numeric_limits<double>::infinity();
+    bool turned = false;  // too far for the factor at rest
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
+      if (turned) light_factor.factorize(light_of_tangent(forces.tangent(u)));
+      const VectorXd step = (turned ? light_factor : at_rest).solve(-f(light));
+      const double length = std::sqrt(step.cwiseAbs2().dot(diagonal));
+      if (!std::isfinite(length)) return false;
+      if (length <= solved * scale || (length > 0.5 * last && length <= nearly_solved * scale)) return true;
+      turned = turned || (length > slow * last && length > nearly_solved * scale);
+      last = length;
+      u(light) += step;
+      f = forces.force(u);
+    }
+    return false;
+  }
+
+  void complete(VectorXd& u, VectorXd* v, VectorXd* a) const {
+    VectorXd f;
+    if (light.empty()) return;
+    if (!settle(u, f)) u(light).setConstant(std::nan(""));
+    if (!v) return;
+    const SparseMatrix tangent = forces.tangent(u);
+    light_factor.factorize(light_of_tangent(tangent));
+    const SparseMatrix& coupling = coupling_of_tangent(tangent);
+    (*v)(light) = light_factor.solve(-(coupling * (*v)(heavy)));
+    if (!a) return;
+    VectorXd pull = coupling * (*a)(heavy);
+    const double stiff = v->dot(stiffness * *v), heavy_part = v->dot(mass * *v);
+    if (stiff > 0 && heavy_part > 0) {
+      const double by = short_time * std::sqrt(heavy_part / stiff);
+      const VectorXd change = (forces.tangent(u + by * *v) * *v - forces.tangent(u - by * *v) * *v) / (2 * by);
+      pull += change(light);
+    }
+    (*a)(light) = light_factor.solve(-pull);
+  }
+};
+
+PseudoForces::~PseudoForces() = default;
+
+PseudoForces::PseudoForces(const System& system) {
+  for (std::size_t k = 0; k < system.groups.size(); ++k)
+    if (system.groups[k].elastic) parts_.push_back(std::make_unique<Part>(system, static_cast<int>(k)));
+}
+
+void PseudoForces::evaluate(std::span<const int> groups, const VectorXd& u, VectorXd& e) const {
+  e.setZero(u.size());
+  for (const auto& part : parts_) {
+    if (std::find(groups.begin(), groups.end(), part->group) == groups.end()) continue;
+    const VectorXd linear = part->of(u);
+    VectorXd there = linear, f;
+    const bool settled = part->settle(there, f);
+    f -= part->stiffness * linear;
+    f(part->light).setZero();
+    if (!settled) f.setConstant(std::nan(""));
+    e.segment(part->first, part->size) = f;
+  }
+}
+
+double PseudoForces::energy(const VectorXd& u) const {
+  double sum = 0;
+  for (const auto& part : parts_) {
+    const VectorXd linear = part->of(u);
+    VectorXd there = linear, f;
+    part->settle(there, f);
+    sum += part->forces.energy(there) - 0.5 * linear.dot(part->stiffness * linear);
+  }
+  return sum;
+}
+
+bool PseudoForces::corrects(const SparseMatrix& of_unknowns) const {
+  for (int j = 0; j < of_unknowns.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(of_unknowns, j); it; ++it)
+      for (const auto& part : parts_)
+        if (it.value() != 0 && std::binary_search(part->light.begin(), part->light.end(), it.row() - part->first)) return true;
+  return false;
+}
+
+void PseudoForces::complete(VectorXd& u) const {
+  for (const auto& part : parts_) {
+    VectorXd own = part->of(u);
+    part->complete(own, nullptr, nullptr);
+    u.segment(part->first, part->size) = own;
+  }
+}
+
+void PseudoForces::complete(VectorXd& u, VectorXd& v) const {
+  for (const auto& part : parts_) {
+    VectorXd own = part->of(u), rate = part->of(v);
+    part->complete(own, &rate, nullptr);
+    u.segment(part->first, part->size) = own;
+    v.segment(part->first, part->size) = rate;
+  }
+}
+
+void PseudoForces::complete(VectorXd& u, VectorXd& v, VectorXd& a) const {
+  for (const auto& part : parts_) {
+    VectorXd own = part->of(u), rate = part->of(v), change = part->of(a);
+    part->complete(own, &rate, &change);
+    u.segment(part->first, part->size) = own;
+    v.segment(part->first, part->size) = rate;
+    a.segment(part->first, part->size) = change;
+  }
+}
+
+}  // namespace pounding

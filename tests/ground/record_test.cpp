@@ -1,0 +1,330 @@
+#include <pounding/ground/record.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <pounding/core/error.hpp>
+#include <program/commands.hpp>
+
+namespace pounding {
+namespace {
+
+constexpr double g = 9.80665;
+constexpr double pi = std::numbers::pi;
+
+Record read(const std::string& text, const std::string& units = {}) { return read_record_text(text, "r.txt", {.units = units}); }
+
+std::string error_of(const std::string& text, const std::string& units = {}) {
+  try {
+    read(text, units);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+const std::string new_header =
+    "PEER NGA STRONG MOTION DATABASE RECORD\n"
+    "Nowhere, 1/1/2001, Station 1, 90\n"
+    "ACCELERATION TIME SERIES IN UNITS OF G\n"
+    "NPTS=      7, DT=   .0100 SEC,\n";
+const std::string old_header =
+    "PEER STRONG MOTION DATABASE RECORD. PROCESSING BY NOBODY.\n"
+    "NOWHERE 01/01/01, STATION 1, 090\n"
+    "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.1 Hz  LP=40.0 Hz\n"
+    "    7    0.0100    NPTS, DT\n";
+const std::string values =
+    "   .0000000E+00   .1000000E-01  -.2500000E+00   .3000000E-03  -.1000000E-02\n"
+    "  0.5  -1.e-1\n";
+
+void expect_the_seven_values(const Record& record) {
+  EXPECT_EQ(record.format, "PEER AT2");
+  EXPECT_EQ(record.unit, "G");
+  ASSERT_EQ(record.points(), 7u);
+  EXPECT_TRUE(record.samples.uniform);
+  EXPECT_DOUBLE_EQ(record.step(), 0.01);
+  const std::vector<double> expected = {0, 0.01, -0.25, 0.0003, -0.001, 0.5, -0.1};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_DOUBLE_EQ(record.samples.accelerations[i], expected[i] * g) << i;
+    EXPECT_DOUBLE_EQ(record.samples.times[i], 0.01 * static_cast<double>(i)) << i;
+  }
+  EXPECT_DOUBLE_EQ(record.measures.pga, 0.5 * g);
+}
+
+TEST(PeerRecord, NewHeaderIsRead) {
+  const Record record = read(new_header + values);
+  expect_the_seven_values(record);
+  EXPECT_EQ(record.title, "Nowhere, 1/1/2001, Station 1, 90");
+}
+
+TEST(PeerRecord, OldHeaderIsRead) { expect_the_seven_values(read(old_header + values)); }
+
+TEST(PeerRecord, LineEndsOfWindowsAreRead) {
+  std::string text;
+  for (const char c : new_header + values) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  expect_the_seven_values(read(text));
+}
+
+TEST(PeerRecord, OtherUnitsAreConverted) {
+  std::string text = new_header + values;
+  text.replace(text.find("OF G"), 4, "OF CM/SEC/SEC");
+  const Record record = read(text);
+  EXPECT_EQ(record.unit, "CM/SEC/SEC");
+  EXPECT_DOUBLE_EQ(record.measures.pga, 0.005);
+}
+
+TEST(PeerRecord, WrongCountIsAnErrorWithItsLine) {
+  EXPECT_EQ(error_of(new_header + "0 1 2 3 4\n5\n\n"), "r.txt:6: the values end here, after 6; NPTS states 7");
+  EXPECT_EQ(error_of(new_header + values + " 0.1\n"), "r.txt:7: more values than the 7 that NPTS states");
+}
+
+TEST(PeerRecord, BrokenValueIsAnErrorWithItsLine) {
+  EXPECT_EQ(error_of(new_header + "0 1 2 3 4\n5 *****\n"), "r.txt:6: \"*****\" is not a finite number");
+  EXPECT_EQ(error_of(new_header + "0 1 NaN 3 4\n5 6\n"), "r.txt:5: \"NaN\" is not a finite number");
+}
+
+TEST(PeerRecord, BrokenHeaderIsAnErrorWithItsLine) {
+  const std::string top = "title\nstation\nIN UNITS OF G\n";
+  EXPECT_EQ(error_of(top + "NPTS= , DT= .01 SEC\n0 1\n"),
+            "r.txt:4: NPTS and DT need a number each, as in \"NPTS= 5372, DT= .0100 SEC\"");
+  EXPECT_EQ(error_of(top + "NPTS= 2, DT= 0 SEC\n0 1\n"), "r.txt:4: DT is 0; it must be a time > 0");
+  EXPECT_EQ(error_of(top + "NPTS= 2.5, DT= 1 SEC\n0 1\n"), "r.txt:4: NPTS is 2.5; it must be an integer >= 2");
+}
+
+TEST(PeerRecord, VelocityFileIsRefused) {
+  std::string text = new_header + values;
+  text.replace(text.find("ACCELERATION TIME SERIES IN UNITS OF G"), 38, "VELOCITY TIME SERIES IN UNITS OF CM/S");
+  EXPECT_EQ(error_of(text), "r.txt:3: \"CM/S\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
+}
+
+TEST(PeerRecord, UnitIsNeverGuessed) {
+  const std::string text = "title\nNPTS= 2, DT= .01\n0 1\n";
+  EXPECT_EQ(error_of(text),
+            "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
+  EXPECT_DOUBLE_EQ(read(text, "g").measures.pga, g);
+}
+
+TEST(TwoColumns, EverySeparatorIsRead) {
+  for (const char* text : {"0,0\n0.02,1.5\n0.04,-2\n", "0;0\n0.02; 1.5\n0.04 ;-2\n", "0 0\n  0.02\t1.5  \n0.04   -2",
+                           "0, 0\r\n0.02, 1.5\r\n0.04, -2\r\n", "\xEF\xBB\xBF" "0,0\n0.02,1.5\n0.04,-2\n"}) {
+    const Record record = read(text, "m/s^2");
+    EXPECT_EQ(record.format, "two columns");
+    EXPECT_EQ(record.samples.times, (std::vector<double>{0, 0.02, 0.04})) << text;
+    EXPECT_EQ(record.samples.accelerations, (std::vector<double>{0, 1.5, -2})) << text;
+    EXPECT_TRUE(record.samples.uniform);
+  }
+}
+
+TEST(TwoColumns, NamesMayStateTheUnits) {
+  EXPECT_DOUBLE_EQ(read("time,acc (g)\n0,0\n0.02,1\n").measures.pga, g);
+  EXPECT_DOUBLE_EQ(read("time (s), acc (cm/s^2)\n0,0\n0.02,100\n").measures.pga, 1);
+  EXPECT_DOUBLE_EQ(read("time [s]; acc [m/s**2]\n0;0\n0.02;100\n").measures.pga, 100);
+  EXPECT_DOUBLE_EQ(read("\"time (sec)\",\"acc (gal)\"\n0,0\n0.02,100\n").measures.pga, 1);
+  EXPECT_DOUBLE_EQ(read("t (s)  a (g)\n0 0\n0.02 1\n").measures.pga, g);
+  EXPECT_DOUBLE_EQ(read("time a(g)\n0 0\n0.02 1\n").measures.pga, g);
+  const Record milliseconds = read("time (ms),acc (g)\n0,0\n20,1\n");
+  EXPECT_DOUBLE_EQ(milliseconds.samples.times[1], 0.02);
+  EXPECT_EQ(milliseconds.unit, "g");
+}
+
+TEST(TwoColumns, CommentsAndBlankLinesAreSkipped) {
+  const Record record = read("# from nowhere, 2 columns\n% 1 2 3\n\ntime,acc (g)\n0,0\n# middle\n0.02,1\n\n");
+  EXPECT_EQ(record.points(), 2u);
+}
+
+TEST(TwoColumns, TimesNeedNotBeEven) {
+  const Record record = read("0 0\n0.1 1\n0.15 2\n", "g");
+  EXPECT_FALSE(record.samples.uniform);
+  EXPECT_EQ(record.step(), 0);
+  EXPECT_EQ(record.summary(), "r.txt, two columns in g, 3 points unevenly spaced");
+}
+
+TEST(TwoColumns, ErrorsSayWhere) {
+  EXPECT_EQ(error_of("0 0\n0.1 x\n", "g"), "r.txt:2: \"x\" is not a finite number");
+  EXPECT_EQ(error_of("0 0\n0.1 nan\n", "g"), "r.txt:2: \"nan\" is not a finite number");
+  EXPECT_EQ(error_of("0,0\n0.1,\n", "g"), "r.txt:2: \"\" is not a finite number");
+  EXPECT_EQ(error_of("0 0\n0.1\n", "g"), "r.txt:2: 1 column; two are read, time and acceleration");
+  EXPECT_EQ(error_of("0 0 0\n0.1 1 1\n", "g"), "r.txt:1: 3 columns; two are read, time and acceleration");
+  EXPECT_EQ(error_of("t,x (g),y (g)\n0,0,0\n"), "r.txt:1: 3 columns; two are read, time and acceleration");
+  EXPECT_EQ(error_of("0 0\n0.1 1\n0.1 2\n", "g"), "r.txt:3: time 0.1 does not come after the one before it");
+  EXPECT_EQ(error_of("-0.1 0\n0.1 1\n", "g"), "r.txt:1: time -0.1 is before 0, where every run begins");
+  EXPECT_EQ(error_of("0 0\nt,a\n", "g"), "r.txt:2: \"t\" is not a finite number");
+  EXPECT_EQ(error_of("time,acc (g)\n0,0\n"), "r.txt: 1 sample; a record has two or more lines of time and acceleration");
+  EXPECT_EQ(error_of(""), "r.txt: 0 samples; a record has two or more lines of time and acceleration");
+}
+
+TEST(TwoColumns, UnitErrorsSayWhatToDo) {
+  EXPECT_EQ(error_of("0 0\n0.1 1\n"),
+            "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
+  EXPECT_EQ(error_of("time,acc (mm)\n0,0\n0.1,1\n"),
+            "r.txt:1: \"mm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
+  EXPECT_EQ(error_of("time,acc (g)\n0,0\n0.1,1\n", "m/s^2"),
+            "r.txt:1: the file states g, but \"units\" says m/s^2; remove \"units\"");
+  EXPECT_NO_THROW(read("time,acc (cm/s^2)\n0,0\n0.1,1\n", "gal"));
+  EXPECT_EQ(error_of("time (mm),acc (g)\n0,0\n0.1,1\n"), "r.txt:1: \"mm\" is not the unit of a time");
+  EXPECT_EQ(error_of("time (q),acc (g)\n0,0\n0.1,1\n").substr(0, 25), "r.txt:1: unknown unit \"q\"");
+}
+
+TEST(Record, MissingFileIsNamed) {
+  try {
+    read_record("no/such.AT2");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "no/such.AT2: no such record, or it cannot be read");
+  }
+}
+
+TEST(Record, BecomesAGroundMotion) {
+  const GroundMotion motion = scaled(read("0 0\n0.02 1\n0.04 0\n", "m/s^2"), 3);
+  EXPECT_DOUBLE_EQ(motion.acceleration(0.01), 1.5);
+  EXPECT_EQ(motion.source(), "r.txt, two columns in m/s^2, 3 points every 0.02 s, times 3");
+}
+
+TEST(Measures, TriangleHasItsClosedForms) {
+  // a rises from 0 to 2 in 1 s and falls back in 1 s: v(2) = 2, u(2) = 2, integral of a^2 = 2 * 4/3.
+  const RecordMeasures m = measure({.times = {0, 1, 2}, .accelerations = {0, 2, 0}});
+  EXPECT_DOUBLE_EQ(m.pga, 2);
+  EXPECT_DOUBLE_EQ(m.pgv, 2);
+  EXPECT_DOUBLE_EQ(m.pgd, 2);
+  EXPECT_DOUBLE_EQ(m.arias, pi / (2 * g) * 8 / 3);
+  // Up to t <= 1 the integral is 4 t^3/3: 5 % of 8/3 arrive at t^3 = 0.1; the other end mirrors it.
+  EXPECT_NEAR(m.t5, std::cbrt(0.1), 1e-14);
+  EXPECT_NEAR(m.t95, 2 - std::cbrt(0.1), 1e-14);
+  EXPECT_NEAR(m.significant_duration(), 2 - 2 * std::cbrt(0.1), 1e-14);
+}
+
+TEST(Measures, PeaksBetweenSamplesAreFound) {
+  // a = 1 - t: v = t - t^2/2 peaks at t = 1 with 1/2; u = t^2/2 - t^3/6 peaks at t = 2 with 2/3, v(3) = -3/2.
+  const RecordMeasures m = measure({.times = {0, 3}, .accelerations = {1, -2}});
+  EXPECT_DOUBLE_EQ(m.pgv, 1.5);
+  EXPECT_DOUBLE_EQ(m.pgd, 2.0 / 3);
+  // The same cut off at t = 1.5 has both its end values below the peak of v.
+  EXPECT_DOUBLE_EQ(measure({.times = {0, 1.5}, .accelerations = {1, -0.5}}).pgv, 0.5);
+  // At constant deceleration after 1 s the displacement turns at t = 2.
+  const RecordMeasures turned = measure({.times = {0, 1, 1 + 1e-12, 3}, .accelerations = {1, 1, -1, -1}});
+  EXPECT_NEAR(turned.pgv, 1, 1e-11);
+  EXPECT_NEAR(turned.pgd, 1, 1e-11);
+}
+
+TEST(Measures, SineHasItsClosedForms) {
+  // a = sin w t over one period: pgv = 2/w, pgd = 2 pi/w^2, integral of a^2 = T/2.
+  const double w = 4;
+  Samples samples;
+  for (int i = 0; i <= 4000; ++i) {
+    samples.times.push_back(2 * pi / w * i / 4000);
+    samples.accelerations.push_back(std::sin(w * samples.times.back()));
+  }
+  const RecordMeasures m = measure(samples);
+  EXPECT_NEAR(m.pgv, 2 / w, 1e-6);
+  EXPECT_NEAR(m.pgd, 2 * pi / (w * w), 1e-6);
+  EXPECT_NEAR(m.arias, pi / (2 * g) * pi / w, 1e-6);
+}
+
+TEST(Measures, RecordOfZerosIsZero) {
+  const RecordMeasures m = measure({.times = {0, 1}, .accelerations = {0, 0}});
+  EXPECT_EQ(m.arias, 0);
+  EXPECT_EQ(m.pgd, 0);
+  EXPECT_EQ(m.significant_duration(), 0);
+}
+
+class RecordCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    file_ = testing::TempDir() + "record_command_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
+    std::ofstream(file_) << "time,acc (m/s^2)\n0,0\n1,2\n2,0\n";
+  }
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  static std::string run(const std::string& arguments) {
+    CLI::App app;
+    program::add_record(app);
+    testing::internal::CaptureStdout();
+    try {
+      app.parse(arguments);
+    } catch (...) {
+      testing::internal::GetCapturedStdout();
+      throw;
+    }
+    return testing::internal::GetCapturedStdout();
+  }
+  static std::string error(const std::string& arguments) {
+    try {
+      run(arguments);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  std::string file_;
+};
+
+TEST_F(RecordCommand, InfoShowsTheMeasures) {
+  const std::string text = run("record info " + file_);
+  EXPECT_NE(text.find("station                not stated\nchannel                not stated\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("format                 two columns, in m/s^2\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("points                 3, every 1 s\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("PGA                    2 m/s^2 (0.2039 g)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("significant duration   1.072 s (5 % at 0.4642 s, 95 % at 1.536 s)\n"), std::string::npos) << text;
+}
+
+TEST_F(RecordCommand, InfoAsJsonIsInSi) {
+  const auto json = nlohmann::json::parse(run("record info --json " + file_));
+  EXPECT_EQ(json["npts"], 3);
+  EXPECT_EQ(json["dt"], 1.0);
+  EXPECT_EQ(json["pga"], 2.0);
+  EXPECT_EQ(json["pgd"], 2.0);
+  EXPECT_EQ(json["format"], "two columns");
+}
+
+TEST_F(RecordCommand, SpectrumOfAStiffOscillatorIsThePeakGroundAcceleration) {
+  const std::string csv = file_ + ".out";
+  EXPECT_EQ(run("record spectrum " + file_ + " --damping 5% --periods 0.01:1:3 --csv " + csv), "");
+  std::ifstream stream(csv);
+  std::string names;
+  std::getline(stream, names);
+  EXPECT_EQ(names, "period (s),sd (m),psv (m/s),psa (m/s^2)");
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(stream, line);) {
+    auto& row = rows.emplace_back(4);
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &row[0], &row[1], &row[2], &row[3]), 4);
+  }
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0][0], 0.01);
+  EXPECT_NEAR(rows[1][0], 0.1, 1e-12);
+  EXPECT_EQ(rows[2][0], 1);
+  EXPECT_NEAR(rows[0][3], 2, 0.02);
+  EXPECT_NEAR(rows[0][3] / rows[0][1], std::pow(2 * pi / 0.01, 2), 1e-3);
+  std::filesystem::remove(csv);
+}
+
+TEST_F(RecordCommand, SpectrumIsATableOnTheScreen) {
+  const std::string text = run("record spectrum " + file_ + " --periods 0.1:1:4");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6) << text;
+  EXPECT_NE(text.find("damping 5 %\n"), std::string::npos) << text;
+}
+
+TEST_F(RecordCommand, WrongOptionsSayWhatToType) {
+  const std::string takes = "--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such as "
+                            "0.02:4:50; ";
+  for (const std::string bad : {"1", "1:2", "0:1:5", "2:1:5", "0.1:1:2.5", "a:b:c", "0.1:1:1"})
+    EXPECT_EQ(error("record spectrum " + file_ + " --periods " + bad), takes + "\"" + bad + "\" was read");
+  EXPECT_EQ(error("record spectrum " + file_ + " --damping 5"),
+            "--damping: takes a number in [0, 1) such as \"5 %\"; \"5\" is outside");
+  EXPECT_EQ(error("record spectrum " + file_ + " --damping 5mm"),
+            "--damping: takes a number such as \"5 %\"; \"5mm\" is a length");
+  EXPECT_EQ(error("record spectrum " + file_ + " --csv no/such/folder/x.csv"), "no/such/folder/x.csv: cannot be written");
+  EXPECT_EQ(error("record info none.AT2"), "record \"none.AT2\" was not found at none.AT2");
+}
+
+}  // namespace
+}  // namespace pounding

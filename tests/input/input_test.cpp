@@ -1,0 +1,210 @@
+#include <pounding/input/input.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <pounding/core/error.hpp>
+
+namespace pounding {
+namespace {
+
+std::string error_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+Input model(const std::string& text) { return Input::read_text(text, "model.yaml"); }
+
+std::string error_in(const std::string& text) {
+  return error_of([&] { model(text); });
+}
+
+TEST(Input, AliasThatContainsItselfIsRefused) {
+  try {
+    Input::read_text("structures: &x\n  a: *x\n", "m.yaml");
+    FAIL() << "an endless file was read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("does an alias contain itself?"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Input, MissingFileIsNamed) {
+  EXPECT_EQ(error_of([] { Input::read_file("no/such.yaml"); }), "no/such.yaml: no such file, or it cannot be read");
+}
+
+TEST(Input, FolderIsNoFile) {
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  EXPECT_EQ(error_of([&] { Input::read_file(folder); }), folder + ": this is a folder; give the YAML file in it");
+}
+
+TEST(Input, FileKeepsItsTextNameAndFolder) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "input_test_model.yaml";
+  const std::string text = "# two towers\ntitle: Towers  # kept\n";
+  std::ofstream(file, std::ios::binary) << text;
+  const Input input = Input::read_file(file.string());
+  EXPECT_EQ(input.text(), text);
+  EXPECT_EQ(input.at("title").text(), text);
+  EXPECT_EQ(input.file(), file.string());
+  EXPECT_EQ(input.directory(), file.parent_path());
+  std::filesystem::remove(file);
+}
+
+TEST(Input, BadYamlIsReportedWithLineAndColumn) {
+  EXPECT_EQ(error_in("title: a\nlinks: [1, 2\n"), "model.yaml:3:1: this is not YAML: end of sequence flow not found");
+  EXPECT_EQ(error_in("a: 1\n\tb: 2\n").substr(0, 31), "model.yaml:2:1: this is not YAM");
+}
+
+TEST(Input, EmptyFileAndSecondDocumentAreRefused) {
+  EXPECT_EQ(error_in(""), "model.yaml:1:1: the file is empty");
+  EXPECT_EQ(error_in("# nothing\n"), "model.yaml:1:1: the file is empty");
+  EXPECT_EQ(error_in("a: 1\n---\nb: 2\n"), "model.yaml:3:1: a second YAML document; one file holds one model");
+}
+
+TEST(Input, KeyGivenTwiceIsRefusedAtTheSecondPlace) {
+  EXPECT_EQ(error_in("links:\n  - gap: 1\n    law: hertz\n    gap: 2\n"),
+            "model.yaml:4:5: links[0]: key \"gap\" is given twice; keep one of them");
+  EXPECT_EQ(error_in("a: {b: 1, b: 1}"), "model.yaml:1:11: a: key \"b\" is given twice; keep one of them");
+}
+
+TEST(Input, UnknownKeyIsReportedAtItsOwnPlaceWithTheNearestKnown) {
+  const Input link = model("links:\n  - law: hertz\n    gpa: 2\n").at("links").items().at(0);
+  EXPECT_EQ(error_of([&] { link.only_keys({"gap", "law"}); }),
+            "model.yaml:3:5: links[0]: unknown key \"gpa\". Did you mean \"gap\"?");
+  EXPECT_EQ(error_of([&] { link.only_keys({"law", "stiffness"}); }),
+            "model.yaml:3:5: links[0]: unknown key \"gpa\". Allowed: law, stiffness.");
+  EXPECT_NO_THROW(link.only_keys({"gpa", "law", "name"}));
+}
+
+TEST(Input, MissingKeySaysWhatToType) {
+  const Input input = model("left:\n  period: 1 s\n");
+  EXPECT_EQ(error_of([&] { input.at("left").quantity("mass", dimension::mass); }),
+            "model.yaml:2:3: left: key \"mass\" is missing; type \"mass: 100 t\"");
+  EXPECT_EQ(error_of([&] { input.at("right"); }), "model.yaml:1:1: key \"right\" is missing");
+  EXPECT_FALSE(input.has("right"));
+  EXPECT_TRUE(input.has("left"));
+}
+
+TEST(Input, QuantitiesAreConverted) {
+  const Input input = model("{gap: 20 mm, ratio: 5 %, stiffness: 2.75e9, period: '0.8 s'}");
+  EXPECT_DOUBLE_EQ(input.quantity("gap", dimension::length), 0.02);
+  EXPECT_DOUBLE_EQ(input.at("ratio").as_number(), 0.05);
+  EXPECT_DOUBLE_EQ(input.quantity("stiffness", dimension::hertz_stiffness), 2.75e9);
+  EXPECT_DOUBLE_EQ(input.quantity("period", dimension::time), 0.8);
+  EXPECT_EQ(input.quantity_or("start", dimension::time, 7), 7);
+  EXPECT_DOUBLE_EQ(input.quantity_or("gap", dimension::length, 7), 0.02);
+}
+
+TEST(Input, WrongQuantityNamesPlaceKeyValueAndExample) {
+  const Input link = model("links:\n  - {law: hertz, gap: 20 kN, mass: [1], stiffness: , v: nan}\n").at("links").items()[0];
+  EXPECT_EQ(error_of([&] { link.quantity("gap", dimension::length); }),
+            "model.yaml:2:23: links[0].gap: takes a length such as \"20 mm\"; \"20 kN\" is a force");
+  EXPECT_EQ(error_of([&] { link.quantity("mass", dimension::mass); }),
+            "model.yaml:2:36: links[0].mass: takes a mass such as \"100 t\"; a list was read");
+  EXPECT_EQ(error_of([&] { link.quantity("stiffness", dimension::stiffness); }),
+            "model.yaml:2:41: links[0].stiffness: takes a stiffness such as \"93500 kN/m\"; nothing was read");
+  EXPECT_EQ(error_of([&] { link.quantity("v", dimension::velocity); }),
+            "model.yaml:2:57: links[0].v: takes a velocity such as \"0.3 m/s\"; \"nan\" is not a finite number");
+}
+
+TEST(Input, ValueOutsideItsBoundsIsRefused) {
+  const Input input = model("gap: -5 mm\nzero: 0\none: 1\n");
+  EXPECT_EQ(error_of([&] { input.quantity("gap", dimension::length, bounds::non_negative); }),
+            "model.yaml:1:6: gap: takes a length >= 0 such as \"20 mm\"; \"-5 mm\" is outside");
+  EXPECT_EQ(error_of([&] { input.quantity("zero", dimension::mass, bounds::positive); }),
+            "model.yaml:2:7: zero: takes a mass > 0 such as \"100 t\"; \"0\" is outside");
+  EXPECT_EQ(error_of([&] { input.at("zero").as_number(bounds::above_0_to_1); }),
+            "model.yaml:2:7: zero: takes a number in (0, 1] such as \"5 %\"; \"0\" is outside");
+  EXPECT_EQ(error_of([&] { input.at("one").as_number(bounds::from_0_below_1); }),
+            "model.yaml:3:6: one: takes a number in [0, 1) such as \"5 %\"; \"1\" is outside");
+  EXPECT_EQ(error_of([&] { input.at("one").as_number({.high = 0.5}); }),
+            "model.yaml:3:6: one: takes a number <= 0.5 such as \"5 %\"; \"1\" is outside");
+  EXPECT_EQ(input.at("one").as_number(bounds::above_0_to_1), 1);
+  EXPECT_EQ(input.at("zero").as_number(bounds::from_0_below_1), 0);
+  EXPECT_EQ(input.at("zero").as_number(bounds::non_negative), 0);
+}
+
+TEST(Input, OneValueOrAListFromTheGroundUp) {
+  const Input input = model("one: 250 t\nthree: [1 t, 2 t, 3]\nbad: [1 t, 2 mm, 3 t]\n");
+  EXPECT_EQ(input.at("one").as_quantities(3, dimension::mass), (std::vector<double>{250e3, 250e3, 250e3}));
+  EXPECT_EQ(input.at("three").as_quantities(3, dimension::mass), (std::vector<double>{1e3, 2e3, 3}));
+  EXPECT_EQ(error_of([&] { input.at("three").as_quantities(4, dimension::mass, bounds::positive); }),
+            "model.yaml:2:8: three: takes a mass > 0 such as \"100 t\" or a list of 4 from the ground up; a list of 3 was read");
+  EXPECT_EQ(error_of([&] { input.at("bad").as_quantities(3, dimension::mass); }),
+            "model.yaml:3:12: bad[1]: takes a mass such as \"100 t\"; \"2 mm\" is a length");
+}
+
+TEST(Input, IntegersAreWholeAndInRange) {
+  const Input input = model("{n: 8, real: 8.0, text: eight, low: -1, list: [1], none: }");
+  EXPECT_EQ(input.at("n").as_integer(), 8);
+  EXPECT_EQ(input.at("low").as_integer(), -1);
+  EXPECT_EQ(error_of([&] { input.at("real").as_integer(1); }),
+            "model.yaml:1:14: real: takes an integer >= 1; \"8.0\" is not one");
+  EXPECT_EQ(error_of([&] { input.at("text").as_integer(); }),
+            "model.yaml:1:25: text: takes an integer; \"eight\" is not one");
+  EXPECT_EQ(error_of([&] { input.at("low").as_integer(0, 9); }),
+            "model.yaml:1:37: low: takes an integer from 0 to 9; \"-1\" is outside");
+  EXPECT_EQ(error_of([&] { input.at("n").as_integer(-9, 7); }),
+            "model.yaml:1:5: n: takes an integer from -9 to 7; \"8\" is outside");
+  EXPECT_EQ(error_of([&] { input.at("list").as_integer(); }),
+            "model.yaml:1:47: list: takes an integer; a list was read");
+  EXPECT_EQ(error_of([&] { input.at("none").as_integer(); }),
+            "model.yaml:1:52: none: takes an integer; nothing was read");
+}
+
+TEST(Input, BooleansAreTrueOrFalse) {
+  const Input input = model("{a: true, b: false, c: yes}");
+  EXPECT_TRUE(input.at("a").as_bool());
+  EXPECT_FALSE(input.at("b").as_bool());
+  EXPECT_EQ(error_of([&] { input.at("c").as_bool(); }), "model.yaml:1:24: c: takes true or false; \"yes\" was read");
+}
+
+TEST(Input, ChoiceOffersTheNearestName) {
+  const Input input = model("law: hertz_damp\n");
+  EXPECT_EQ(error_of([&] { input.at("law").as_choice("law", {"hertz", "hertz_damped"}); }),
+            "model.yaml:1:6: law: unknown law \"hertz_damp\". Did you mean \"hertz_damped\"?");
+  EXPECT_EQ(input.at("law").as_choice("law", {"hertz_damp"}), "hertz_damp");
+}
+
+TEST(Input, WrongKindOfNodeIsRefused) {
+  const Input input = model("a: 1\nb: [1]\nc: {d: 1}\ne:\n");
+  EXPECT_EQ(error_of([&] { input.at("a").items(); }), "model.yaml:1:4: a: takes a list such as [a, b]");
+  EXPECT_EQ(error_of([&] { input.at("a").find("x"); }),
+            "model.yaml:1:4: a: takes keys with values such as {key: value}; a single value was read");
+  EXPECT_EQ(error_of([&] { input.at("b").entries(); }),
+            "model.yaml:2:4: b: takes keys with values such as {key: value}; a list was read");
+  EXPECT_EQ(error_of([&] { input.at("e").only_keys({"x"}); }),
+            "model.yaml:4:1: e: takes keys with values such as {key: value}; nothing was read");
+  EXPECT_EQ(error_of([&] { input.at("c").as_text(); }), "model.yaml:3:4: c: takes a text; a map was read");
+  EXPECT_EQ(error_of([&] { input.at("e").as_text(); }), "model.yaml:4:1: e: takes a text; nothing was read");
+}
+
+TEST(Input, EntriesKeepTheOrderOfTheFile) {
+  const auto entries = model("z: 1\na: 2\nm: 3\n").entries();
+  ASSERT_EQ(entries.size(), 3u);
+  EXPECT_EQ(entries[0].first, "z");
+  EXPECT_EQ(entries[1].first, "a");
+  EXPECT_EQ(entries[2].second.as_integer(), 3);
+  EXPECT_EQ(entries[2].second.key(), "m");
+}
+
+TEST(Input, KeyErrorStandsAtTheKey) {
+  const Input input = model("ground_motion:\n  scale: 2\n");
+  const Input scale = input.at("ground_motion").at("scale");
+  EXPECT_EQ(error_of([&] { scale.fail_at_key("no"); }), "model.yaml:2:3: ground_motion.scale: no");
+  EXPECT_EQ(error_of([&] { scale.fail("no"); }), "model.yaml:2:10: ground_motion.scale: no");
+}
+
+TEST(Input, KeyMustBeAName) {
+  EXPECT_EQ(error_in("? [a, b]\n: 1\n"), "model.yaml:1:3: a key must be a plain name");
+}
+
+}  // namespace
+}  // namespace pounding

@@ -1,0 +1,164 @@
+// A run that was stopped and goes on gives the bits of a run that was never stopped.
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <unistd.h>
+
+#include <pounding/run/restart.hpp>
+#include <pounding/results/results.hpp>
+#include "support/runs.hpp"
+
+namespace pounding {
+namespace {
+
+// A results file of this process, removed at the end.
+class File {
+ public:
+  explicit File(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_" + name + ".h5")) {}
+  ~File() { std::filesystem::remove(path_); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+using Bits = std::vector<std::uint64_t>;
+
+Bits bits_of(const std::vector<double>& values) {
+  Bits bits;
+  for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
+  return bits;
+}
+
+// Everything that does not tell the time of day, by name.
+std::map<std::string, Bits> bits_of(Outcome outcome) {
+  std::map<std::string, Bits> all;
+  visit_histories(outcome.results, [&](const std::string& place, std::vector<double>& values) { all[place] = bits_of(values); });
+  for (const ImpactRow& row : outcome.results.impacts) {
+    const Bits values = bits_of({static_cast<double>(row.link), row.t_start, row.t_end, row.t_release, row.v_approach,
+                                 row.v_separation, row.restitution, row.peak_force, row.t_peak, row.peak_penetration,
+                                 row.impulse, row.energy_lost});
+    Bits& impacts = all["impacts"];
+    impacts.insert(impacts.end(), values.begin(), values.end());
+  }
+  const SolverStatistics& solver = outcome.results.solver;
+  for (const long count : {solver.steps, solver.rejected, solver.events, solver.iterations})
+    all["solver"].push_back(static_cast<std::uint64_t>(count));
+  Summary& summary = outcome.summary;
+  summary.solver.wall_seconds = summary.solver.wall_setup = summary.solver.wall_solve = summary.solver.wall_output = 0;
+  for (const char letter : to_json(summary)) all["summary"].push_back(static_cast<unsigned char>(letter));
+  return all;
+}
+
+void expect_same(const Outcome& whole, const Outcome& continued) {
+  const auto expected = bits_of(whole), found = bits_of(continued);
+  ASSERT_EQ(expected.size(), found.size());
+  for (const auto& [place, bits] : expected) {
+    ASSERT_TRUE(found.contains(place)) << place;
+    EXPECT_EQ(bits.size(), found.at(place).size()) << place;
+    EXPECT_TRUE(bits == found.at(place)) << place;
+  }
+}
+
+using StopWhen = bool (*)(const Contact& contact);
+
+bool pressed(const Contact& contact) { return presses(contact.phase()); }
+bool apart(const Contact& contact) { return !contact.impacts().empty() && contact.phase() == ContactPhase::open; }
+
+void stop(const Model& model, const RunOptions& base, StopWhen when) {
+  RunOptions options = base;
+  bool stopped = false;
+  options.stop = [&] { return stopped = when(*model.links[0].contact); };
+  EXPECT_THROW(run(model, options), FailedRun);
+  ASSERT_TRUE(stopped) << "the run ended before it was stopped";
+}
+
+void expect_to_go_on(const std::string& yaml, StopWhen when) {
+  const File file("resume");
+  stop(test::model_of(yaml), {.output = file.path()}, when);
+  if (testing::Test::HasFatalFailure()) return;
+  const Model model = test::model_of(yaml);
+  const Outcome continued = run(model, {.output = file.path(), .resume = file.path()});
+  expect_same(test::run_text(yaml), continued);
+  EXPECT_THROW(read_interrupted_run(file.path()), InputError) << "a run that is done cannot go on";
+}
+
+constexpr const char* schemes[] = {"spectral_radius: 1", "spectral_radius: 0.8", "integrator: esdirk4"};
+
+// The benchmark with this line more in its analysis.
+std::string two_oscillators(const std::string& law, const std::string& scheme) {
+  std::string yaml = test::two_oscillators(law, scheme.find("esdirk4") == std::string::npos ? 1e-5 : 1e-10, 1.5);
+  return yaml.insert(yaml.rfind('}'), ", " + scheme);
+}
+
+class Resume : public testing::TestWithParam<const char*> {};
+
+TEST_P(Resume, OutsideAContactGivesTheSameBits) {
+  for (const char* scheme : schemes) {
+    SCOPED_TRACE(scheme);
+    expect_to_go_on(two_oscillators(GetParam(), scheme), apart);
+  }
+}
+
+TEST_P(Resume, InsideAContactGivesTheSameBits) {
+  if (std::string(GetParam()).find("stereomechanical") == 0) GTEST_SKIP() << "its contacts last no time";
+  for (const char* scheme : schemes) {
+    SCOPED_TRACE(scheme);
+    expect_to_go_on(two_oscillators(GetParam(), scheme), pressed);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, Resume, testing::ValuesIn(test::every_law), test::law_name);
+
+// A body that the ground pushes against a rigid wall, where it comes to rest.
+constexpr const char* resting =
+    "ground_motion: {pulse: {shape: half_sine, amplitude: -3, duration: 2.9}}\n"
+    "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, w: {wall: {}}}\n"
+    "links: [{between: [a, w], gap: 5 mm, law: stereomechanical, restitution: 0.3}]\n"
+    "analysis: {duration: 3, max_step: 1 ms}\n";
+
+TEST(ResumeAtRest, GivesTheSameBits) {
+  expect_to_go_on(resting, [](const Contact& contact) { return contact.phase() == ContactPhase::resting; });
+}
+
+// The run's largest values lie before the stop: motion that dies away after one impact.
+constexpr const char* dying =
+    "ground_motion: {pulse: {shape: half_sine, amplitude: -3, duration: 0.3}}\n"
+    "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 30 %}}, w: {wall: {}}}\n"
+    "links: [{between: [a, w], gap: 5 mm, law: hertz, stiffness: 2.75e9}]\n"
+    "analysis: {duration: 3, max_step: 1 ms}\n";
+
+TEST(ResumeOfDyingMotion, KeepsTheLargestValues) { expect_to_go_on(dying, apart); }
+
+// A record with corners, several links at once, storeys that yield.
+constexpr const char* buildings =
+    "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
+    "structures:\n"
+    "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, hardening: 0.05, damping: {rayleigh: {ratio: 5 %, modes: [1, 3]}}}}\n"
+    "  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 9e5 kN/m, damping: {modal: {ratio: 3 %}}}}\n"
+    "links: [{between: [left, right], floors: all, gap: 5 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
+    "compare: no_pounding\n"
+    "analysis: {duration: 4}\n";
+
+TEST(ResumeOfBuildings, GivesTheSameBits) { expect_to_go_on(buildings, pressed); }
+
+TEST(ResumeTwice, GivesTheSameBits) {
+  const std::string yaml = two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", "spectral_radius: 0.8");
+  const File first("first"), second("second");
+  stop(test::model_of(yaml), {.output = first.path()}, pressed);
+  stop(test::model_of(yaml), {.output = second.path(), .resume = first.path()}, apart);
+  const Model model = test::model_of(yaml);
+  expect_same(test::run_text(yaml), run(model, {.resume = second.path()}));
+  EXPECT_EQ(read_interrupted_run(first.path()).model_yaml, yaml) << "the first file stays as it was";
+}
+
+}  // namespace
+}  // namespace pounding

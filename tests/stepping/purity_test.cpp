@@ -1,0 +1,94 @@
+// Trial steps leave no trace, and the same input gives the same bits.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include <pounding/links/gap_link.hpp>
+#include <pounding/linear/modal_solver.hpp>
+#include <pounding/stepping/stepper.hpp>
+#include "support/runs.hpp"
+
+namespace pounding {
+namespace {
+
+bool same_bits(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0;
+}
+
+// One run asks for many steps that it throws away, the other for none.
+TEST(TrialSteps, LeaveNoTrace) {
+  const auto end_state = [](bool with_trials) {
+    const Model model = test::model_of(test::two_oscillators("bilinear_hertz, stiffness: 2.75e9, restitution: 0.65", 1e-4));
+    const System system = assemble(model);
+    ModalSolver base(system);
+  Stepper stepper(system, base, {.tolerance = 1e-4, .max_step = 1e-3});
+    const auto [u, v] = initial_state(model);
+    stepper.start(0, u, v);
+    while (stepper.state().time < 1.3) {
+      if (with_trials)
+        for (const double h : {3e-3, 1e-4, 2.2e-2, 5e-4}) {
+          EXPECT_TRUE(stepper.try_step(h));
+          stepper.locate_event();
+        }
+      EXPECT_TRUE(stepper.try_step(1e-3));
+      const auto landed = stepper.locate_event();
+      if (landed && *landed == 0)
+        stepper.apply_event();
+      else
+        stepper.accept();
+    }
+    EXPECT_EQ(model.links[0].contact->impacts().size(), 2u);
+    return stepper.state();
+  };
+  const State quiet = end_state(false), busy = end_state(true);
+  EXPECT_EQ(quiet.time, busy.time);
+  EXPECT_TRUE(same_bits(quiet.u, busy.u));
+  EXPECT_TRUE(same_bits(quiet.v, busy.v));
+  EXPECT_TRUE(same_bits(quiet.force, busy.force));
+}
+
+// Looking between the ends of a trial for a touch that is not there leaves the trial as it was, its exact end included: a
+// time one rounding short of a corner of the ground motion would ask for a step of that length.
+TEST(TrialSteps, KeepTheirExactEndWhenBodiesPassClose) {
+  const Model model = test::model_of("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"
+                                     "links: [{between: [a, w], gap: 20.001 mm, law: hertz, stiffness: 2.75e9}]\n"
+                                     "analysis: {duration: 1}\n");
+  const System system = assemble(model);
+  ModalSolver base(system);
+  Stepper stepper(system, base, {.tolerance = 1e-4, .max_step = 0.1});
+  const double w = 2 * M_PI / 0.5, begin = 0.12, h = 0.01, end = std::nextafter(begin + h, 1.0);
+  stepper.start(begin, Eigen::VectorXd::Constant(1, 0.02 * std::sin(w * begin)),
+                Eigen::VectorXd::Constant(1, 0.02 * w * std::cos(w * begin)));
+  ASSERT_TRUE(stepper.try_step(h, end));
+  EXPECT_FALSE(stepper.locate_event().has_value());
+  stepper.accept();
+  EXPECT_EQ(stepper.state().time, end);
+}
+
+TEST(SameInput, GivesTheSameBitsTwice) {
+  const std::string yaml = test::two_oscillators("jankowski, stiffness: 2.75e9, restitution: 0.65", 1e-5);
+  const Outcome first = test::run_text(yaml), second = test::run_text(yaml);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(same_bits(first.results.structures[i].displacement, second.results.structures[i].displacement));
+    EXPECT_TRUE(same_bits(first.results.structures[i].acceleration, second.results.structures[i].acceleration));
+  }
+  EXPECT_TRUE(same_bits(first.results.links[0].force, second.results.links[0].force));
+  EXPECT_TRUE(same_bits(first.results.energy.error, second.results.energy.error));
+  EXPECT_EQ(first.summary.solver.steps, second.summary.solver.steps);
+}
+
+TEST(Model, IsRunOnceOnly) {
+  const Model model = test::model_of(test::two_oscillators("hertz, stiffness: 2.75e9", 1e-3));
+  run(model);
+  EXPECT_THROW(run(model), std::logic_error);
+}
+
+}  // namespace
+}  // namespace pounding

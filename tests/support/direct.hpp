@@ -1,0 +1,122 @@
+#pragma once
+/// Marching of a Stepper with error control, and an independent integrator to compare it with.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <pounding/stepping/stepper.hpp>
+
+namespace pounding::test {
+
+struct NamedScheme {
+  const char* name;
+  Scheme scheme;
+  double order;
+};
+
+inline constexpr NamedScheme schemes[] = {{"midpoint", {}, 2},
+                                          {"damped", {.spectral_radius = 0.8}, 2},
+                                          {"esdirk4", {.kind = Scheme::Kind::esdirk4}, 4}};
+
+inline SparseMatrix diagonal(const std::vector<double>& values) {
+  SparseMatrix m(static_cast<int>(values.size()), static_cast<int>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) m.insert(static_cast<int>(i), static_cast<int>(i)) = values[i];
+  return m;
+}
+
+/// Steps to `end` that keep the tolerance of the stepper; how many were tried.
+inline long march(Stepper& stepper, double end, double longest) {
+  double h = longest / 64;
+  long tries = 0;
+  while (stepper.time() < end) {
+    const double target = std::min(end, stepper.next_break()), left = target - stepper.time();
+    // A rest that is too short for a step of its own goes along.
+    const bool reaches = h >= left * (1 - 1e-9);
+    const double step = reaches ? left : h;
+    if (++tries > 3000000 || step < 1e-14) {
+      ADD_FAILURE() << "stalled at " << stepper.time() << " s";
+      return tries;
+    }
+    if (!stepper.try_step(step, reaches ? std::optional(target) : std::nullopt)) {
+      h = step / 4;
+      continue;
+    }
+    const double factor = 0.9 * std::pow(std::max(stepper.error_ratio(), 1e-9), -1.0 / stepper.error_order());
+    if (stepper.error_ratio() > 1) {
+      h = step * std::clamp(factor, 0.1, 0.9);
+      continue;
+    }
+    const std::optional<double> landed = stepper.locate_event();
+    if (landed && *landed == 0) {
+      stepper.apply_event();
+      continue;
+    }
+    if (stepper.error_ratio() > 1) {
+      h = step / 4;
+      continue;
+    }
+    stepper.accept();
+    h = std::min(longest, (landed ? std::max(h, step) : step) * std::clamp(factor, 0.2, 4.0));
+  }
+  return tries;
+}
+
+/// Steps of one length; shorter where a phase ends, where the ground has a corner, and at the end.
+inline void march_evenly(Stepper& stepper, double end, double h) {
+  while (stepper.time() < end * (1 - 1e-12)) {
+    const double target = std::min(end, stepper.next_break()), left = target - stepper.time();
+    const bool reaches = left <= h * (1 + 1e-9);
+    ASSERT_TRUE(stepper.try_step(reaches ? left : h, reaches ? std::optional(target) : std::nullopt));
+    const std::optional<double> landed = stepper.locate_event();
+    if (landed && *landed == 0)
+      stepper.apply_event();
+    else
+      stepper.accept();
+  }
+}
+
+/// y' = f(t, y) from `begin` to `end`: Dormand and Prince 5(4), relative tolerance 1e-11 against `size`. Steps end at the
+/// `breaks`, just before which f is asked at their ends.
+template <class F>
+Eigen::VectorXd integrate(const F& f, Eigen::VectorXd y, double begin, double end, double size, std::vector<double> breaks) {
+  constexpr double a[7][6] = {{},
+                              {1.0 / 5},
+                              {3.0 / 40, 9.0 / 40},
+                              {44.0 / 45, -56.0 / 15, 32.0 / 9},
+                              {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+                              {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+                              {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
+  constexpr double c[7] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
+  constexpr double e[7] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+  breaks.push_back(end);
+  std::sort(breaks.begin(), breaks.end());
+  double t = begin, h = 1e-5;
+  for (const double stop : breaks) {
+    if (stop <= t || stop > end) continue;
+    while (t < stop) {
+      const bool last = t + h >= stop;
+      const double step = last ? stop - t : h;
+      Eigen::VectorXd k[7], error = Eigen::VectorXd::Zero(y.size()), next = y;
+      for (int i = 0; i < 7; ++i) {
+        next = y;
+        for (int j = 0; j < i; ++j) next += step * a[i][j] * k[j];
+        k[i] = f(std::min(t + c[i] * step, stop - 1e-13), next);
+        error += step * e[i] * k[i];
+      }
+      const double ratio = error.cwiseAbs().maxCoeff() / (1e-11 * size);
+      if (ratio <= 1) {
+        t = last ? stop : t + step;
+        y = next;
+      }
+      h = step * std::clamp(0.9 * std::pow(std::max(ratio, 1e-10), -0.2), 0.2, 4.0);
+    }
+  }
+  return y;
+}
+
+}  // namespace pounding::test
