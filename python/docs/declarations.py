@@ -1,4 +1,4 @@
-"""What C and C++ headers declare for their users, with the comments that document it. Standard library only.
+"""Declarations of C and C++ headers for their users, with the comments that document them. Standard library only.
 
     for item in declarations(path): ...
 
@@ -64,7 +64,7 @@ class _Reader:
         self.at = 0
 
     def _without_comments(self, source: str) -> tuple[str, str]:
-        """The same length and lines: without comments and directives; and without what strings hold, too."""
+        """Two texts of the same length and lines: one without comments and directives, one also without the contents of strings."""
         pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
         text, masked, end = [], [], 0
         for match in pattern.finditer(source):
@@ -249,7 +249,7 @@ class _Reader:
         else:
             item = Item(word, name, re.sub(r"^typedef\s+", "", head), line)
             item.members = self.scope(name, word)
-        # What stands between the brace and the semicolon names variables of this type.
+        # Names between the brace and the semicolon are variables of this type.
         self.at = self.masked.index(";", self.at) + 1
         return item
 

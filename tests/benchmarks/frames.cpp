@@ -48,7 +48,7 @@ constexpr double reduced_mass = (3 * floor_mass) * (2 * floor_mass) / (5 * floor
 // 5 % at the first and sixth frequency of the plane pair; reference/plane_frames.json.
 constexpr double by_mass = 0.31244343565330945, by_stiffness = 0.002905632243854408;
 
-// Of the frames in space.
+// Time step of the frames in space [s].
 constexpr double space_step = 5e-3;
 constexpr int settling_steps = 40;  // before the clock starts
 
@@ -138,7 +138,7 @@ struct Pair {
     system.gap_jacobian.setFromTriplets(closing.begin(), closing.end());
   }
 
-  // Of the displacement along x.
+  // Number of the displacement along x at a node.
   int unknown(int frame, int storey, int line, int row = 0) const {
     const auto motion = frames[frame].motion(grids[frame].node(storey, line, row), Dof::ux);
     return system.groups[frame].first + static_cast<int>(Eigen::SparseVector<double>::InnerIterator(motion).index());

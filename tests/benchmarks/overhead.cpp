@@ -1,4 +1,4 @@
-// What a kept step of the engine costs by itself: two oscillators through TSSolve, nothing recorded. One JSON object.
+// Cost of a kept step of the engine by itself: two oscillators through TSSolve, nothing recorded. One JSON object.
 //
 //   overhead [STEPS]
 //

@@ -5,7 +5,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PARTS = ("elements", "lib")
-#: What stands on all modules, in this order.
+#: Programs above all modules, in this order.
 ABOVE = ("reproduce", "program")
 
 

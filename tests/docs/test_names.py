@@ -13,7 +13,7 @@ EXPLAINED = {"struct", "class", "union", "enum", "concept", "type", "function"}
 
 
 def law_contract():
-    """What every law has; laws/law.hpp explains it once."""
+    """Members that every law has; laws/law.hpp explains them once."""
     doc, _ = declarations(ROOT / "elements/pounding/laws/law.hpp")
     return {name for name in ("check", "damping_for", "contact", "respond", "corner", "keep") if f" {name}(" in doc}
 
@@ -62,7 +62,7 @@ class Names(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """What the check itself sees."""
+    """The check itself sees declarations and their comments."""
 
     def read(self, text, suffix=".hpp"):
         with tempfile.TemporaryDirectory() as folder:

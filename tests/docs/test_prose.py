@@ -91,7 +91,7 @@ class Prose(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """What counts, and what the check sees of a file."""
+    """The check itself knows bare openings, and finds the comments of a file."""
 
     def test_KnowsABareOpening(self):
         for words in ("What the square counts.", "Of the present state [s].", "Those that move.", "The same for 95 %.",

@@ -50,7 +50,7 @@ class Lines(unittest.TestCase):
         shutil.copytree(ROOT / "examples", self.folder / "examples")  # results are written beside a model
 
     def done(self, *words, **environment):
-        """What a command prints; it must succeed."""
+        """Output of a command, which must succeed."""
         run = subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE,
                              env=os.environ | environment)
         self.assertEqual((run.returncode, run.stderr), (0, ""), f"{words}\n{run.stdout[-2000:]}\n{run.stderr[-2000:]}")

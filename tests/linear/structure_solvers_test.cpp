@@ -427,7 +427,7 @@ TEST(OneFrame, IsSharedByAllProcesses) {
     }
 }
 
-// What a trial gives must not depend on the trials before it.
+// A trial must not depend on the trials before it.
 TEST(OffTheLadder, ASolveDependsOnItsStepAlone) {
   const Pair pair;
   const System& system = pair.system;

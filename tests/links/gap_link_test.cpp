@@ -31,12 +31,12 @@ struct MyLaw {
   }
 };
 
-/// The same force, which may pull.
+/// MyLaw, but it may pull.
 struct MyStickyLaw : MyLaw {
   static constexpr bool may_pull = true;
 };
 
-/// The same force; what is indented when it ends is added to the gap.
+/// MyLaw, but the indentation at the end of a contact is added to the gap.
 struct MyDentedLaw : MyLaw {
   static constexpr bool leaves_indentation = true;
 };
@@ -53,7 +53,7 @@ GapLink<Law> touched() {
   return link;
 }
 
-/// The same, reversed at a penetration of 0.2 m.
+/// A touched link that was reversed at a penetration of 0.2 m.
 template <class Law = MyLaw>
 GapLink<Law> reversed() {
   GapLink<Law> link = touched<Law>();

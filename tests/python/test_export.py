@@ -142,7 +142,7 @@ except ImportError:
 
 @unittest.skipUnless(vtkIOXdmf2, "the reader of ParaView is not installed (python3 -m pip install vtk)")
 class ReaderOfParaView(Exports):
-    """The same exports, read by VTK."""
+    """Exports as VTK reads them."""
 
     def grids(self, step, place=None):
         reader = vtkIOXdmf2.vtkXdmfReader()
