@@ -87,7 +87,7 @@ class Commands(Lines):
             case ["ctest", "--test-dir", "build", "--output-on-failure", "-R", name]:
                 area, subject = name.split(".")
                 self.assertTrue((ROOT / "tests" / area / f"test_{subject}.py").is_file(), name)
-            case ["cmake", "--install", "build", "--prefix", "DIR"] | ["python3", "-m", "venv", "env"]:
+            case ["cmake", "-S", ".", "-B", "build", "-G", "Ninja"] | ["cmake", "--install", "build", "--prefix", "DIR"] | ["python3", "-m", "venv", "env"]:
                 pass
             case ["env/bin/python3", "-m", "pip", "install", place]:
                 self.assertEqual(place, ".")
