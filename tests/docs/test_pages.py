@@ -1,9 +1,13 @@
 """The pages for users and contributors name only what is there: headers, files, links and headings."""
 import re
+import sys
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python/docs"))
+from declarations import installed_headers  # noqa: E402
+
 PARTS = ("elements", "lib")
 #: Top folders whose files the pages name, and files that only a build makes.
 FOLDERS = ("cmake", "elements", "examples", "lib", "python", "tests")
@@ -64,6 +68,14 @@ class Pages(unittest.TestCase):
                 elif anchor and target.suffix == ".md" and anchor not in anchors(target):
                     wrong.append(f"{page.relative_to(ROOT)}: {link}: no such heading")
         self.assertEqual(wrong, [], "\n" + "\n".join(wrong))
+
+    def test_TheReferenceShowsEveryInstalledHeaderOnOnePage(self):
+        shown = []
+        for page in (ROOT / "python/docs/reference").glob("*.rst"):
+            for places in re.findall(r"(?m)^\.\. headers:: (.*\n(?:   .*\n)*)", page.read_text()):
+                for place in map(ROOT.joinpath, places.split()):
+                    shown += place.glob("*.hpp") if place.is_dir() else [place]
+        self.assertEqual(sorted(shown), sorted(installed_headers()))
 
     def test_TheArchitectureListsEveryModuleInTheirOrder(self):
         text = (ROOT / "ARCHITECTURE.md").read_text()
