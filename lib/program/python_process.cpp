@@ -78,7 +78,7 @@ Outcome run_process(std::vector<std::string> arguments, bool with_terminal) {
     return outcome;
   }
 
-  // What Python prints must not mix with ours: --json promises one object on standard output.
+  // Output of Python must not mix with ours: --json promises one object on standard output.
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);

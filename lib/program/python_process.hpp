@@ -1,5 +1,5 @@
 #pragma once
-/// What Python does for the program, in a process of its own: pictures, animations, exports.
+/// Pictures, animations and exports by Python, in a process of its own.
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-/// Where the paper stops: the formulas beside the exact calibration, in a free impact, in two oscillators and in two frames
+/// Comparisons beyond the paper: the formulas beside the exact calibration, in a free impact, in two oscillators and in two frames
 /// through an earthquake.
 
 #include <algorithm>

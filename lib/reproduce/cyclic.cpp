@@ -47,7 +47,7 @@ double equal_loop_velocity(double e) {
   return laws::find_root(miss, 1e-3, miss(1e-3), 1e4, miss(1e4));
 }
 
-/// The same for Eq. 16 without Table 2, N = M = 1.
+/// Velocity by Eq. 16 without Table 2, that is with N = M = 1.
 double equal_loop_velocity_simple(double e) {
   const auto share = [](double x) { return (1 - x * x) / x; };
   return reference_speed * share(e) / share(reference_restitution);

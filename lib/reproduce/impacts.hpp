@@ -23,7 +23,7 @@ struct Asking {
 
   std::string yaml() const;                                ///< what stands behind "law: "
   laws::AnyLaw made(double reduced_mass) const;
-  /// What it gives two free bodies, without a run [kg], [m/s].
+  /// Impact of two free bodies by this law, without a run [kg], [m/s].
   laws::FreeImpact free_impact(double reduced_mass, double speed) const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the paper's Eq. 16 with its Table 2 gives, as a function of the asked restitution and of k/v.
+/// The paper's Eq. 16 with its Table 2, as a function of the asked restitution and of k/v.
 
 #include <cmath>
 

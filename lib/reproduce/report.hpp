@@ -1,6 +1,6 @@
 #pragma once
-/// What a reproduction of the paper finds, as data: figures, tables, matrices and verdicts. Python draws and sets them;
-/// nothing here knows how they look.
+/// Findings of a reproduction of the paper, as data: figures, tables, matrices and verdicts. Python draws and sets them;
+/// nothing here depends on how they look.
 ///
 /// The paper: Naderpour, Barros & Khatami 2015, Scientia Iranica, Transactions A. Texts may hold mathematics between dollar signs,
 /// in the TeX that matplotlib reads.

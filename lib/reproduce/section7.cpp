@@ -92,7 +92,7 @@ Forces forces() {
   return result;
 }
 
-/// What the derivation supposes of the rebound beside what the impact does.
+/// Rebound as the derivation assumes it, beside that of the impact itself.
 Table derivation_table() {
   Table table{"derivation", "Eq. 24 beside the impact itself, with the ratio of Eq. 38", "CR asked",
               {{"zeta", "", 5}, {"Eq. 24, penetration", "mm", 4}, {"penetration", "mm", 4}, {"Eq. 34, energy lost", "kJ", 4},
