@@ -463,7 +463,7 @@ TEST(OffTheLadder, ARungButForRoundingNeedsNoFactorOfItsOwn) {
     base.physical(x, u);
     EXPECT_LT(difference(u, whole(pair.system, of_step(0.005 * part)).ldlt().solve(b)), 1e-11) << part;
   }
-  EXPECT_EQ(base.levels(), 1);
+  EXPECT_EQ(base.factors(), 1);
   EXPECT_EQ(base.factorizations(), 1);
   EXPECT_GT(base.iterations(), 0);
   EXPECT_LE(base.iterations(), 8);
@@ -473,11 +473,11 @@ TEST(Memory, IsKeptByDroppingTheLeastRecentlyUsedRung) {
   const Pair pair;
   SparseSolver roomy(PETSC_COMM_WORLD, pair.system);
   for (int k = 0; k < 6; ++k) roomy.set_matrix(of_step(0.01 / (1 << k)), k);
-  EXPECT_EQ(roomy.levels(), 6);
+  EXPECT_EQ(roomy.factors(), 6);
   SparseSolver tight(PETSC_COMM_WORLD, pair.system, {.memory = 0.6 * roomy.memory()});
   for (int k = 0; k < 6; ++k) tight.set_matrix(of_step(0.01 / (1 << k)), k);
-  EXPECT_GE(tight.levels(), 2);
-  EXPECT_LE(tight.levels(), 3);
+  EXPECT_GE(tight.factors(), 2);
+  EXPECT_LE(tight.factors(), 3);
   EXPECT_LE(tight.memory(), 0.6 * roomy.memory());
   const long before = tight.factorizations();
   tight.set_matrix(of_step(0.01 / 32), 5);

@@ -6,7 +6,7 @@
 namespace pounding::petsc {
 namespace {
 
-// Unknowns with mass in one structure up to which its modes are computed.
+// Dynamic degrees of freedom of one structure up to which all its modes are computed.
 constexpr int max_modes = 500;
 
 }  // namespace
