@@ -1,4 +1,4 @@
-/// What the C interface refuses, with which words, and that it changes nothing then.
+/// Refusals of the C interface: their texts, and that they change nothing.
 
 #include <cstring>
 #include <limits>

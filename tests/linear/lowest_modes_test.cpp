@@ -53,7 +53,7 @@ GridFrame tower(int storeys, int bays, bool rigid_floors, bool alike = true) {
   return grid;
 }
 
-// Of M and K over the modes, from 1 and w^2 on the diagonal; of what is left of K phi - w^2 M phi.
+// Errors of M and K over the modes against 1 and w^2 on the diagonal, and of the residual K phi - w^2 M phi.
 void expect_modes(const Eigenmodes& modes, const SparseMatrix& mass, const SparseMatrix& stiffness, double residual) {
   const Eigen::VectorXd squares = modes.frequencies.cwiseAbs2();
   const int count = static_cast<int>(squares.size());
@@ -143,7 +143,7 @@ constexpr double of_cantilever[] = {1.87510406871196, 4.69409113297418, 7.854757
 constexpr double of_free_beam[] = {4.73004074486270, 7.85320462409584, 10.9956078380017};
 constexpr int elements = 110;
 
-// Of cubic elements with consistent mass: too high by (b h)^4 / 1440 of itself (Hughes, The Finite Element Method, 7.3),
+// Frequencies of cubic elements with consistent mass are too high by (b h)^4 / 1440 of itself (Hughes, The Finite Element Method, 7.3),
 // 7e-8 at most here.
 double bending(double root) {
   const double exact = std::pow(root / 10, 2) * std::sqrt(2e11 * 1e-5 / (7800 * 0.01));
@@ -263,7 +263,7 @@ TEST(LargeTower, TakesSeconds) {
   // The bound leaves room for busy machines and sanitizers.
   EXPECT_LT(seconds, 60);
   expect_modes(modes, frame.mass, frame.stiffness, 1e-12);
-  // The same along x and along y: sway 1 and 2 have the same frequency, then comes one that turns.
+  // Equal along x and y: sway 1 and 2 have the same frequency, then comes one that turns.
   EXPECT_NEAR(modes.frequencies[1] / modes.frequencies[0], 1, 1e-9);
   EXPECT_GT(modes.frequencies[2] / modes.frequencies[1], 1.01);
   EXPECT_NEAR(modes.frequencies[4] / modes.frequencies[3], 1, 1e-9);

@@ -169,12 +169,12 @@ TEST_P(SparseMatrices, MultiplyLikeDenseOnes) {
   EXPECT_LT(difference(u, whole(system, {1, 0, 0}) * x.col(1)), 1e-13);
 }
 
-// On the ladder by a factor, off it by conjugate gradients; the condition number of these matrices is 1e5.
-TEST_P(SparseMatrices, SolveOnAndOffTheLadder) {
+// At a step level by a factor, off the levels by conjugate gradients; the condition number of these matrices is 1e5.
+TEST_P(SparseMatrices, SolveOnAndOffTheStepLevels) {
   SparseSolver base(PETSC_COMM_WORLD, system, {.direct_below = 0});
   const Eigen::VectorXd b = some_vector(n, 1);
-  const auto residual = [&](const EffectiveMatrix& shift, std::optional<int> rung) {
-    base.set_matrix(shift, rung);
+  const auto residual = [&](const EffectiveMatrix& shift, std::optional<int> step_level) {
+    base.set_matrix(shift, step_level);
     Eigen::VectorXd x = base.coordinates(b), u;
     EXPECT_TRUE(base.solve(x));
     base.physical(x, u);
@@ -211,10 +211,10 @@ TEST_P(SparseMatrices, GiveTheSameFlexibilityAndResponseByEveryWay) {
   expect_same(gradients, "conjugate gradients");
   EXPECT_GT(gradients.iterations(), 0);
   direct.set_matrix(shift, std::nullopt);
-  expect_same(direct, "factor off the ladder");
+  expect_same(direct, "factor off the step levels");
   EXPECT_EQ(direct.iterations(), 0);
   direct.set_matrix(shift, 3);
-  expect_same(direct, "factor on the ladder");
+  expect_same(direct, "factor at a step level");
 }
 
 // Frames of two storeys in a row, two links between neighbours: roofs first, then the floors below.
@@ -266,12 +266,12 @@ TEST(RowOfFrames, KeepsLinksApartThatAreSolvedTogether) {
   const EffectiveMatrix off = of_step(0.006), on = of_step(0.01);
   for (const std::vector<int>& links : {std::vector<int>{0, 2}, {1, 3}, {0, 1, 2, 3, 6}, {0, 1, 2, 3, 4, 5, 6, 7}})
     for (const int direct_below : {0, 1000000})
-      for (const bool on_ladder : {true, false}) {
+      for (const bool at_level : {true, false}) {
         SparseSolver base(PETSC_COMM_WORLD, system, {.direct_below = direct_below});
         base.set_matrix(on, 0);
-        if (!on_ladder) base.set_matrix(off, std::nullopt);
+        if (!at_level) base.set_matrix(off, std::nullopt);
         const Eigen::MatrixXd b = Eigen::MatrixXd(system.gap_jacobian)(Eigen::all, links);
-        const Eigen::MatrixXd z = whole(system, on_ladder ? on : off).ldlt().solve(b), expected = b.transpose() * z;
+        const Eigen::MatrixXd z = whole(system, at_level ? on : off).ldlt().solve(b), expected = b.transpose() * z;
         Eigen::MatrixXd g;
         ASSERT_TRUE(base.flexibility(links, g));
         EXPECT_LT((g - expected).norm(), 1e-10 * expected.norm());
@@ -302,7 +302,7 @@ TEST(RowOfFrames, NeedsMemoryInProportionToItsLength) {
 }
 
 // A factor takes over what an earlier one knew of the pattern, and nothing else.
-TEST(OffTheLadder, AFactorDoesNotDependOnTheOneBefore) {
+TEST(OffTheStepLevels, AFactorDoesNotDependOnTheOneBefore) {
   const Pair pair;
   const Eigen::VectorXd b = some_vector(pair.system.size(), 1);
   const auto solved = [&](std::initializer_list<double> steps) {
@@ -409,8 +409,8 @@ TEST(OneFrame, IsSharedByAllProcesses) {
   SparseSolver base(PETSC_COMM_WORLD, system, {.direct_below = 0});
   const Eigen::VectorXd b = some_vector(system.size(), 1);
   base.set_matrix(of_step(0.01), 0);
-  for (const auto& [h, rung] : {std::pair(0.01, std::optional<int>(0)), {0.007, std::nullopt}}) {
-    base.set_matrix(of_step(h), rung);
+  for (const auto& [h, step_level] : {std::pair(0.01, std::optional<int>(0)), {0.007, std::nullopt}}) {
+    base.set_matrix(of_step(h), step_level);
     Eigen::VectorXd x = base.coordinates(b), u;
     ASSERT_TRUE(base.solve(x));
     base.physical(x, u);
@@ -427,8 +427,8 @@ TEST(OneFrame, IsSharedByAllProcesses) {
     }
 }
 
-// What a trial gives must not depend on the trials before it.
-TEST(OffTheLadder, ASolveDependsOnItsStepAlone) {
+// The result of a trial must not depend on the trials before it.
+TEST(OffTheStepLevels, ASolveDependsOnItsStepAlone) {
   const Pair pair;
   const System& system = pair.system;
   const auto solved = [&](bool others) {
@@ -452,7 +452,7 @@ TEST(OffTheLadder, ASolveDependsOnItsStepAlone) {
 }
 
 // Lengths that end at a corner of the ground motion differ in their last digits.
-TEST(OffTheLadder, ARungButForRoundingNeedsNoFactorOfItsOwn) {
+TEST(OffTheStepLevels, ARungButForRoundingNeedsNoFactorOfItsOwn) {
   const Pair pair;
   SparseSolver base(PETSC_COMM_WORLD, pair.system, {.direct_below = 0});
   const Eigen::VectorXd b = some_vector(pair.system.size(), 1);
@@ -527,7 +527,7 @@ struct Trajectory {
   Eigen::VectorXd seen;  // what is observed of the displacements
 };
 
-// Steps of the ladder's first rung, landings in between.
+// Steps of level 0, located events in between.
 Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until) {
   constexpr double h = 2e-3;
   Stepper stepper(pair.system, base, {.tolerance = 1e-4, .scheme = scheme, .max_step = h});

@@ -21,7 +21,7 @@ class Archive {
   /// An archive of these bytes, for reading.
   explicit Archive(std::vector<std::byte> bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
-  /// Whether it reads, and the bytes written so far or to be read.
+  /// True when reading; and the bytes written so far or to be read.
   bool reading() const { return reading_; }
   const std::vector<std::byte>& bytes() const { return bytes_; }
   /// Starts over: empties the archive for writing but keeps its memory, or reads again from the first byte.

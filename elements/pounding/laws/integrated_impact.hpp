@@ -16,7 +16,7 @@
 
 namespace pounding::laws {
 
-/// What a free impact of two bodies gives.
+/// Result of a free impact of two bodies.
 struct FreeImpact {
   double restitution = 0;       ///< separation speed over closing speed [-]
   double peak_force = 0;        ///< [N]; infinite for an instantaneous law
@@ -26,10 +26,10 @@ struct FreeImpact {
   double energy_lost = 0;       ///< work done on the link and not given back [J]
   double impulse = 0;           ///< integral of the force [N s]
 
-  /// Which values are closed forms; the others are integrated.
+  /// True for values in closed form; the others are integrated.
   struct Known {
     bool restitution = false, peak_force = false, time_of_peak = false, peak_penetration = false, duration = false;
-    /// Nothing had to be integrated.
+    /// True when nothing has to be integrated.
     bool all() const noexcept { return restitution && peak_force && time_of_peak && peak_penetration && duration; }
   } closed_form{};
 };
@@ -62,7 +62,7 @@ class ImpactIntegration {
   static constexpr double tolerance = 1e-13;
   static constexpr int max_steps = 20000;
 
-  /// A length within which the force stops the bodies, to a factor of two.
+  /// Penetration at which the force stops the bodies, to a factor of two [m].
   double scale() const {
     const double energy = mass_ * speed_ * speed_;
     double d = 1;

@@ -30,7 +30,7 @@ class ImpactLog {
   /// Adds an impulse without duration [N s] and the energy that it took [J].
   void push(double impulse, double work);
 
-  /// Whether an impact lasts, and the row of the last impact.
+  /// True while an impact lasts; and the row of the last impact.
   bool open() const { return open_; }
   const ImpactRow& current() const { return rows_.back(); }
   /// All impacts so far, the one that lasts included.

@@ -37,7 +37,7 @@ struct CachedFactor {
   double bytes = 0;                       ///< of the factor, on the process where it is largest
   long used = 0;                          ///< time of the last use, by the clock of the cache
 
-  /// Of the factor and of Z [bytes].
+  /// Memory of the factor and of Z [bytes].
   double memory() const;
 };
 

@@ -66,7 +66,7 @@ class Factor {
   /// Collective. ok() tells on each process by itself whether the matrix could be factored.
   Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix);
 
-  /// Whether the matrix could be factored.
+  /// True if the matrix could be factored.
   bool ok() const { return ok_; }
   /// Factors another matrix of the same pattern. The symbolic factorization is kept, a third of the work. False, with nothing
   /// done, on several processes; else ok() tells the result.
@@ -79,7 +79,7 @@ class Factor {
   double memory() const { return memory_; }
   /// Package that holds the factor, or the iterative method that an option chose.
   const std::string& package() const { return package_; }
-  /// Whether it is a direct solver, whose solves cannot fail.
+  /// True for a direct solver, whose solves cannot fail.
   bool is_direct() const { return direct_; }
   /// The factor as a preconditioner.
   PC preconditioner() const;

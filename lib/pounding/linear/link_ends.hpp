@@ -23,7 +23,7 @@ class LinkEnds {
   int slots() const { return static_cast<int>(group_of_.size()); }
   std::span<const int> slots_of(int link) const { return slots_[link]; }
   int group_of(int slot) const { return group_of_[slot]; }
-  /// Whether a link has an end in a group.
+  /// True if a link has an end in a group.
   bool joins(int link, int group) const;
 
   /// Number of batches, the links of a batch, and the batch of a link.

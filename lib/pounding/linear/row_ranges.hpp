@@ -7,7 +7,7 @@
 
 namespace pounding::petsc {
 
-/// Whether each process gets whole groups: there are at least as many groups as processes.
+/// True if each process gets whole groups, because there are at least as many groups as processes.
 bool shares_whole_groups(const System& system, int processes);
 
 /// First row of each process, and last the number of all rows: length processes + 1. Whole groups, by the entries of their

@@ -58,7 +58,7 @@ class StructureSolver {
   /// equilibrium.
   virtual void recover(Eigen::Ref<Eigen::VectorXd> x) const = 0;
 
-  /// Whether steps max_step / 2^k are cheaper than others.
+  /// True if steps max_step / 2^k are cheaper than others.
   virtual bool prefers_dyadic_steps() const { return false; }
   /// Sets A for the next solves. `step_level` = k if the step is max_step / 2^k, so that its factor is cached.
   virtual void set_matrix(const EffectiveMatrix& matrix, std::optional<int> step_level) = 0;

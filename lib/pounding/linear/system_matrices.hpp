@@ -52,7 +52,7 @@ class SystemMatrices {
 
   /// All rows of x, on every process.
   void spread(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& all) const;
-  /// Whether it is true on all processes.
+  /// True if it is true on all processes.
   bool agreed(bool mine) const;
   /// Sums over all processes, in place.
   void combine(std::span<double> sums) const;
