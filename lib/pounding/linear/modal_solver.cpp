@@ -90,19 +90,14 @@ void ModalSolver::add_block(const System& system, const Group& group) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass);
   if (modes.info() != Eigen::Success) throw std::invalid_argument("the modes of a structure could not be computed");
   const Eigen::MatrixXd& phi = modes.eigenvectors();
-
   Block block;
   block.first = group.first;
   block.coordinate = static_cast<int>(stiffness_.size());
   block.shapes = Eigen::MatrixXd::Zero(group.count, count);
-  for (int i = 0; i < count; ++i) block.shapes.row(dynamic[i]) = phi.row(i);
-  if (recovery.size() > 0) {
-    const Eigen::MatrixXd others = recovery * phi;
-    for (std::size_t i = 0; i < massless.size(); ++i) block.shapes.row(massless[i]) = others.row(static_cast<int>(i));
-  }
+  block.shapes(dynamic, Eigen::all) = phi;
+  if (recovery.size() > 0) block.shapes(massless, Eigen::all) = recovery * phi;
   block.project = Eigen::MatrixXd::Zero(count, group.count);
-  const Eigen::MatrixXd project = phi.transpose() * mass;
-  for (int i = 0; i < count; ++i) block.project.col(dynamic[i]) = project.col(i);
+  block.project(Eigen::all, dynamic) = phi.transpose() * mass;
 
   const Eigen::VectorXd squares = modes.eigenvalues().cwiseMax(0);
   const Eigen::MatrixXd rest = phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi;
