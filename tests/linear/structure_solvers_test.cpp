@@ -50,7 +50,7 @@ struct Pair {
       parts.push_back(make_frame(grid).assemble());
     }
     int n = 0;
-    std::vector<Eigen::Triplet<double>> mass, stiffness, closing;
+    std::vector<Eigen::Triplet<double>> mass, stiffness, jacobian;
     for (const AssembledFrame& part : parts) {
       for (int j = 0; j < part.size(); ++j) {
         for (SparseMatrix::InnerIterator it(part.mass, j); it; ++it) mass.emplace_back(n + it.row(), n + j, it.value());
@@ -72,7 +72,7 @@ struct Pair {
         const auto end = [&](int frame, int line, double sign) {
           const Eigen::SparseVector<double> row = parts[frame].motion(grids[frame].node(floor, line), Dof::ux);
           for (Eigen::SparseVector<double>::InnerIterator it(row); it; ++it)
-            closing.emplace_back(system.groups[frame].first + it.row(), floor - 1, sign * it.value());
+            jacobian.emplace_back(system.groups[frame].first + it.row(), floor - 1, sign * it.value());
         };
         end(0, 2, 1);
         end(1, 0, -1);
@@ -82,7 +82,7 @@ struct Pair {
       }
     }
     system.gap_jacobian.resize(n, static_cast<int>(contacts.size()));
-    system.gap_jacobian.setFromTriplets(closing.begin(), closing.end());
+    system.gap_jacobian.setFromTriplets(jacobian.begin(), jacobian.end());
     system.grounds = {GroundMotion(Harmonic{3.0, 0.6, 10.0})};
   }
 };
@@ -98,12 +98,12 @@ Pair rubbing_on_delayed_ground() {
   s.load.col(1).setZero();
   const Group right = s.groups[1];
   s.load.col(1).segment(right.first, right.count).swap(s.load.col(0).segment(right.first, right.count));
-  const Eigen::MatrixXd closing = s.gap_jacobian;
+  const Eigen::MatrixXd jacobian = s.gap_jacobian;
   Eigen::MatrixXd wider = Eigen::MatrixXd::Zero(n, 2 * contacts);
-  wider.leftCols(contacts) = closing;
+  wider.leftCols(contacts) = jacobian;
   for (int i = 0; i < contacts; ++i) {
     for (int k = 0; k + 1 < n; ++k)
-      if (closing(k, i) != 0) wider(k + 1, contacts + i) = closing(k, i);  // uz of the same node
+      if (jacobian(k, i) != 0) wider(k + 1, contacts + i) = jacobian(k, i);  // uz of the same node
     s.frictions.push_back({.contact = i, .first = contacts + i, .count = 1, .coefficient = 0.4, .sliding = 0.02});
   }
   s.gap_jacobian = wider.sparseView();
@@ -231,7 +231,7 @@ System row_of_frames(int frames) {
   const AssembledFrame one = make_frame(grid).assemble();
   const int size = one.size(), n = frames * size;
   System s;
-  std::vector<Eigen::Triplet<double>> mass, stiffness, closing;
+  std::vector<Eigen::Triplet<double>> mass, stiffness, jacobian;
   for (int k = 0; k < frames; ++k) {
     for (int j = 0; j < size; ++j) {
       for (SparseMatrix::InnerIterator it(one.mass, j); it; ++it) mass.emplace_back(k * size + it.row(), k * size + j, it.value());
@@ -245,7 +245,7 @@ System row_of_frames(int frames) {
     for (const auto& [frame, line, sign] : {std::tuple(left, 1, 1.0), {left + 1, 0, -1.0}}) {
       const Eigen::SparseVector<double> row = one.motion(grid.node(storey, line), Dof::ux);
       for (Eigen::SparseVector<double>::InnerIterator it(row); it; ++it)
-        closing.emplace_back(frame * size + it.row(), i, sign * it.value());
+        jacobian.emplace_back(frame * size + it.row(), i, sign * it.value());
     }
   }
   s.mass.resize(n, n);
@@ -255,7 +255,7 @@ System row_of_frames(int frames) {
   s.damping.resize(n, n);
   s.load = Eigen::MatrixXd::Zero(n, 1);
   s.gap_jacobian.resize(n, 2 * (frames - 1));
-  s.gap_jacobian.setFromTriplets(closing.begin(), closing.end());
+  s.gap_jacobian.setFromTriplets(jacobian.begin(), jacobian.end());
   return s;
 }
 

@@ -191,12 +191,12 @@ TEST(GapLink, MarginsArePositiveWhileThePhaseLasts) {
   EXPECT_LT(link.event_functions({0.02, -1}, 0)[0], 0);
   link = reversed();
   const Contact::EventFunctions pressing = link.event_functions({0.05, -1}, 0);
-  for (const double margin : pressing) EXPECT_GT(margin, 0);
+  for (const double value : pressing) EXPECT_GT(value, 0);
   EXPECT_LT(link.event_functions({-0.01, -1}, 0)[0], 0) << "parted";
   EXPECT_LT(link.event_functions({0.02, -2}, 0)[1], 0) << "the force would pull";
   EXPECT_LT(link.event_functions({0.05, 1}, 0)[2], 0) << "pressed again";
   link.on_event(1, 2, {0.02, -2});
-  for (const double margin : link.event_functions({0.02, -2}, 0)) EXPECT_GT(margin, 0);
+  for (const double value : link.event_functions({0.02, -2}, 0)) EXPECT_GT(value, 0);
   EXPECT_LT(link.event_functions({-0.01, -2}, 0)[0], 0) << "parted";
   EXPECT_LT(link.event_functions({0.02, 1}, 0)[1], 0) << "the force is back";
 }

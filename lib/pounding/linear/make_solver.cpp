@@ -12,7 +12,7 @@ constexpr int max_modes = 500;
 }  // namespace
 
 std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm) {
-  const bool modal = kind == SolverKind::modal || (kind == SolverKind::automatic && ModalSolver::largest_block(system) <= max_modes);
+  const bool modal = kind == SolverKind::modal || (kind == SolverKind::automatic && ModalSolver::max_dynamic_dofs(system) <= max_modes);
   if (modal) return std::make_unique<ModalSolver>(system);
   return std::make_unique<SparseSolver>(comm, system);
 }

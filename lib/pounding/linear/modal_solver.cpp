@@ -22,7 +22,7 @@ MassSplit split_of(const System& system, const Group& group) {
 
 }  // namespace
 
-int ModalSolver::largest_block(const System& system) {
+int ModalSolver::max_dynamic_dofs(const System& system) {
   std::size_t largest = 0;
   for (const Group& group : system.groups) largest = std::max(largest, split_of(system, group).dynamic.size());
   return static_cast<int>(largest);

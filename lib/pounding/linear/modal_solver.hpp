@@ -22,7 +22,7 @@ class ModalSolver final : public StructureSolver {
   explicit ModalSolver(const System& system);
 
   /// Largest number of dynamic degrees of freedom in one structure: its cube is the cost of setting up.
-  static int largest_block(const System& system);
+  static int max_dynamic_dofs(const System& system);
 
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
   void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
