@@ -47,8 +47,8 @@ function(install_pc name description requires libraries more_flags)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 install_pc(pounding-laws "Contact laws of pounding structures, C++20 headers" "" "" "")
-install_pc(pounding-links "Gap links between structures" "eigen3" "-L\${libdir} -lpounding_links" "")
-install_pc(pounding-elements "Structures, the model and its reader" "pounding-links yaml-cpp fmt"
+install_pc(pounding-links "Gap links between structures" "" "-L\${libdir} -lpounding_links" "")
+install_pc(pounding-elements "Structures, the model and its reader" "pounding-links yaml-cpp fmt eigen3"
   "-L\${libdir} -lpounding_elements" "")
 install_pc(pounding "Time integration and results of pounding structures" "pounding-elements slepc PETSc hdf5-openmpi"
   "-L\${libdir} -lpounding_lib" "")

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/laws/free_impact.hpp>
+#include <pounding/laws/compiled.hpp>
 #include "commands.hpp"
 
 namespace pounding::program {

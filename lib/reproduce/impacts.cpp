@@ -7,7 +7,6 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/input/input.hpp>
-#include <pounding/laws/free_impact.hpp>
 #include <pounding/structures/oscillators.hpp>
 
 namespace pounding::reproduce {

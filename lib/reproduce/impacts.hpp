@@ -6,8 +6,7 @@
 #include <vector>
 
 #include <pounding/run/run.hpp>
-#include <pounding/laws/all.hpp>
-#include <pounding/laws/integrated_impact.hpp>
+#include <pounding/laws/compiled.hpp>
 #include <pounding/results/results.hpp>
 
 namespace pounding::reproduce {

@@ -12,7 +12,7 @@
 #include <pybind11/stl.h>
 
 #include <pounding/input/collision.hpp>
-#include <pounding/laws/free_impact.hpp>
+#include <pounding/laws/compiled.hpp>
 #include <pounding/core/units.hpp>
 #include "bindings.hpp"
 
@@ -226,7 +226,7 @@ double quantity(const std::string& text, const std::string& unit, double exponen
 }
 
 std::string hint(const std::string& read, const std::vector<std::string>& allowed) {
-  return laws::by_name::hint(read, {allowed.begin(), allowed.end()});
+  return suggestion(read, std::vector<std::string_view>(allowed.begin(), allowed.end()));
 }
 
 }  // namespace

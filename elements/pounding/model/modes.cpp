@@ -58,7 +58,7 @@ Eigen::MatrixX3d whole_load(const Structure& s) {
 std::vector<Mode> modes(const Structure& s, int count, const ModeSolver& solver) {
   std::vector<Mode> found;
   if (s.is_rigid()) return found;
-  const int available = static_cast<int>(unknowns_with_mass(s.mass).size());
+  const int available = static_cast<int>(split_by_mass(s.mass).dynamic.size());
   const Eigenmodes solved = solver(s.mass, s.stiffness, std::min(count, available));
   const Eigen::MatrixX3d load = whole_load(s);
   const SparseMatrix damping = s.whole_damping();

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include <pounding/core/archive.hpp>
+#include <pounding/core/archive_eigen.hpp>
 #include <pounding/run/floor_response.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>

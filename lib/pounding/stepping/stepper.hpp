@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include <pounding/core/archive.hpp>
+#include <pounding/core/archive_eigen.hpp>
 #include <pounding/linear/structure_solver.hpp>
 #include <pounding/stepping/pseudo_forces.hpp>
 #include <pounding/links/friction.hpp>
