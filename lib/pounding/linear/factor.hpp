@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 
 namespace pounding::petsc {
 

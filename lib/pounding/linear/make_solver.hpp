@@ -17,6 +17,6 @@ enum class SolverKind {
 };
 
 /// `automatic` is modal while setting that up is cheap. Collective on `comm` when it is sparse.
-std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm = PETSC_COMM_WORLD);
+std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm);
 
 }  // namespace pounding::petsc
