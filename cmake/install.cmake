@@ -24,9 +24,8 @@ if(TARGET pounding_fortran)
 endif()
 install(TARGETS pounding_program)
 
-install(DIRECTORY elements/pounding lib/pounding DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-  PATTERN records EXCLUDE)
-install(FILES ${PROJECT_BINARY_DIR}/elements/pounding/core/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pounding/core)
+install(CODE "set(SOURCE [[${PROJECT_SOURCE_DIR}]])\nset(BINARY [[${PROJECT_BINARY_DIR}]])\nset(INCLUDEDIR [[${CMAKE_INSTALL_INCLUDEDIR}]])")
+install(SCRIPT cmake/install_headers.cmake)
 install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py")
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Exit codes of the program, and its messages when it fails.
+/// Exit codes of the program, and the message of a failure.
 
 #include <cstdio>
 #include <exception>

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
 

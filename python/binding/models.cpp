@@ -2,7 +2,6 @@
 
 #include <exception>
 #include <functional>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -19,6 +18,7 @@
 #include <pounding/input/input.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/linear/lowest_modes.hpp>
+#include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/launch.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/structures/oscillators.hpp>
@@ -31,7 +31,7 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-// PETSc and its options are one for the process: one thread at a time.
+// A process has one PETSc with one table of options, so one thread at a time may use it.
 std::mutex petsc_in_use;
 
 /// The text of a model and the file that it stands for.
@@ -77,12 +77,12 @@ std::string modes(const Source& source, int count) {
   return with_petsc([&] { return modes_json(read(source), count, petsc::lowest_modes, true); });
 }
 
-/// What a run reports to and may be ended by.
+/// The Python side of a run: it is told the progress and may end the run.
 struct Listener {
   py::object progress;  ///< None, or called with time [s], duration [s] and impacts
-  /// What a signal handler or `progress` raised; it ends the run.
+  /// Exception raised by `progress` or by a signal handler; it ends the run.
   std::optional<py::error_already_set> raised = {};
-  /// That for the other processes, which know by themselves when the user stops the run.
+  /// Text of the exception for the other processes; empty for KeyboardInterrupt, which every process gets by itself.
   std::string failure = {};
 
   void report(double time, double duration, int impacts) {
@@ -106,15 +106,15 @@ struct Listener {
   }
 };
 
-/// What there is of a run, whether it came to its end or not.
+/// Results of a run, whether it came to its end or not.
 struct Ran {
   std::vector<std::byte> image;  ///< of the results file
   std::string warning;
-  std::string failure;     ///< empty: none
-  bool resumable = false;  ///< the output can go on
+  std::string failure;     ///< empty for a run that came to its end
+  bool resumable = false;  ///< the output can be resumed
 };
 
-// The histories are whole on the first process.
+// The bytes of the results file on all processes; only the first one has whole histories.
 std::vector<std::byte> image_for_all(const Results& results) {
   const petsc::Ranks ranks(PETSC_COMM_WORLD);
   return ranks.gather(ranks.is_root() ? results_image(results) : std::vector<std::byte>{}).front();
@@ -133,7 +133,7 @@ Ran run_alike(const Model& model, const RunOptions& options) {
   }
 }
 
-// What Python raised on one process only has ended the run of all.
+// A Python exception on one process has ended the run on all; makes its text the failure on all.
 void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, Ran& ran) {
   try {
     ranks.on_each([&] {
@@ -144,38 +144,23 @@ void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, R
   }
 }
 
-// One that fails in the middle of a run leaves the others waiting for a message that never comes; what it fails with after
-// that, or before, is what all fail with.
 Ran run_together(const Model& model, const RunOptions& options, const Listener& listener) {
-  const petsc::Ranks ranks(PETSC_COMM_WORLD);
-  const petsc::CollectiveExit leaving(ranks.comm());
   Ran ran;
-  std::exception_ptr failure;
-  try {
-    ran = run_alike(model, options);
-  } catch (const std::exception& error) {
-    if (!leaving.together(petsc::CollectiveExit::patience)) {
-      leave_the_others();
-      throw SolverError(ranks.alone(error.what()));
-    }
-    failure = std::current_exception();
-  }
-  if (!failure) leaving.together(std::numeric_limits<double>::infinity());
-  ranks.on_each([&] {
-    if (failure) std::rethrow_exception(failure);
-  });
-  tell_what_was_raised(ranks, listener, ran);
+  petsc::run_collectively(
+      options.comm, [&] { ran = run_alike(model, options); },
+      [](const std::string&, const std::exception&) { leave_the_others(); });
+  tell_what_was_raised(petsc::Ranks(options.comm), listener, ran);
   return ran;
 }
 
-// A file of the same name may be another one in the folder of another process.
+// Processes may work in different folders, where a file of the same name may be another one.
 void require_one_run(const petsc::Ranks& ranks, const Model& model, const std::vector<std::string>& options,
                      const std::string& name) {
   if (!ranks.same(fmt::format("{}\n{}", model.source_text, fmt::join(options, " "))))
     throw InputError(fmt::format("{}: the processes run different models or options; give all of them the same", name));
 }
 
-/// What this process cannot run is what none runs. Nothing where there are no others.
+/// Raises InputError with this text on every process; does nothing where there is only one.
 void refuse(const std::string& text) {
   if (petsc::launch().value_or(petsc::Launch{}).size > 1)
     with_petsc([&] { petsc::Ranks(PETSC_COMM_WORLD).on_each([&] { throw InputError(text); }); });
@@ -195,7 +180,8 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
           .stop = [&] { return listener.stops(); }};
 }
 
-/// Runs what `read` makes of the words of PETSc's options; these hold from where it hands them over.
+/// Runs the model of an input. `read_input` returns the input and sets PETSc's options for the time of the run: it may add to
+/// `words`, the words of the command line, and makes `given` of them.
 py::dict run_read(const std::string& name, const std::string& output, std::vector<std::string> words, const std::string& command,
                   const std::string& resumed, const py::object& progress,
                   const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {

@@ -40,9 +40,17 @@ class Item:
 
 
 def installed_headers() -> list[Path]:
-    """The headers that cmake/install.cmake installs, but for that of the version."""
-    found = [path for part in ("elements/pounding", "lib/pounding") for path in (ROOT / part).rglob("*.hpp")
-             if "records" not in path.relative_to(ROOT / part).parts]
+    """The headers that cmake/install_headers.cmake installs, but for that of the version: the faces and what they include."""
+    parts = [ROOT / "elements", ROOT / "lib"]
+    pending = [path for part in parts for folder in ("", "laws") for path in (part / "pounding" / folder).glob("*.hpp")]
+    found = set()
+    while pending:
+        path = pending.pop()
+        if path in found:
+            continue
+        found.add(path)
+        included = re.findall(r'(?m)^#include [<"](pounding/[^>"]*)[>"]', path.read_text())
+        pending += [part / header for header in included for part in parts if (part / header).exists()]
     return sorted(found) + [ROOT / "elements/c/pounding.h"]
 
 

@@ -28,6 +28,7 @@
 #include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 #include <pounding/linear/make_solver.hpp>
 #include <pounding/linear/sparse_solver.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
@@ -275,7 +276,7 @@ nlohmann::json plane(const Words& words) {
     group.velocity_floor = 1e-2 * pair.system.grounds[0].peak() / w;
   }
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words));
+  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words), PETSC_COMM_WORLD);
   Stepper stepper(pair.system, *base, {.tolerance = tolerance, .scheme = scheme(words), .max_step = longest});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(pair.system.size());
   stepper.start(0, zero, zero);
@@ -378,7 +379,7 @@ nlohmann::json space(const Words& words) {
   pair.system.grounds = {GroundMotion(Samples{{0, far}, {0, -far}, true})};
 
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words));
+  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words), PETSC_COMM_WORLD);
   const Eigen::VectorXd pushed = static_answer(pair, *base);
   Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(words), .max_step = space_step});
   // They press from the start, rather than touch at once.

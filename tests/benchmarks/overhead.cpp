@@ -18,6 +18,7 @@
 #include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 #include <pounding/stepping/stepper.hpp>
 

@@ -72,6 +72,11 @@ class Modules(unittest.TestCase):
                     idle += [f"{folder.name} needs {need}, but includes nothing of it" for need in declared()[folder.name] if need not in used]
         self.assertEqual(sorted(idle), [])
 
+    def test_EveryRecordFormatIsInTheList(self):
+        folder = ROOT / "elements/pounding/ground/records"
+        listed = re.findall(r"(?m)^FORMAT\((\w+)\)$", (folder / "formats.inc").read_text())
+        self.assertEqual(sorted(listed), sorted(path.stem for path in folder.glob("*.cpp") if path.stem != "format"))
+
     def test_NoModuleKnowsTheProgramsAboveIt(self):
         for part in PARTS:
             for path in sources(ROOT / part / "pounding"):

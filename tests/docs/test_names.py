@@ -54,6 +54,13 @@ class Names(unittest.TestCase):
             silent += [f"{path.relative_to(ROOT)}:{line}: {name}" for line, name in without_docstring(tree)]
         self.assertEqual(silent, [], "\n" + "\n".join(silent))
 
+    def test_PrivateHeadersAreNotInstalled(self):
+        installed = {str(path.relative_to(ROOT)) for path in installed_headers()}
+        self.assertLessEqual({"lib/pounding/lib.hpp", "lib/pounding/run/run.hpp", "elements/pounding/laws/all.hpp"}, installed)
+        private = {f"lib/pounding/{name}.hpp" for name in ("run/run_monitor", "run/run_writer", "run/ts_setup", "run/recorder", "results/hdf5",
+                                                           "results/replace_file")} | {"elements/pounding/ground/records/format.hpp"}
+        self.assertEqual(installed & private, set())
+
     def test_TheReaderFindsWhatTheHeadersDeclare(self):
         found = {item.name for path in installed_headers() for item in declarations(path)[1]}
         for name in ("pnd_respond", "pnd_law", "pnd_status", "pounding::GapLink", "pounding::run", "pounding::laws::touch",

@@ -9,6 +9,7 @@
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/structure_input.hpp>
+#include <pounding/model/ground_plan.hpp>
 
 namespace pounding {
 namespace {

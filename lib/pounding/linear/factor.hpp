@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 
 namespace pounding::petsc {
 

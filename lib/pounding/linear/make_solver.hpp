@@ -17,6 +17,6 @@ enum class SolverKind {
 };
 
 /// Collective on `comm` when it is sparse. `system` must outlive the solver; throws as the constructors of the two solvers do.
-std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm = PETSC_COMM_WORLD);
+std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm);
 
 }  // namespace pounding::petsc

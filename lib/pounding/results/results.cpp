@@ -320,7 +320,7 @@ void write_all(hid_t file, const Results& results) {
 }  // namespace
 
 void visit_histories(Results& results,
-                     const std::function<void(const std::string& place, std::vector<double>& values)>& visit) {
+                     const std::function<void(const std::string& path, std::vector<double>& values)>& visit) {
   visit_all(results, visit);
 }
 
