@@ -28,7 +28,8 @@ install(DIRECTORY elements/pounding lib/pounding DESTINATION ${CMAKE_INSTALL_INC
   PATTERN records EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/elements/pounding/core/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pounding/core)
 install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py"
+  PATTERN __pycache__ EXCLUDE)
 
 # The CMake package.
 foreach(export IN LISTS exports)

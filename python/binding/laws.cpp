@@ -125,17 +125,15 @@ py::tuple responses(const Law& law, const Array& penetration, const Array& rate,
   return py::make_tuple(force, by_penetration, by_rate);
 }
 
-py::dict dict_of(const laws::FreeImpact& impact) {
+/// Names of the quantities that have a closed form.
+std::vector<std::string> closed_forms(const laws::FreeImpact& impact) {
   const auto& known = impact.closed_form;
   std::vector<std::string> closed;
   for (const auto& [is_closed, name] : {std::pair{known.restitution, "restitution"}, {known.peak_force, "peak_force"},
                                         {known.time_of_peak, "time_of_peak"}, {known.peak_penetration, "peak_penetration"},
                                         {known.duration, "duration"}})
     if (is_closed) closed.emplace_back(name);
-  return py::dict("restitution"_a = impact.restitution, "peak_force"_a = impact.peak_force,
-                  "time_of_peak"_a = impact.time_of_peak, "peak_penetration"_a = impact.peak_penetration,
-                  "duration"_a = impact.duration, "energy_lost"_a = impact.energy_lost, "impulse"_a = impact.impulse,
-                  "closed_form"_a = closed);
+  return closed;
 }
 
 Law make_law(std::string name, std::string formula, std::optional<double> restitution,
@@ -197,13 +195,16 @@ py::dict calibrated(const CollisionInput& words) {
   const Collision collision = read_collision(words);
   py::list rows;
   for (const CalibratedRow& row : calibrate(collision)) {
-    py::dict entry("formula"_a = row.formula);
+    py::dict entry;
     if (!row.refused.empty()) {
+      entry["formula"] = row.formula;
       entry["refused"] = row.refused;
     } else {
-      entry = dict_of(row.impact);
-      entry.attr("pop")("closed_form");
-      entry["formula"] = row.formula;
+      const laws::FreeImpact& impact = row.impact;
+      entry = py::dict("restitution"_a = impact.restitution, "peak_force"_a = impact.peak_force,
+                       "time_of_peak"_a = impact.time_of_peak, "peak_penetration"_a = impact.peak_penetration,
+                       "duration"_a = impact.duration, "energy_lost"_a = impact.energy_lost, "impulse"_a = impact.impulse,
+                       "formula"_a = row.formula);
       if (!collision.law.number.name.empty()) {
         entry[py::str(std::string(collision.law.number.name))] = row.number;
         entry[py::str(std::string(collision.law.coefficient.name))] = row.coefficient;
@@ -241,6 +242,15 @@ void bind_laws(py::module_& module) {
                 const std::vector<std::pair<std::string, std::string>>& parameters) {
                return calibrated({law, restitution, m1, m2, stiffness, velocity, exponent, parameters});
              });
+  py::class_<laws::FreeImpact>(module, "FreeImpact")
+      .def_readonly("restitution", &laws::FreeImpact::restitution)
+      .def_readonly("peak_force", &laws::FreeImpact::peak_force)
+      .def_readonly("time_of_peak", &laws::FreeImpact::time_of_peak)
+      .def_readonly("peak_penetration", &laws::FreeImpact::peak_penetration)
+      .def_readonly("duration", &laws::FreeImpact::duration)
+      .def_readonly("energy_lost", &laws::FreeImpact::energy_lost)
+      .def_readonly("impulse", &laws::FreeImpact::impulse)
+      .def_property_readonly("closed_form", &closed_forms);
   py::class_<Law>(module, "Law")
       .def(py::init(&make_law), "law"_a, "formula"_a, "restitution"_a, "impact_velocity"_a, "reduced_mass"_a, "values"_a)
       .def("forces", &forces)
@@ -248,7 +258,7 @@ void bind_laws(py::module_& module) {
       .def_property_readonly("needs_approach_velocity", &needs_approach_velocity)
       .def("describe", &described)
       .def("free_impact", [](const Law& law, double reduced_mass, double closing_speed) {
-        return dict_of(laws::free_impact(law.any, reduced_mass, closing_speed));
+        return laws::free_impact(law.any, reduced_mass, closing_speed);
       });
 }
 

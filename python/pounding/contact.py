@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from pounding.compiled import core
+from pounding._native import core
 from pounding.errors import InputError
 
 #: A number in SI, or a text with its unit: "0.5 m/s".
@@ -143,9 +143,9 @@ class Law:
         law = self._with_mass(None if self.reduced_mass is not None else mass)
         speeds = np.asarray(closing_speed, dtype=float)
         impacts = [law.free_impact(mass, speed) for speed in speeds.ravel()]
-        values = {name: np.array([impact[name] for impact in impacts]).reshape(speeds.shape)[()]
+        values = {name: np.array([getattr(impact, name) for impact in impacts]).reshape(speeds.shape)[()]
                   for name in FreeImpact.__dataclass_fields__ if name != "closed_form"}
-        return FreeImpact(**values, closed_form=tuple(impacts[0]["closed_form"]) if impacts else ())
+        return FreeImpact(**values, closed_form=tuple(impacts[0].closed_form) if impacts else ())
 
     def describe(self, closing_speed: float = 1.0) -> dict[str, tuple[float, str]]:
         """Every parameter, the damping number and the damping coefficient at this closing speed [m/s]: name -> (value, SI

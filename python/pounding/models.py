@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from pounding import yaml_text
-from pounding.compiled import core
+from pounding._native import core
+from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
 
 #: The parts of an input, in the order of the examples.
@@ -89,9 +90,7 @@ class Model:
         return f"<pounding.Model {self.title or ''!r}: {len(self.structures or ())} structures, {len(self.links or ())} links>"
 
     def _repr_html_(self) -> str:
-        from pounding.notebook import model_html
-
-        return model_html(self)
+        return text_html(self.to_yaml())
 
     def _parts(self) -> dict[str, Any]:
         given = {part: getattr(self, part) for part in PARTS}

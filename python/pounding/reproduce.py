@@ -18,9 +18,9 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation
 
-from pounding import page
-from pounding.mathematics import data_uri, rich, svg_of
-from pounding.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
+from pounding.paper import page
+from pounding.paper.mathematics import data_uri, rich, svg_of
+from pounding.pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
 
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
 #: What others are compared with is black in every figure.

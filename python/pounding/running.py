@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterator, Mapping
 from os import PathLike, fspath
 from typing import Any
 
-from pounding.compiled import core
+from pounding._native import core
 from pounding.errors import AccuracyWarning, InputError, Interrupted, SolverError
 from pounding.models import Model, as_model
-from pounding.results import Run, read_image
+from pounding.runs import Run
 
 #: Called now and then with the simulated time [s], the duration [s] and the number of impacts.
 Progress = Callable[[float, float, int], None]
@@ -79,14 +79,14 @@ def _words(options: Mapping[str, Any] | None) -> list[str]:
     return words
 
 
-def _results(ran: dict[str, Any], output: str) -> Run:
-    """What there is, or the exception that ended it, with what there is."""
-    results = read_image(ran["image"])
-    raised, text = ran["raised"], ran["failure"]
+def _results(ran: core.RunOutcome, output: str) -> Run:
+    """The results; raises what ended the run, with the results so far."""
+    results = Run.from_image(ran.image)
+    raised, text = ran.raised, ran.failure
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised
     if text and output:
-        text += f'\nTo go on: pounding.resume("{output}")' if ran["resumable"] else f"\nWhat was computed is in {output}"
+        text += f'\nTo go on: pounding.resume("{output}")' if ran.resumable else f"\nWhat was computed is in {output}"
     # In an interactive session, whose cell or line has not got its results.
     elif text and hasattr(sys, "ps1"):
         text += "\nWhat was computed is sys.last_value.results"
@@ -94,8 +94,8 @@ def _results(ran: dict[str, Any], output: str) -> Run:
         raise Interrupted(text or "stopped by the user", results) from None
     if text:
         raise SolverError(text, results)
-    if ran["warning"]:
-        warnings.warn(ran["warning"], AccuracyWarning, stacklevel=3)
+    if ran.warning:
+        warnings.warn(ran.warning, AccuracyWarning, stacklevel=3)
     return results
 
 

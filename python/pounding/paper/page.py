@@ -4,7 +4,7 @@ import html
 import re
 from typing import Any
 
-from pounding.mathematics import formula, rich
+from pounding.paper.mathematics import formula, rich
 
 BADGES = {"agrees": "yes", "does not agree": "no", "cannot be checked": "open"}
 OF_SEVERAL = {"agrees": "agree", "does not agree": "do not agree", "cannot be checked": "cannot be checked"}

@@ -1,6 +1,6 @@
 """A gap link for the element genericClient of OpenSees: a process that `pounding.opensees.link` starts.
 
-    python3 -m pounding.opensees_link        reads one line of JSON, writes {"port": ...}, serves one element
+    python3 link_process.py        reads one line of JSON, writes {"port": ...}, serves one element
 
 OpenSees holds the interpreter while it computes, so the link cannot live in the same process. The element asks for force and
 slopes at trial states, as often as Newton likes, and says which states are kept; impacts begin, go on and end at these.
@@ -25,7 +25,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-LIBRARY = Path(__file__).parent / "libpounding_c.so.1"
+LIBRARY = Path(__file__).parents[1] / "libpounding_c.so.1"
 
 # What the element sends in the first number; those that are answered get a vector of the size of theirs.
 SET_TRIAL, COMMIT, GET_FORCE, GET_INITIAL_STIFFNESS, GET_STIFFNESS, GET_DAMPING, GET_MASS, END = 3, 5, 10, 12, 13, 14, 15, 99
