@@ -22,14 +22,14 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-/// Not the variant itself, which pybind11 would turn into one of its members.
+/// In a struct, because pybind11 would turn the variant itself into one of its members.
 struct Law {
   laws::AnyLaw any;
 };
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Values of an array in their order, or one value over and over.
+/// Values of an array in their order, or one value repeated.
 struct Column {
   explicit Column(const Array& array) : first(array.data()), stride(array.ndim() == 0 ? 0 : 1) {}
   double operator[](py::ssize_t i) const { return first[i * stride]; }
@@ -42,7 +42,7 @@ struct States {
   py::ssize_t count;
 };
 
-/// The shape of all; arrays that are not single numbers have it already (numpy broadcasts them before).
+/// Common shape of the arrays that are not single numbers; numpy has broadcast them before.
 std::vector<py::ssize_t> common_shape(std::initializer_list<const Array*> arrays) {
   std::vector<py::ssize_t> shape;
   for (const Array* array : arrays) {
@@ -54,15 +54,14 @@ std::vector<py::ssize_t> common_shape(std::initializer_list<const Array*> arrays
   return shape;
 }
 
-// A state that is not a number has no force that is one. The law is asked before this is known, so that a loop has no branch
-// around it.
+// NaN gives NaN. The law is evaluated before the test, so that the loop has no branch around it.
 laws::Response answer(const auto& law, double penetration, double rate, const laws::Impact& impact) {
   const laws::Response r = law.respond(penetration, rate, impact);
   return std::isnan(penetration) || std::isnan(rate) ? laws::Response{NAN, NAN, NAN} : r;
 }
 
-/// States from `first` to `end` of impacts that begin alike. Law and impact are copies that nothing else can write to, so that
-/// what depends on them alone is computed once.
+/// States from `first` to `end` of impacts with the same beginning. Law and impact are copies that nothing else can write to,
+/// so that the compiler computes once all that depends on them alone.
 template <class L, class Take>
 void press(const L law, const laws::Impact impact, const States& s, py::ssize_t first, py::ssize_t end, Take&& take) {
   for (py::ssize_t i = first; i < end; ++i) take(i, answer(law, s.penetration[i], s.rate[i], impact));
@@ -79,7 +78,7 @@ void for_each_state(const L& law, const States& s, Take&& take) {
   }
 }
 
-/// `take(i, response)` for states that follow each other in one impact: each is kept before the next.
+/// `take(i, response)` for the successive states of one impact: each is accepted before the next.
 template <class L, class Take>
 void for_each_kept_state(const L& law, const States& s, Take&& take) {
   if (s.count == 0) return;
@@ -144,7 +143,7 @@ Law make_law(std::string name, std::string formula, std::optional<double> restit
   return {laws::make_law(settings)};
 }
 
-/// Whether another closing speed would change an answer.
+/// True if the force depends on the closing speed of the impact.
 bool needs_approach_velocity(const Law& law) {
   return std::visit(
       [](const auto& chosen) {

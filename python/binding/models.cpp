@@ -109,12 +109,12 @@ std::vector<StructureModes> modes_of_all(const Source& source, int count) {
   });
 }
 
-/// What a run reports to and may be ended by.
+/// Receives the progress of a run, and may end it.
 struct Listener {
   py::object progress;  ///< None, or called with time [s], duration [s] and impacts
-  /// What a signal handler or `progress` raised; it ends the run.
+  /// Exception of a signal handler or of `progress`; it ends the run.
   std::optional<py::error_already_set> raised = {};
-  /// That for the other processes, which know by themselves when the user stops the run.
+  /// Text of that exception for the other processes; empty for Ctrl-C, which each process sees by itself.
   std::string failure = {};
 
   void report(double time, double duration, int impacts) {
@@ -138,7 +138,7 @@ struct Listener {
   }
 };
 
-/// What there is of a run, whether it came to its end or not.
+/// Result of a run that was completed or not.
 struct Ran {
   std::vector<std::byte> image;  ///< of the results file
   std::string warning;
@@ -165,7 +165,7 @@ Ran run_alike(const Model& model, const RunOptions& options) {
   }
 }
 
-// What Python raised on one process only has ended the run of all.
+// An exception that Python raised on one process has ended the run of all.
 void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, Ran& ran) {
   try {
     ranks.on_each([&] {
@@ -223,8 +223,8 @@ struct RunOutcome {
 
 RunOutcome for_python(const Ran& ran, const Listener& listener) {
   const auto* image = reinterpret_cast<const char*>(ran.image.data());
-  return {.image = py::bytes(image, ran.image.size()), .warning = ran.warning, .failure = ran.failure, .resumable = ran.resumable,
-          .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
+  return {.image = py::bytes(image, ran.image.size()), .warning = ran.warning, .failure = ran.failure,
+          .resumable = ran.resumable, .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
 }
 
 RunOptions run_options(const std::string& output, const std::string& command, Listener& listener) {

@@ -59,9 +59,10 @@ class Modes(Mapping[str, list[Mode]]):
         """A picture of the first shapes of every structure. Raises InputError when there is none."""
         from pounding.mode_shapes import DrawnMode, DrawnStructure, plot_modes
 
-        structures = [DrawnStructure(one.name, [DrawnMode(mode.period, mode.damping_ratio, mode.shape) for mode in self[one.name]],
-                                     one.elevations, np.reshape(one.nodes, (-1, 3)), np.reshape(one.members, (-1, 2)).astype(int),
-                                     one.node_shapes) for one in self._found]
+        structures = [DrawnStructure(
+            one.name, [DrawnMode(mode.period, mode.damping_ratio, mode.shape) for mode in self[one.name]], one.elevations,
+            np.reshape(one.nodes, (-1, 3)), np.reshape(np.array(one.members, int), (-1, 2)), one.node_shapes)
+            for one in self._found]
         return plot_modes(structures, title or self._title or "Mode shapes")
 
 
@@ -76,8 +77,8 @@ def _mode(one: core.Mode, is_frame: bool) -> Mode:
     # Without a frame there is the direction x only.
     directions = len(one.participation) if is_frame else 1
     shape = np.array(one.shape, order="C")
-    return Mode(one.period, one.damping_ratio, np.array(one.participation[:directions]), np.array(one.effective_mass[:directions]),
-                shape if is_frame else shape[:, 0])
+    return Mode(one.period, one.damping_ratio, np.array(one.participation[:directions]),
+                np.array(one.effective_mass[:directions]), shape if is_frame else shape[:, 0])
 
 
 def _words(mode: Mode) -> str:

@@ -196,7 +196,7 @@ def _save_frames(film: Film, path: Path, progress: Callable[[int, int], None] | 
 
 
 def _size(scene: Scene, room: np.ndarray) -> tuple[float, float]:
-    """Of the figure [in]."""
+    """Width and height of the figure [in]."""
     width, depth, height = np.ptp(scene.bounds(room), axis=1)
     across = 0.83 * width + 0.56 * depth if scene.is_spatial else width
     up = 0.91 * height + 0.24 * width + 0.35 * depth if scene.is_spatial else height

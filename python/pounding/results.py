@@ -56,7 +56,7 @@ class MemberForces:
 class FloorMotion:
     """Motion of the floors in one direction."""
 
-    displacement: np.ndarray  #: [time, floor] relative to the ground [m]; of rz [rad], and so on
+    displacement: np.ndarray  #: [time, floor] relative to the ground [m]; along rz [rad], likewise below
     velocity: np.ndarray  #: [time, floor] relative to the ground [m/s]
     acceleration: np.ndarray  #: [time, floor] absolute [m/s^2]
     drift: np.ndarray  #: [time, floor] [m]; no columns in a structure without storeys, and for rz
@@ -66,8 +66,8 @@ class FloorMotion:
 
 @dataclass(frozen=True)
 class Structure:
-    """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are those along x; other
-    directions are in `along`, as in `along["y"].drift`."""
+    """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are along x; other directions are
+    in `along`, as in `along["y"].drift`."""
 
     name: str
     floors: list[str]  #: labels from the ground up
@@ -75,13 +75,13 @@ class Structure:
     kind: str = ""  #: word of the input; empty in files that do not say it
     dimension: int = 1  #: 1: along x only; 2: in x and z; 3: in space
     elevations: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [floor] [m]; NaN where not given
-    geometry: Geometry | None = None  #: of a frame
-    nodes: NodeMotion | None = None
-    members: MemberForces | None = None
+    geometry: Geometry | None = None  #: of a frame; None for other structures
+    nodes: NodeMotion | None = None  #: None where the input asked for no nodes
+    members: MemberForces | None = None  #: None where the input asked for no members
 
     @property
     def directions(self) -> list[str]:
-        """What a floor's motion has: ["x"], or ["x", "y", "rz"] in space."""
+        """Directions of the floors' motion: ["x"], or ["x", "y", "rz"] in space."""
         return list(self.along)
 
     @property
@@ -111,7 +111,7 @@ class Structure:
 
     @property
     def is_wall(self) -> bool:
-        """It moves with the ground: nothing of it is in the file but its name."""
+        """True for a wall: it moves with the ground, and the file has only its name."""
         return not self.floors and self.geometry is None
 
 

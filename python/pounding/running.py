@@ -23,13 +23,14 @@ def run(model: Model | File, *, tolerance: float | None = None, output: File | N
         options: Mapping[str, Any] | None = None, progress: Progress | bool | None = None) -> Run:
     """Runs a model, or an input file, and returns its results. Other threads run meanwhile; models run one after another.
 
-    `tolerance` stands in for the model's own. `output` is a results file, rewritten while the run goes on. `options` are
-    PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value. `progress`
-    is shown on a terminal and in a notebook unless it is False; or a function that is told of it.
+    `tolerance` replaces that of the model [-]. `output` is a results file, rewritten while the run goes on. `options` are
+    PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value. Progress is
+    shown on a terminal and in a notebook unless `progress` is False; a function is called with time [s], duration [s] and
+    number of impacts.
 
-    Raises InputError for what is wrong in the model; SolverError when the run fails and Interrupted at Ctrl-C, both with the
-    results so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning). Under mpirun all
-    processes call it alike, and what one of them raises here, all raise."""
+    Raises InputError when the model is wrong; SolverError when the run fails and Interrupted at Ctrl-C, both with the results
+    so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning). Under mpirun all processes call
+    this function alike, and an error of one of them is raised by all."""
     with _refused_by_all():
         model = as_model(model)
         if tolerance is not None:
@@ -58,7 +59,7 @@ def resume(results: File, *, output: File | None = None, options: Mapping[str, A
 
 @contextlib.contextmanager
 def _refused_by_all() -> Iterator[None]:
-    """Under mpirun the other processes run already, and wait for one that has nothing to run."""
+    """Raises an error of this process on all of them: under mpirun the others run already, and would wait for this one."""
     try:
         yield
     except InputError as error:
@@ -146,7 +147,7 @@ def _words_of(time: float, duration: float, impacts: int) -> str:
 
 
 def _is_notebook() -> bool:
-    """Its cells show what is displayed, but are no terminal."""
+    """True in a cell of a notebook, which shows displayed objects but is no terminal."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython else None
     return type(shell).__name__ == "ZMQInteractiveShell"

@@ -85,7 +85,7 @@ class Link:
                 told = self._ask("")
                 if not told.get("connected"):
                     return told
-                # What the element had sent is read before its question here, and so before ours that follows.
+                # The answer to this question comes after all that the element had sent, so our next question finds it read.
                 ops.eleResponse(self.tag, "force")
                 return self._ask("")
             self._last = self._rest()
@@ -104,7 +104,7 @@ class Link:
         return json.loads(answer)
 
     def _rest(self) -> dict[str, Any]:
-        """What the process says last, when its element is gone."""
+        """Last answer of the process, after its element has gone."""
         assert self._process.stdin and self._process.stdout
         with contextlib.suppress(BrokenPipeError):
             self._process.stdin.close()
@@ -113,12 +113,12 @@ class Link:
         return json.loads(lines[-1]) if lines else {"error": "", "impacts": []}
 
 
-#: Of this process. A link that nobody holds any more still serves its element.
+#: All links of this Python process: a link serves its element even when no variable holds it.
 _made: list[Link] = []
 
 
 def links() -> list[Link]:
-    """Those of the present model, in the order in which they were made."""
+    """Links of the present OpenSees model, in the order in which they were made. Raises ImportError without openseespy."""
     ops = openseespy()
     tags = set(ops.getEleTags())
     of_tag = {each.tag: each for each in _made if each.tag in tags and tuple(ops.eleNodes(each.tag)) == each.nodes}

@@ -14,8 +14,8 @@ from pounding.pictures.style import YELLOW, structure_colour
 if TYPE_CHECKING:
     from pounding.pictures.scene import Motion, Scene
 
-#: What goes to the right and what goes up in a picture, of x, y and z. `oblique` is a parallel projection that is seen
-#: from the front right, 25 degrees from above.
+#: Two rows of factors of x, y and z: to the right and up in the picture. `oblique` is a parallel projection, seen from the
+#: front right and 25 degrees from above.
 VIEWS = {
     "elevation": np.array([[1.0, 0, 0], [0, 0, 1.0]]),
     "side": np.array([[0, 1.0, 0], [0, 0, 1.0]]),

@@ -24,23 +24,23 @@ class LineModel:
     nodes: np.ndarray  #: [node, 3]
     members: np.ndarray  #: [member, 2]
     masses: np.ndarray  #: numbers of the nodes that are drawn as masses; none in a frame
-    half_width: float  #: of a mass: the faces of a stick are this far from its axis [m]
+    half_width: float  #: of a drawn mass: the distance of the faces of a stick from its axis [m]
     has_place: bool  #: its coordinates are those of the model
     has_heights: bool  #: its z are those of the model
 
     @property
     def half_height(self) -> float:
-        """Of a mass [m]."""
+        """Half the height of a drawn mass [m]."""
         return 0.3 * self.half_width
 
     @property
     def height(self) -> float:
-        """Of the highest node [m]."""
+        """Height of the highest node [m]."""
         return float(self.nodes[:, 2].max())
 
 
 def line_model(structure: Structure, tallest: float = 2 * UNKNOWN_STOREY) -> LineModel:
-    """The skeleton of a structure; `tallest` is the height of a wall, and of what must look well beside it [m]."""
+    """The line model of a structure. A wall gets the height `tallest` [m], and masses that look well beside it their width."""
     if structure.geometry is not None:
         return LineModel(structure.name, structure.geometry.nodes, structure.geometry.members, np.empty(0, int), 0.0, True, True)
     heights, known = floor_heights(structure)
@@ -68,10 +68,10 @@ def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
 
 
 def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
-    """[time, node, 3]: displacements of the nodes of the skeleton relative to the ground [m].
+    """[time, node, 3]: displacements of the nodes of the line model relative to the ground [m].
 
-    Those in the file where it has them; the other nodes follow their floor as a plate that is rigid in its plane and
-    turns about the mean of its nodes, and nodes between floors what lies between the floor above and the one below."""
+    Nodes that the file reports move as it says. Other nodes of a floor move with it as a plate that is rigid in its plane and
+    turns about the mean of its nodes; nodes between two floors are interpolated by their height."""
     moved = _by_floors(structure, model)
     reported = structure.nodes
     if reported is None or structure.geometry is None:

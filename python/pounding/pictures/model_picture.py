@@ -89,7 +89,7 @@ def _legend(run: RunData) -> Iterator[Line2D]:
 
 
 def _size(scene: Scene) -> tuple[float, float]:
-    """Of the figure [in]: the proportions of what is drawn, within a page."""
+    """Width and height of the figure [in]: those of the scene in proportion, within a page."""
     if scene.is_spatial:
         return 7.5, 6.6
     width, _, height = np.ptp(scene.bounds(), axis=1)

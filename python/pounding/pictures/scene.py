@@ -118,7 +118,7 @@ class Scene:
         return np.array([left.half_width, 0, height]) + self.shifts[link.left]
 
     def _height(self, link: Link) -> float:
-        """Of a link without a position: that of the floor that one of its ends names."""
+        """Height of a link that has no position: that of the floor which one of its ends names [m]."""
         for name, floor in ((link.left, link.left_floor), (link.right, link.right_floor)):
             heights, _ = floor_heights(self.run.structures[name])
             if 0 < floor <= len(heights):
@@ -127,10 +127,10 @@ class Scene:
 
 
 class Motion:
-    """Where the nodes of a scene are at chosen times."""
+    """Positions of the nodes of a scene at chosen times."""
 
     def __init__(self, scene: Scene, times: np.ndarray) -> None:
-        """`times` [s] need not be output times: what lies between is taken as linear."""
+        """`times` [s] need not be output times: displacements are linear between these."""
         run = scene.run
         self.scene, self.times = scene, np.asarray(times, float)
         #: name -> [time, node, 3], as large as in the file [m]
