@@ -27,7 +27,8 @@ install(TARGETS pounding_program)
 install(CODE "set(SOURCE [[${PROJECT_SOURCE_DIR}]])\nset(BINARY [[${PROJECT_BINARY_DIR}]])\nset(INCLUDEDIR [[${CMAKE_INSTALL_INCLUDEDIR}]])")
 install(SCRIPT cmake/install_headers.cmake)
 install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py"
+  PATTERN __pycache__ EXCLUDE)
 
 # The CMake package.
 foreach(export IN LISTS exports)

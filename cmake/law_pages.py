@@ -145,7 +145,7 @@ def draw(program, law, path):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     from PIL import Image  # comes with matplotlib
-    from pounding.style import STYLE
+    from pounding.pictures.style import STYLE
     names = [f["name"] for f in law["formulas"]] or [""]
     colours = ["black", *plt.colormaps["tab10"].colors, "0.6"]
     with plt.rc_context(STYLE | {"savefig.dpi": 110}):

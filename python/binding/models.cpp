@@ -1,7 +1,9 @@
 /// Models from their text: reading, checking, modes, runs.
 
+#include <array>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -9,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include <fmt/format.h>
@@ -73,16 +76,46 @@ std::pair<std::string, std::string> checked(const Source& source) {
   });
 }
 
-std::string modes(const Source& source, int count) {
-  return with_petsc([&] { return modes_json(read(source), count, petsc::lowest_modes, true); });
+/// The modes of one structure, and how it is drawn.
+struct StructureModes {
+  std::string name;
+  std::vector<Mode> modes;                        ///< longest period first
+  bool is_frame = false;                          ///< motion in x and z or in space; else along x only
+  std::vector<std::optional<double>> elevations;  ///< [floor] [m]
+  std::vector<Eigen::Vector3d> nodes;             ///< at rest [m]; none without geometry
+  std::vector<std::array<int, 2>> members;        ///< numbers of their nodes
+  std::vector<Eigen::MatrixX3d> node_shapes;      ///< [mode] displacements of the nodes, to the scale of the mode
+};
+
+StructureModes modes_of(const Structure& structure, int count) {
+  StructureModes found;
+  found.name = structure.name;
+  found.is_frame = structure.dimension > 1;
+  // An oscillator or a shear building shows all its modes.
+  found.modes = modes(structure, found.is_frame ? count : std::numeric_limits<int>::max(), petsc::lowest_modes);
+  for (const Floor& floor : structure.floors) found.elevations.push_back(floor.elevation);
+  if (!structure.node_translations) return found;
+  found.nodes = structure.geometry.positions;
+  found.members = structure.geometry.members;
+  for (const Mode& mode : found.modes) found.node_shapes.push_back(structure.node_translations(mode.unknowns));
+  return found;
 }
 
-/// The Python side of a run: it is told the progress and may end the run.
+std::vector<StructureModes> modes_of_all(const Source& source, int count) {
+  return with_petsc([&] {
+    const Model model = read(source);
+    std::vector<StructureModes> found;
+    for (const Structure& structure : model.structures) found.push_back(modes_of(structure, count));
+    return found;
+  });
+}
+
+/// Receives the progress of a run, and may end it.
 struct Listener {
   py::object progress;  ///< None, or called with time [s], duration [s] and impacts
-  /// Exception raised by `progress` or by a signal handler; it ends the run.
+  /// Exception of a signal handler or of `progress`; it ends the run.
   std::optional<py::error_already_set> raised = {};
-  /// Text of the exception for the other processes; empty for KeyboardInterrupt, which every process gets by itself.
+  /// Text of that exception for the other processes; empty for Ctrl-C, which each process sees by itself.
   std::string failure = {};
 
   void report(double time, double duration, int impacts) {
@@ -106,7 +139,7 @@ struct Listener {
   }
 };
 
-/// Results of a run, whether it came to its end or not.
+/// Result of a run that was completed or not.
 struct Ran {
   std::vector<std::byte> image;  ///< of the results file
   std::string warning;
@@ -133,7 +166,7 @@ Ran run_alike(const Model& model, const RunOptions& options) {
   }
 }
 
-// A Python exception on one process has ended the run on all; makes its text the failure on all.
+// An exception that Python raised on one process has ended the run of all.
 void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, Ran& ran) {
   try {
     ranks.on_each([&] {
@@ -166,11 +199,18 @@ void refuse(const std::string& text) {
     with_petsc([&] { petsc::Ranks(PETSC_COMM_WORLD).on_each([&] { throw InputError(text); }); });
 }
 
-py::dict dict_of(const Ran& ran, const Listener& listener) {
+/// A run as Python gets it.
+struct RunOutcome {
+  py::bytes image;  ///< of the results file
+  std::string warning, failure;
+  bool resumable = false;
+  py::object raised;  ///< by a signal handler or `progress`; None
+};
+
+RunOutcome for_python(const Ran& ran, const Listener& listener) {
   const auto* image = reinterpret_cast<const char*>(ran.image.data());
-  return py::dict("image"_a = py::bytes(image, ran.image.size()), "warning"_a = ran.warning,
-                  "failure"_a = ran.failure, "resumable"_a = ran.resumable,
-                  "raised"_a = listener.raised ? py::object(listener.raised->value()) : py::none());
+  return {.image = py::bytes(image, ran.image.size()), .warning = ran.warning, .failure = ran.failure,
+          .resumable = ran.resumable, .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
 }
 
 RunOptions run_options(const std::string& output, const std::string& command, Listener& listener) {
@@ -180,11 +220,10 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
           .stop = [&] { return listener.stops(); }};
 }
 
-/// Runs the model of an input. `read_input` returns the input and sets PETSc's options for the time of the run: it may add to
-/// `words`, the words of the command line, and makes `given` of them.
-py::dict run_read(const std::string& name, const std::string& output, std::vector<std::string> words, const std::string& command,
-                  const std::string& resumed, const py::object& progress,
-                  const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
+/// Runs what `read` makes of the words of PETSc's options; these hold from where it hands them over.
+RunOutcome run_read(const std::string& name, const std::string& output, std::vector<std::string> words,
+                    const std::string& command, const std::string& resumed, const py::object& progress,
+                    const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
   Listener listener{progress};
   const Ran ran = with_petsc([&] {
     const petsc::Ranks ranks(PETSC_COMM_WORLD);
@@ -196,19 +235,19 @@ py::dict run_read(const std::string& name, const std::string& output, std::vecto
     options.resume = resumed;
     return run_together(*model, options, listener);
   });
-  return dict_of(ran, listener);
+  return for_python(ran, listener);
 }
 
-py::dict run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
-                    const std::string& command, const py::object& progress) {
+RunOutcome run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
+                      const std::string& command, const py::object& progress) {
   return run_read(source.name, output, options, command, "", progress, [&](auto& words, auto& given) {
     given.emplace(words);
     return Input::read_text(source.text, source.name);
   });
 }
 
-py::dict resume(const std::string& file, const std::string& output, const std::vector<std::string>& options,
-                const std::string& command, const py::object& progress) {
+RunOutcome resume(const std::string& file, const std::string& output, const std::vector<std::string>& options,
+                  const std::string& command, const py::object& progress) {
   return run_read(file, output.empty() ? file : output, options, command, file, progress, [&](auto& words, auto& given) {
     const InterruptedRun earlier = read_interrupted_run(file);
     add_earlier_options(earlier, words);
@@ -222,10 +261,30 @@ py::dict resume(const std::string& file, const std::string& output, const std::v
 void bind_models(py::module_& module) {
   py::class_<Source>(module, "Source").def(py::init<std::string, std::string>(), "text"_a, "name"_a)
       .def_readonly("name", &Source::name);
+  py::class_<Mode>(module, "Mode")
+      .def_readonly("period", &Mode::period)
+      .def_readonly("damping_ratio", &Mode::damping_ratio)
+      .def_readonly("participation", &Mode::participation)
+      .def_readonly("effective_mass", &Mode::effective_mass)
+      .def_readonly("shape", &Mode::shape);
+  py::class_<StructureModes>(module, "StructureModes")
+      .def_readonly("name", &StructureModes::name)
+      .def_readonly("modes", &StructureModes::modes)
+      .def_readonly("is_frame", &StructureModes::is_frame)
+      .def_readonly("elevations", &StructureModes::elevations)
+      .def_readonly("nodes", &StructureModes::nodes)
+      .def_readonly("members", &StructureModes::members)
+      .def_readonly("node_shapes", &StructureModes::node_shapes);
+  py::class_<RunOutcome>(module, "RunOutcome")
+      .def_readonly("image", &RunOutcome::image)
+      .def_readonly("warning", &RunOutcome::warning)
+      .def_readonly("failure", &RunOutcome::failure)
+      .def_readonly("resumable", &RunOutcome::resumable)
+      .def_readonly("raised", &RunOutcome::raised);
   module.def("read_file", [](const std::string& path) { return Input::read_file(path).text(); });
   module.def("parse", [](const Source& source) { return plain(Input::read_text(source.text, source.name)); });
   module.def("check", &checked);
-  module.def("modes", &modes);
+  module.def("modes", &modes_of_all, "source"_a, "count"_a);
   module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("refuse", &refuse, "text"_a);

@@ -47,7 +47,7 @@ class Names(unittest.TestCase):
 
     def test_EveryPublicPythonNameHasADocstring(self):
         silent = []
-        for path in sorted((ROOT / "python/pounding").glob("*.py")):
+        for path in sorted((ROOT / "python/pounding").rglob("*.py")):
             tree = ast.parse(path.read_text())
             if not ast.get_docstring(tree):
                 silent.append(f"{path.relative_to(ROOT)}:1: the module")

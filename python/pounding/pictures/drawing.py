@@ -9,13 +9,13 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.markers import MarkerStyle
 
-from pounding.style import YELLOW, structure_colour
+from pounding.pictures.style import YELLOW, structure_colour
 
 if TYPE_CHECKING:
-    from pounding.skeleton import Motion, Scene
+    from pounding.pictures.scene import Motion, Scene
 
-#: What goes to the right and what goes up in a picture, of x, y and z. `oblique` is a parallel projection that is seen
-#: from the front right, 25 degrees from above.
+#: Two rows of factors of x, y and z: to the right and up in the picture. `oblique` is a parallel projection, seen from the
+#: front right and 25 degrees from above.
 VIEWS = {
     "elevation": np.array([[1.0, 0, 0], [0, 0, 1.0]]),
     "side": np.array([[0, 1.0, 0], [0, 0, 1.0]]),
@@ -37,10 +37,10 @@ class Drawing:
         self.scene, self.view = scene, view
         self.lines: dict[str, LineCollection] = {}
         self.boxes: dict[str, PolyCollection] = {}
-        for number, (name, bones) in enumerate(scene.bones.items()):
+        for number, (name, model) in enumerate(scene.line_models.items()):
             colour = "0.25" if scene.run.structures[name].is_wall else structure_colour(number)
-            many = len(bones.members) > 300
-            width = 3.0 if scene.run.structures[name].is_wall else 0.6 if many else 1.3 if bones.has_place else 2.0
+            many = len(model.members) > 300
+            width = 3.0 if scene.run.structures[name].is_wall else 0.6 if many else 1.3 if model.has_place else 2.0
             self.lines[name] = LineCollection([], colors=colour, linewidths=width, capstyle="round", zorder=3, label=name)
             self.boxes[name] = PolyCollection([], facecolors=colour, edgecolors="white", linewidths=0.5, zorder=4)
             axes.add_collection(self.lines[name])
@@ -66,11 +66,11 @@ class Drawing:
         self.flashes.set_sizes([60 + 500 * strength if strength > 0 else 0 for strength in strengths])
 
     def _set(self, name: str, nodes: np.ndarray) -> None:
-        bones = self.scene.bones[name]
+        model = self.scene.line_models[name]
         points = project(nodes, self.view)
-        self.lines[name].set_segments(points[bones.members])
-        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [bones.half_width, bones.half_height]
-        self.boxes[name].set_verts([corner + corners for corner in points[bones.masses]])
+        self.lines[name].set_segments(points[model.members])
+        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [model.half_width, model.half_height]
+        self.boxes[name].set_verts([corner + corners for corner in points[model.masses]])
 
 
 def star(points: int = 8, inner: float = 0.42) -> np.ndarray:
@@ -91,7 +91,7 @@ def draw_ground(axes: Axes, scene: Scene, view: str) -> None:
         axes.fill_between([left - margin, right + margin], low - depth, low, color="0.82", linewidth=0, zorder=1)
         axes.plot([left - margin, right + margin], [low, low], color="0.25", linewidth=0.9, zorder=2)
     elif view == "oblique":
-        for name in scene.bones:
+        for name in scene.line_models:
             corners = scene.at_rest(name)
             x0, y0, z0 = corners.min(axis=0)
             x1, y1, _ = corners.max(axis=0)

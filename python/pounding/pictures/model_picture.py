@@ -11,15 +11,16 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from pounding.drawing import Drawing, draw_ground, frame_axes, label_axes, project
-from pounding.results import Run
-from pounding.skeleton import Scene, floor_heights
-from pounding.style import MM, STYLE, Picture, head, structure_colour
+from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, label_axes, project
+from pounding.results import RunData
+from pounding.pictures.geometry import floor_heights
+from pounding.pictures.scene import Scene
+from pounding.pictures.style import MM, STYLE, Picture, head, structure_colour
 
 TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
 
 
-def model_figure(run: Run, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+def model_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
     """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations. `size` [in]."""
     scene = Scene(run)
     # Sticks have no place of their own: their gaps are drawn wide enough to be seen.
@@ -51,9 +52,9 @@ def draw_model(axes: Axes, scene: Scene, view: str) -> None:
 
 
 def _name_structures(axes: Axes, scene: Scene, view: str) -> None:
-    for number, name in enumerate(scene.bones):
+    for number, name in enumerate(scene.line_models):
         points = project(scene.at_rest(name), view)
-        x, y = (points[:, 0].min() + points[:, 0].max()) / 2, points[:, 1].max() + scene.bones[name].half_height
+        x, y = (points[:, 0].min() + points[:, 0].max()) / 2, points[:, 1].max() + scene.line_models[name].half_height
         wall = scene.run.structures[name].is_wall
         axes.annotate(name, (x, y), (0, 4), textcoords="offset points", ha="center", va="bottom", fontweight="bold",
                       color="0.25" if wall else structure_colour(number), zorder=8)
@@ -76,7 +77,7 @@ def _label_floors(axes: Axes, scene: Scene) -> None:
                           ha="left" if side > 0 else "right", fontsize=7, color="0.35")
 
 
-def _legend(run: Run) -> Iterator[Line2D]:
+def _legend(run: RunData) -> Iterator[Line2D]:
     """The links, one entry for each gap."""
     gaps: dict[str, list[str]] = {}
     for link in run.links.values():
@@ -88,7 +89,7 @@ def _legend(run: Run) -> Iterator[Line2D]:
 
 
 def _size(scene: Scene) -> tuple[float, float]:
-    """Of the figure [in]: the proportions of what is drawn, within a page."""
+    """Width and height of the figure [in]: those of the scene in proportion, within a page."""
     if scene.is_spatial:
         return 7.5, 6.6
     width, _, height = np.ptp(scene.bounds(), axis=1)

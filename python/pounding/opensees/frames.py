@@ -1,25 +1,18 @@
-"""Frames of an OpenSeesPy model as a Model of ours."""
+"""Frames of an OpenSees model in the words of our input."""
 
 from __future__ import annotations
 
-import json
-import math
-import re
-import tempfile
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.models import Model
-from pounding.opensees import Link, links, openseespy
+from pounding.opensees import links
+from pounding.opensees.printed import PRINTED, Constraint, Printed
 
-#: OpenSees prints this many digits, which is how far its other answers are held against them.
-PRINTED = 1e-5
 #: Names of degrees of freedom by the dimension. In the plane OpenSees has x, y and a rotation from x to y.
 DOFS = {2: ("ux", "uz", "ry"), 3: ("ux", "uy", "uz", "rx", "ry", "rz")}
 #: Members that are carried over, their properties, and the words by which OpenSees tells these to the last bit.
@@ -29,166 +22,18 @@ MEMBERS = {
     "ElasticBeam3d": {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz"},
     "ElasticTimoshenkoBeam3d": {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz", "Avy": "Avy", "Avz": "Avz"},
 }
-#: What is typed for them.
+#: The commands that make these members.
 COMMANDS = {"ElasticBeam2d": "elasticBeamColumn", "ElasticTimoshenkoBeam2d": "ElasticTimoshenkoBeam",
             "ElasticBeam3d": "elasticBeamColumn", "ElasticTimoshenkoBeam3d": "ElasticTimoshenkoBeam"}
-#: Why a geometric transformation is refused.
+#: Reasons for refusing a geometric transformation.
 TRANSFORMATIONS = {"PDelta": "its axial forces change with time, those of geometry: p_delta stay as at rest",
                    "Corot": "set the frame up as Linear, and geometry: corotational in the model that is made"}
-
-
-def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
-                  rayleigh: Sequence[float] | None = None, damping: Any = None, names: Sequence[str] | None = None,
-                  without: Iterable[int] = (), without_loads: bool = False, title: str | None = None) -> Model:
-    """The OpenSeesPy model of this process as a Model: every connected part is a structure of the kind `frame`, and links
-    made by `pounding.opensees.link` are its links.
-
-    Carried over: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear, releases,
-    joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. The model is in N, m, kg, s; in the plane y
-    is up, in space z. Nodes and members are named by their tags: n24, e7. Structures are called left and right when there
-    are two, else frame1, frame2, ... from the smaller x on, unless `names` says otherwise.
-
-    OpenSees does not tell the damping: give `rayleigh`, the numbers of ops.rayleigh (alphaM, betaK, betaKinit, betaKcomm),
-    or `damping` in our own words; neither is no damping. Nor does it tell the motion of a UniformExcitation: give
-    `ground_motion`, and `analysis`, as in Model. `without` are tags of elements that are left out, `without_loads` leaves
-    load patterns out. Mass per length and joint offsets are read with the six digits that OpenSees prints, all else exactly.
-
-    Raises InputError that names what cannot be carried over; ImportError without openseespy."""
-    ops = openseespy()
-    printed = Printed(ops)
-    source = Source(ops, printed, set(without))
-    source.require_rest()
-    printed.require_nothing_else(ground_motion is not None, without_loads)
-    if rayleigh is not None:
-        if damping is not None:
-            raise InputError("rayleigh and damping both say the damping; keep one of them")
-        damping = rayleigh_words(rayleigh)
-    elif damping is None and printed.alpha_m != 0:
-        raise InputError(f"the nodes have Rayleigh damping with alphaM = {printed.alpha_m:g}; OpenSees does not tell the other "
-                         "factors, so give rayleigh=(alphaM, betaK, betaKinit, betaKcomm), or damping=")
-    parts = source.parts()
-    if names is None:
-        names = ("left", "right") if len(parts) == 2 else [f"frame{i + 1}" for i in range(len(parts))]
-    if len(names) != len(parts):
-        raise InputError(f"names has {len(names)} names, and the model has {len(parts)} parts")
-    structures = {name: source.structure(part, damping) for name, part in zip(names, parts)}
-    home = {node: name for name, part in zip(names, parts) for node in part}
-    between = [_link_words(each, home) for each in links() if each.tag not in source.without]
-    return Model(structures, between, ground_motion=ground_motion, analysis=analysis, title=title)
-
-
-def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:
-    """Damping in the words of the input from alphaM [1/s] and the betas [s], whose sum acts on elastic members."""
-    by_mass, by_stiffness = float(factors[0]), float(sum(factors[1:]))
-    if not all(math.isfinite(factor) and factor >= 0 for factor in (by_mass, by_stiffness)):
-        raise InputError(f"rayleigh is {tuple(factors)}, but takes factors that are not negative")
-    if by_mass == by_stiffness == 0:
-        return None
-    # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; where one factor is zero, the other frequency is so
-    # far away that what it adds is lost in rounding.
-    if by_stiffness == 0:
-        low, high = max(1.0, 10 * by_mass), 1e15
-        ratio = by_mass / (2 * low)
-    elif by_mass == 0:
-        low, high = 1e-15, min(1.0, 0.1 / by_stiffness)
-        ratio = by_stiffness * high / 2
-    else:
-        middle = math.sqrt(by_mass / by_stiffness)
-        low, high = middle / 2, middle * 2
-        ratio = 1.25 * math.sqrt(by_mass * by_stiffness)
-    if ratio >= 1:
-        raise InputError(f"rayleigh is {tuple(factors)}, which is overdamped at every frequency; its factors must give less "
-                         "than 80 % somewhere")
-    return {"rayleigh": {"ratio": ratio, "periods": [2 * math.pi / low, 2 * math.pi / high]}}
-
-
-def _link_words(link: Link, home: Mapping[int, str]) -> dict[str, Any]:
-    for node in link.nodes:
-        if node not in home:
-            raise InputError(f"element {link.tag}: node {node} belongs to no frame")
-    if link.dof != 1:
-        raise InputError(f"element {link.tag} acts along degree of freedom {link.dof}; only links along x are carried over")
-    law = link.law
-    given = {"formula": law.formula, "restitution": law.restitution, "impact_velocity": law.impact_velocity,
-             "reduced_mass": link.reduced_mass, **law.parameters}
-    return {"between": [{"structure": home[node], "node": f"n{node}"} for node in link.nodes], "gap": link.gap,
-            "law": law.kind.name, **{name: value for name, value in given.items() if value is not None}}
-
-
-@dataclass
-class Constraint:
-    """u[constrained dofs] = matrix u[retained dofs]; dofs from 1, the matrix in six digits."""
-
-    node: int
-    retained: int
-    dofs: tuple[int, ...]
-    retained_dofs: tuple[int, ...]
-    matrix: np.ndarray
-
-
-class Printed:
-    """What only the printed model tells."""
-
-    def __init__(self, ops: Any) -> None:
-        self._ops = ops
-        self._text = self._print()
-        # The line of a genericClient is no JSON.
-        lines = re.sub(r"^.*\"GenericClient\".*\n", "", self._print("-JSON"), flags=re.MULTILINE)
-        self.model = json.loads(re.sub(r",(\s*\])", r"\1", lines))["StructuralAnalysisModel"]
-        factors = [float(value) for value in re.findall(r"Rayleigh Factor: alphaM: (\S+)", self._text)]
-        self.alpha_m = max(factors, default=0.0)
-        whole, _, self._patterns = self._text.partition("LOAD PATTERNS:")
-        self._supports = whole.partition("SP_Constraints: numConstraints:")[2].partition("MP_Constraints: numConstraints:")
-        self.constraints = list(self._read_constraints(self._supports[2]))
-
-    def consistent_mass(self, element: int) -> bool:
-        """Whether the mass of an element is consistent. Raises InputError where the print does not tell."""
-        parts = re.split(r"^(?:ElasticBeam[23]d|Element): (\d+)", self._text.partition("ELEMENT DATA:")[2], flags=re.MULTILINE)
-        of = dict(zip(parts[1::2], parts[2::2])).get(str(element), "")
-        found = re.search(r"cMass: (\d)", of)
-        if not found:
-            raise InputError(f"element {element}: OpenSees does not tell whether its mass is consistent")
-        return found[1] == "1"
-
-    def require_nothing_else(self, with_motion: bool, without_loads: bool) -> None:
-        """Raises InputError for supports that are displaced, motions and loads that would not be carried over."""
-        for node, dof, value in re.findall(r"Node: (\d+) DOF: (\d+) ref value: (\S+)", self._supports[0]):
-            if float(value) != 0:
-                raise InputError(f"node {node}, degree of freedom {dof}: a support with the displacement {value} is not carried over")
-        for pattern in re.split(r"^(?=Load Pattern: |UniformExcitation )", self._patterns, flags=re.MULTILINE)[1:]:
-            kind, tag = re.match(r"(Load Pattern|UniformExcitation)\D+(\d+)", pattern).groups()  # type: ignore[union-attr]
-            if kind == "UniformExcitation":
-                if not with_motion:
-                    raise InputError(f"pattern {tag}: OpenSees does not tell the motion of a UniformExcitation; give ground_motion=")
-            elif re.search(r"numComponents: [1-9]", pattern) and not without_loads:
-                raise InputError(f"pattern {tag}: loads are not carried over; type without_loads=True, and add them to the model "
-                                 "as `loads`")
-
-    def _print(self, *words: str) -> str:
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "model"
-            self._ops.printModel(*words, "-file", str(file))
-            return file.read_text()
-
-    def _read_constraints(self, text: str) -> Iterator[Constraint]:
-        blocks = text.split("MP_Constraint: ")[1:]
-        count = int(text.split()[0])
-        if len(blocks) != count:
-            raise InputError(f"OpenSees prints {len(blocks)} of {count} constraints")
-        for block in blocks:
-            found = re.search(r"Node Constrained: (\d+) node Retained: (\d+)\s+constrained dof:([\d ]*)\s+retained dof:([\d ]*)\s+"
-                              r"constraint matrix:\s+([-+.\deE\s]*)", block)
-            if not found:
-                raise InputError(f"a constraint is printed as {block.strip()!r}, which is not understood")
-            node, retained = int(found[1]), int(found[2])
-            dofs, retained_dofs = (tuple(map(int, found[i].split())) for i in (3, 4))
-            matrix = np.array([float(word) for word in found[5].split()]).reshape(len(dofs), len(retained_dofs))
-            yield Constraint(node, retained, dofs, retained_dofs, matrix)
 
 
 @dataclass
 class Member:
     """An elastic beam-column as OpenSees tells of it."""
+
     tag: int
     kind: str
     nodes: tuple[int, int]
@@ -199,8 +44,9 @@ class Member:
 
 
 @dataclass
-class Source:
+class Frames:
     """The model of the running process. Raises InputError at the first part that cannot be carried over."""
+
     ops: Any
     printed: Printed
     without: set[int]

@@ -11,12 +11,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from pounding.results import Run, Structure
-from pounding.skeleton import floor_heights
-from pounding.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour
+from pounding.results import RunData, Structure
+from pounding.pictures.geometry import floor_heights
+from pounding.pictures.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour
 
 
-def profiles_figure(run: Run, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
     """Displacement and acceleration of the floors, drift and shear of the storeys: largest and smallest of the run, over
     the height. One row of panels for x, another one for y when a structure has it.
 
@@ -45,7 +45,7 @@ def profiles_figure(run: Run, title: str | None = None, size: tuple[float, float
         return figure
 
 
-def draw_displacement(axes: Axes, run: Run, axis: str = "x") -> None:
+def draw_displacement(axes: Axes, run: RunData, axis: str = "x") -> None:
     """Extreme displacements of the floors; the ground is zero."""
     for structure, style in _styles(run, axis):
         low, high = _extremes(MM * _of(structure, axis, "displacement"))
@@ -56,7 +56,7 @@ def draw_displacement(axes: Axes, run: Run, axis: str = "x") -> None:
     _finish(axes, "Displacement", "mm")
 
 
-def draw_acceleration(axes: Axes, run: Run, axis: str = "x") -> None:
+def draw_acceleration(axes: Axes, run: RunData, axis: str = "x") -> None:
     """Extreme absolute accelerations of the floors."""
     for structure, style in _styles(run, axis):
         low, high = _extremes(_of(structure, axis, "acceleration"))
@@ -66,7 +66,7 @@ def draw_acceleration(axes: Axes, run: Run, axis: str = "x") -> None:
     _finish(axes, "Acceleration", "m/s²")
 
 
-def draw_drift(axes: Axes, run: Run, axis: str = "x") -> None:
+def draw_drift(axes: Axes, run: RunData, axis: str = "x") -> None:
     """Extreme storey drifts: in per cent of the storey's height where all heights are known."""
     relative = _all_heights_known(run)
     for structure, style in _styles(run, axis):
@@ -77,7 +77,7 @@ def draw_drift(axes: Axes, run: Run, axis: str = "x") -> None:
     _finish(axes, "Storey drift", "% of height" if relative else "mm")
 
 
-def draw_shear(axes: Axes, run: Run, axis: str = "x") -> None:
+def draw_shear(axes: Axes, run: RunData, axis: str = "x") -> None:
     """Extreme storey shears."""
     shears = {structure.name: _of(structure, axis, "storey_shear") for structure, _ in _styles(run, axis)}
     size, unit = engineering(largest(shears.values()), FORCE_UNITS)
@@ -86,7 +86,7 @@ def draw_shear(axes: Axes, run: Run, axis: str = "x") -> None:
     _finish(axes, "Storey shear", unit)
 
 
-def _styles(run: Run, axis: str) -> Iterator[tuple[Structure, dict[str, Any]]]:
+def _styles(run: RunData, axis: str) -> Iterator[tuple[Structure, dict[str, Any]]]:
     for number, structure in enumerate(run.structures.values()):
         if structure.floors and axis in structure.along:
             yield structure, {"color": structure_colour(number), "label": structure.name, "linewidth": 1.2}
@@ -109,11 +109,11 @@ def _steps(axes: Axes, low: np.ndarray, high: np.ndarray, heights: np.ndarray, s
         style.pop("label", None)
 
 
-def _all_heights_known(run: Run) -> bool:
+def _all_heights_known(run: RunData) -> bool:
     return all(floor_heights(structure)[1] for structure in run.structures.values() if structure.floors)
 
 
-def _levels(structure: Structure, run: Run) -> np.ndarray:
+def _levels(structure: Structure, run: RunData) -> np.ndarray:
     """[floor + 1] from the ground: elevations [m], or numbers of the floors where not all are known.
 
     The ground of a structure is at the lowest of its nodes, or at zero."""

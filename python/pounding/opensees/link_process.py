@@ -1,6 +1,6 @@
 """A gap link for the element genericClient of OpenSees: a process that `pounding.opensees.link` starts.
 
-    python3 -m pounding.opensees_link        reads one line of JSON, writes {"port": ...}, serves one element
+    python3 link_process.py        reads one line of JSON, writes {"port": ...}, serves one element
 
 OpenSees holds the interpreter while it computes, so the link cannot live in the same process. The element asks for force and
 slopes at trial states, as often as Newton likes, and says which states are kept; impacts begin, go on and end at these.
@@ -25,9 +25,9 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-LIBRARY = Path(__file__).parent / "libpounding_c.so.1"
+LIBRARY = Path(__file__).parents[1] / "libpounding_c.so.1"
 
-# What the element sends in the first number; those that are answered get a vector of the size of theirs.
+# First number of a message from the element. An answer is a vector of the same size.
 SET_TRIAL, COMMIT, GET_FORCE, GET_INITIAL_STIFFNESS, GET_STIFFNESS, GET_DAMPING, GET_MASS, END = 3, 5, 10, 12, 13, 14, 15, 99
 
 
@@ -92,7 +92,7 @@ class Impact:
     v_separation: float = math.nan  #: opening speed at the separation [m/s]
     restitution: float = math.nan  #: obtained: v_separation / v_approach
     peak_force: float = 0.0  #: [N]
-    t_peak: float = math.nan  #: of the force [s]
+    t_peak: float = math.nan  #: time of the peak force [s]
     peak_penetration: float = 0.0  #: [m]
     impulse: float = 0.0  #: integral of the force [N s]
     energy_lost: float = 0.0  #: work that the link took and did not give back [J]

@@ -4,7 +4,7 @@ import html
 import re
 from typing import Any
 
-from pounding.mathematics import formula, rich
+from pounding.paper.mathematics import formula, rich
 
 BADGES = {"agrees": "yes", "does not agree": "no", "cannot be checked": "open"}
 OF_SEVERAL = {"agrees": "agree", "does not agree": "do not agree", "cannot be checked": "cannot be checked"}
@@ -70,7 +70,7 @@ def _counts(items: list[dict[str, Any]]) -> str:
 
 
 def contents(items: list[dict[str, Any]]) -> str:
-    """What the page is, the verdicts counted, and the way to each part."""
+    """Head of the page: its subject, the number of verdicts of each kind, and links to the parts."""
     entries = "".join(f'<li><a href="#{item["name"]}">{html.escape(item["title"])}</a> '
                       f'<span class="quiet">{html.escape(item["sections"])}</span><span class="counts">{_counts([item])}</span></li>'
                       for item in items)

@@ -1,4 +1,4 @@
-"""What all pictures share: colours, type sizes, units that suit a size, the way a picture is written."""
+"""Style of all pictures: colours, type sizes, units that suit a size, and the writing of files."""
 
 from __future__ import annotations
 

@@ -17,7 +17,6 @@ from __future__ import annotations
 import contextlib
 import json
 import math
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -25,11 +24,13 @@ from typing import Any
 
 import numpy as np
 
-from pounding.compiled import core
+from pounding._native import core
 from pounding.contact import Law, Quantity, laws
 from pounding.errors import InputError, SolverError
 
-#: Of an impact: as in Run.impacts, but peaks are the largest at the ends of steps.
+#: The program that serves one link.
+LINK_PROCESS = Path(__file__).parent / "link_process.py"
+#: Columns of Link.impacts, with the meaning and the units of those of Run.impacts; peaks are the largest at the ends of steps.
 IMPACT = np.dtype([(name, float) for name in ("t_start", "t_end", "v_approach", "v_separation", "restitution", "peak_force",
                                               "t_peak", "peak_penetration", "impulse", "energy_lost")])
 
@@ -55,10 +56,10 @@ class Link:
                   **law.parameters}
         asked = {"law": law.kind.name, "formula": law.formula or "", "gap": gap,
                  "values": {name: value for name, value in values.items() if value is not None}}
-        # In a session of its own, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for ever.
-        self._process = subprocess.Popen([sys.executable, "-m", "pounding.opensees_link"], stdin=subprocess.PIPE,
-                                         stdout=subprocess.PIPE, text=True, start_new_session=True,
-                                         env={**os.environ, "PYTHONPATH": _path_of_this_package()})
+        # In a session of its own, so that Ctrl-C does not end it under OpenSees, which would wait for its answer for ever. By
+        # its file, because by its name it would load this package first.
+        self._process = subprocess.Popen([sys.executable, str(LINK_PROCESS)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                         text=True, start_new_session=True)
         answer = self._ask(json.dumps(asked))
         if "error" in answer:
             raise InputError(f"element {tag}: {answer['error']}")
@@ -84,7 +85,7 @@ class Link:
                 told = self._ask("")
                 if not told.get("connected"):
                     return told
-                # What the element had sent is read before its question here, and so before ours that follows.
+                # The answer to this question comes after all that the element had sent, so our next question finds it read.
                 ops.eleResponse(self.tag, "force")
                 return self._ask("")
             self._last = self._rest()
@@ -103,7 +104,7 @@ class Link:
         return json.loads(answer)
 
     def _rest(self) -> dict[str, Any]:
-        """What the process says last, when its element is gone."""
+        """Last answer of the process, after its element has gone."""
         assert self._process.stdin and self._process.stdout
         with contextlib.suppress(BrokenPipeError):
             self._process.stdin.close()
@@ -112,12 +113,12 @@ class Link:
         return json.loads(lines[-1]) if lines else {"error": "", "impacts": []}
 
 
-#: Of this process. A link that nobody holds any more still serves its element.
+#: All links of this Python process: a link serves its element even when no variable holds it.
 _made: list[Link] = []
 
 
 def links() -> list[Link]:
-    """Those of the present model, in the order in which they were made."""
+    """Links of the present OpenSees model, in the order in which they were made. Raises ImportError without openseespy."""
     ops = openseespy()
     tags = set(ops.getEleTags())
     of_tag = {each.tag: each for each in _made if each.tag in tags and tuple(ops.eleNodes(each.tag)) == each.nodes}
@@ -193,9 +194,3 @@ def _reduced_mass(ops: Any, tag: int, node_i: int, node_j: int, dof: int) -> flo
     if inverse == 0:
         raise InputError(f"element {tag}: both nodes are fixed")
     return 1 / inverse
-
-
-def _path_of_this_package() -> str:
-    here = str(Path(__file__).parents[1])
-    others = os.environ.get("PYTHONPATH")
-    return os.pathsep.join([here, others]) if others else here

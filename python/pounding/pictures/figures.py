@@ -8,26 +8,27 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from pounding.model_picture import model_figure
-from pounding.plots import (
-    draw_displacements, draw_energies, draw_forces, draw_loops, draw_openings, label_time, standard_figure)
-from pounding.profiles import profiles_figure
-from pounding.results import Run
-from pounding.style import STYLE, BadRequest, Picture, head
+from pounding.pictures.displacements import draw_displacements
+from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
+from pounding.pictures.loops import draw_loops
+from pounding.pictures.model_picture import model_figure
+from pounding.pictures.panels import label_time
+from pounding.pictures.profiles import profiles_figure
+from pounding.pictures.run_picture import standard_figure
+from pounding.pictures.style import STYLE, BadRequest, Picture, head
+from pounding.results import RunData
 
 WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure}
 OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
                                              "energy": draw_energies}
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
-
-
 #: Below this width a legend stands under the axes, not beside them [in].
 NARROW = 4.5
 
 
-def figure(run: Run, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-    """One picture of a run, `title` instead of the run's, `size` [in]. Raises BadRequest for a picture that does not
-    exist."""
+def figure(run: RunData, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+    """One picture of a run; `title` stands instead of that of the run, `size` is width and height [in]. Raises BadRequest for a
+    picture that does not exist."""
     if picture in WHOLE:
         return WHOLE[picture](run, title, size=size)
     if picture not in PANELS:
