@@ -42,6 +42,7 @@ struct Summary {
   std::vector<LinkSummary> links;
   std::vector<StructureSummary> structures;
   EnergySummary energy;
+  std::string integrator;  ///< scheme of the time stepping by its name in the input
   SolverStatistics solver;
   /// The same structures without links, when `compare: no_pounding` asks for it.
   std::vector<StructureSummary> without_pounding;

@@ -122,6 +122,7 @@ struct Watch {
   void conclude(const std::string& status) {
     results.status = summary.status = status;
     recorder.summarize(summary);
+    summary.integrator = results.integrator;
     summary.solver = results.solver;
     results.summary_json = to_json(summary);
   }
@@ -326,6 +327,7 @@ Results heading(const Model& model, const RunOptions& options) {
   results.command = options.command;
   results.model_yaml = model.source_text;
   results.resolved_yaml = resolved_yaml(model);
+  results.integrator = model.analysis.scheme.name();
   return results;
 }
 
@@ -341,6 +343,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   Solve solve = make_ts(model, system.size());
   petsc::SolverOptions choice;
   petsc::check(petsc::get_solver_options(solve.ts, &choice));
+  results.integrator = choice.scheme.name();
   const std::unique_ptr<StructureSolver> base = petsc::make_solver(system, choice.solver, PETSC_COMM_WORLD);
   Stepper stepper(system, *base, stepper_options(solve.ts, model));
   petsc::check(petsc::set_stepper(solve.ts, &stepper));
@@ -410,6 +413,7 @@ Outcome run(const Model& model, const RunOptions& options) {
       without = run_once(model, quiet, false, {}).summary.structures;
     } catch (const FailedRun& failed) {
       Outcome outcome{heading(model, options), {}};
+      outcome.summary.integrator = outcome.results.integrator;
       outcome.results.status = outcome.summary.status = fmt::format("failed: (the run without links) {}", failed.what());
       outcome.results.summary_json = to_json(outcome.summary);
       if (!options.output.empty()) ranks.on_root([&] { write_results(outcome.results, options.output); });
