@@ -183,7 +183,7 @@ void add_run(CLI::App& app) {
   run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but errors");
   run_command->allow_extras();
   run_command->footer("PETSc options with the prefix -pounding_ stand behind MODEL and reach the time stepping, for example\n"
-                      "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_radius 0.8  -pounding_ts_view  -pounding_ts_monitor");
+                      "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_scheme generalized_alpha  -pounding_ts_view  -pounding_ts_monitor");
   run_command->callback([words, run_command] { run_model(*words, *run_command); });
 
   const auto check_words = std::make_shared<Arguments>();

@@ -192,7 +192,7 @@ petsc::SolverKind base_kind(const Words& words) {
 
 Scheme scheme(const Words& words) {
   const auto found = words.find("--integrator");
-  if (found == words.end()) return {};
+  if (found == words.end()) return {.kind = Scheme::Kind::generalized_alpha};
   if (std::find(Scheme::names.begin(), Scheme::names.end(), found->second) == Scheme::names.end())
     throw std::invalid_argument("--integrator: generalized_alpha or esdirk4");
   return {.kind = Scheme::kind_of(found->second)};

@@ -60,7 +60,7 @@ struct Result {
 Result run(double gap, double end, double longest, bool fixed) {
   Oscillators oscillators(gap);
   ModalSolver base(oscillators.system);
-  Stepper stepper(oscillators.system, base, {.tolerance = 1e-4, .max_step = longest});
+  Stepper stepper(oscillators.system, base, {.tolerance = 1e-4, .scheme = {.kind = Scheme::Kind::generalized_alpha}, .max_step = longest});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
   stepper.start(0, zero, zero);
   petsc::Handle<TS> ts;

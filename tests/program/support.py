@@ -21,7 +21,7 @@ links:
 analysis: {duration: 3.0}
 """
 #: Oscillators that run for longer than any test waits.
-LONG = OSCILLATORS.replace("duration: 3.0}}", "duration: 500}}").replace("{duration: 3.0}", "{duration: 500, tolerance: 1e-9, output_step: 10 ms}")
+LONG = OSCILLATORS.replace("duration: 3.0}}", "duration: 500}}").replace("{duration: 3.0}", "{duration: 500, tolerance: 1e-9, output_step: 10 ms, integrator: generalized_alpha}")
 _MAST = """\
   {name}:
     frame:

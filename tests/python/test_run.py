@@ -33,7 +33,7 @@ def long_model(duration=500.0):
     """Longer than any test waits, unless told otherwise."""
     model = two_oscillators()
     model.ground_motion["harmonic"]["duration"] = duration
-    model.analysis = {"duration": duration, "tolerance": "1e-7", "output_step": "10 ms"}
+    model.analysis = {"duration": duration, "tolerance": "1e-7", "output_step": "10 ms", "integrator": "generalized_alpha"}
     return model
 
 

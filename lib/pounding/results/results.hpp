@@ -76,6 +76,7 @@ struct Results {
   std::string status = "running";  ///< running | done | failed: reason
   std::string model_yaml;          ///< the input as given
   std::string resolved_yaml;       ///< every default and calibrated parameter filled in
+  std::string integrator;          ///< scheme of the time stepping by its name in the input
   std::vector<double> time;        ///< output times [s]
   std::vector<StructureHistory> structures;
   std::vector<LinkHistory> links;

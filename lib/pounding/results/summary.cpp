@@ -106,7 +106,8 @@ std::string to_json(const Summary& summary) {
                 {"impact", e.impact},
                 {"error", e.error}}},
               {"solver",
-               {{"steps", summary.solver.steps},
+               {{"integrator", summary.integrator},
+                {"steps", summary.solver.steps},
                 {"rejected", summary.solver.rejected},
                 {"events", summary.solver.events},
                 {"wall_seconds", summary.solver.wall_seconds}}}};
@@ -140,7 +141,7 @@ std::string to_table(const Summary& summary) {
       "             largest imbalance {:.1e} of the input\n",
       shown(e.input / 1e3, 5), shown(e.kinetic / 1e3, 5), shown(e.strain / 1e3, 5), shown(e.damping / 1e3, 5),
       shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5), e.error);
-  text += fmt::format("solver       {} steps, {} rejected, {} events, {:.3f} s\n", summary.solver.steps,
+  text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
   return text;
 }

@@ -50,6 +50,7 @@ struct Summary {
   std::vector<LinkSummary> links;
   std::vector<StructureSummary> structures;
   EnergySummary energy;
+  std::string integrator;  ///< scheme of the time stepping by its name in the input
   SolverStatistics solver;
   /// Structures in the run without links that `compare: no_pounding` asks for; else empty.
   std::vector<StructureSummary> without_pounding;

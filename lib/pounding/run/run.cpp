@@ -41,6 +41,7 @@ Results heading(const Model& model, const RunOptions& options) {
   results.command = options.command;
   results.model_yaml = model.source_text;
   results.resolved_yaml = resolved_yaml(model);
+  results.integrator = model.analysis.scheme.name();
   return results;
 }
 
@@ -54,6 +55,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   const System system = assemble(model, with_links);
   const auto [u, v] = initial_state(model);
   const TsSetup setup = set_up_ts(model, u, v, options.comm);
+  results.integrator = setup.stepper.scheme.name();
   const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, setup.solver, options.comm);
   Stepper stepper(system, *solver, setup.stepper);
   petsc::check(petsc::set_stepper(setup.ts, &stepper));
@@ -103,6 +105,7 @@ std::vector<StructureSummary> run_without_links(const Model& model, const RunOpt
     return run_once(model, quiet, false, {}).summary.structures;
   } catch (const FailedRun& failed) {
     Outcome outcome{heading(model, options), {}};
+    outcome.summary.integrator = outcome.results.integrator;
     outcome.results.status = outcome.summary.status = fmt::format("failed: (the run without links) {}", failed.what());
     outcome.results.summary_json = to_json(outcome.summary);
     write(outcome.results);

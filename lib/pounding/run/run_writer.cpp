@@ -83,6 +83,7 @@ void RunWriter::conclude(const std::string& status) {
   auto& [results, summary] = outcome_;
   results.status = summary.status = status;
   recorder_.summarize(summary);
+  summary.integrator = results.integrator;
   summary.solver = results.solver;
   results.summary_json = to_json(summary);
 }
