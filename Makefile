@@ -12,7 +12,7 @@ ifeq ($(LONG),0)
 CTEST_FLAGS += --label-exclude long
 endif
 
-.PHONY: build program test demo announce docs wheel test-wheel python python-test packages packages-test clean distclean help
+.PHONY: build program test demo announce docs wheel test-wheel python python-test packages-demo packages clean distclean help
 
 build: build/with-tests
 	cmake --build build --parallel $(JOBS)
@@ -49,29 +49,29 @@ python: .venv/ready
 
 python-test: .venv-test/ready
 
-packages:
+packages-demo:
 	@bash cmake/install-debian.sh demo
 
-packages-test:
+packages:
 	@bash cmake/install-debian.sh test
 
-.venv/ready: python/requirements.txt python/requirements-records.txt | packages
+.venv/ready: python/requirements.txt python/requirements-records.txt | packages-demo
 	bash cmake/python-env.sh .venv
 
 .venv-test/ready: python/requirements.txt python/requirements-test.txt python/requirements-records.txt \
-    python/requirements-opensees.txt | packages-test
+    python/requirements-opensees.txt | packages
 	bash cmake/python-env.sh .venv-test
 
 .venv-test/docs-ready: python/docs/requirements.txt | .venv-test/ready
-	@echo "Installing what builds the site into .venv-test (packages from PyPI): sphinx, furo, myst-nb and what they need"
+	@echo "Installing what builds the site into .venv-test (packages-demo from PyPI): sphinx, furo, myst-nb and what they need"
 	.venv-test/bin/python3 -m pip install --quiet --disable-pip-version-check --requirement python/docs/requirements.txt
 	@touch $@
 
-build/build.ninja: | packages
+build/build.ninja: | packages-demo
 	cmake -S . -B build -G Ninja -DPOUNDING_BUILD_TESTS=OFF -DPOUNDING_PYTHON=OFF
 
 # Adds targets; what the demo has compiled stays.
-build/with-tests: .venv/ready .venv-test/ready | packages-test
+build/with-tests: .venv/ready .venv-test/ready | packages
 	cmake -S . -B build -G Ninja -DPOUNDING_BUILD_TESTS=ON -DPOUNDING_PYTHON=AUTO
 	@touch $@
 

@@ -24,11 +24,11 @@ if(TARGET pounding_fortran)
 endif()
 install(TARGETS pounding_program)
 
-install(DIRECTORY elements/pounding lib/pounding DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-  PATTERN records EXCLUDE)
-install(FILES ${PROJECT_BINARY_DIR}/elements/pounding/core/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pounding/core)
+install(CODE "set(SOURCE [[${PROJECT_SOURCE_DIR}]])\nset(BINARY [[${PROJECT_BINARY_DIR}]])\nset(INCLUDEDIR [[${CMAKE_INSTALL_INCLUDEDIR}]])")
+install(SCRIPT cmake/install_headers.cmake)
 install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py"
+  PATTERN __pycache__ EXCLUDE)
 
 # The CMake package.
 foreach(export IN LISTS exports)
@@ -47,8 +47,8 @@ function(install_pc name description requires libraries more_flags)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 install_pc(pounding-laws "Contact laws of pounding structures, C++20 headers" "" "" "")
-install_pc(pounding-links "Gap links between structures" "eigen3" "-L\${libdir} -lpounding_links" "")
-install_pc(pounding-elements "Structures, the model and its reader" "pounding-links yaml-cpp fmt"
+install_pc(pounding-links "Gap links between structures" "" "-L\${libdir} -lpounding_links" "")
+install_pc(pounding-elements "Structures, the model and its reader" "pounding-links yaml-cpp fmt eigen3"
   "-L\${libdir} -lpounding_elements" "")
 install_pc(pounding "Time integration and results of pounding structures" "pounding-elements slepc PETSc hdf5-openmpi"
   "-L\${libdir} -lpounding_lib" "")

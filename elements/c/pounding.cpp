@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <pounding/laws/free_impact.hpp>
+#include <pounding/links/contact_state.hpp>
 
 struct pnd_law {
   pounding::laws::AnyLaw law;
@@ -22,6 +23,7 @@ struct pnd_law {
 namespace {
 
 namespace laws = pounding::laws;
+using pounding::ContactPhase;
 
 static_assert(sizeof(pnd_contact) == PND_CONTACT_DOUBLES * sizeof(double));
 
@@ -80,14 +82,22 @@ laws::Settings settings(const char* law, const char* formula, const pnd_value* v
   return s;
 }
 
-laws::Impact impact_of(const pnd_contact& c) noexcept {
-  return {.closing_speed = c.closing_speed,
-          .damping = c.damping,
-          .largest_penetration = c.largest_penetration,
-          .slip = c.slip};
+// The gap of the host is no concern of the interface: a state counts its indentation only.
+pounding::ContactState state_of(const pnd_contact& c) noexcept {
+  return {.phase = c.touching != 0 ? ContactPhase::approach : ContactPhase::open,
+          .impact = {.closing_speed = c.closing_speed,
+                     .damping = c.damping,
+                     .largest_penetration = c.largest_penetration,
+                     .slip = c.slip},
+          .gap = c.indentation};
 }
 
-void put(const laws::Impact& impact, pnd_contact& c) noexcept {
+// Between impacts a pnd_contact holds nothing but its indentation.
+void put(const pounding::ContactState& state, pnd_contact& c) noexcept {
+  const bool touching = presses(state.phase);
+  const laws::Impact impact = touching ? state.impact : laws::Impact{};
+  c.touching = touching ? 1 : 0;
+  c.indentation = state.gap;
   c.closing_speed = impact.closing_speed;
   c.damping = impact.damping;
   c.largest_penetration = impact.largest_penetration;
@@ -95,30 +105,24 @@ void put(const laws::Impact& impact, pnd_contact& c) noexcept {
 }
 
 template <class L>
-void begin(const L& law, double closing_speed, pnd_contact& c) {
-  put(laws::touch(law, closing_speed), c);
-  c.touching = 1;
-}
-
-template <class L>
-void end(const L&, double left, pnd_contact& c) noexcept {
-  c.touching = 0;
-  put({}, c);
-  if (laws::leaves_indentation<L>) c.indentation += std::max(left, 0.0);
-}
-
-template <class L>
-void accept(const L& law, double penetration, double rate, pnd_contact& c) {
-  const double d = penetration - c.indentation;
+void accept(const L& law, double penetration, double rate, pounding::ContactState& state) {
+  const double d = state.penetration(penetration);
+  const bool touching = presses(state.phase);
   if (!(d > 0)) {
-    if (c.touching != 0) end(law, 0, c);
+    if (touching) state.end(law, 0);
     return;
   }
-  if (c.touching == 0) begin(law, std::max(rate, 0.0), c);
-  laws::Impact impact = impact_of(c);
-  if (laws::leaves_indentation<L> && !(law.contact(d, rate, impact).force > 0)) return end(law, d, c);
-  laws::keep(law, d, rate, impact);
-  put(impact, c);
+  if (!touching) state.begin(law, rate);
+  if (laws::leaves_indentation<L> && !(law.contact(d, rate, state.impact).force > 0)) return state.end(law, d);
+  state.keep(law, d, rate);
+}
+
+// Moves the history by `change(law, state)`; on an exception the contact stays as it was.
+template <class Change>
+void update(const pnd_law* law, pnd_contact& contact, Change&& change) {
+  pounding::ContactState state = state_of(contact);
+  std::visit([&](const auto& chosen) { change(chosen, state); }, law->law);
+  put(state, contact);
 }
 
 const laws::Entry& entry_at(size_t law) {
@@ -173,7 +177,7 @@ int pnd_touch(const pnd_law* law, double closing_speed, pnd_contact* contact) {
     require(contact, "contact");
     laws::require_not_negative("closing_speed", closing_speed);
     if (contact->touching != 0) throw std::invalid_argument("the impact before has not ended: pnd_separate ends it");
-    std::visit([&](const auto& chosen) { begin(chosen, closing_speed, *contact); }, law->law);
+    update(law, *contact, [&](const auto& chosen, auto& state) { state.begin(chosen, closing_speed); });
   });
 }
 
@@ -184,11 +188,11 @@ int pnd_respond(const pnd_law* law, const pnd_contact* contact, double penetrati
     require(response, "response");
     require_finite("penetration", penetration);
     require_finite("rate", rate);
+    const pounding::ContactState state = state_of(*contact);
     laws::Response r;
-    if (contact->touching != 0)
-      r = std::visit(
-          [&](const auto& chosen) { return chosen.respond(penetration - contact->indentation, rate, impact_of(*contact)); },
-          law->law);
+    if (presses(state.phase))
+      r = std::visit([&](const auto& chosen) { return chosen.respond(state.penetration(penetration), rate, state.impact); },
+                     law->law);
     *response = {r.force, r.by_penetration, r.by_rate};
   });
 }
@@ -199,9 +203,7 @@ int pnd_accept(const pnd_law* law, double penetration, double rate, pnd_contact*
     require(contact, "contact");
     require_finite("penetration", penetration);
     require_finite("rate", rate);
-    pnd_contact next = *contact;
-    std::visit([&](const auto& chosen) { accept(chosen, penetration, rate, next); }, law->law);
-    *contact = next;
+    update(law, *contact, [&](const auto& chosen, auto& state) { accept(chosen, penetration, rate, state); });
   });
 }
 
@@ -211,7 +213,9 @@ int pnd_separate(const pnd_law* law, double penetration, pnd_contact* contact) {
     require(contact, "contact");
     require_finite("penetration", penetration);
     if (contact->touching == 0) throw std::invalid_argument("there is no impact to end: pnd_touch or pnd_accept begins one");
-    std::visit([&](const auto& chosen) { end(chosen, penetration - contact->indentation, *contact); }, law->law);
+    update(law, *contact, [&](const auto& chosen, auto& state) {
+      state.end(chosen, std::max(state.penetration(penetration), 0.0));
+    });
   });
 }
 

@@ -46,7 +46,7 @@ PND_API const char *pnd_version(void);
 
 /* ---- Errors ---- */
 
-/* What functions return. */
+/* Values that functions return. */
 enum pnd_status {
   PND_OK = 0,
   PND_BAD_ARGUMENT = 1,  /* an unknown name, a wrong value, a null pointer; the text says what is allowed */
@@ -54,8 +54,8 @@ enum pnd_status {
   PND_FAILED = 3         /* a calculation that found no answer */
 };
 
-/* What the last call of this thread that failed has to say, at most 511 bytes; "" before the first failure. Lives until
- * the next failure of this thread. */
+/* Error text of the last failed call of this thread, at most 511 bytes; "" before the first failure. Lives until the
+ * next failure of this thread. */
 PND_API const char *pnd_error_text(void);
 
 /* ---- Laws ---- */
@@ -81,7 +81,7 @@ PND_API void pnd_destroy(pnd_law *law);
 
 /* ---- An impact ---- */
 
-/* What a link knows of its impacts. Zeros are two bodies that never touched. All doubles, so that a host may keep it among
+/* History of the impacts of a link. Zeros are two bodies that never touched. All doubles, so that a host may keep it among
  * its own state variables; a copy of it takes a step back. */
 typedef struct pnd_contact {
   double touching;            /* 1 while an impact lasts, else 0 */
@@ -94,7 +94,7 @@ typedef struct pnd_contact {
 } pnd_contact;
 #define PND_CONTACT_DOUBLES 8
 
-/* What a law answers to a state. */
+/* Response of a law to a state: the force and its two slopes. */
 typedef struct pnd_response {
   double force;          /* [N] */
   double by_penetration; /* slope dF/dd [N/m] */
@@ -121,7 +121,7 @@ PND_API int pnd_separate(const pnd_law *law, double penetration, pnd_contact *co
 
 /* ---- What a law gives for two free bodies ---- */
 
-/* What pnd_collide finds. */
+/* Result of pnd_collide: a free impact of two bodies. */
 typedef struct pnd_free_impact {
   double restitution;      /* separation over closing speed [-] */
   double peak_force;       /* [N]; infinite for stereomechanical */
@@ -138,7 +138,7 @@ PND_API int pnd_collide(const pnd_law *law, double reduced_mass, double closing_
 
 /* ---- What there is, for user interfaces. Texts live as long as the library. ---- */
 
-/* What there is to know of a law before it is made. */
+/* Description of a law, as it is before one is made. */
 typedef struct pnd_law_info {
   const char *name, *force, *summary, *source; /* "hertz", "F = k d^n", ... */
   size_t parameters, formulas;                 /* how many of each; no formulas: no damping to calibrate */
@@ -172,7 +172,7 @@ typedef struct pnd_formula_info {
 PND_API size_t pnd_law_count(void);
 /* The index of a law; PND_BAD_ARGUMENT with the nearest name. */
 PND_API int pnd_find_law(const char *name, size_t *law);
-/* What there is to know of the law with this index. */
+/* Description of the law with this index. */
 PND_API int pnd_describe_law(size_t law, pnd_law_info *info);
 /* All that pnd_create takes: the law's own parameters, then restitution, impact_velocity and reduced_mass as it has them. */
 PND_API int pnd_describe_parameter(size_t law, size_t parameter, pnd_parameter_info *info);

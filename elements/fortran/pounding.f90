@@ -150,7 +150,7 @@ contains
     status = create_in_c(trim(law) // c_null_char, trim(formula) // c_null_char, pairs, size(pairs, kind=c_size_t), made)
   end function
 
-  !> What the last call of this thread that failed has to say.
+  !> Error text of the last failed call of this thread.
   function pnd_error_text() result(text)
     character(:), allocatable :: text
     text = text_of(error_text_in_c())

@@ -20,7 +20,7 @@ void add_animate(CLI::App& app) {
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
   command->add_option("-o,--output", options->film,
                       "film: .gif, .mp4 (needs ffmpeg), or .png for one file a frame (default: RESULTS with .gif)");
-  // Numbers travel on as they were typed: what is read twice may be read differently.
+  // Numbers are passed on as typed; reading and printing them again could change them.
   command->add_option("--scale", options->scale, "how many times as large displacements and gaps are drawn")
       ->check(CLI::Number);
   command->add_option("--frames", options->frames, "how many (default: 15 a second, 30 to 240)")

@@ -91,7 +91,7 @@ void print_json(const Collision& c, const std::vector<CalibratedRow>& rows) {
   fmt::print("{}\n", result.dump(2));
 }
 
-/// One formula through the cyclic process.
+/// Result of the cyclic process for one formula.
 struct CyclicRow {
   std::string_view formula;
   laws::CyclicCalibration process;

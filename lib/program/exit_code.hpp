@@ -1,5 +1,5 @@
 #pragma once
-/// What the program returns to the shell, and what it says when it fails.
+/// Exit codes of the program, and the message of a failure.
 
 #include <cstdio>
 #include <exception>

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/laws/free_impact.hpp>
+#include <pounding/laws/compiled.hpp>
 #include "commands.hpp"
 
 namespace pounding::program {
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int tenths = 9;  // restitutions 0.1 ... 0.9
 
-/// What a formula really gives for a restitution, with the typical values of the law; nothing where it has no value.
+/// Restitution that a formula really gives for an asked one, with typical values of the law; empty where the formula has no value.
 std::optional<double> obtained(const laws::Entry& entry, std::string_view formula, double restitution) {
   laws::Settings settings = laws::typical_settings(entry);
   settings.formula = formula;

@@ -15,15 +15,15 @@ namespace {
 
 const pounding::petsc::Launch launched = pounding::petsc::launch().value_or(pounding::petsc::Launch{});
 
-// Under mpirun all processes fail alike, and the first one tells. MPI itself may not have begun, or be over.
-bool speaks() { return launched.rank == 0; }
+// The first process reports failures, which under mpirun all processes have. MPI may not have begun yet, or be over.
+bool is_root() { return launched.rank == 0; }
 
 int report(const char* text, int code) {
-  if (speaks()) pounding::program::print_failure(text);
+  if (is_root()) pounding::program::print_failure(text);
   return code;
 }
 
-// Each of several processes would print the same and write the same files.
+// Several processes would print the same text and write the same files, each of them.
 void require_one_process(CLI::App& command) {
   command.parse_complete_callback([&command] {
     if (launched.size > 1)
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);
     return done;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return speaks() ? app.exit(error) : done;
+    if (error.get_exit_code() == 0) return is_root() ? app.exit(error) : done;
     return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
   } catch (const std::exception& error) {
     return report(error.what(), exit_code(error));

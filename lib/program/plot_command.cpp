@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that is gone when its owner is.
+/// A temporary file, removed with this object.
 class TemporaryFile {
  public:
-  /// Throws InputError when the place for temporary files takes none.
+  /// Throws InputError when no temporary file can be made.
   explicit TemporaryFile(const std::string& text) {
     std::error_code none;
     name_ = (fs::temp_directory_path(none) / "pounding-XXXXXX").string();

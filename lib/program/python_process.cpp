@@ -21,7 +21,7 @@ constexpr const char* what_to_install =
     "Type `make python` in the source directory, or `python3 -m pip install numpy h5py matplotlib`, or set the "
     "environment variable POUNDING_PYTHON to a Python that has them.";
 
-/// The user's choice, then the environment that `make` prepared, then the one on the path.
+/// The Python to run: the user's choice, else the environment that `make` prepared, else the one on the path.
 std::string find_python() {
   if (const char* chosen = std::getenv("POUNDING_PYTHON"); chosen != nullptr && *chosen != '\0') return chosen;
   if (access(POUNDING_DEFAULT_PYTHON, X_OK) == 0) return POUNDING_DEFAULT_PYTHON;
@@ -53,7 +53,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-/// The open file that the child finds the terminal under.
+/// File descriptor under which the child process finds the terminal.
 constexpr int terminal_in_child = 3;
 
 struct Outcome {
@@ -65,7 +65,7 @@ struct Outcome {
 Outcome run_process(std::vector<std::string> arguments, bool with_terminal) {
   std::vector<std::string> environment = environment_with_module_path();
   Outcome outcome;
-  // A number above those that the child gets anew, so that none of them can overwrite it first.
+  // A number above the descriptors that the child opens, so that none of them overwrites it.
   const int terminal = with_terminal ? fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 10) : -1;
   if (with_terminal && terminal < 0) {
     outcome.spawn_error = errno;
@@ -78,13 +78,13 @@ Outcome run_process(std::vector<std::string> arguments, bool with_terminal) {
     return outcome;
   }
 
-  // What Python prints must not mix with ours: --json promises one object on standard output.
+  // Output of Python must not mix with ours: --json promises one object on standard output.
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  // After the pipe has gone to its places: it may have had this number.
+  // Last, because the pipe may have had this number before it was moved.
   if (with_terminal) posix_spawn_file_actions_adddup2(&actions, terminal, terminal_in_child);
   pid_t process = 0;
   outcome.spawn_error = posix_spawnp(&process, arguments[0].c_str(), &actions, nullptr, pointers(arguments).data(),
@@ -109,7 +109,7 @@ Outcome run_process(std::vector<std::string> arguments, bool with_terminal) {
   return outcome;
 }
 
-/// The last line that is not empty: of a Python traceback the one that says what happened. Empty when there is none.
+/// The last line that is not empty, which in a Python traceback is the message; empty when there is none.
 std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \n");
   if (end == std::string::npos) return {};

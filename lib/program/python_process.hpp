@@ -1,19 +1,20 @@
 #pragma once
-/// What Python does for the program, in a process of its own: pictures, animations, exports.
+/// Python in a process of its own, for pictures, animations and exports.
 
 #include <string>
 #include <vector>
 
 namespace pounding::program {
 
+/// One task for Python.
 struct PythonTask {
   std::string module;           ///< of the package pounding: "plots"
   std::string product;          ///< for messages: "no picture: ..."
-  bool shows_progress = false;  ///< it takes --progress-to and writes a line there, when standard error is a terminal
+  bool shows_progress = false;  ///< the module takes --progress-to; used where standard error is a terminal
 };
 
-/// Runs `python3 -m pounding.MODULE OPTIONS -- FILES` and waits for it. Throws InputError with what it said when it fails,
-/// and with what to install when Python or its packages are missing.
+/// Runs `python3 -m pounding.MODULE OPTIONS -- FILES` and waits for it. Throws InputError with Python's message when it fails, and
+/// with the packages to install when they or Python are missing.
 void run_python(const PythonTask& task, const std::vector<std::string>& options, const std::vector<std::string>& files);
 
 }  // namespace pounding::program

@@ -47,12 +47,12 @@ void write(const fs::path& file, const std::string& text) {
   if (!stream) throw InputError(fmt::format("{} cannot be written. Name another folder: -o FOLDER", file.string()));
 }
 
-/// A line on the terminal that the next one overwrites.
+/// Shows a line on the terminal, which the next one overwrites.
 void show(const std::string& text) {
   if (isatty(STDERR_FILENO) != 0) std::fputs(("\r\033[K" + text).c_str(), stderr);
 }
 
-/// Leaves the terminal clean, whatever happens.
+/// Clears the line at the end, also after an exception.
 struct ProgressLine {
   ~ProgressLine() { show(""); }
 };

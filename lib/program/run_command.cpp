@@ -3,8 +3,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +13,7 @@
 #include <pounding/run/restart.hpp>
 #include <pounding/input/input.hpp>
 #include <pounding/linear/lowest_modes.hpp>
+#include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/structures/oscillators.hpp>
@@ -35,7 +34,7 @@ std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();
 }
 
-// One line that is written over and over, on a terminal only.
+// Draws a progress bar on a terminal: one line, written over and over.
 void show_progress(double time, double duration, int impacts) {
   const int width = 30;
   const int filled = static_cast<int>(width * time / duration);
@@ -46,7 +45,7 @@ void show_progress(double time, double duration, int impacts) {
 
 void clear_progress() { std::fputs("\r\033[K", stderr); }
 
-// Ctrl-C and a polite kill end the run with what was computed in the file; a second one ends the program at once.
+// Ctrl-C (SIGINT) and SIGTERM end the run with its results so far in the file; a second signal ends the program at once.
 class StopOnSignal {
  public:
   StopOnSignal() {
@@ -60,7 +59,7 @@ class StopOnSignal {
 };
 volatile std::sig_atomic_t StopOnSignal::stop = 0;
 
-// Arguments that CLI11 does not know: MODEL, then PETSc's options, which carry its prefix, each with its value.
+// Arguments that CLI11 does not know: MODEL, then PETSc's options, each with its value.
 struct Rest {
   std::string model;
   std::vector<std::string> options;
@@ -85,23 +84,16 @@ Rest rest_of(const CLI::App& command) {
   return rest;
 }
 
-// A file of the same name may be another one in the folder of another process.
+// Processes may work in different folders, where a file of the same name may be another one.
 void require_one_model(const petsc::Ranks& ranks, const Model& model, const std::string& file) {
   if (!ranks.same(model.source_text))
     throw InputError(fmt::format("{}: the processes read different models; name a file that all of them see", file));
 }
 
-// All processes do the same and mostly fail alike; one that fails alone ends the others, who wait for it.
-void together(const std::function<void()>& task) {
-  const petsc::CollectiveExit leaving(PETSC_COMM_WORLD);
-  try {
-    task();
-  } catch (const std::exception& error) {
-    if (leaving.together(petsc::CollectiveExit::patience)) throw;
-    print_failure(petsc::Ranks(PETSC_COMM_WORLD).alone(error.what()).c_str());
-    MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
-  }
-  leaving.together(std::numeric_limits<double>::infinity());
+// Ends all processes: the others wait for this one.
+void abort_all(const std::string& text, const std::exception& error) {
+  print_failure(text.c_str());
+  MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
 }
 
 struct Task {
@@ -114,7 +106,6 @@ void run_task(const Arguments& words, const Task& task) {
   const auto& [model_file, options, earlier] = task;
   const bool resume = !words.resume.empty();
   const petsc::Ranks ranks(PETSC_COMM_WORLD);
-  const bool speaks = ranks.is_root();
   const Model model = read(model_file.empty() ? input_of(earlier) : Input::read_file(model_file));
   require_one_model(ranks, model, model_file.empty() ? words.resume : model_file);
   RunOptions run_options;
@@ -126,9 +117,9 @@ void run_task(const Arguments& words, const Task& task) {
   run_options.command = fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file,
                                     resume ? " --resume " : "", words.resume, options.empty() ? "" : " ",
                                     fmt::join(options, " "));
-  const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet && speaks;
+  const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet && ranks.is_root();
   if (terminal) run_options.progress = show_progress;
-  if (!words.json && !words.quiet && speaks) std::fputs((describe(model) + "\n").c_str(), stdout);
+  if (!words.json && !words.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
 
   const StopOnSignal signals;  // after PETSc, which takes and gives back signals of its own
@@ -138,7 +129,7 @@ void run_task(const Arguments& words, const Task& task) {
     outcome = run(model, run_options);
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
-    if (words.json && speaks) std::puts(to_json(failed.outcome().summary).c_str());
+    if (words.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
     if (!failed.outcome().results.checkpoint) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
     throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}", failed.what(), launcher, run_options.output));
@@ -147,7 +138,7 @@ void run_task(const Arguments& words, const Task& task) {
     throw;
   }
   if (terminal) clear_progress();
-  if (!speaks) return;
+  if (!ranks.is_root()) return;
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
     std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n", unread.front().c_str());
   if (const std::string text = warning(outcome.summary, model.analysis.tolerance); !text.empty())
@@ -174,7 +165,7 @@ void run_model(const Arguments& words, const CLI::App& command) {
     add_earlier_options(earlier, options);
   }
   const petsc::Environment environment(options);
-  together([&] { run_task(words, {model_file, options, earlier}); });
+  petsc::run_collectively(PETSC_COMM_WORLD, [&] { run_task(words, {model_file, options, earlier}); }, abort_all);
 }
 
 }  // namespace
@@ -192,7 +183,7 @@ void add_run(CLI::App& app) {
   run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but errors");
   run_command->allow_extras();
   run_command->footer("PETSc options with the prefix -pounding_ stand behind MODEL and reach the time stepping, for example\n"
-                      "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_radius 0.8  -pounding_ts_view  -pounding_ts_monitor");
+                      "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_scheme generalized_alpha  -pounding_ts_view  -pounding_ts_monitor");
   run_command->callback([words, run_command] { run_model(*words, *run_command); });
 
   const auto check_words = std::make_shared<Arguments>();

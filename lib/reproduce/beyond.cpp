@@ -1,5 +1,5 @@
-/// Where the paper stops: the formulas beside the exact calibration, in a free impact, in two oscillators and in two frames
-/// through an earthquake.
+/// Beyond the paper: its formulas beside the exact calibration in a free impact, in two oscillators and in two frames during an
+/// earthquake.
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +100,7 @@ int impacts_of(const Summary& summary) {
   return sum;
 }
 
-/// Restitution of the impacts together: the kinetic energy that they lost in all, by their closing speeds.
+/// One restitution for several impacts: from their whole loss of kinetic energy and their approach velocities.
 double mean_restitution(const Outcome& run) {
   double before = 0, after = 0;
   for (const ImpactRow& i : run.results.impacts) {
@@ -197,7 +197,7 @@ Frames run_frames() {
   return result;
 }
 
-/// Largest difference from the exact calibration of one law, over rows with these names [%].
+/// Largest difference of one law from its exact calibration over the rows with these names [%].
 double spread(const Table& table, const char* heading, const char* exact, std::initializer_list<const char*> rows) {
   double largest = 0;
   for (const char* row : rows) largest = std::max(largest, std::abs(percent(table.at(row, heading), table.at(exact, heading))));

@@ -39,21 +39,21 @@ std::vector<double> roots_of_eq19() {
 laws::AnyLaw proposed(double e) { return Asking{"hertz_damped", "naderpour_2015", stiffness, e}.made(mass); }
 double c_imp(double v, double e) { return damping_coefficient(proposed(e), v); }
 
-/// The velocity at which Eq. 16 gives for this restitution the damping of the reference; struck at the same speed, the two
-/// have the same loop.
+/// Velocity at which Eq. 16 gives the damping of the reference for this restitution; at the same approach velocity both have the
+/// same loop.
 double equal_loop_velocity(double e) {
   const double wanted = c_imp(reference_speed, reference_restitution);
   const auto miss = [&](double v) { return c_imp(v, e) / wanted - 1; };
   return laws::find_root(miss, 1e-3, miss(1e-3), 1e4, miss(1e4));
 }
 
-/// The same for Eq. 16 without Table 2, N = M = 1.
+/// This velocity for Eq. 16 without Table 2, N = M = 1.
 double equal_loop_velocity_simple(double e) {
   const auto share = [](double x) { return (1 - x * x) / x; };
   return reference_speed * share(e) / share(reference_restitution);
 }
 
-/// Loses as much kinetic energy as the reference.
+/// Velocity at which the loss of kinetic energy is that of the reference.
 double equal_loss_velocity(double e) {
   return reference_speed * std::sqrt((1 - reference_restitution * reference_restitution) / (1 - e * e));
 }
@@ -76,7 +76,7 @@ struct Pair {
   Table table;
 };
 
-/// Loops of a law with the damping of (v, CR), struck at a speed.
+/// Loops of a law with the damping of (v, CR) at an approach velocity.
 Pair pair_of_loops() {
   Pair pair{{.name = "cyclic_pair",
              .of_paper = "Fig. 10",
@@ -106,7 +106,7 @@ Pair pair_of_loops() {
   return pair;
 }
 
-/// The process itself, at the reference.
+/// The cyclic process at the reference.
 struct Process {
   Table analyses{"process",
                  "The cyclic process for Eq. 16 at v = 10 m/s, CR = 0.5 asked",

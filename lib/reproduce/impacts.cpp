@@ -7,13 +7,12 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/input/input.hpp>
-#include <pounding/laws/free_impact.hpp>
 #include <pounding/structures/oscillators.hpp>
 
 namespace pounding::reproduce {
 namespace {
 
-// Far below what a drawing or a printed digit shows.
+// Tolerance of the runs: errors far below the last printed digit.
 constexpr double tolerance = 1e-8;
 
 }  // namespace
@@ -48,7 +47,7 @@ laws::FreeImpact Asking::free_impact(double reduced_mass, double speed) const {
 }
 
 Loop collide(const std::string& law, double mass, double speed) {
-  // A body that creeps out of a contact leaves slowly; a long free flight costs nothing.
+  // Some laws let the body out of the contact very slowly, so the run is long; free flight costs nothing.
   const double gap = 1e-3 * speed, duration = 100;
   const Outcome outcome = run_text(fmt::format(
       "structures:\n  body: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n  wall: {{wall: {{}}}}\n"
@@ -62,7 +61,7 @@ Loop collide(const std::string& law, double mass, double speed) {
 
 Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points) {
   const auto first = std::ranges::lower_bound(link.time, impact.t_start) - link.time.begin();
-  // The slack phase behind the release has no force to show.
+  // After the release the force is zero.
   const auto last = std::ranges::upper_bound(link.time, impact.t_release) - link.time.begin();
   const double stride = std::max(1.0, static_cast<double>(last - first) / points);
   Loop loop{.time = {}, .penetration = {}, .velocity = {}, .force = {}, .impact = impact};

@@ -1,18 +1,17 @@
 #pragma once
-/// Impacts as the program runs them through PETSc TS, and the words of the tables.
+/// Impacts for the items of the paper, run through time by the program itself.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <pounding/run/run.hpp>
-#include <pounding/laws/all.hpp>
-#include <pounding/laws/integrated_impact.hpp>
+#include <pounding/laws/compiled.hpp>
 #include <pounding/results/results.hpp>
 
 namespace pounding::reproduce {
 
-/// A model from the text of an input, run through time.
+/// Runs the model in the text of an input.
 Outcome run_text(const std::string& yaml);
 
 /// A law as a user asks for it.
@@ -23,21 +22,21 @@ struct Asking {
 
   std::string yaml() const;                                ///< what stands behind "law: "
   laws::AnyLaw made(double reduced_mass) const;
-  /// What it gives two free bodies, without a run [kg], [m/s].
+  /// Impact of two free bodies without a run: reduced mass [kg], approach velocity [m/s].
   laws::FreeImpact free_impact(double reduced_mass, double speed) const;
 };
 
-/// One contact of two free bodies, thinned to what a drawing shows.
+/// Hysteresis loop of one impact of two free bodies, thinned for a drawing.
 struct Loop {
   std::vector<double> time, penetration, velocity, force;  ///< [s] since the touch, [m], [m/s], [N]
   ImpactRow impact;
 };
 
-/// A body of this mass thrown at a wall; the mass is the reduced one of two bodies, which move alike. `law` as it stands
-/// behind "law: ". Throws SolverError unless there is exactly one impact.
+/// Throws a body of this mass [kg] at a wall with this speed [m/s]; two bodies of this reduced mass would move alike. `law` is the
+/// text behind "law: ". Throws SolverError unless there is exactly one impact.
 Loop collide(const std::string& law, double mass, double speed);
 
-/// A part of a link's history around an impact, thinned to about `points`, time from the touch.
+/// Loop of one impact from the history of its link, thinned to about `points`; its time counts from the touch.
 Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points = 240);
 
 /// 100 (obtained - asked)/asked.

@@ -20,9 +20,9 @@ struct ItemMaker {
   std::string_view name, title;
   Item (*make)();
 };
-/// All of them, in the order of the paper.
+/// All items, in the order of the paper.
 std::span<const ItemMaker> item_makers();
-/// One of them; throws InputError with the nearest known name.
+/// The item of a name; throws InputError with the nearest known name.
 const ItemMaker& item_maker(std::string_view name);
 
 }  // namespace pounding::reproduce

@@ -5,7 +5,7 @@
 
 namespace pounding::reproduce::paper {
 
-/// Restitutions of Table 2, and of all its comparisons.
+/// Restitutions of Table 2 and of all comparisons in the paper.
 inline constexpr std::array<double, 9> restitutions{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
 
 /// Section 5, "SDOF mass of two bodies 755.76 kN": read as 755.76 kg, see item table2.
@@ -25,7 +25,7 @@ inline constexpr double second_speed = 11, second_restitution = 0.45, second_los
 /// Eq. 19, from the highest power down: v_imp [m/s] of CR.
 inline constexpr std::array<double, 5> velocity_curve{494.32, -1299, 1285, -595.9, 116.67};
 
-/// Where the curves of Fig. 12 start, by the text: Eq. 38, Jankowski, Mahmoud.
+/// Starts of the curves of Fig. 12 by the text: Eq. 38, Jankowski, Mahmoud.
 inline constexpr double start_eq38 = 61, start_jankowski = 3.5, start_mahmoud = 3.2;
 
 }  // namespace pounding::reproduce::paper

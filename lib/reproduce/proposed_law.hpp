@@ -1,5 +1,5 @@
 #pragma once
-/// What the paper's Eq. 16 with its Table 2 gives, as a function of the asked restitution and of k/v.
+/// The paper's Eq. 16 with its Table 2 as functions of the asked restitution and of the number k/v.
 
 #include <cmath>
 
@@ -8,12 +8,12 @@
 
 namespace pounding::reproduce {
 
-/// a = c_imp v/k of Eq. 16, with the number that k/v is in the units chosen.
+/// a = c_imp v/k of Eq. 16; k/v is a number that depends on the units chosen.
 inline double proposed_factor(double restitution, double k_over_v) {
   return laws::naderpour_2015({.restitution = restitution, .closing_speed = 1, .stiffness = 1e3 * k_over_v});
 }
 
-/// The restitution that a free impact gives then.
+/// Restitution of a free impact with this damping.
 inline double proposed_restitution(double restitution, double k_over_v) {
   return laws::restitution_of_factor(proposed_factor(restitution, k_over_v));
 }

@@ -31,7 +31,7 @@ const char* word(Curve::Kind kind) {
   return "";
 }
 
-// JSON has no NaN: null stands for nothing to say.
+// JSON has no NaN; a missing number is null.
 json numbers(const std::vector<double>& values) {
   json list = json::array();
   for (const double value : values) list.push_back(std::isfinite(value) ? json(value) : json());

@@ -1,6 +1,5 @@
 #pragma once
-/// What a reproduction of the paper finds, as data: figures, tables, matrices and verdicts. Python draws and sets them;
-/// nothing here knows how they look.
+/// Findings of a reproduction of the paper as data: figures, tables, matrices and verdicts. Python draws and typesets them.
 ///
 /// The paper: Naderpour, Barros & Khatami 2015, Scientia Iranica, Transactions A. Texts may hold mathematics between dollar signs,
 /// in the TeX that matplotlib reads.
@@ -34,7 +33,7 @@ struct Panel {
   bool x_log = false, y_log = false;
 };
 
-/// `columns` are what is drawn, and what stands in NAME.csv.
+/// A figure; its columns are drawn and written to NAME.csv.
 struct Figure {
   std::string name;       ///< of its files: "cyclic_velocity"
   std::string of_paper;   ///< "Fig. 11"; empty where the paper has none
@@ -42,14 +41,14 @@ struct Figure {
   std::vector<Column> columns{};
   std::vector<Panel> panels{};
 
-  /// Adds a column and gives its name.
+  /// Adds a column and returns its name.
   const std::string& add(std::string column, std::string unit, std::vector<double> values);
-  /// Adds two columns and a curve of the last panel. Columns are named after the panel's place and the label.
+  /// Adds two columns and a curve to the last panel. The columns are named after the number of the panel and the label.
   void plot(const std::string& label, std::vector<double> x, std::vector<double> y, Curve::Kind kind = Curve::Kind::line);
   const Column& column(std::string_view column) const;  ///< throws std::out_of_range
 };
 
-/// A table has a first column of words; the others are numbers.
+/// A table: a first column of words, then columns of numbers.
 struct Table {
   std::string name, title;
   std::string row_header;            ///< over the words
@@ -76,7 +75,7 @@ struct Equation {
   std::string number, tex;           ///< "16"
 };
 
-/// How a claim of the paper stands.
+/// Verdict on a claim of the paper.
 enum class Judgement { agrees, disagrees, cannot_be_checked };
 
 struct Verdict {
@@ -103,9 +102,9 @@ struct Item {
 
 std::string_view word(Judgement judgement);  ///< "agrees", "does not agree", "cannot be checked"
 
-/// The object that report.json holds and the Python page describes; `seconds` is what each item took.
+/// The JSON object of report.json, which the Python page describes; `seconds`: run time of each item.
 std::string to_json(const std::vector<Item>& items, const std::vector<double>& seconds);
-/// The columns side by side, with units in the header and empty cells below the shorter ones.
+/// CSV text: columns side by side, units in the header, empty cells below shorter columns.
 std::string to_csv(const Figure& figure);
 
 }  // namespace pounding::reproduce

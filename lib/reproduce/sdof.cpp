@@ -76,7 +76,7 @@ std::vector<double> forces(const Touching& t, double c, const std::vector<double
   return result;
 }
 
-/// While they touch: the samples before the touch and after the separation have no force.
+/// The samples in contact; before the touch and after the separation there is no force.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& measured) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -105,7 +105,7 @@ Item sdof() {
   const double error = largest_difference(by_ours, sprung.force) / peak;
   const double printed_error = largest_difference(by_printed, sprung.force) / peak;
 
-  // Without springs and dashpots of their own nothing but the link acts on the bodies: their momentum must stay.
+  // Only the link acts on bodies without springs and dashpots of their own, so their momentum must stay constant.
   Touching bare{ours.mass, Matrix2d::Zero(), Matrix2d::Zero()};
   const Vector2d closing(1, -1);
   bare.damping = c * closing * closing.transpose();

@@ -20,7 +20,7 @@ struct Named {
   const char *name, *law, *formula;
 };
 
-/// What the paper compares, and the law it nearly is.
+/// The laws that the paper compares, and the published law that the proposed one nearly equals.
 constexpr Named compared[] = {{"Eq. 12, Lankarani", "hertz_damped", "lankarani_nikravesh"},
                               {"Eq. 13, Ye 2008", "hertz_damped", "hu_guo"},
                               {"Eq. 14, Ye 2009", "hertz_damped", "ye_2009"},

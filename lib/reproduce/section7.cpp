@@ -1,4 +1,4 @@
-/// Section 7: the damping ratio of Eq. 38, its derivation, and what it gives beside two others.
+/// Section 7: the damping ratio of Eq. 38, its derivation, and its results beside two others.
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ Loop impact(const Ratio& r, double e) {
   return collide(fmt::format("modified_linear_viscoelastic, stiffness: {}, damping_ratio: {}", stiffness, value(r, e)), mass, speed);
 }
 
-/// The restitution at which (1-e^2)/e has this value.
+/// Restitution e at which (1-e^2)/e has this value.
 double restitution_of_share(double share) { return 0.5 * (std::sqrt(share * share + 4) - share); }
 
 Figure ratio_figure() {
@@ -92,7 +92,7 @@ Forces forces() {
   return result;
 }
 
-/// What the derivation supposes of the rebound beside what the impact does.
+/// The rebound as the derivation assumes it, beside the rebound of the impact.
 Table derivation_table() {
   Table table{"derivation", "Eq. 24 beside the impact itself, with the ratio of Eq. 38", "CR asked",
               {{"zeta", "", 5}, {"Eq. 24, penetration", "mm", 4}, {"penetration", "mm", 4}, {"Eq. 34, energy lost", "kJ", 4},

@@ -26,7 +26,7 @@ constexpr Named formulas[] = {{"Eq. 12, Lankarani", "lankarani_nikravesh"},
 
 Asking asking(const Named& f, double e = restitution) { return {"hertz_damped", f.formula, stiffness, e}; }
 
-/// Root of the mean square of the error of the restitution over Table 2 [%].
+/// Root mean square of the error of the restitution over Table 2 [%].
 double rms_error(double k_over_v) {
   double sum = 0;
   for (const double e : paper::restitutions) sum += std::pow(percent(proposed_restitution(e, k_over_v), e), 2);

@@ -1,6 +1,6 @@
 #pragma once
-/// The compiled part of the Python package, `pounding._core`: thin, for the package's own modules, which check and explain
-/// (python/pounding/*.py).
+/// Compiled part of the Python package, `pounding._core`. It is thin: the package's own modules (python/pounding) check
+/// arguments and explain errors.
 
 #include <pybind11/pybind11.h>
 

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
 
@@ -29,7 +30,7 @@ bool mpi_runs() {
 
 bool has_others() { return mpi_runs() && petsc::Ranks(MPI_COMM_WORLD).size() > 1; }
 
-// Ends with end_petsc(), not with the process: MPI must not outlive what it needs.
+// Ends in end_petsc(), not with the process: MPI must end before the libraries that it uses.
 struct Session {
   bool owns_mpi = !mpi_runs();
   petsc::Environment environment;
@@ -86,10 +87,10 @@ void start_petsc() {
 void end_petsc(bool failed) {
   ended = ended || session;
   if (has_others()) {
-    // All may have failed alike, or be done.
+    // The others may have failed alike, or be done; then all end together.
     if (others_wait || (failed && !(session && session->leaving.together(petsc::CollectiveExit::patience))))
       MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
-    // Where MPI is another's it ends later.
+    // Only the owner of MPI has to wait here for the others.
     if (!failed && session && session->owns_mpi) session->leaving.together(std::numeric_limits<double>::infinity());
   }
   session.reset();

@@ -1,23 +1,25 @@
 #pragma once
-/// PETSc inside a Python process, which was there first.
+/// PETSc inside a Python process, which runs already.
 
 #include <string>
 #include <vector>
 
 namespace pounding::python {
 
-/// Starts PETSc and MPI, unless somebody has (mpi4py, petsc4py); once in a process. Signal handlers and environment variables
-/// stay those of the host: programs that it starts afterwards, mpirun among them, inherit nothing.
+/// Starts PETSc and MPI, unless mpi4py or petsc4py has; once in a process. Signal handlers and environment variables of the
+/// host stay as they are: programs that it starts afterwards, mpirun among them, inherit nothing. Throws SolverError when PETSc
+/// has ended or an earlier run failed in this process alone.
 void start_petsc();
 
-/// Ends what start_petsc() started; PETSc cannot start again. MPI's end waits for every process: when this one of several
-/// ends because it `failed`, and the others do not end soon too, it ends them.
+/// Ends PETSc, and MPI if start_petsc() started it; PETSc cannot start again. MPI_Finalize waits for every process: when this
+/// process has `failed` and the others do not end soon too, it aborts them.
 void end_petsc(bool failed);
 
-/// This process has failed while the others wait for it in the middle of a run: it cannot run anything, and its end is theirs.
+/// Notes that this process failed alone in the middle of a run, where the others wait for it: it runs no other model, and its
+/// end aborts the others.
 void leave_the_others();
 
-/// PETSc's options of one run: words of a command line. Gone afterwards.
+/// PETSc's options of one run, given as words of a command line; removed by the destructor.
 class OptionsOfRun {
  public:
   /// Throws InputError for a word that is no option with the prefix -pounding_.

@@ -12,7 +12,7 @@
 #include <pybind11/stl.h>
 
 #include <pounding/input/collision.hpp>
-#include <pounding/laws/free_impact.hpp>
+#include <pounding/laws/compiled.hpp>
 #include <pounding/core/units.hpp>
 #include "bindings.hpp"
 
@@ -22,14 +22,14 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-/// Not the variant itself, which pybind11 would turn into one of its members.
+/// In a struct, because pybind11 would turn the variant itself into one of its members.
 struct Law {
   laws::AnyLaw any;
 };
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Values of an array in their order, or one value over and over.
+/// Values of an array in their order, or one value repeated.
 struct Column {
   explicit Column(const Array& array) : first(array.data()), stride(array.ndim() == 0 ? 0 : 1) {}
   double operator[](py::ssize_t i) const { return first[i * stride]; }
@@ -42,7 +42,7 @@ struct States {
   py::ssize_t count;
 };
 
-/// The shape of all; arrays that are not single numbers have it already (numpy broadcasts them before).
+/// Common shape of the arrays that are not single numbers; numpy has broadcast them before.
 std::vector<py::ssize_t> common_shape(std::initializer_list<const Array*> arrays) {
   std::vector<py::ssize_t> shape;
   for (const Array* array : arrays) {
@@ -54,15 +54,14 @@ std::vector<py::ssize_t> common_shape(std::initializer_list<const Array*> arrays
   return shape;
 }
 
-// A state that is not a number has no force that is one. The law is asked before this is known, so that a loop has no branch
-// around it.
+// NaN gives NaN. The law is evaluated before the test, so that the loop has no branch around it.
 laws::Response answer(const auto& law, double penetration, double rate, const laws::Impact& impact) {
   const laws::Response r = law.respond(penetration, rate, impact);
   return std::isnan(penetration) || std::isnan(rate) ? laws::Response{NAN, NAN, NAN} : r;
 }
 
-/// States from `first` to `end` of impacts that begin alike. Law and impact are copies that nothing else can write to, so that
-/// what depends on them alone is computed once.
+/// States from `first` to `end` of impacts with the same beginning. Law and impact are copies that nothing else can write to,
+/// so that the compiler computes once all that depends on them alone.
 template <class L, class Take>
 void press(const L law, const laws::Impact impact, const States& s, py::ssize_t first, py::ssize_t end, Take&& take) {
   for (py::ssize_t i = first; i < end; ++i) take(i, answer(law, s.penetration[i], s.rate[i], impact));
@@ -79,7 +78,7 @@ void for_each_state(const L& law, const States& s, Take&& take) {
   }
 }
 
-/// `take(i, response)` for states that follow each other in one impact: each is kept before the next.
+/// `take(i, response)` for the successive states of one impact: each is accepted before the next.
 template <class L, class Take>
 void for_each_kept_state(const L& law, const States& s, Take&& take) {
   if (s.count == 0) return;
@@ -125,17 +124,15 @@ py::tuple responses(const Law& law, const Array& penetration, const Array& rate,
   return py::make_tuple(force, by_penetration, by_rate);
 }
 
-py::dict dict_of(const laws::FreeImpact& impact) {
+/// Names of the quantities that have a closed form.
+std::vector<std::string> closed_forms(const laws::FreeImpact& impact) {
   const auto& known = impact.closed_form;
   std::vector<std::string> closed;
   for (const auto& [is_closed, name] : {std::pair{known.restitution, "restitution"}, {known.peak_force, "peak_force"},
                                         {known.time_of_peak, "time_of_peak"}, {known.peak_penetration, "peak_penetration"},
                                         {known.duration, "duration"}})
     if (is_closed) closed.emplace_back(name);
-  return py::dict("restitution"_a = impact.restitution, "peak_force"_a = impact.peak_force,
-                  "time_of_peak"_a = impact.time_of_peak, "peak_penetration"_a = impact.peak_penetration,
-                  "duration"_a = impact.duration, "energy_lost"_a = impact.energy_lost, "impulse"_a = impact.impulse,
-                  "closed_form"_a = closed);
+  return closed;
 }
 
 Law make_law(std::string name, std::string formula, std::optional<double> restitution,
@@ -146,7 +143,7 @@ Law make_law(std::string name, std::string formula, std::optional<double> restit
   return {laws::make_law(settings)};
 }
 
-/// Whether another closing speed would change an answer.
+/// True if the force depends on the closing speed of the impact.
 bool needs_approach_velocity(const Law& law) {
   return std::visit(
       [](const auto& chosen) {
@@ -197,13 +194,16 @@ py::dict calibrated(const CollisionInput& words) {
   const Collision collision = read_collision(words);
   py::list rows;
   for (const CalibratedRow& row : calibrate(collision)) {
-    py::dict entry("formula"_a = row.formula);
+    py::dict entry;
     if (!row.refused.empty()) {
+      entry["formula"] = row.formula;
       entry["refused"] = row.refused;
     } else {
-      entry = dict_of(row.impact);
-      entry.attr("pop")("closed_form");
-      entry["formula"] = row.formula;
+      const laws::FreeImpact& impact = row.impact;
+      entry = py::dict("restitution"_a = impact.restitution, "peak_force"_a = impact.peak_force,
+                       "time_of_peak"_a = impact.time_of_peak, "peak_penetration"_a = impact.peak_penetration,
+                       "duration"_a = impact.duration, "energy_lost"_a = impact.energy_lost, "impulse"_a = impact.impulse,
+                       "formula"_a = row.formula);
       if (!collision.law.number.name.empty()) {
         entry[py::str(std::string(collision.law.number.name))] = row.number;
         entry[py::str(std::string(collision.law.coefficient.name))] = row.coefficient;
@@ -226,7 +226,7 @@ double quantity(const std::string& text, const std::string& unit, double exponen
 }
 
 std::string hint(const std::string& read, const std::vector<std::string>& allowed) {
-  return laws::by_name::hint(read, {allowed.begin(), allowed.end()});
+  return suggestion(read, std::vector<std::string_view>(allowed.begin(), allowed.end()));
 }
 
 }  // namespace
@@ -241,6 +241,15 @@ void bind_laws(py::module_& module) {
                 const std::vector<std::pair<std::string, std::string>>& parameters) {
                return calibrated({law, restitution, m1, m2, stiffness, velocity, exponent, parameters});
              });
+  py::class_<laws::FreeImpact>(module, "FreeImpact")
+      .def_readonly("restitution", &laws::FreeImpact::restitution)
+      .def_readonly("peak_force", &laws::FreeImpact::peak_force)
+      .def_readonly("time_of_peak", &laws::FreeImpact::time_of_peak)
+      .def_readonly("peak_penetration", &laws::FreeImpact::peak_penetration)
+      .def_readonly("duration", &laws::FreeImpact::duration)
+      .def_readonly("energy_lost", &laws::FreeImpact::energy_lost)
+      .def_readonly("impulse", &laws::FreeImpact::impulse)
+      .def_property_readonly("closed_form", &closed_forms);
   py::class_<Law>(module, "Law")
       .def(py::init(&make_law), "law"_a, "formula"_a, "restitution"_a, "impact_velocity"_a, "reduced_mass"_a, "values"_a)
       .def("forces", &forces)
@@ -248,7 +257,7 @@ void bind_laws(py::module_& module) {
       .def_property_readonly("needs_approach_velocity", &needs_approach_velocity)
       .def("describe", &described)
       .def("free_impact", [](const Law& law, double reduced_mass, double closing_speed) {
-        return dict_of(laws::free_impact(law.any, reduced_mass, closing_speed));
+        return laws::free_impact(law.any, reduced_mass, closing_speed);
       });
 }
 

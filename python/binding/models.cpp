@@ -1,5 +1,6 @@
 /// Models from their text: reading, checking, modes, runs.
 
+#include <array>
 #include <exception>
 #include <functional>
 #include <limits>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 #include <fmt/format.h>
@@ -19,6 +21,7 @@
 #include <pounding/input/input.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/linear/lowest_modes.hpp>
+#include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/launch.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/structures/oscillators.hpp>
@@ -31,7 +34,7 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-// PETSc and its options are one for the process: one thread at a time.
+// A process has one PETSc with one table of options, so one thread at a time may use it.
 std::mutex petsc_in_use;
 
 /// The text of a model and the file that it stands for.
@@ -73,16 +76,46 @@ std::pair<std::string, std::string> checked(const Source& source) {
   });
 }
 
-std::string modes(const Source& source, int count) {
-  return with_petsc([&] { return modes_json(read(source), count, petsc::lowest_modes, true); });
+/// The modes of one structure, and how it is drawn.
+struct StructureModes {
+  std::string name;
+  std::vector<Mode> modes;                        ///< longest period first
+  bool is_frame = false;                          ///< motion in x and z or in space; else along x only
+  std::vector<std::optional<double>> elevations;  ///< [floor] [m]
+  std::vector<Eigen::Vector3d> nodes;             ///< at rest [m]; none without geometry
+  std::vector<std::array<int, 2>> members;        ///< numbers of their nodes
+  std::vector<Eigen::MatrixX3d> node_shapes;      ///< [mode] displacements of the nodes, to the scale of the mode
+};
+
+StructureModes modes_of(const Structure& structure, int count) {
+  StructureModes found;
+  found.name = structure.name;
+  found.is_frame = structure.dimension > 1;
+  // An oscillator or a shear building shows all its modes.
+  found.modes = modes(structure, found.is_frame ? count : std::numeric_limits<int>::max(), petsc::lowest_modes);
+  for (const Floor& floor : structure.floors) found.elevations.push_back(floor.elevation);
+  if (!structure.node_translations) return found;
+  found.nodes = structure.geometry.positions;
+  found.members = structure.geometry.members;
+  for (const Mode& mode : found.modes) found.node_shapes.push_back(structure.node_translations(mode.unknowns));
+  return found;
 }
 
-/// What a run reports to and may be ended by.
+std::vector<StructureModes> modes_of_all(const Source& source, int count) {
+  return with_petsc([&] {
+    const Model model = read(source);
+    std::vector<StructureModes> found;
+    for (const Structure& structure : model.structures) found.push_back(modes_of(structure, count));
+    return found;
+  });
+}
+
+/// Receives the progress of a run, and may end it.
 struct Listener {
   py::object progress;  ///< None, or called with time [s], duration [s] and impacts
-  /// What a signal handler or `progress` raised; it ends the run.
+  /// Exception of a signal handler or of `progress`; it ends the run.
   std::optional<py::error_already_set> raised = {};
-  /// That for the other processes, which know by themselves when the user stops the run.
+  /// Text of that exception for the other processes; empty for Ctrl-C, which each process sees by itself.
   std::string failure = {};
 
   void report(double time, double duration, int impacts) {
@@ -106,15 +139,15 @@ struct Listener {
   }
 };
 
-/// What there is of a run, whether it came to its end or not.
+/// Result of a run that was completed or not.
 struct Ran {
   std::vector<std::byte> image;  ///< of the results file
   std::string warning;
-  std::string failure;     ///< empty: none
-  bool resumable = false;  ///< the output can go on
+  std::string failure;     ///< empty for a run that came to its end
+  bool resumable = false;  ///< the output can be resumed
 };
 
-// The histories are whole on the first process.
+// The bytes of the results file on all processes; only the first one has whole histories.
 std::vector<std::byte> image_for_all(const Results& results) {
   const petsc::Ranks ranks(PETSC_COMM_WORLD);
   return ranks.gather(ranks.is_root() ? results_image(results) : std::vector<std::byte>{}).front();
@@ -133,7 +166,7 @@ Ran run_alike(const Model& model, const RunOptions& options) {
   }
 }
 
-// What Python raised on one process only has ended the run of all.
+// An exception that Python raised on one process has ended the run of all.
 void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, Ran& ran) {
   try {
     ranks.on_each([&] {
@@ -144,48 +177,40 @@ void tell_what_was_raised(const petsc::Ranks& ranks, const Listener& listener, R
   }
 }
 
-// One that fails in the middle of a run leaves the others waiting for a message that never comes; what it fails with after
-// that, or before, is what all fail with.
 Ran run_together(const Model& model, const RunOptions& options, const Listener& listener) {
-  const petsc::Ranks ranks(PETSC_COMM_WORLD);
-  const petsc::CollectiveExit leaving(ranks.comm());
   Ran ran;
-  std::exception_ptr failure;
-  try {
-    ran = run_alike(model, options);
-  } catch (const std::exception& error) {
-    if (!leaving.together(petsc::CollectiveExit::patience)) {
-      leave_the_others();
-      throw SolverError(ranks.alone(error.what()));
-    }
-    failure = std::current_exception();
-  }
-  if (!failure) leaving.together(std::numeric_limits<double>::infinity());
-  ranks.on_each([&] {
-    if (failure) std::rethrow_exception(failure);
-  });
-  tell_what_was_raised(ranks, listener, ran);
+  petsc::run_collectively(
+      options.comm, [&] { ran = run_alike(model, options); },
+      [](const std::string&, const std::exception&) { leave_the_others(); });
+  tell_what_was_raised(petsc::Ranks(options.comm), listener, ran);
   return ran;
 }
 
-// A file of the same name may be another one in the folder of another process.
+// Processes may work in different folders, where a file of the same name may be another one.
 void require_one_run(const petsc::Ranks& ranks, const Model& model, const std::vector<std::string>& options,
                      const std::string& name) {
   if (!ranks.same(fmt::format("{}\n{}", model.source_text, fmt::join(options, " "))))
     throw InputError(fmt::format("{}: the processes run different models or options; give all of them the same", name));
 }
 
-/// What this process cannot run is what none runs. Nothing where there are no others.
+/// Raises InputError with this text on every process; does nothing where there is only one.
 void refuse(const std::string& text) {
   if (petsc::launch().value_or(petsc::Launch{}).size > 1)
     with_petsc([&] { petsc::Ranks(PETSC_COMM_WORLD).on_each([&] { throw InputError(text); }); });
 }
 
-py::dict dict_of(const Ran& ran, const Listener& listener) {
+/// A run as Python gets it.
+struct RunOutcome {
+  py::bytes image;  ///< of the results file
+  std::string warning, failure;
+  bool resumable = false;
+  py::object raised;  ///< by a signal handler or `progress`; None
+};
+
+RunOutcome for_python(const Ran& ran, const Listener& listener) {
   const auto* image = reinterpret_cast<const char*>(ran.image.data());
-  return py::dict("image"_a = py::bytes(image, ran.image.size()), "warning"_a = ran.warning,
-                  "failure"_a = ran.failure, "resumable"_a = ran.resumable,
-                  "raised"_a = listener.raised ? py::object(listener.raised->value()) : py::none());
+  return {.image = py::bytes(image, ran.image.size()), .warning = ran.warning, .failure = ran.failure,
+          .resumable = ran.resumable, .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
 }
 
 RunOptions run_options(const std::string& output, const std::string& command, Listener& listener) {
@@ -196,9 +221,9 @@ RunOptions run_options(const std::string& output, const std::string& command, Li
 }
 
 /// Runs what `read` makes of the words of PETSc's options; these hold from where it hands them over.
-py::dict run_read(const std::string& name, const std::string& output, std::vector<std::string> words, const std::string& command,
-                  const std::string& resumed, const py::object& progress,
-                  const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
+RunOutcome run_read(const std::string& name, const std::string& output, std::vector<std::string> words,
+                    const std::string& command, const std::string& resumed, const py::object& progress,
+                    const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
   Listener listener{progress};
   const Ran ran = with_petsc([&] {
     const petsc::Ranks ranks(PETSC_COMM_WORLD);
@@ -210,19 +235,19 @@ py::dict run_read(const std::string& name, const std::string& output, std::vecto
     options.resume = resumed;
     return run_together(*model, options, listener);
   });
-  return dict_of(ran, listener);
+  return for_python(ran, listener);
 }
 
-py::dict run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
-                    const std::string& command, const py::object& progress) {
+RunOutcome run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
+                      const std::string& command, const py::object& progress) {
   return run_read(source.name, output, options, command, "", progress, [&](auto& words, auto& given) {
     given.emplace(words);
     return Input::read_text(source.text, source.name);
   });
 }
 
-py::dict resume(const std::string& file, const std::string& output, const std::vector<std::string>& options,
-                const std::string& command, const py::object& progress) {
+RunOutcome resume(const std::string& file, const std::string& output, const std::vector<std::string>& options,
+                  const std::string& command, const py::object& progress) {
   return run_read(file, output.empty() ? file : output, options, command, file, progress, [&](auto& words, auto& given) {
     const InterruptedRun earlier = read_interrupted_run(file);
     add_earlier_options(earlier, words);
@@ -236,10 +261,30 @@ py::dict resume(const std::string& file, const std::string& output, const std::v
 void bind_models(py::module_& module) {
   py::class_<Source>(module, "Source").def(py::init<std::string, std::string>(), "text"_a, "name"_a)
       .def_readonly("name", &Source::name);
+  py::class_<Mode>(module, "Mode")
+      .def_readonly("period", &Mode::period)
+      .def_readonly("damping_ratio", &Mode::damping_ratio)
+      .def_readonly("participation", &Mode::participation)
+      .def_readonly("effective_mass", &Mode::effective_mass)
+      .def_readonly("shape", &Mode::shape);
+  py::class_<StructureModes>(module, "StructureModes")
+      .def_readonly("name", &StructureModes::name)
+      .def_readonly("modes", &StructureModes::modes)
+      .def_readonly("is_frame", &StructureModes::is_frame)
+      .def_readonly("elevations", &StructureModes::elevations)
+      .def_readonly("nodes", &StructureModes::nodes)
+      .def_readonly("members", &StructureModes::members)
+      .def_readonly("node_shapes", &StructureModes::node_shapes);
+  py::class_<RunOutcome>(module, "RunOutcome")
+      .def_readonly("image", &RunOutcome::image)
+      .def_readonly("warning", &RunOutcome::warning)
+      .def_readonly("failure", &RunOutcome::failure)
+      .def_readonly("resumable", &RunOutcome::resumable)
+      .def_readonly("raised", &RunOutcome::raised);
   module.def("read_file", [](const std::string& path) { return Input::read_file(path).text(); });
   module.def("parse", [](const Source& source) { return plain(Input::read_text(source.text, source.name)); });
   module.def("check", &checked);
-  module.def("modes", &modes);
+  module.def("modes", &modes_of_all, "source"_a, "count"_a);
   module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("refuse", &refuse, "text"_a);

@@ -1,4 +1,4 @@
-"""What C and C++ headers declare for their users, with the comments that document it. Standard library only.
+"""Declarations of C and C++ headers for their users, with the comments that document them. Standard library only.
 
     for item in declarations(path): ...
 
@@ -40,9 +40,17 @@ class Item:
 
 
 def installed_headers() -> list[Path]:
-    """The headers that cmake/install.cmake installs, but for that of the version."""
-    found = [path for part in ("elements/pounding", "lib/pounding") for path in (ROOT / part).rglob("*.hpp")
-             if "records" not in path.relative_to(ROOT / part).parts]
+    """The headers that cmake/install_headers.cmake installs, but for that of the version: the faces and what they include."""
+    parts = [ROOT / "elements", ROOT / "lib"]
+    pending = [path for part in parts for folder in ("", "laws") for path in (part / "pounding" / folder).glob("*.hpp")]
+    found = set()
+    while pending:
+        path = pending.pop()
+        if path in found:
+            continue
+        found.add(path)
+        included = re.findall(r'(?m)^#include [<"](pounding/[^>"]*)[>"]', path.read_text())
+        pending += [part / header for header in included for part in parts if (part / header).exists()]
     return sorted(found) + [ROOT / "elements/c/pounding.h"]
 
 
@@ -64,7 +72,7 @@ class _Reader:
         self.at = 0
 
     def _without_comments(self, source: str) -> tuple[str, str]:
-        """The same length and lines: without comments and directives; and without what strings hold, too."""
+        """Two texts of the same length and lines: one without comments and directives, one also without the contents of strings."""
         pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
         text, masked, end = [], [], 0
         for match in pattern.finditer(source):
@@ -249,7 +257,7 @@ class _Reader:
         else:
             item = Item(word, name, re.sub(r"^typedef\s+", "", head), line)
             item.members = self.scope(name, word)
-        # What stands between the brace and the semicolon names variables of this type.
+        # Names between the brace and the semicolon are variables of this type.
         self.at = self.masked.index(";", self.at) + 1
         return item
 

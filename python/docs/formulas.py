@@ -24,7 +24,7 @@ def tex(formula):
 
 
 def _piece(tokens, at):
-    """What begins there, and where the next begins."""
+    """TeX of the piece that begins there, and the place where the next one begins."""
     kind, word = tokens[at]
     if kind in ("root", "power"):
         inner, end = _argument(tokens, at + 1)
@@ -37,7 +37,7 @@ def _piece(tokens, at):
 
 
 def _argument(tokens, at):
-    """What stands in the brackets that open there, or else one token; and where the next begins."""
+    """Text in the brackets that open there, or else one token; and the place where the next begins."""
     depth = 0
     for end in range(at, len(tokens)):
         depth += (tokens[end][0] == "open") - (tokens[end][0] == "close")

@@ -29,7 +29,7 @@ class Headers(SphinxDirective):
         return parent.children
 
     def header(self, path, known):
-        """What one header declares and no header before it."""
+        """Declarations of one header that no header before it has."""
         doc, items = declarations(path)
         items = [item for item in items if not any(one.same_as(item) for one in known)]
         known += items

@@ -133,7 +133,7 @@ def index(all_laws):
         rows.append((f"[`{law['name']}`]({law['name']}.md)", f"`{law['force']}`", law["summary"], len(law["formulas"]) or "-", spread))
     lines = ["# Contact laws", "", f"{COMMON}.", "", "A page for each law: symbols, source, range, parameters, every damping formula with its equation and the",
              "restitution that it really gives, the loop of one impact, what to beware of, and the tests that verify it. Made by",
-             "", "    .venv/bin/python3 python/docs/law_pages.py build/pounding --write", "", "from what `pounding laws NAME` says.", ""]
+             "", "    .venv-test/bin/python3 python/docs/law_pages.py build/pounding --write", "", "from what `pounding laws NAME` says.", ""]
     lines += table(("law", "force", "what it is", "formulas", "0.50 asked gives"), rows, {3})
     return "\n".join(lines).rstrip("\n") + "\n"
 
@@ -145,7 +145,7 @@ def draw(program, law, path):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     from PIL import Image  # comes with matplotlib
-    from pounding.style import STYLE
+    from pounding.pictures.style import STYLE
     names = [f["name"] for f in law["formulas"]] or [""]
     colours = ["black", *plt.colormaps["tab10"].colors, "0.6"]
     with plt.rc_context(STYLE | {"savefig.dpi": 110}):

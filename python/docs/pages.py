@@ -1,4 +1,4 @@
-"""What the site needs beyond Sphinx: links to folders, parts of the README as pages, formulas without a network, comments as
+"""Extensions of Sphinx for the site: links to folders, parts of the README as pages, formulas without a network, comments as
 reStructuredText, and a first page at the top."""
 import os
 import re
@@ -13,7 +13,7 @@ from sphinx.util.math import get_node_equation_number
 from formulas import tex
 
 ROOT = Path(__file__).resolve().parents[2]
-#: What stands for a folder that has no README.
+#: Pages that stand for folders without a README.
 FOLDERS = {ROOT / "examples": ROOT / "python/docs/lessons.md"}
 LINK = re.compile(r"(?<=\]\()(?![a-z]+:|#)([^)#\s]+)(?=[)#])")
 

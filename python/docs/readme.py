@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Keeps the README's outputs and tables those of the program.
+"""Keeps the outputs and tables of the README and the guide those of the program.
 
     python3 python/docs/readme.py build/pounding            # refuses, with exit code 1, what the program does not print
-    python3 python/docs/readme.py build/pounding --write    # writes them into the README; --accuracy takes a minute more
+    python3 python/docs/readme.py build/pounding --write    # writes them into the pages; --accuracy takes a minute more
 
-A block stands between <!-- begin NAME --> and <!-- end NAME -->. Seconds of wall time differ from run to run and are not
-compared.
+A block stands between <!-- begin NAME --> and <!-- end NAME --> on one page. Seconds of wall time differ from run to run and
+are not compared.
 """
 import json
 import os
@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-README = ROOT / "README.md"
+PAGES = [ROOT / "README.md", *sorted((ROOT / "python/docs/guide").glob("*.md"))]
 
 
 def output(program, *words, folder=None):
@@ -74,21 +74,25 @@ def main():
     makers = {"demo": demo, "two_oscillators": two_oscillators, "laws": laws}
     if "--accuracy" in sys.argv:
         makers["accuracy"] = accuracy
-    text = README.read_text()
+    texts = {page: page.read_text() for page in PAGES}
     wrong = []
     for name, make in makers.items():
         block = re.compile(rf"(<!-- begin {name} -->\n)(.*?)(<!-- end {name} -->)", re.DOTALL)
-        now = make(program) + "\n"
-        before = block.search(text).group(2)
-        if comparable(before) != comparable(now):
-            wrong.append(name)
-            text = block.sub(lambda match: match.group(1) + now + match.group(3), text)
+        holders = [page for page, text in texts.items() if block.search(text)]
+        if len(holders) != 1:
+            sys.exit(f"the block {name} stands on {len(holders)} pages; it must stand on one")
+        page, now = holders[0], make(program) + "\n"
+        if comparable(block.search(texts[page]).group(2)) != comparable(now):
+            wrong.append(f"{name} ({page.relative_to(ROOT)})")
+            texts[page] = block.sub(lambda match: match.group(1) + now + match.group(3), texts[page])
     if write:
-        README.write_text(text)
-        print("README.md:", ", ".join(wrong) or "nothing", "written")
+        for page, text in texts.items():
+            if text != page.read_text():
+                page.write_text(text)
+        print("written:", ", ".join(wrong) or "nothing")
     elif wrong:
-        sys.exit(f"README.md does not show what the program prints: {', '.join(wrong)}. "
-                 "Type: python3 python/docs/readme.py build/pounding --write")
+        sys.exit(f"the pages do not show what the program prints: {', '.join(wrong)}. "
+                 f"Type: python3 {Path(__file__).relative_to(ROOT)} build/pounding --write")
 
 
 if __name__ == "__main__":

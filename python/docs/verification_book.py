@@ -31,7 +31,7 @@ INTRODUCTION = """\
 What the tests compare with numbers that the program did not make: closed forms, publications, other programs, independent
 integrations. {cases} comparisons of {quantities} quantities. Made by
 
-    .venv/bin/python3 python/docs/verification_book.py build --write
+    .venv-test/bin/python3 python/docs/verification_book.py build --write
 
 from what the tests write down while they run; the test `verification.book` refuses this page when the tests say something else.
 Tests of the program against itself (mirrors, restarts, processes, refusals) are not here.

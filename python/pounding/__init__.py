@@ -20,41 +20,50 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from pounding import animation as animation
+    from pounding import contact as contact
+    from pounding import models as models
+    from pounding import opensees as opensees
+    from pounding import results as results
+    from pounding._modes import Mode, Modes, modes
     from pounding.contact import FreeImpact, Law, Response, calibrate, laws
     from pounding.errors import AccuracyWarning, InputError, Interrupted, SolverError
     from pounding.models import Model, check
-    from pounding.opensees_model import from_opensees
-    from pounding.vibration import Modes, modes
+    from pounding.opensees.from_model import from_opensees
     from pounding.records import record
-    from pounding.results import Run, read
     from pounding.running import resume, run
+    from pounding.runs import Run, read
 
     __version__: str
 
-__all__ = ["AccuracyWarning", "FreeImpact", "InputError", "Interrupted", "Law", "Model", "Modes", "Response", "Run",
+__all__ = ["AccuracyWarning", "FreeImpact", "InputError", "Interrupted", "Law", "Mode", "Model", "Modes", "Response", "Run",
            "SolverError", "calibrate", "check", "from_opensees", "laws", "modes", "read", "record", "resume", "run"]
 
-#: Where each name comes from.
+#: Modules that are public themselves: `pounding.opensees.link`.
+_PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "results")
+#: The module of every other public name.
 _MODULES = {
+    "_modes": ("Mode", "Modes", "modes"),
     "contact": ("FreeImpact", "Law", "Response", "calibrate", "laws"),
     "errors": ("AccuracyWarning", "InputError", "Interrupted", "SolverError"),
     "models": ("Model", "check"),
-    "opensees_model": ("from_opensees",),
-    "vibration": ("Modes", "modes"),
+    "opensees.from_model": ("from_opensees",),
     "records": ("record",),
-    "results": ("Run", "read"),
     "running": ("resume", "run"),
+    "runs": ("Run", "read"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 
 
 def __getattr__(name: str) -> Any:
     if name == "__version__":
-        return importlib.import_module("pounding.compiled").core.version
+        return importlib.import_module("pounding._native").core.version
+    if name in _PUBLIC_MODULES:
+        return importlib.import_module(f"pounding.{name}")
     if name not in _HOMES:
         raise AttributeError(f"module 'pounding' has no attribute {name!r}")
     return getattr(importlib.import_module(f"pounding.{_HOMES[name]}"), name)
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__, "__version__"])
+    return sorted({*globals(), *__all__, *_PUBLIC_MODULES, "__version__"})

@@ -8,10 +8,12 @@ what touches in the run touches in the picture. A link flashes while it is press
 from __future__ import annotations
 
 import argparse
+import base64
 import math
 import os
 import shutil
 import sys
+import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike
@@ -24,17 +26,17 @@ from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from pounding.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes
-from pounding.results import NotResults, Run, read
-from pounding.skeleton import Motion, Scene
-from pounding.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
+from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes
+from pounding.results import NotResults, RunData
+from pounding.pictures.scene import Motion, Scene
+from pounding.pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
 
 DPI = 110
 SLOWEST, FASTEST = 5, 25  #: frames a second
 SUFFIXES = (".gif", ".mp4", ".png")
 
 
-def choose_scale(run: Run) -> float:
+def choose_scale(run: RunData) -> float:
     """1, 2, 5, 10 ...: the largest with which displacements stay below a twelfth of the size of the picture."""
     scene = Scene(run)
     size = float(np.ptp(scene.bounds(), axis=1).max())
@@ -47,7 +49,7 @@ def choose_scale(run: Run) -> float:
     return max(1.0, next(step * power for step in (10, 5, 2, 1) if step * power <= wanted * (1 + 1e-12)))
 
 
-def frame_times(run: Run, frames: int | None = None, start: float | None = None, end: float | None = None) -> np.ndarray:
+def frame_times(run: RunData, frames: int | None = None, start: float | None = None, end: float | None = None) -> np.ndarray:
     """The times that are drawn, evenly spread: fifteen a second, 30 to 240 in all, unless told otherwise.
 
     Raises BadRequest for a span that the run does not have or fewer than two frames."""
@@ -63,7 +65,7 @@ def frame_times(run: Run, frames: int | None = None, start: float | None = None,
     return np.linspace(start, end, frames)
 
 
-def pressed(run: Run, times: np.ndarray) -> np.ndarray:
+def pressed(run: RunData, times: np.ndarray) -> np.ndarray:
     """[frame, link]: how hard each link was pressed since the frame before, 0 for not at all, 1 for the hardest of the
     run. A contact shorter than a frame is seen by this; one without a finite force counts as 1."""
     strongest = largest([link.force for link in run.links.values()])
@@ -93,15 +95,17 @@ class Film:
     speed: float  #: frames a second
 
     def _repr_html_(self) -> str:
-        from pounding.notebook import film_html
-
-        return film_html(self)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "film.gif"
+            save(self, path)
+            data = base64.b64encode(path.read_bytes()).decode()
+        return f'<img alt="film" src="data:image/gif;base64,{data}">'
 
     def __repr__(self) -> str:
         return f"<pounding.animation.Film: {self.frames} frames, {self.speed:.3g} a second>"
 
 
-def animate(run: Run, times: np.ndarray, scale: float | None = None, title: str | None = None) -> Film:
+def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: str | None = None) -> Film:
     """The film over `times` [s]; `scale` as `choose_scale` chooses it unless given.
 
     Raises BadRequest for a scale that is not above zero."""
@@ -192,7 +196,7 @@ def _save_frames(film: Film, path: Path, progress: Callable[[int, int], None] | 
 
 
 def _size(scene: Scene, room: np.ndarray) -> tuple[float, float]:
-    """Of the figure [in]."""
+    """Width and height of the figure [in]."""
     width, depth, height = np.ptp(scene.bounds(room), axis=1)
     across = 0.83 * width + 0.56 * depth if scene.is_spatial else width
     up = 0.91 * height + 0.24 * width + 0.35 * depth if scene.is_spatial else height
@@ -234,7 +238,7 @@ def main(arguments: list[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     try:
         check_output(options.output)
-        run = read(options.results)
+        run = RunData.read(options.results)
         film = animate(run, frame_times(run, options.frames, options.start, options.end), options.scale, options.title)
     except (OSError, NotResults) as error:
         print(f"cannot read {options.results}: {error}", file=sys.stderr)

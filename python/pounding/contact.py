@@ -12,13 +12,14 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from pounding.compiled import core
+from pounding._native import core
 from pounding.errors import InputError
 
 #: A number in SI, or a text with its unit: "0.5 m/s".
 Quantity = float | str
-#: A number or an array of numbers, and what comes of them.
+#: A number or an array of numbers.
 Numbers = npt.ArrayLike
+#: Results: an array, or a number where all arguments were numbers.
 Values = npt.NDArray[np.float64]
 
 
@@ -52,16 +53,16 @@ class Response(NamedTuple):
 
 @dataclass(frozen=True)
 class FreeImpact:
-    """What a free impact of two bodies gives; of the shape of the closing speeds."""
+    """Result of free impacts of two bodies; every array has the shape of the closing speeds."""
 
     restitution: Values  #: separation speed over closing speed [-]
     peak_force: Values  #: [N]; infinite for an instantaneous law
-    time_of_peak: Values  #: of the force, after the touch [s]
+    time_of_peak: Values  #: time of the peak force, from the touch [s]
     peak_penetration: Values  #: [m]
     duration: Values  #: touch until the force is gone for good [s]
     energy_lost: Values  #: work done on the link and not given back [J]
     impulse: Values  #: integral of the force [N s]
-    closed_form: tuple[str, ...]  #: which are closed forms; the others are integrated to 1e-10
+    closed_form: tuple[str, ...]  #: names of the quantities with a closed form; the others are integrated to 1e-10
 
 
 @dataclass(frozen=True)
@@ -130,7 +131,7 @@ class Law:
 
     def respond(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None = None, *,
                 reduced_mass: Quantity | None = None, in_order: bool = False) -> Response:
-        """The same with the slopes of the force by penetration [N/m] and by rate [N s/m]."""
+        """As `force`, with the slopes of the force by penetration [N/m] and by rate [N s/m]. Raises InputError."""
         answer = self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=True)
         return Response(*(values[()] for values in answer))
 
@@ -143,9 +144,9 @@ class Law:
         law = self._with_mass(None if self.reduced_mass is not None else mass)
         speeds = np.asarray(closing_speed, dtype=float)
         impacts = [law.free_impact(mass, speed) for speed in speeds.ravel()]
-        values = {name: np.array([impact[name] for impact in impacts]).reshape(speeds.shape)[()]
+        values = {name: np.array([getattr(impact, name) for impact in impacts]).reshape(speeds.shape)[()]
                   for name in FreeImpact.__dataclass_fields__ if name != "closed_form"}
-        return FreeImpact(**values, closed_form=tuple(impacts[0]["closed_form"]) if impacts else ())
+        return FreeImpact(**values, closed_form=tuple(impacts[0].closed_form) if impacts else ())
 
     def describe(self, closing_speed: float = 1.0) -> dict[str, tuple[float, str]]:
         """Every parameter, the damping number and the damping coefficient at this closing speed [m/s]: name -> (value, SI

@@ -1,32 +1,29 @@
-"""What goes wrong, with the texts of the program `pounding`."""
+"""Errors and warnings of the package. Their texts are those of the program `pounding`."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from pounding.results import Run
+from typing import Any
 
 
 class InputError(ValueError):
-    """Wrong input. The text says where, what was read, what is allowed and what to type."""
+    """Wrong input. The text says where it stands, what was read, what is allowed and what to type."""
 
 
 class SolverError(RuntimeError):
     """A run that failed. The text says at which time and why."""
 
-    def __init__(self, text: str, results: Run | None = None) -> None:
+    def __init__(self, text: str, results: Any = None) -> None:
         super().__init__(text)
-        self.results = results  #: what was computed until then
+        self.results = results  #: a `pounding.Run` with what was computed until then; None where there is nothing
 
 
 class Interrupted(KeyboardInterrupt):
-    """A run that Ctrl-C, or the button of a notebook, ended."""
+    """A run that Ctrl-C, or the stop button of a notebook, ended."""
 
-    def __init__(self, text: str, results: Run) -> None:
+    def __init__(self, text: str, results: Any) -> None:
         super().__init__(text)
-        self.results = results  #: what was computed until then
+        self.results = results  #: a `pounding.Run` with what was computed until then
 
 
 class AccuracyWarning(UserWarning):
-    """Results that should not be trusted as they are."""
+    """The energies of a run do not close: its results should not be trusted as they are."""

@@ -20,15 +20,16 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from pounding.results import MemberForces, NotResults, Run, read
-from pounding.skeleton import Scene, Skeleton, displaced_at, node_displacements
-from pounding.style import BadRequest
+from pounding.results import MemberForces, NotResults, RunData
+from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
+from pounding.pictures.scene import Scene
+from pounding.pictures.style import BadRequest
 
 #: Times whose displacements are in memory at once.
 BLOCK = 200
 
 
-def export(results: str | PathLike[str], run: Run, path: str | PathLike[str]) -> None:
+def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]) -> None:
     """Writes `path` for the run that was read from the file `results`.
 
     Raises BadRequest when the suffix is not .xdmf or the run has no times, OSError when nothing can be written."""
@@ -86,12 +87,12 @@ class _Grid:
     def __init__(self, name: str, scene: Scene, results: Path, companion: Path, data: h5py.File) -> None:
         self.name, self.scene, self.data, self.beside = name, scene, data, companion
         structure = self.structure = scene.run.structures[name]
-        bones = scene.bones[name]
-        self.has_points = len(bones.nodes) > 0
+        model = scene.line_models[name]
+        self.has_points = len(model.nodes) > 0
         if not self.has_points:
             return
         # A grid needs cells to be seen: a body is a line of no length.
-        lines = bones.members if len(bones.members) else np.repeat(np.arange(len(bones.nodes))[:, None], 2, axis=1)
+        lines = model.members if len(model.members) else np.repeat(np.arange(len(model.nodes))[:, None], 2, axis=1)
         own = f"/structures/{name}"
         self.points = self._store("points", scene.at_rest(name))
         self.lines = self._store("members", lines.astype(np.int64))
@@ -99,7 +100,7 @@ class _Grid:
         if nodes is not None and self._has_every_node():
             self.displacement = _Data(results, f"{own}/nodes/displacement", nodes.displacement.shape, companion)
         else:
-            self.displacement = self._store_displacements(bones)
+            self.displacement = self._store_displacements(model)
         #: Dataset and components of the end forces.
         self.forces: tuple[_Data, list[str]] | None = None
         members, geometry = structure.members, structure.geometry
@@ -135,12 +136,12 @@ class _Grid:
         self.data[place] = values
         return _Data(self.beside, place, values.shape, self.beside)
 
-    def _store_displacements(self, bones: Skeleton) -> _Data:
+    def _store_displacements(self, model: LineModel) -> _Data:
         time = self.scene.run.time
-        stored = self.data.create_dataset(f"/{self.name}/displacement", (time.size, len(bones.nodes), 3), "f8")
+        stored = self.data.create_dataset(f"/{self.name}/displacement", (time.size, len(model.nodes), 3), "f8")
         for first in range(0, time.size, BLOCK):
             times = time[first:first + BLOCK]
-            stored[first:first + BLOCK] = node_displacements(displaced_at(self.structure, time, times), bones)
+            stored[first:first + BLOCK] = node_displacements(displaced_at(self.structure, time, times), model)
         return _Data(self.beside, stored.name, stored.shape, self.beside)
 
     def _store_forces(self, members: MemberForces, names: list[str]) -> _Data:
@@ -160,7 +161,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("-o", "--output", required=True, help="file to write: .xdmf")
     options = parser.parse_args(arguments)
     try:
-        run = read(options.results)
+        run = RunData.read(options.results)
     except (OSError, NotResults) as error:
         print(f"cannot read {options.results}: {error}", file=sys.stderr)
         return 2

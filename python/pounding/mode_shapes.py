@@ -1,6 +1,6 @@
 """Pictures of mode shapes: `pounding modes MODEL.yaml --plot` calls `python3 -m pounding.mode_shapes MODES.json -o OUT.png`.
 
-The input is one JSON object:
+The file is one JSON object:
 
     modes         what `pounding modes --json` prints: name -> list of modes with period [s] (null: infinite),
                   damping_ratio, participation, effective_mass [kg], shape [unknown]
@@ -15,8 +15,10 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import sys
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -26,8 +28,8 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from pounding.drawing import project
-from pounding.style import QUIET, STYLE, BadRequest, Picture, head, structure_colour, write_picture
+from pounding.pictures.drawing import project
+from pounding.pictures.style import QUIET, STYLE, BadRequest, Picture, head, structure_colour, write_picture
 
 #: Modes of one structure in a picture.
 MOST = 5
@@ -37,30 +39,66 @@ PANEL = 1.7
 DRAWN_SIZE = 0.12
 
 
-def plot_modes(modes: dict[str, Any], title: str = "Mode shapes") -> Figure:
+@dataclass(frozen=True)
+class DrawnMode:
+    """One mode of a structure."""
+
+    period: float  #: [s]; infinite for a free body
+    damping_ratio: float  #: [-]
+    shape: np.ndarray  #: [floor] amplitudes, of a frame [floor, direction]; to any scale
+
+
+@dataclass(frozen=True)
+class DrawnStructure:
+    """The modes of one structure. With nodes they are drawn as deformed frames, without as profiles over the floors."""
+
+    name: str
+    modes: Sequence[DrawnMode]
+    elevations: Sequence[float | None] | None = None  #: [floor] [m]
+    nodes: np.ndarray = field(default_factory=lambda: np.empty((0, 3)))  #: [node, 3] x, y, z at rest [m]
+    members: np.ndarray = field(default_factory=lambda: np.empty((0, 2), int))  #: [member, 2] numbers of their nodes
+    node_shapes: Sequence[np.ndarray] = ()  #: [mode] of [node, 3] displacements, to any scale
+
+
+def read_modes(values: dict[str, Any]) -> list[DrawnStructure]:
+    """The structures of the JSON object above."""
+    whole = values if isinstance(values.get("modes"), dict) else {"modes": values}
+    structures = []
+    for name, found in whole["modes"].items():
+        geometry = whole.get("geometry", {}).get(name) or {}
+        structures.append(DrawnStructure(
+            name,
+            [DrawnMode(math.inf if one.get("period") is None else one["period"], one["damping_ratio"], np.array(one["shape"]))
+             for one in found],
+            whole.get("elevations", {}).get(name), np.array(geometry.get("nodes", []), float).reshape(-1, 3),
+            np.array(geometry.get("members", []), int).reshape(-1, 2),
+            [np.array(shape, float) for shape in whole.get("node_shapes", {}).get(name, [])]))
+    return structures
+
+
+def plot_modes(structures: Sequence[DrawnStructure], title: str = "Mode shapes") -> Figure:
     """One row a structure, one panel for each of its first modes: a profile over the height, or the deformed frame.
 
-    `modes` is the object above. Raises BadRequest when there is no mode or what is given does not fit together."""
-    whole = modes if isinstance(modes.get("modes"), dict) else {"modes": modes}
-    names = [name for name, found in whole["modes"].items() if found]
-    if not names:
+    Raises BadRequest when there is no mode, or when shapes do not fit the nodes."""
+    drawn = [structure for structure in structures if structure.modes]
+    if not drawn:
         raise BadRequest("there is no mode to draw: no structure of this model moves against the ground")
-    columns = max(2, max(min(MOST, len(whole["modes"][name])) for name in names))
-    heights = [_height(whole.get("geometry", {}).get(name)) for name in names]
+    columns = max(2, max(min(MOST, len(structure.modes)) for structure in drawn))
+    heights = [_height(structure.nodes) for structure in drawn]
+    colours = {structure.name: structure_colour(number) for number, structure in enumerate(structures)}
     with rc_context(STYLE):
         figure = Picture(figsize=(max(3.8, PANEL * columns + 0.4), 0.4 + sum(heights)), layout="constrained")
-        grid = figure.subplots(len(names), columns, squeeze=False, height_ratios=heights)
-        for number, (name, row) in enumerate(zip(names, grid)):
-            _draw_structure(row, name, whole, structure_colour(list(whole["modes"]).index(name)))
+        grid = figure.subplots(len(drawn), columns, squeeze=False, height_ratios=heights)
+        for structure, row in zip(drawn, grid):
+            _draw_structure(row, structure, colours[structure.name])
         head(figure, title)
         return figure
 
 
-def _height(geometry: dict[str, Any] | None) -> float:
-    """Of a row of panels with their titles [in]: a frame fills its panel."""
-    if not geometry or not geometry.get("nodes"):
+def _height(nodes: np.ndarray) -> float:
+    """Height of a row of panels with their titles [in]: a frame fills its panel."""
+    if not len(nodes):
         return 2.9
-    nodes = np.asarray(geometry["nodes"], float)
     (width, height), room = np.ptp(project(nodes, _view(nodes)), axis=0), DRAWN_SIZE * np.ptp(nodes, axis=0).max()
     return 0.5 + float(np.clip(PANEL * (height + 1.3 * room) / (width + 2 * room), 0.8, 3.4))
 
@@ -69,23 +107,18 @@ def _view(nodes: np.ndarray) -> str:
     return "oblique" if np.ptp(nodes[:, 1]) > 0 else "elevation"
 
 
-def _draw_structure(row: np.ndarray, name: str, whole: dict[str, Any], colour: str) -> None:
-    found = whole["modes"][name][:len(row)]
-    geometry = whole.get("geometry", {}).get(name)
-    shapes = whole.get("node_shapes", {}).get(name)
-    for axes in row[len(found):]:
+def _draw_structure(row: np.ndarray, structure: DrawnStructure, colour: str) -> None:
+    for axes in row[len(structure.modes):]:
         axes.set_axis_off()
-    for number, (axes, mode) in enumerate(zip(row, found)):
-        if geometry and geometry.get("nodes"):
-            if shapes is None or len(shapes) <= number:
-                raise BadRequest(f"{name}: node_shapes of mode {number + 1} are missing")
-            draw_deformed(axes, name, geometry, np.asarray(shapes[number], float), colour)
+    for number, (axes, mode) in enumerate(zip(row, structure.modes)):
+        if len(structure.nodes):
+            draw_deformed(axes, structure, number, colour)
         else:
-            draw_profile(axes, mode["shape"], whole.get("elevations", {}).get(name), colour)
+            draw_profile(axes, mode.shape, structure.elevations, colour)
             axes.tick_params(labelleft=number == 0)
             if number:
                 axes.set_ylabel("")
-        axes.set_title(f"{name}, mode {number + 1}\n{_words(mode)}", fontsize=7.5, fontweight="normal")
+        axes.set_title(f"{structure.name}, mode {number + 1}\n{_words(mode)}", fontsize=7.5, fontweight="normal")
 
 
 def draw_profile(axes: Axes, shape: np.ndarray, elevations: Sequence[float | None] | None, colour: str) -> None:
@@ -101,12 +134,14 @@ def draw_profile(axes: Axes, shape: np.ndarray, elevations: Sequence[float | Non
     axes.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=10))
 
 
-def draw_deformed(axes: Axes, name: str, geometry: dict[str, Any], shape: np.ndarray, colour: str) -> None:
-    """Members at rest in grey and displaced by `shape` [node, 3] in colour, members as straight lines."""
-    nodes = np.asarray(geometry["nodes"], float)
-    members = np.asarray(geometry["members"], int).reshape(-1, 2)
+def draw_deformed(axes: Axes, structure: DrawnStructure, number: int, colour: str) -> None:
+    """The frame at rest in grey, and in mode `number`, from 0, in colour; members as straight lines."""
+    nodes, members = structure.nodes, structure.members
+    if len(structure.node_shapes) <= number:
+        raise BadRequest(f"{structure.name}: node_shapes of mode {number + 1} are missing")
+    shape = structure.node_shapes[number]
     if shape.shape != nodes.shape:
-        raise BadRequest(f"{name}: node_shapes are {shape.shape} numbers for {len(nodes)} nodes, they should be "
+        raise BadRequest(f"{structure.name}: node_shapes are {shape.shape} numbers for {len(nodes)} nodes, they should be "
                          f"{nodes.shape}")
     view = _view(nodes)
     moved = np.abs(shape).max()
@@ -125,9 +160,9 @@ def draw_deformed(axes: Axes, name: str, geometry: dict[str, Any], shape: np.nda
     axes.set_axis_off()
 
 
-def _words(mode: dict[str, Any]) -> str:
-    period = "no period" if mode.get("period") is None else f"T = {mode['period']:.4g} s"
-    return f"{period}, {100 * mode['damping_ratio']:.3g} % damping"
+def _words(mode: DrawnMode) -> str:
+    period = "no period" if math.isinf(mode.period) else f"T = {mode.period:.4g} s"
+    return f"{period}, {100 * mode.damping_ratio:.3g} % damping"
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -143,7 +178,7 @@ def main(arguments: list[str] | None = None) -> int:
         else:
             with open(options.modes, encoding="utf-8") as file:
                 modes = json.load(file)
-        figure = plot_modes(modes, options.title)
+        figure = plot_modes(read_modes(modes), options.title)
     except BadRequest as error:
         print(error, file=sys.stderr)
         return 2

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from pounding import yaml_text
-from pounding.compiled import core
+from pounding._native import core
+from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
 
 #: The parts of an input, in the order of the examples.
@@ -19,8 +20,8 @@ PARTS = ("title", "ground_motion", "structures", "links", "analysis", "checkpoin
 
 
 class Model:
-    """What is simulated, in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts
-    with units ("20 mm") or numbers in SI.
+    """A model in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts with units
+    ("20 mm") or numbers in SI.
 
         Model(structures={"left": {"oscillator": {"mass": "100 t", "period": 0.8, "damping": "5 %"}},
                           "right": {"wall": {}}},
@@ -49,7 +50,7 @@ class Model:
     @classmethod
     def from_file(cls, path: str | PathLike[str]) -> Model:
         """The model of an input file. Its numbers stay the texts that they are there. Raises InputError for a file that
-        cannot be read or is not YAML; what is in it is checked by `check` and `run`."""
+        cannot be read or is not YAML; `check` and `run` check its contents."""
         name = fspath(path)
         return cls._from_text(core.read_file(name), name)
 
@@ -62,7 +63,7 @@ class Model:
     def _from_text(cls, text: str, name: str) -> Model:
         parts = core.parse(core.Source(text, name))
         model = cls({})
-        # What does not fit the parts is left to the program's reader, which says where it stands.
+        # An input with other parts is left to the program's reader, which says where the mistake stands.
         if isinstance(parts, dict) and set(parts) <= set(PARTS) and None not in parts.values():
             for part in PARTS:
                 setattr(model, part, parts.get(part, [] if part == "links" else None))
@@ -80,7 +81,7 @@ class Model:
         return copy.deepcopy(self)
 
     def __eq__(self, other: object) -> bool:
-        """The same words and numbers, whatever the layout of their texts."""
+        """True for equal words and numbers; the layout of their texts does not count."""
         return isinstance(other, Model) and self._parts() == other._parts()
 
     __hash__ = None  # type: ignore[assignment]
@@ -89,9 +90,7 @@ class Model:
         return f"<pounding.Model {self.title or ''!r}: {len(self.structures or ())} structures, {len(self.links or ())} links>"
 
     def _repr_html_(self) -> str:
-        from pounding.notebook import model_html
-
-        return model_html(self)
+        return text_html(self.to_yaml())
 
     def _parts(self) -> dict[str, Any]:
         given = {part: getattr(self, part) for part in PARTS}
@@ -116,7 +115,7 @@ class Checked:
     resolved: str  #: YAML with every default and calibrated parameter, SI
 
     def __str__(self) -> str:
-        """What `pounding check` prints."""
+        """The output of `pounding check`."""
         return f"{self.description}\n{self.resolved}"
 
 

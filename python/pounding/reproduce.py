@@ -18,12 +18,12 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation
 
-from pounding import page
-from pounding.mathematics import data_uri, rich, svg_of
-from pounding.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
+from pounding.paper import page
+from pounding.paper.mathematics import data_uri, rich, svg_of
+from pounding.pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
 
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
-#: What others are compared with is black in every figure.
+#: The reference curve of a comparison is black in every figure.
 REFERENCE = "0.1"
 DRAWN: dict[str, dict[str, Any]] = {
     "line": {}, "thin": {"linewidth": 0.7}, "dashed": {"linestyle": (0, (4, 2)), "linewidth": 1.2, "color": REFERENCE},
@@ -70,7 +70,7 @@ def _add_legends(figure: Figure, panels: list[dict[str, Any]]) -> None:
         for axes in figure.axes:
             handles: tuple[list[Any], list[str]] = axes.get_legend_handles_labels()
             for line, label in zip(*handles):
-                # Of a line and points of the same thing the line is shown.
+                # Where a line and points share a label, the legend shows the line.
                 if label not in lines or line.get_linestyle() != "None":
                     lines[label] = line
         longest = max(map(len, lines))

@@ -1,30 +1,24 @@
-"""The results file as numpy arrays. Needs numpy and h5py only; every array is in SI units."""
+"""Results of a run as numpy arrays, and their HDF5 file. Needs numpy and h5py only; every array is in SI units."""
 
 from __future__ import annotations
 
-import importlib
 import json
 import shutil
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeVar
 
 import h5py
 import numpy as np
 
 from pounding.errors import InputError
 
-if TYPE_CHECKING:
-    import pandas
-    import xarray
-    from matplotlib.figure import Figure
-
-    from pounding.animation import Film
+Data = TypeVar("Data", bound="RunData")
 
 
 class NotResults(InputError):
-    """The file exists but `pounding run` did not write it."""
+    """A file that is there, but not one that `pounding run` wrote."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +56,7 @@ class MemberForces:
 class FloorMotion:
     """Motion of the floors in one direction."""
 
-    displacement: np.ndarray  #: [time, floor] relative to the ground [m]; of rz [rad], and so on
+    displacement: np.ndarray  #: [time, floor] relative to the ground [m]; along rz [rad], likewise below
     velocity: np.ndarray  #: [time, floor] relative to the ground [m/s]
     acceleration: np.ndarray  #: [time, floor] absolute [m/s^2]
     drift: np.ndarray  #: [time, floor] [m]; no columns in a structure without storeys, and for rz
@@ -72,8 +66,8 @@ class FloorMotion:
 
 @dataclass(frozen=True)
 class Structure:
-    """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are those along x; other
-    directions are in `along`, as in `along["y"].drift`."""
+    """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are along x; other directions are
+    in `along`, as in `along["y"].drift`."""
 
     name: str
     floors: list[str]  #: labels from the ground up
@@ -81,13 +75,13 @@ class Structure:
     kind: str = ""  #: word of the input; empty in files that do not say it
     dimension: int = 1  #: 1: along x only; 2: in x and z; 3: in space
     elevations: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [floor] [m]; NaN where not given
-    geometry: Geometry | None = None  #: of a frame
-    nodes: NodeMotion | None = None
-    members: MemberForces | None = None
+    geometry: Geometry | None = None  #: of a frame; None for other structures
+    nodes: NodeMotion | None = None  #: None where the input asked for no nodes
+    members: MemberForces | None = None  #: None where the input asked for no members
 
     @property
     def directions(self) -> list[str]:
-        """What a floor's motion has: ["x"], or ["x", "y", "rz"] in space."""
+        """Directions of the floors' motion: ["x"], or ["x", "y", "rz"] in space."""
         return list(self.along)
 
     @property
@@ -117,7 +111,7 @@ class Structure:
 
     @property
     def is_wall(self) -> bool:
-        """It moves with the ground: nothing of it is in the file but its name."""
+        """True for a wall: it moves with the ground, and the file has only its name."""
         return not self.floors and self.geometry is None
 
 
@@ -145,26 +139,43 @@ class Link:
 
 
 @dataclass(frozen=True, repr=False)
-class Run:
-    """What a run left behind, as its file has it."""
+class RunData:
+    """Everything that the results file of a run holds. `pounding.Run` adds pictures and tables."""
 
     title: str
     status: str  #: running, done, or failed: reason
-    time: np.ndarray  #: output times [s]
-    ground_acceleration: np.ndarray  #: at the output times [m/s^2]
+    time: np.ndarray  #: [time] output times [s]
+    ground_acceleration: np.ndarray  #: [time] [m/s^2]
     structures: dict[str, Structure]  #: in the order of the input
     links: dict[str, Link]  #: in the order of the input
-    impacts: np.ndarray  #: structured array, one row an impact; `link` is bytes, NaN the force of a rigid one
-    energy: dict[str, np.ndarray]  #: time, input, kinetic, strain, damping, hysteretic, impact, error [s], [J]
+    #: Structured array, one row an impact, in the order of their beginnings: `link` (its name, str), t_start, t_end, t_release
+    #: [s], v_approach, v_separation [m/s], restitution, peak_force [N] (NaN for a rigid impact), t_peak [s], peak_penetration
+    #: [m], impulse [N s], energy_lost [J].
+    impacts: np.ndarray
+    energy: dict[str, np.ndarray]  #: time [s]; input, kinetic, strain, damping, hysteretic, impact, error [J]
     summary: dict[str, Any]  #: the object of `pounding run --json`
     solver: dict[str, float]  #: steps, rejected, events, iterations, wall seconds
     model_yaml: str  #: the input as given
     resolved_yaml: str  #: with every default and calibrated parameter
-    source: Path | bytes = b""  #: the file that it was read from, or its bytes
+    source: Path | bytes = b""  #: the file that was read, or its bytes
+
+    @classmethod
+    def read(cls: type[Data], path: str | PathLike[str]) -> Data:
+        """The results in the file `path`. Raises OSError when it cannot be opened, NotResults when it is something else."""
+        if not Path(path).is_file():
+            raise FileNotFoundError(f"there is no file {path}")
+        with h5py.File(path) as file:
+            return cls(**_contents(file, str(path)), source=Path(path))
+
+    @classmethod
+    def from_image(cls: type[Data], image: bytes) -> Data:
+        """The results in the bytes of such a file. Raises NotResults."""
+        with h5py.File(h5py.h5f.open_file_image(image)) as file:
+            return cls(**_contents(file, "what was given"), source=image)
 
     def impacts_of(self, link: str) -> np.ndarray:
-        """The rows of one link."""
-        return self.impacts[self.impacts["link"] == link.encode()]
+        """The rows of `impacts` that belong to one link."""
+        return self.impacts[self.impacts["link"] == link]
 
     def save(self, path: str | PathLike[str]) -> None:
         """Writes the results file. Raises OSError."""
@@ -173,91 +184,41 @@ class Run:
         else:
             shutil.copyfile(self.source, path)
 
-    def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-        """A picture: "run" (histories and impacts), "displacement", "gap", "force", "loops", "energy", "model" (the
-        structures at rest) or "profiles" (extremes over the height). `title` instead of the run's; "" leaves all titles
-        out that a caption says. `size` is width and height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points.
-        A notebook shows it; save it with `.savefig("NAME.pdf")`. Needs matplotlib. Raises InputError for another name."""
-        return _needing("matplotlib", "pounding.figures").figure(self, picture, title, size)
-
-    def animate(self, path: str | PathLike[str] | None = None, *, frames: int | None = None, start: float | None = None,
-                end: float | None = None, scale: float | None = None, title: str | None = None) -> Film:
-        """The run in motion from `start` to `end` [s], displacements `scale` times as large; written to a .gif, .mp4 or
-        .png a frame when `path` is given, and played by a notebook. Needs matplotlib. Raises InputError for a span that the
-        run does not have."""
-        animation = _needing("matplotlib", "pounding.animation")
-        if path is not None:
-            animation.check_output(path)
-        film = animation.animate(self, animation.frame_times(self, frames, start, end), scale, title)
-        if path is not None:
-            animation.save(film, path)
-        return film
-
-    def to_pandas(self) -> dict[str, pandas.DataFrame]:
-        """A table for each group of the file over its own time: "impacts", "energy", "ground", "links/NAME",
-        "structures/NAME" with columns (quantity, floor, direction). Needs pandas."""
-        return _needing("pandas", "pounding.tables").to_pandas(self)
-
-    def to_xarray(self) -> dict[str, xarray.Dataset]:
-        """The same as datasets with the dimensions time, floor and direction, and units. Needs xarray."""
-        return _needing("xarray", "pounding.tables").to_xarray(self)
-
-    def _repr_html_(self) -> str:
-        from pounding.notebook import run_html
-
-        return run_html(self)
-
     def __repr__(self) -> str:
-        return (f"<pounding.Run {self.title!r}: {self.status}, {len(self.structures)} structures, {len(self.links)} links, "
-                f"{len(self.impacts)} impacts>")
+        return (f"<pounding.{type(self).__name__} {self.title!r}: {self.status}, {len(self.structures)} structures, "
+                f"{len(self.links)} links, {len(self.impacts)} impacts>")
 
 
-def read(path: str | PathLike[str]) -> Run:
-    """The run in the file `path`. Raises OSError when it cannot be opened, NotResults when it is something else."""
-    if not Path(path).is_file():
-        raise FileNotFoundError(f"there is no file {path}")
-    with h5py.File(path) as file:
-        return _read(file, str(path), Path(path))
-
-
-def read_image(image: bytes) -> Run:
-    """The run in the bytes of such a file."""
-    with h5py.File(h5py.h5f.open_file_image(image)) as file:
-        return _read(file, "what was given", image)
-
-
-def _needing(package: str, module: str) -> Any:
-    """One of our modules that needs a package which may be missing; ImportError says what to type."""
+def _contents(file: h5py.File, name: str) -> dict[str, Any]:
+    """The fields of RunData but `source`."""
     try:
-        importlib.import_module(package)
-    except ModuleNotFoundError as error:
-        raise ImportError(f"this needs {package}: type python3 -m pip install {package}") from error
-    return importlib.import_module(module)
-
-
-def _read(file: h5py.File, name: str, source: Path | bytes) -> Run:
-    try:
-        return _run(file, source)
+        return {
+            "title": file.attrs["title"],
+            "status": file.attrs["status"],
+            "time": file["time"][:],
+            "ground_acceleration": file["ground/acceleration"][:],
+            "structures": {name: _structure(name, group) for name, group in file["structures"].items()},
+            "links": {name: _link(name, group) for name, group in file["links"].items()},
+            "impacts": _with_text(file["impacts"][:]),
+            "energy": {name: data[:] for name, data in file["energy"].items()},
+            "summary": json.loads(file["summary"].asstr()[()] or "{}"),
+            "solver": {name: data[()] for name, data in file.get("solver", {}).items()},
+            "model_yaml": _text(file, "input/model.yaml"),
+            "resolved_yaml": _text(file, "input/resolved.yaml"),
+        }
     except KeyError as error:
         raise NotResults(f"{name} is not a results file of pounding: {error.args[0]}") from error
 
 
-def _run(file: h5py.File, source: Path | bytes) -> Run:
-    return Run(
-        title=file.attrs["title"],
-        status=file.attrs["status"],
-        time=file["time"][:],
-        ground_acceleration=file["ground/acceleration"][:],
-        structures={name: _structure(name, group) for name, group in file["structures"].items()},
-        links={name: _link(name, group) for name, group in file["links"].items()},
-        impacts=file["impacts"][:],
-        energy={name: data[:] for name, data in file["energy"].items()},
-        summary=json.loads(file["summary"].asstr()[()] or "{}"),
-        solver={name: data[()] for name, data in file.get("solver", {}).items()},
-        model_yaml=_text(file, "input/model.yaml"),
-        resolved_yaml=_text(file, "input/resolved.yaml"),
-        source=source,
-    )
+def _with_text(rows: np.ndarray) -> np.ndarray:
+    """A structured array whose columns of bytes are columns of str."""
+    columns = {name: rows[name] for name in rows.dtype.names or ()}
+    columns = {name: np.array(_texts(values), dtype=str) if values.dtype.kind in "SO" else values
+               for name, values in columns.items()}
+    table = np.empty(rows.shape, dtype=[(name, values.dtype) for name, values in columns.items()])
+    for name, values in columns.items():
+        table[name] = values
+    return table
 
 
 def _text(file: h5py.File, place: str) -> str:

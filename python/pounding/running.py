@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterator, Mapping
 from os import PathLike, fspath
 from typing import Any
 
-from pounding.compiled import core
+from pounding._native import core
 from pounding.errors import AccuracyWarning, InputError, Interrupted, SolverError
 from pounding.models import Model, as_model
-from pounding.results import Run, read_image
+from pounding.runs import Run
 
 #: Called now and then with the simulated time [s], the duration [s] and the number of impacts.
 Progress = Callable[[float, float, int], None]
@@ -23,13 +23,14 @@ def run(model: Model | File, *, tolerance: float | None = None, output: File | N
         options: Mapping[str, Any] | None = None, progress: Progress | bool | None = None) -> Run:
     """Runs a model, or an input file, and returns its results. Other threads run meanwhile; models run one after another.
 
-    `tolerance` stands in for the model's own. `output` is a results file, rewritten while the run goes on. `options` are
-    PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value. `progress`
-    is shown on a terminal and in a notebook unless it is False; or a function that is told of it.
+    `tolerance` replaces that of the model [-]. `output` is a results file, rewritten while the run goes on. `options` are
+    PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value. Progress is
+    shown on a terminal and in a notebook unless `progress` is False; a function is called with time [s], duration [s] and
+    number of impacts.
 
-    Raises InputError for what is wrong in the model; SolverError when the run fails and Interrupted at Ctrl-C, both with the
-    results so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning). Under mpirun all
-    processes call it alike, and what one of them raises here, all raise."""
+    Raises InputError when the model is wrong; SolverError when the run fails and Interrupted at Ctrl-C, both with the results
+    so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning). Under mpirun all processes call
+    this function alike, and an error of one of them is raised by all."""
     with _refused_by_all():
         model = as_model(model)
         if tolerance is not None:
@@ -58,7 +59,7 @@ def resume(results: File, *, output: File | None = None, options: Mapping[str, A
 
 @contextlib.contextmanager
 def _refused_by_all() -> Iterator[None]:
-    """Under mpirun the other processes run already, and wait for one that has nothing to run."""
+    """Raises an error of this process on all of them: under mpirun the others run already, and would wait for this one."""
     try:
         yield
     except InputError as error:
@@ -79,14 +80,14 @@ def _words(options: Mapping[str, Any] | None) -> list[str]:
     return words
 
 
-def _results(ran: dict[str, Any], output: str) -> Run:
-    """What there is, or the exception that ended it, with what there is."""
-    results = read_image(ran["image"])
-    raised, text = ran["raised"], ran["failure"]
+def _results(ran: core.RunOutcome, output: str) -> Run:
+    """The results; raises what ended the run, with the results so far."""
+    results = Run.from_image(ran.image)
+    raised, text = ran.raised, ran.failure
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised
     if text and output:
-        text += f'\nTo go on: pounding.resume("{output}")' if ran["resumable"] else f"\nWhat was computed is in {output}"
+        text += f'\nTo go on: pounding.resume("{output}")' if ran.resumable else f"\nWhat was computed is in {output}"
     # In an interactive session, whose cell or line has not got its results.
     elif text and hasattr(sys, "ps1"):
         text += "\nWhat was computed is sys.last_value.results"
@@ -94,8 +95,8 @@ def _results(ran: dict[str, Any], output: str) -> Run:
         raise Interrupted(text or "stopped by the user", results) from None
     if text:
         raise SolverError(text, results)
-    if ran["warning"]:
-        warnings.warn(ran["warning"], AccuracyWarning, stacklevel=3)
+    if ran.warning:
+        warnings.warn(ran.warning, AccuracyWarning, stacklevel=3)
     return results
 
 
@@ -146,7 +147,7 @@ def _words_of(time: float, duration: float, impacts: int) -> str:
 
 
 def _is_notebook() -> bool:
-    """Its cells show what is displayed, but are no terminal."""
+    """True in a cell of a notebook, which shows displayed objects but is no terminal."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython else None
     return type(shell).__name__ == "ZMQInteractiveShell"

@@ -6,23 +6,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pounding.results import FloorMotion, Run, Structure
+from pounding.results import FloorMotion, RunData, Structure
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-#: Of what a floor has; turns about an axis (rx, ry, rz) are in rad.
+#: Units of the histories of a floor; rotations (rx, ry, rz) are in rad.
 UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N"}
+#: Units of the histories of a link.
 LINK_UNITS = {"penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
 
 
-def to_pandas(run: Run) -> dict[str, pandas.DataFrame]:
-    """See Run.to_pandas."""
+def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
+    """As `pounding.Run.to_pandas` says."""
     import pandas
 
     impacts = pandas.DataFrame({name: run.impacts[name] for name in run.impacts.dtype.names or ()})
-    impacts["link"] = [name.decode() for name in run.impacts["link"]]
     tables = {"impacts": impacts, "ground": pandas.DataFrame({"acceleration": run.ground_acceleration}, _index(run.time)),
               "energy": pandas.DataFrame({k: v for k, v in run.energy.items() if k != "time"}, _index(run.energy["time"]))}
     for name, link in run.links.items():
@@ -39,8 +39,8 @@ def to_pandas(run: Run) -> dict[str, pandas.DataFrame]:
     return tables
 
 
-def to_xarray(run: Run) -> dict[str, xarray.Dataset]:
-    """See Run.to_xarray."""
+def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
+    """As `pounding.Run.to_xarray` says."""
     import xarray
 
     def dataset(time: np.ndarray, variables: dict[str, Any], **coordinates: Any) -> xarray.Dataset:
@@ -50,7 +50,7 @@ def to_xarray(run: Run) -> dict[str, xarray.Dataset]:
     sets = {"ground": dataset(run.time, {"acceleration": ("time", run.ground_acceleration, {"units": "m/s^2"})}),
             "energy": dataset(run.energy["time"], {key: ("time", values, {"units": "J"})
                                                    for key, values in run.energy.items() if key != "time"}),
-            "impacts": xarray.Dataset({name: ("impact", _texts(run.impacts[name])) for name in run.impacts.dtype.names or ()})}
+            "impacts": xarray.Dataset({name: ("impact", run.impacts[name]) for name in run.impacts.dtype.names or ()})}
     for name, link in run.links.items():
         sets[f"links/{name}"] = dataset(link.time, {key: ("time", getattr(link, key), {"units": unit})
                                                     for key, unit in LINK_UNITS.items()})
@@ -76,7 +76,3 @@ def _index(time: np.ndarray) -> pandas.Index:
     import pandas
 
     return pandas.Index(time, name="time")
-
-
-def _texts(values: np.ndarray) -> np.ndarray:
-    return np.array([value.decode() for value in values]) if values.dtype.kind == "S" else values

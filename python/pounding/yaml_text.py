@@ -12,14 +12,14 @@ import numpy as np
 
 #: A line of the text is no longer than this unless one value is.
 WIDTH = 118
-#: What YAML reads as the text that it is; other texts are quoted.
+#: Texts that YAML reads as they stand; other texts are quoted.
 PLAIN = re.compile(r"[A-Za-z0-9_./+][A-Za-z0-9_./+%^ -]*(?<! )|-[0-9.][A-Za-z0-9_./+%^ -]*(?<! )")
 NOTHING = ("null", "Null", "NULL", "~")
 
 
 def plain(value: Any, place: str = "") -> Any:
-    """The same in dicts, lists and the texts that YAML shows; what a file reads back as. Raises TypeError, with the place,
-    for what no YAML holds."""
+    """The value in dicts, lists and texts, as it comes back from a YAML file. Raises TypeError, with the place, for a value that
+    YAML cannot hold."""
     if isinstance(value, Mapping):
         return {str(key): plain(inner, f"{place}.{key}" if place else str(key)) for key, inner in value.items()}
     if isinstance(value, (list, tuple)) or isinstance(value, np.ndarray) and value.ndim:

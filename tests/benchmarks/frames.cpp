@@ -28,6 +28,7 @@
 #include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 #include <pounding/linear/make_solver.hpp>
 #include <pounding/linear/sparse_solver.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
@@ -48,7 +49,7 @@ constexpr double reduced_mass = (3 * floor_mass) * (2 * floor_mass) / (5 * floor
 // 5 % at the first and sixth frequency of the plane pair; reference/plane_frames.json.
 constexpr double by_mass = 0.31244343565330945, by_stiffness = 0.002905632243854408;
 
-// Of the frames in space.
+// Time step of the frames in space [s].
 constexpr double space_step = 5e-3;
 constexpr int settling_steps = 40;  // before the clock starts
 
@@ -138,7 +139,7 @@ struct Pair {
     system.gap_jacobian.setFromTriplets(closing.begin(), closing.end());
   }
 
-  // Of the displacement along x.
+  // Number of the displacement along x at a node.
   int unknown(int frame, int storey, int line, int row = 0) const {
     const auto motion = frames[frame].motion(grids[frame].node(storey, line, row), Dof::ux);
     return system.groups[frame].first + static_cast<int>(Eigen::SparseVector<double>::InnerIterator(motion).index());
@@ -191,7 +192,7 @@ petsc::SolverKind base_kind(const Words& words) {
 
 Scheme scheme(const Words& words) {
   const auto found = words.find("--integrator");
-  if (found == words.end()) return {};
+  if (found == words.end()) return {.kind = Scheme::Kind::generalized_alpha};
   if (std::find(Scheme::names.begin(), Scheme::names.end(), found->second) == Scheme::names.end())
     throw std::invalid_argument("--integrator: generalized_alpha or esdirk4");
   return {.kind = Scheme::kind_of(found->second)};
@@ -275,7 +276,7 @@ nlohmann::json plane(const Words& words) {
     group.velocity_floor = 1e-2 * pair.system.grounds[0].peak() / w;
   }
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words));
+  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words), PETSC_COMM_WORLD);
   Stepper stepper(pair.system, *base, {.tolerance = tolerance, .scheme = scheme(words), .max_step = longest});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(pair.system.size());
   stepper.start(0, zero, zero);
@@ -378,7 +379,7 @@ nlohmann::json space(const Words& words) {
   pair.system.grounds = {GroundMotion(Samples{{0, far}, {0, -far}, true})};
 
   const Clock::time_point start = Clock::now();
-  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words));
+  const std::unique_ptr<StructureSolver> base = petsc::make_solver(pair.system, base_kind(words), PETSC_COMM_WORLD);
   const Eigen::VectorXd pushed = static_answer(pair, *base);
   Stepper stepper(pair.system, *base, {.tolerance = 1e-4, .scheme = scheme(words), .max_step = space_step});
   // They press from the start, rather than touch at once.

@@ -1,4 +1,4 @@
-"""What the benchmarks share: running a program, its error against a reference, and the time at an error."""
+"""Shared by the benchmarks: running a program, its error against a reference, and the time at an error."""
 import json
 import math
 import os

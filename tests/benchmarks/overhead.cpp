@@ -1,4 +1,4 @@
-// What a kept step of the engine costs by itself: two oscillators through TSSolve, nothing recorded. One JSON object.
+// Cost of a kept step of the engine by itself: two oscillators through TSSolve, nothing recorded. One JSON object.
 //
 //   overhead [STEPS]
 //
@@ -18,6 +18,7 @@
 #include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 #include <pounding/stepping/stepper.hpp>
 
@@ -59,7 +60,7 @@ struct Result {
 Result run(double gap, double end, double longest, bool fixed) {
   Oscillators oscillators(gap);
   ModalSolver base(oscillators.system);
-  Stepper stepper(oscillators.system, base, {.tolerance = 1e-4, .max_step = longest});
+  Stepper stepper(oscillators.system, base, {.tolerance = 1e-4, .scheme = {.kind = Scheme::Kind::generalized_alpha}, .max_step = longest});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
   stepper.start(0, zero, zero);
   petsc::Handle<TS> ts;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the Python package costs: imports, a law per element of an array of a million, a run beside the program.
+"""Cost of the Python package: imports, a law per element of an array of a million, a run beside the program.
 
     PYTHONPATH=build/python .venv/bin/python3 tests/benchmarks/python_package.py build/pounding
     ... python_package.py --imports           only these

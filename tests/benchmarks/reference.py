@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What both programs are measured against: DOP853 between located events.
+"""References that both programs are measured against: DOP853 between located events.
 
     python3 tests/benchmarks/reference.py oscillators     # rewrites reference/two_oscillators.json, half a minute
     python3 tests/benchmarks/reference.py frames          # rewrites reference/plane_frames.json, five minutes

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a tolerance gives: two oscillators (100 t, 0.8 s; 150 t, 0.4 s), 3 s of harmonic motion, five impacts, every law.
+"""Errors at an asked tolerance: two oscillators (100 t, 0.8 s; 150 t, 0.4 s), 3 s of harmonic motion, five impacts, every law.
 
     python3 tests/benchmarks/tolerance.py build/pounding
 

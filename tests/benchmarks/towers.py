@@ -154,7 +154,7 @@ def run(program, folder, case, ranks=1, **how):
 
 
 def unknowns(case):
-    """Of the frames without links."""
+    """Number of unknowns of the frames, their links left out."""
     count, bays, rigid = CASES[case]
     nodes = (bays + 1) ** 2
     return count * STOREYS * (3 * nodes + 3 if rigid else 6 * nodes)

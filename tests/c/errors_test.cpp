@@ -1,4 +1,4 @@
-/// What the C interface refuses, with which words, and that it changes nothing then.
+/// Refusals of the C interface: their texts, and that they change nothing.
 
 #include <cstring>
 #include <limits>
@@ -37,6 +37,7 @@ TEST(CInterfaceErrors, WrongNamesAndValuesAreRefusedWithTheWordsOfTheLaws) {
   pnd_law* law = reinterpret_cast<pnd_law*>(&law);
   EXPECT_REFUSED(pnd_create("hertz_damp", "", stiff, 2, &law), R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");
   EXPECT_EQ(law, nullptr);
+  EXPECT_REFUSED(pnd_create("HERTZ", "", stiff, 1, &law), R"(unknown law "HERTZ". Did you mean "hertz"?)");
   EXPECT_REFUSED(pnd_create("hertz_damped", "ye2009", stiff, 2, &law),
                  R"(hertz_damped has no formula "ye2009". Did you mean "ye_2009"?)");
   EXPECT_REFUSED(pnd_create("hertz_damped", "", soft, 2, &law), "stiffness is -1, but must be finite and positive");

@@ -1,4 +1,4 @@
-/// What a user interface may show: every law, parameter and formula, with texts that end where they should.
+/// Texts for user interfaces: every law, parameter and formula, with texts that end where they should.
 
 #include <cstring>
 #include <string>

@@ -5,7 +5,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PARTS = ("elements", "lib")
-#: What stands on all modules, in this order.
+#: Programs above all modules, in this order.
 ABOVE = ("reproduce", "program")
 
 
@@ -71,6 +71,11 @@ class Modules(unittest.TestCase):
                     used = {other for path in sources(folder) for _, other in includes(path)}
                     idle += [f"{folder.name} needs {need}, but includes nothing of it" for need in declared()[folder.name] if need not in used]
         self.assertEqual(sorted(idle), [])
+
+    def test_EveryRecordFormatIsInTheList(self):
+        folder = ROOT / "elements/pounding/ground/records"
+        listed = re.findall(r"(?m)^FORMAT\((\w+)\)$", (folder / "formats.inc").read_text())
+        self.assertEqual(sorted(listed), sorted(path.stem for path in folder.glob("*.cpp") if path.stem != "format"))
 
     def test_NoModuleKnowsTheProgramsAboveIt(self):
         for part in PARTS:

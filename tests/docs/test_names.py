@@ -13,7 +13,7 @@ EXPLAINED = {"struct", "class", "union", "enum", "concept", "type", "function"}
 
 
 def law_contract():
-    """What every law has; laws/law.hpp explains it once."""
+    """Members that every law has; laws/law.hpp explains them once."""
     doc, _ = declarations(ROOT / "elements/pounding/laws/law.hpp")
     return {name for name in ("check", "damping_for", "contact", "respond", "corner", "keep") if f" {name}(" in doc}
 
@@ -47,12 +47,19 @@ class Names(unittest.TestCase):
 
     def test_EveryPublicPythonNameHasADocstring(self):
         silent = []
-        for path in sorted((ROOT / "python/pounding").glob("*.py")):
+        for path in sorted((ROOT / "python/pounding").rglob("*.py")):
             tree = ast.parse(path.read_text())
             if not ast.get_docstring(tree):
                 silent.append(f"{path.relative_to(ROOT)}:1: the module")
             silent += [f"{path.relative_to(ROOT)}:{line}: {name}" for line, name in without_docstring(tree)]
         self.assertEqual(silent, [], "\n" + "\n".join(silent))
+
+    def test_PrivateHeadersAreNotInstalled(self):
+        installed = {str(path.relative_to(ROOT)) for path in installed_headers()}
+        self.assertLessEqual({"lib/pounding/lib.hpp", "lib/pounding/run/run.hpp", "elements/pounding/laws/all.hpp"}, installed)
+        private = {f"lib/pounding/{name}.hpp" for name in ("run/run_monitor", "run/run_writer", "run/ts_setup", "run/recorder", "results/hdf5",
+                                                           "results/replace_file")} | {"elements/pounding/ground/records/format.hpp"}
+        self.assertEqual(installed & private, set())
 
     def test_TheReaderFindsWhatTheHeadersDeclare(self):
         found = {item.name for path in installed_headers() for item in declarations(path)[1]}
@@ -62,7 +69,7 @@ class Names(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """What the check itself sees."""
+    """The check itself sees declarations and their comments."""
 
     def read(self, text, suffix=".hpp"):
         with tempfile.TemporaryDirectory() as folder:

@@ -80,7 +80,7 @@ TEST(PointOnMember, MovesWithTheSimplySupportedBeam) {
   book.near("right end moment [N m]", ends[10], 0, 1e-11 * p * l);
 }
 
-// The same frame with a node at the point: everything else moves alike and the ends carry the same forces; the point
+// A frame with a node at the point gives the same: everything else moves alike and the ends carry the same forces; the point
 // itself moves by the bending between held ends more, which is the same difference with the nodes held.
 TEST(PointOnMember, IsTheNodeThatDividesTheMember) {
   struct Case {
@@ -262,7 +262,7 @@ TEST(SupportMotion, SumsToTheMotionOfARigidBody) {
     }
 }
 
-// The same frame with the support left free: its rows of K and M are what couples it to the unknowns.
+// Leave the support of the same frame free: its rows of K and M are what couples it to the unknowns.
 TEST(SupportMotion, IsThePartitionOfTheFreeFrame) {
   for (const int dimension : {2, 3})
     for (const BeamMass mass : {BeamMass::lumped, BeamMass::consistent}) {
@@ -372,7 +372,7 @@ TEST(GridFrame, CarriesItsInertiaToTheGround) {
           if (frame.position(foot).z() != 0) continue;
           shear -= (frame.beam(member).axes().transpose() * frame.end_forces(member, f, q).head<3>())[axis];
         }
-        // Of the columns, the lower halves of the first storey stand on the ground.
+        // The lower halves of the columns of the first storey rest on the ground; they do not count.
         const double columns = 3.0 * (bays_y + 1) * (9.3 - 1.75), beams = 3 * (12.0 * (bays_y + 1) + (bays_y > 0 ? 30 : 0));
         const double mass = 12e4 + steel.density * (deep.area * columns + slender.area * beams);
         book.near("shear at the ground [N]", shear, mass * g, 1e-9 * mass * g);

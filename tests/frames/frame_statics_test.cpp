@@ -377,7 +377,7 @@ TEST(PDelta, RefusesAColumnBeyondEulersLoad) {
     (refusal([&] { column(middle); }) == "taken" ? stands : falls) = middle;
   }
   book.near("load at which P-Delta finds a column unstable, over Euler's [-]", stands / euler, 1, 1e-3);
-  // What is named is the head and one of its equally pressed parts.
+  // The message names the head, and one of the equally pressed parts.
   const std::string text = refusal([&] { column(1.1 * euler); });
   EXPECT_EQ(text.find("node head: ux: the frame buckles here under its axial forces, the largest compression of which is "),
             0u) << text;
@@ -466,7 +466,7 @@ TEST(Rest, NamesWhatNothingHolds) {
             "node 1: ux" + what);
 }
 
-// What is stiff beside what is weak is no mechanism.
+// A weak member beside a stiff spring is no mechanism.
 TEST(Rest, HoldsWhatIsOnlyWeak) {
   test::Book book("Frames at rest",
                   "cantilever of 300 members: L^3/(3 EI)",

@@ -207,7 +207,7 @@ TEST(Measures, PeaksBetweenSamplesAreFound) {
   const RecordMeasures m = measure({.times = {0, 3}, .accelerations = {1, -2}});
   EXPECT_DOUBLE_EQ(m.pgv, 1.5);
   EXPECT_DOUBLE_EQ(m.pgd, 2.0 / 3);
-  // The same cut off at t = 1.5 has both its end values below the peak of v.
+  // Cut off at t = 1.5, the record has both end values of v below its peak.
   EXPECT_DOUBLE_EQ(measure({.times = {0, 1.5}, .accelerations = {1, -0.5}}).pgv, 0.5);
   // At constant deceleration after 1 s the displacement turns at t = 2.
   const RecordMeasures turned = measure({.times = {0, 1, 1 + 1e-12, 3}, .accelerations = {1, 1, -1, -1}});

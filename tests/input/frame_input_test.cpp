@@ -1,4 +1,4 @@
-// What the input of a frame means, and how each mistake in it is reported.
+// Meaning of the input of a frame, and the report of each mistake in it.
 
 #include <gtest/gtest.h>
 
@@ -380,7 +380,7 @@ TEST(FrameInput, TheMasterOfARigidFloorStandsAtTheCentreOfItsMasses) {
   EXPECT_EQ(read(with(floor, "[b, c, d]}", "[b, c, d], rigid: false}")).floors[0].master, -1);
 }
 
-// What only the matrices show is reported at its node or member too.
+// Mistakes that only the matrices show are reported at their node or member, too.
 TEST(FrameInput, WhatTheFrameRefusesIsReportedAtItsPlace) {
   refused(with(portal, "d: [6 m, 0]}", "d: [6 m, 0], e: [9 m, 0]}"),
           "3:64: nodes.e: node e: no member, spring or constraint is connected to it");

@@ -243,8 +243,12 @@ TEST(AnalysisInput, TakesWhatTheIntegratorCanDo) {
           R"(4:36: analysis.tolerance: takes a number such as "5 %"; "1 mm" is a length)");
   refused(whole("analysis: {duration: 1, integrator: newmark}"),
           R"(4:37: analysis.integrator: unknown integrator "newmark". Allowed: generalized_alpha, esdirk4.)");
-  refused(whole("analysis: {duration: 1, spectral_radius: 2}"),
-          R"(4:42: analysis.spectral_radius: takes a number in [0, 1] such as "5 %"; "2" is outside)");
+  refused(whole("analysis: {duration: 1, integrator: generalized_alpha, spectral_radius: 2}"),
+          R"(4:73: analysis.spectral_radius: takes a number in [0, 1] such as "5 %"; "2" is outside)");
+  refused(whole("analysis: {duration: 1, spectral_radius: 0.8}"),
+          R"(4:42: analysis.spectral_radius: belongs to generalized_alpha; type integrator: generalized_alpha beside it)");
+  refused(whole("analysis: {duration: 1, integrator: esdirk4, spectral_radius: 0.8}"),
+          R"(4:63: analysis.spectral_radius: belongs to generalized_alpha; leave it out with integrator: esdirk4)");
   refused(whole("analysis: {duration: 1, output_step: 0}"),
           R"(4:38: analysis.output_step: takes a time in (0, 1] such as "0.5 s"; "0" is outside)");
   refused(whole("analysis: {duration: 1, output_step: 5 s}"),

@@ -30,6 +30,8 @@ execute_process(COMMAND sh -ec "
     cc -std=c99 -pedantic -o by_pkg_config_in_c '${HOSTS}/c/two_oscillators.c' $(pkg-config --cflags --libs pounding-c) -lm
     export LD_LIBRARY_PATH=$(pkg-config --variable=libdir pounding-c)
     ./by_pkg_config_in_c 3000
+    c++ -std=c++20 -o links_by_pkg_config '${SOURCE}/newmark/main.cpp' $(pkg-config --cflags --libs pounding-links)
+    ./links_by_pkg_config
     c++ -std=c++20 -o by_pkg_config '${SOURCE}/whole/main.cpp' $(pkg-config --cflags --libs pounding)
     ./by_pkg_config"
   WORKING_DIRECTORY ${WORK} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

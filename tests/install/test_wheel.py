@@ -8,7 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 import pounding
-from pounding import opensees_link
+from pounding.opensees import link_process
 
 MODEL = Path(os.environ["POUNDING_EXAMPLES"]) / "02_two_oscillators/model.yaml"
 
@@ -20,7 +20,7 @@ class Wheel(unittest.TestCase):
 
     def test_brings_the_laws_for_opensees(self):
         with self.assertRaisesRegex(ValueError, 'Did you mean "hertz"'):
-            opensees_link.Law("hertzz", "exact", {})
+            link_process.Law("hertzz", "exact", {})
 
 
 class Extras(unittest.TestCase):

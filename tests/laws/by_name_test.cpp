@@ -112,6 +112,13 @@ TEST(LawsByName, WrongNamesAreRefusedWithTheNearestOne) {
   EXPECT_EQ(refusal(s),
             R"(hertz_damped has no parameter "colour". Allowed: stiffness, exponent, damping_factor, damping_coefficient.)");
   EXPECT_THROW(find_law("hertzz_"), std::invalid_argument);
+  s = hertz_damped();
+  s.formula = "Ye-2009";
+  EXPECT_EQ(refusal(s), R"(hertz_damped has no formula "Ye-2009". Did you mean "ye_2009"?)");
+  for (const auto& [read, meant] : {std::pair("HERTZ", "hertz"), {"Hertz Damped", "hertz_damped"}, {"jankwoski", "jankowski"}}) {
+    s.law = read;
+    EXPECT_EQ(refusal(s), std::string("unknown law \"") + read + "\". Did you mean \"" + meant + "\"?");
+  }
 }
 
 TEST(LawsByName, StiffnessHasNoDefault) {

@@ -1,4 +1,4 @@
-/// What every law promises, typed over the one list, with the typical values of the laws' own tables.
+/// The contract of every law, typed over the one list, with the typical values of the laws' own tables.
 
 #include <algorithm>
 #include <cmath>

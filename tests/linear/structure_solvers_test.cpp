@@ -50,7 +50,7 @@ struct Pair {
       parts.push_back(make_frame(grid).assemble());
     }
     int n = 0;
-    std::vector<Eigen::Triplet<double>> mass, stiffness, closing;
+    std::vector<Eigen::Triplet<double>> mass, stiffness, jacobian;
     for (const AssembledFrame& part : parts) {
       for (int j = 0; j < part.size(); ++j) {
         for (SparseMatrix::InnerIterator it(part.mass, j); it; ++it) mass.emplace_back(n + it.row(), n + j, it.value());
@@ -72,7 +72,7 @@ struct Pair {
         const auto end = [&](int frame, int line, double sign) {
           const Eigen::SparseVector<double> row = parts[frame].motion(grids[frame].node(floor, line), Dof::ux);
           for (Eigen::SparseVector<double>::InnerIterator it(row); it; ++it)
-            closing.emplace_back(system.groups[frame].first + it.row(), floor - 1, sign * it.value());
+            jacobian.emplace_back(system.groups[frame].first + it.row(), floor - 1, sign * it.value());
         };
         end(0, 2, 1);
         end(1, 0, -1);
@@ -82,7 +82,7 @@ struct Pair {
       }
     }
     system.gap_jacobian.resize(n, static_cast<int>(contacts.size()));
-    system.gap_jacobian.setFromTriplets(closing.begin(), closing.end());
+    system.gap_jacobian.setFromTriplets(jacobian.begin(), jacobian.end());
     system.grounds = {GroundMotion(Harmonic{3.0, 0.6, 10.0})};
   }
 };
@@ -98,12 +98,12 @@ Pair rubbing_on_delayed_ground() {
   s.load.col(1).setZero();
   const Group right = s.groups[1];
   s.load.col(1).segment(right.first, right.count).swap(s.load.col(0).segment(right.first, right.count));
-  const Eigen::MatrixXd closing = s.gap_jacobian;
+  const Eigen::MatrixXd jacobian = s.gap_jacobian;
   Eigen::MatrixXd wider = Eigen::MatrixXd::Zero(n, 2 * contacts);
-  wider.leftCols(contacts) = closing;
+  wider.leftCols(contacts) = jacobian;
   for (int i = 0; i < contacts; ++i) {
     for (int k = 0; k + 1 < n; ++k)
-      if (closing(k, i) != 0) wider(k + 1, contacts + i) = closing(k, i);  // uz of the same node
+      if (jacobian(k, i) != 0) wider(k + 1, contacts + i) = jacobian(k, i);  // uz of the same node
     s.frictions.push_back({.contact = i, .first = contacts + i, .count = 1, .coefficient = 0.4, .sliding = 0.02});
   }
   s.gap_jacobian = wider.sparseView();
@@ -169,12 +169,12 @@ TEST_P(SparseMatrices, MultiplyLikeDenseOnes) {
   EXPECT_LT(difference(u, whole(system, {1, 0, 0}) * x.col(1)), 1e-13);
 }
 
-// On the ladder by a factor, off it by conjugate gradients; the condition number of these matrices is 1e5.
-TEST_P(SparseMatrices, SolveOnAndOffTheLadder) {
+// At a step level by a factor, off the levels by conjugate gradients; the condition number of these matrices is 1e5.
+TEST_P(SparseMatrices, SolveOnAndOffTheStepLevels) {
   SparseSolver base(PETSC_COMM_WORLD, system, {.direct_below = 0});
   const Eigen::VectorXd b = some_vector(n, 1);
-  const auto residual = [&](const EffectiveMatrix& shift, std::optional<int> rung) {
-    base.set_matrix(shift, rung);
+  const auto residual = [&](const EffectiveMatrix& shift, std::optional<int> step_level) {
+    base.set_matrix(shift, step_level);
     Eigen::VectorXd x = base.coordinates(b), u;
     EXPECT_TRUE(base.solve(x));
     base.physical(x, u);
@@ -211,10 +211,10 @@ TEST_P(SparseMatrices, GiveTheSameFlexibilityAndResponseByEveryWay) {
   expect_same(gradients, "conjugate gradients");
   EXPECT_GT(gradients.iterations(), 0);
   direct.set_matrix(shift, std::nullopt);
-  expect_same(direct, "factor off the ladder");
+  expect_same(direct, "factor off the step levels");
   EXPECT_EQ(direct.iterations(), 0);
   direct.set_matrix(shift, 3);
-  expect_same(direct, "factor on the ladder");
+  expect_same(direct, "factor at a step level");
 }
 
 // Frames of two storeys in a row, two links between neighbours: roofs first, then the floors below.
@@ -231,7 +231,7 @@ System row_of_frames(int frames) {
   const AssembledFrame one = make_frame(grid).assemble();
   const int size = one.size(), n = frames * size;
   System s;
-  std::vector<Eigen::Triplet<double>> mass, stiffness, closing;
+  std::vector<Eigen::Triplet<double>> mass, stiffness, jacobian;
   for (int k = 0; k < frames; ++k) {
     for (int j = 0; j < size; ++j) {
       for (SparseMatrix::InnerIterator it(one.mass, j); it; ++it) mass.emplace_back(k * size + it.row(), k * size + j, it.value());
@@ -245,7 +245,7 @@ System row_of_frames(int frames) {
     for (const auto& [frame, line, sign] : {std::tuple(left, 1, 1.0), {left + 1, 0, -1.0}}) {
       const Eigen::SparseVector<double> row = one.motion(grid.node(storey, line), Dof::ux);
       for (Eigen::SparseVector<double>::InnerIterator it(row); it; ++it)
-        closing.emplace_back(frame * size + it.row(), i, sign * it.value());
+        jacobian.emplace_back(frame * size + it.row(), i, sign * it.value());
     }
   }
   s.mass.resize(n, n);
@@ -255,7 +255,7 @@ System row_of_frames(int frames) {
   s.damping.resize(n, n);
   s.load = Eigen::MatrixXd::Zero(n, 1);
   s.gap_jacobian.resize(n, 2 * (frames - 1));
-  s.gap_jacobian.setFromTriplets(closing.begin(), closing.end());
+  s.gap_jacobian.setFromTriplets(jacobian.begin(), jacobian.end());
   return s;
 }
 
@@ -266,12 +266,12 @@ TEST(RowOfFrames, KeepsLinksApartThatAreSolvedTogether) {
   const EffectiveMatrix off = of_step(0.006), on = of_step(0.01);
   for (const std::vector<int>& links : {std::vector<int>{0, 2}, {1, 3}, {0, 1, 2, 3, 6}, {0, 1, 2, 3, 4, 5, 6, 7}})
     for (const int direct_below : {0, 1000000})
-      for (const bool on_ladder : {true, false}) {
+      for (const bool at_level : {true, false}) {
         SparseSolver base(PETSC_COMM_WORLD, system, {.direct_below = direct_below});
         base.set_matrix(on, 0);
-        if (!on_ladder) base.set_matrix(off, std::nullopt);
+        if (!at_level) base.set_matrix(off, std::nullopt);
         const Eigen::MatrixXd b = Eigen::MatrixXd(system.gap_jacobian)(Eigen::all, links);
-        const Eigen::MatrixXd z = whole(system, on_ladder ? on : off).ldlt().solve(b), expected = b.transpose() * z;
+        const Eigen::MatrixXd z = whole(system, at_level ? on : off).ldlt().solve(b), expected = b.transpose() * z;
         Eigen::MatrixXd g;
         ASSERT_TRUE(base.flexibility(links, g));
         EXPECT_LT((g - expected).norm(), 1e-10 * expected.norm());
@@ -302,7 +302,7 @@ TEST(RowOfFrames, NeedsMemoryInProportionToItsLength) {
 }
 
 // A factor takes over what an earlier one knew of the pattern, and nothing else.
-TEST(OffTheLadder, AFactorDoesNotDependOnTheOneBefore) {
+TEST(OffTheStepLevels, AFactorDoesNotDependOnTheOneBefore) {
   const Pair pair;
   const Eigen::VectorXd b = some_vector(pair.system.size(), 1);
   const auto solved = [&](std::initializer_list<double> steps) {
@@ -409,8 +409,8 @@ TEST(OneFrame, IsSharedByAllProcesses) {
   SparseSolver base(PETSC_COMM_WORLD, system, {.direct_below = 0});
   const Eigen::VectorXd b = some_vector(system.size(), 1);
   base.set_matrix(of_step(0.01), 0);
-  for (const auto& [h, rung] : {std::pair(0.01, std::optional<int>(0)), {0.007, std::nullopt}}) {
-    base.set_matrix(of_step(h), rung);
+  for (const auto& [h, step_level] : {std::pair(0.01, std::optional<int>(0)), {0.007, std::nullopt}}) {
+    base.set_matrix(of_step(h), step_level);
     Eigen::VectorXd x = base.coordinates(b), u;
     ASSERT_TRUE(base.solve(x));
     base.physical(x, u);
@@ -427,8 +427,8 @@ TEST(OneFrame, IsSharedByAllProcesses) {
     }
 }
 
-// What a trial gives must not depend on the trials before it.
-TEST(OffTheLadder, ASolveDependsOnItsStepAlone) {
+// The result of a trial must not depend on the trials before it.
+TEST(OffTheStepLevels, ASolveDependsOnItsStepAlone) {
   const Pair pair;
   const System& system = pair.system;
   const auto solved = [&](bool others) {
@@ -452,7 +452,7 @@ TEST(OffTheLadder, ASolveDependsOnItsStepAlone) {
 }
 
 // Lengths that end at a corner of the ground motion differ in their last digits.
-TEST(OffTheLadder, ARungButForRoundingNeedsNoFactorOfItsOwn) {
+TEST(OffTheStepLevels, ARungButForRoundingNeedsNoFactorOfItsOwn) {
   const Pair pair;
   SparseSolver base(PETSC_COMM_WORLD, pair.system, {.direct_below = 0});
   const Eigen::VectorXd b = some_vector(pair.system.size(), 1);
@@ -463,7 +463,7 @@ TEST(OffTheLadder, ARungButForRoundingNeedsNoFactorOfItsOwn) {
     base.physical(x, u);
     EXPECT_LT(difference(u, whole(pair.system, of_step(0.005 * part)).ldlt().solve(b)), 1e-11) << part;
   }
-  EXPECT_EQ(base.levels(), 1);
+  EXPECT_EQ(base.factors(), 1);
   EXPECT_EQ(base.factorizations(), 1);
   EXPECT_GT(base.iterations(), 0);
   EXPECT_LE(base.iterations(), 8);
@@ -473,11 +473,11 @@ TEST(Memory, IsKeptByDroppingTheLeastRecentlyUsedRung) {
   const Pair pair;
   SparseSolver roomy(PETSC_COMM_WORLD, pair.system);
   for (int k = 0; k < 6; ++k) roomy.set_matrix(of_step(0.01 / (1 << k)), k);
-  EXPECT_EQ(roomy.levels(), 6);
+  EXPECT_EQ(roomy.factors(), 6);
   SparseSolver tight(PETSC_COMM_WORLD, pair.system, {.memory = 0.6 * roomy.memory()});
   for (int k = 0; k < 6; ++k) tight.set_matrix(of_step(0.01 / (1 << k)), k);
-  EXPECT_GE(tight.levels(), 2);
-  EXPECT_LE(tight.levels(), 3);
+  EXPECT_GE(tight.factors(), 2);
+  EXPECT_LE(tight.factors(), 3);
   EXPECT_LE(tight.memory(), 0.6 * roomy.memory());
   const long before = tight.factorizations();
   tight.set_matrix(of_step(0.01 / 32), 5);
@@ -527,7 +527,7 @@ struct Trajectory {
   Eigen::VectorXd seen;  // what is observed of the displacements
 };
 
-// Steps of the ladder's first rung, landings in between.
+// Steps of level 0, located events in between.
 Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until) {
   constexpr double h = 2e-3;
   Stepper stepper(pair.system, base, {.tolerance = 1e-4, .scheme = scheme, .max_step = h});
@@ -558,7 +558,8 @@ Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until)
 
 // On two processes the modes are those of one: the same trajectory in parallel and alone.
 void expect_to_move_alike(const std::function<Pair()>& make) {
-  for (const Scheme scheme : {Scheme{}, Scheme{.spectral_radius = 0.8}, Scheme{.kind = Scheme::Kind::esdirk4}}) {
+  constexpr auto second_order = Scheme::Kind::generalized_alpha;
+  for (const Scheme scheme : {Scheme{.kind = second_order}, Scheme{.kind = second_order, .spectral_radius = 0.8}, Scheme{.kind = Scheme::Kind::esdirk4}}) {
     Pair of_modes = make(), of_factors = make(), of_gradients = make();
     ModalSolver modal(of_modes.system);
     SparseSolver direct(PETSC_COMM_WORLD, of_factors.system);

@@ -31,12 +31,12 @@ struct MyLaw {
   }
 };
 
-/// The same force, which may pull.
+/// MyLaw, but it may pull.
 struct MyStickyLaw : MyLaw {
   static constexpr bool may_pull = true;
 };
 
-/// The same force; what is indented when it ends is added to the gap.
+/// MyLaw, but the penetration at the end of the force is added to the gap.
 struct MyDentedLaw : MyLaw {
   static constexpr bool leaves_indentation = true;
 };
@@ -53,7 +53,7 @@ GapLink<Law> touched() {
   return link;
 }
 
-/// The same, reversed at a penetration of 0.2 m.
+/// touched(), then reversed at a penetration of 0.2 m.
 template <class Law = MyLaw>
 GapLink<Law> reversed() {
   GapLink<Law> link = touched<Law>();
@@ -74,6 +74,12 @@ TEST(GapLink, TakesALawThatTheLibraryDoesNotKnow) {
   EXPECT_DOUBLE_EQ(answer.force, 1000 * 0.01 + 10 * 2 * 0.5);
   EXPECT_DOUBLE_EQ(answer.by_penetration, 1000);
   EXPECT_DOUBLE_EQ(answer.by_rate, 20);
+}
+
+TEST(GapLink, ActsWithoutTensionUnlessItsLawMayPull) {
+  EXPECT_EQ(GapLink<MyLaw>(MyLaw{}, 0.1).acting_force(-3), 0);
+  EXPECT_EQ(GapLink<MyLaw>(MyLaw{}, 0.1).acting_force(2), 2);
+  EXPECT_EQ(GapLink<MyStickyLaw>(MyStickyLaw{}, 0.1).acting_force(-3), -3);
 }
 
 TEST(GapLink, RefusesWhatItsLawRefuses) {
@@ -185,12 +191,12 @@ TEST(GapLink, MarginsArePositiveWhileThePhaseLasts) {
   EXPECT_LT(link.event_functions({0.02, -1}, 0)[0], 0);
   link = reversed();
   const Contact::EventFunctions pressing = link.event_functions({0.05, -1}, 0);
-  for (const double margin : pressing) EXPECT_GT(margin, 0);
+  for (const double value : pressing) EXPECT_GT(value, 0);
   EXPECT_LT(link.event_functions({-0.01, -1}, 0)[0], 0) << "parted";
   EXPECT_LT(link.event_functions({0.02, -2}, 0)[1], 0) << "the force would pull";
   EXPECT_LT(link.event_functions({0.05, 1}, 0)[2], 0) << "pressed again";
   link.on_event(1, 2, {0.02, -2});
-  for (const double margin : link.event_functions({0.02, -2}, 0)) EXPECT_GT(margin, 0);
+  for (const double value : link.event_functions({0.02, -2}, 0)) EXPECT_GT(value, 0);
   EXPECT_LT(link.event_functions({-0.01, -2}, 0)[0], 0) << "parted";
   EXPECT_LT(link.event_functions({0.02, 1}, 0)[1], 0) << "the force is back";
 }

@@ -1,4 +1,4 @@
-"""What tests/support/book.hpp is to the tests in C++: numbers of a source of its own, written down for the verification book."""
+"""The verification book for tests in Python, as tests/support/book.hpp for those in C++: numbers of an independent source."""
 
 import json
 import os

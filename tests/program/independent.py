@@ -221,7 +221,7 @@ class Row:
         return np.concatenate([v, f / self.m])
 
     def margins(self, y):
-        """What ends the present branches: (link, index, value); index -1 is the gap."""
+        """Event functions that end the present branches: (link, index, value); index -1 is the gap."""
         found = []
         for link in self.links:
             d, rate = self.motion(link, y)

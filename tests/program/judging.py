@@ -75,7 +75,7 @@ def grazing_time(row, tolerance, end):
 
 
 def disturbed(case, quantity, size):
-    """The same case with a quantity changed by this part of itself, in alternating directions along the row."""
+    """A copy of the case with a quantity changed by this part of itself, in alternating directions along the row."""
     sign = [1]
 
     def changed(values):
@@ -97,7 +97,7 @@ def measure(row):
 
 
 def largest_of(link, impacts):
-    """What errors of the values are parts of: the largest force or impulse, and the largest closing speed."""
+    """Scales that errors are divided by: the largest force or impulse, and the largest closing speed."""
     return (max((values[0] for *_, values in impacts), default=0.0),
             max((impact.approach for impact in link.impacts[:len(impacts)]), default=0.0))
 

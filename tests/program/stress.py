@@ -331,7 +331,7 @@ def asked_exactly(l):
 
 
 def faults_of_impacts(run, index):
-    """What is wrong with the rows of one link."""
+    """Faults in the rows of one link."""
     l, rows, mass = run.case["links"][index], run.rows[index], run.reduced_mass(run.case["links"][index])
     spread = SPREAD * run.tolerance
     disturbance = run.disturbance(l)
@@ -372,7 +372,7 @@ def faults_of_impacts(run, index):
 
 
 def faults_of_histories(run, index):
-    """What is wrong with the motion and the force of one link."""
+    """Faults in the motion and the force of one link."""
     l, rows, h = run.case["links"][index], run.rows[index], run.histories[index]
     t, d, force = h["time"], h["penetration"], h["force"]
     trace = 1e-9 * run.reach + 1e-12

@@ -20,8 +20,8 @@ links:
   - {between: [left, right], gap: 20 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}
 analysis: {duration: 3.0}
 """
-#: The same, for longer than any test waits.
-LONG = OSCILLATORS.replace("duration: 3.0}}", "duration: 500}}").replace("{duration: 3.0}", "{duration: 500, tolerance: 1e-9, output_step: 10 ms}")
+#: Oscillators that run for longer than any test waits.
+LONG = OSCILLATORS.replace("duration: 3.0}}", "duration: 500}}").replace("{duration: 3.0}", "{duration: 500, tolerance: 1e-9, output_step: 10 ms, integrator: generalized_alpha}")
 _MAST = """\
   {name}:
     frame:

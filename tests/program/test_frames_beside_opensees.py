@@ -59,7 +59,7 @@ def of_one_unit(parts):
     return [[i for i in range(len(parts)) if i not in turning], turning]
 
 
-#: What of_one_unit tells apart.
+#: Quantities of different units that of_one_unit tells apart.
 UNITS = {"nodes": ("displacements of nodes", "turns of nodes"), "members": ("end forces", "end moments")}
 
 

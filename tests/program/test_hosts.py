@@ -82,7 +82,7 @@ class Hosts(unittest.TestCase):
     def test_c(self):
         self.expect("c/two_oscillators_in_c", 1.25, lambda program, steps: (program, steps))
 
-    # What is left is the peak force, read at the ends of the steps.
+    # The error that is left is that of the peak force, read at the ends of the steps.
     def test_c_with_a_law_without_corners(self):
         self.expect("c/two_oscillators_in_c", 2, lambda program, steps: (program, steps, "hertz_damped"), law="hertz_damped")
 

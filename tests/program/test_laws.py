@@ -13,7 +13,7 @@ TOKEN = re.compile(r"\d+(?:\.\d+)?|[A-Za-z_]+|[-+*/^(){}\[\],=]")
 #: Formulas that are given by a table or an integration.
 WITHOUT_EQUATION = {("hertz_damped", "naderpour_2015"), ("bilinear_hertz", "exact"), ("kuwabara_kono", "exact"),
                     ("adams_impact", "exact"), ("limited_damper", "exact")}
-#: Where the number is an oscillator's ratio z in stretched time: number over z, for n = 1.5.
+#: Number over z, for n = 1.5, where the number is an oscillator's ratio z in stretched time.
 OF_STRETCHED_TIME = {"jankowski": math.sqrt(5) / 2, "viscous_hertz": math.sqrt(5)}
 
 

@@ -2,12 +2,13 @@
 
 import unittest
 
+import h5py
 from support import OSCILLATORS, ProgramTest
 
 
 class Options(ProgramTest):
     def test_reach_the_time_stepping(self):
-        self.write(OSCILLATORS)
+        self.write(OSCILLATORS.replace("{duration: 3.0}\n", "{duration: 3.0, integrator: generalized_alpha}\n"))
         usual = self.summary("model.yaml")
         finer = self.summary("model.yaml", "-pounding_ts_rtol", "1e-7")
         self.assertGreater(finer["solver"]["steps"], 5 * usual["solver"]["steps"])
@@ -21,9 +22,23 @@ class Options(ProgramTest):
         self.assertEqual(typed["links"], written["links"])
 
     def test_of_the_integrator_change_its_damping(self):
-        done = self.pounding("run", self.write(OSCILLATORS), "-q", "-pounding_ts_pounding_radius", "0.8", "-pounding_ts_view")
+        done = self.pounding("run", self.write(OSCILLATORS), "-q", "-pounding_ts_pounding_scheme", "generalized_alpha",
+                             "-pounding_ts_pounding_radius", "0.8", "-pounding_ts_view")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("spectral radius 0.8", done.stdout)
+
+    def test_of_the_damping_of_another_integrator_are_an_error(self):
+        self.refused(2, "-ts_pounding_radius belongs to -ts_pounding_scheme generalized_alpha", "run", self.write(OSCILLATORS),
+                     "--json", "-pounding_ts_pounding_radius", "0.8")
+
+    def test_name_the_integrator_that_the_report_tells(self):
+        path = self.write(OSCILLATORS)
+        for options, used in (((), "esdirk4"), (("-pounding_ts_pounding_scheme", "generalized_alpha"), "generalized_alpha")):
+            done = self.pounding("run", path, "-o", "out.h5", *options)
+            self.assertIn(f"\nsolver       {used}, ", done.stdout)
+            self.assertEqual(self.summary(path, *options)["solver"]["integrator"], used)
+            with h5py.File(self.folder / "out.h5") as file:
+                self.assertEqual(file["solver"].attrs["integrator"], used)
 
     def test_that_nothing_reads_are_an_error(self):
         self.refused(2, "nothing reads the option -pounding_ts_rtoll", "run", self.write(OSCILLATORS), "--json", "-o",

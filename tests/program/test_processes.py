@@ -20,9 +20,9 @@ SURROUNDINGS = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_
 SPARSE = ("-pounding_ts_pounding_base", "sparse")
 #: Longest wait [s]; a run that hangs fails its test.
 PATIENCE = 300  # [s]; a loaded machine takes ten times as long
-#: Of the largest value of a quantity.
+#: Tolerance, as a part of the largest value of a quantity.
 ROUNDING = 1e-9
-#: What amplifies rounding: accelerations of single nodes do by the squares of the highest frequencies, and where a force is
+#: Quantities that amplify rounding: accelerations of single nodes do by the squares of the highest frequencies, and where a force is
 #: largest its slope is zero, so that its last digits move the instant by their square root.
 AMPLIFIED, AMPLIFIED_ROUNDING = ("nodes/acceleration", "impacts/t_peak"), 1e-7
 
@@ -106,7 +106,7 @@ class Processes(ProgramTest):
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
 
     def messages(self, result):
-        """What the program says, without the words of the launcher."""
+        """Messages of the program, without those of the launcher."""
         return [line for line in result.stderr.splitlines() if line.startswith("pounding: ")]
 
 

@@ -11,10 +11,11 @@ import numpy as np
 from support import MASTS, OSCILLATORS, PROGRAM, ProgramTest
 
 #: Durations that take a second or two of run time.
-SCHEMES = {"spectral_radius: 1": 12, "spectral_radius: 0.8": 12, "integrator: esdirk4": 600}
+SECOND_ORDER = "integrator: generalized_alpha, spectral_radius: "
+SCHEMES = {SECOND_ORDER + "1": 12, SECOND_ORDER + "0.8": 12, "integrator: esdirk4": 600}
 
 
-def model(scheme="spectral_radius: 1", duration=12, output="10 ms", more="checkpoint: {every: 0.05 s}\n"):
+def model(scheme=SECOND_ORDER + "1", duration=12, output="10 ms", more="checkpoint: {every: 0.05 s}\n"):
     text = OSCILLATORS.replace("duration: 3.0}}", f"duration: {duration}}}}}")
     return text.replace("{duration: 3.0}", f"{{duration: {duration}, tolerance: 1e-8, output_step: {output}, {scheme}}}") + more
 
@@ -133,7 +134,7 @@ class Stopped(Resumed):
             (self.folder / "out.h5").unlink()
 
     def test_by_a_limit_on_steps_goes_on_with_the_options_of_its_beginning(self):
-        options = ["-pounding_ts_rtol", "1e-6", "-pounding_ts_pounding_radius", "0.9"]
+        options = ["-pounding_ts_rtol", "1e-6", "-pounding_ts_pounding_scheme", "generalized_alpha", "-pounding_ts_pounding_radius", "0.9"]
         self.cut(OSCILLATORS, *options)
         self.done("model.yaml", "-o", "whole.h5", *options)
         again = self.pounding("run", "--resume", "out.h5", "-q", "-pounding_ts_max_steps", "5000")
@@ -280,8 +281,8 @@ class Refused(Resumed):
         self.cut(OSCILLATORS, "-pounding_ts_rtol", "1e-5")
         self.refuse("out.h5: the run began with -pounding_ts_rtol 1e-5, and now there is -pounding_ts_rtol 1e-6",
                     "-pounding_ts_rtol", "1e-6")
-        self.refuse("and now there is -pounding_ts_pounding_scheme esdirk4 -pounding_ts_rtol 1e-5",
-                    "-pounding_ts_pounding_scheme", "esdirk4")
+        self.refuse("and now there is -pounding_ts_pounding_scheme generalized_alpha -pounding_ts_rtol 1e-5",
+                    "-pounding_ts_pounding_scheme", "generalized_alpha")
         self.cut()
         self.refuse("the run began with no option of the time stepping, and now there is -pounding_ts_pounding_radius 0.8",
                     "-pounding_ts_pounding_radius", "0.8")

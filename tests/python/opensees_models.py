@@ -5,7 +5,7 @@ import math
 import numpy as np
 import openseespy.opensees as ops
 
-#: Those of examples/02_two_oscillators.
+#: The numbers of examples/02_two_oscillators.
 MASSES, PERIODS, RATIO, GAP = (100e3, 150e3), (0.8, 0.4), 0.05, 0.02
 STIFFNESS, RESTITUTION = 2.75e9, 0.65
 DURATION = 3.0

@@ -42,7 +42,7 @@ inline double ground(double t) {
   return envelope * (2.6 * std::sin(turn * 1.35 * t) + 1.7 * std::sin(turn * 2.3 * t + 1) + 0.9 * std::sin(turn * 4.1 * t));
 }
 
-/// What is simulated, and the histories that it leaves.
+/// A small simulation, and the histories that it leaves.
 class Run {
  public:
   Run(std::vector<Building> buildings, std::vector<Touch> touches)

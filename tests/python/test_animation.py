@@ -18,10 +18,10 @@ from PIL import Image
 
 import frame_samples
 from pounding import animation
-from pounding.drawing import project
-from pounding.results import read
-from pounding.skeleton import Motion, Scene
-from pounding.style import BadRequest
+from pounding.pictures.drawing import project
+from pounding.runs import read
+from pounding.pictures.scene import Motion, Scene
+from pounding.pictures.style import BadRequest
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
@@ -77,7 +77,7 @@ class Films(unittest.TestCase):
         struck = animation.pressed(run, times) > 0
         for impact in run.impacts:
             frame = np.searchsorted(times, impact["t_start"])
-            self.assertTrue(struck[frame, list(run.links).index(impact["link"].decode())])
+            self.assertTrue(struck[frame, list(run.links).index(impact["link"])])
 
     def test_contact_that_has_not_ended_flashes(self):
         run = self.runs["plane"]

@@ -12,9 +12,10 @@ import numpy as np
 
 import frame_samples
 from pounding import export
-from pounding.results import read
-from pounding.skeleton import Scene, node_displacements
-from pounding.style import BadRequest
+from pounding.runs import read
+from pounding.pictures.geometry import node_displacements
+from pounding.pictures.scene import Scene
+from pounding.pictures.style import BadRequest
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
@@ -75,8 +76,8 @@ class Exports(unittest.TestCase):
         scene = Scene(run)
         for name, structure in run.structures.items():
             np.testing.assert_allclose(grids[name]["points"], scene.at_rest(name))
-            np.testing.assert_array_equal(grids[name]["lines"], scene.bones[name].members)
-            np.testing.assert_allclose(grids[name]["displacement"], node_displacements(structure, scene.bones[name])[step])
+            np.testing.assert_array_equal(grids[name]["lines"], scene.line_models[name].members)
+            np.testing.assert_allclose(grids[name]["displacement"], node_displacements(structure, scene.line_models[name])[step])
         return grids
 
     def test_frames_in_space_point_into_the_results(self):
@@ -142,7 +143,7 @@ except ImportError:
 
 @unittest.skipUnless(vtkIOXdmf2, "the reader of ParaView is not installed (python3 -m pip install vtk)")
 class ReaderOfParaView(Exports):
-    """The same exports, read by VTK."""
+    """Exports as VTK reads them."""
 
     def grids(self, step, place=None):
         reader = vtkIOXdmf2.vtkXdmfReader()

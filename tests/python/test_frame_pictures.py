@@ -13,11 +13,11 @@ import numpy as np
 
 import frame_samples
 from pounding import plots
-from pounding.model_picture import model_figure
-from pounding.profiles import profiles_figure
-from pounding.results import read
-from pounding.skeleton import Scene
-from pounding.style import BadRequest, structure_colour
+from pounding.pictures.model_picture import model_figure
+from pounding.pictures.profiles import profiles_figure
+from pounding.runs import read
+from pounding.pictures.scene import Scene
+from pounding.pictures.style import BadRequest, structure_colour
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
 

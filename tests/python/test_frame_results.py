@@ -11,8 +11,9 @@ import h5py
 import numpy as np
 
 import frame_samples
-from pounding.results import read
-from pounding.skeleton import Motion, Scene, nearest_on_members, node_displacements, skeleton
+from pounding.runs import read
+from pounding.pictures.geometry import line_model, nearest_on_members, node_displacements
+from pounding.pictures.scene import Motion, Scene
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
 
@@ -90,7 +91,7 @@ class Reading(Samples):
 class Nodes(Samples):
     def moved(self, dimension, **options):
         run = self.read(dimension, **options)
-        return {name: node_displacements(s, skeleton(s)) for name, s in run.structures.items()}
+        return {name: node_displacements(s, line_model(s)) for name, s in run.structures.items()}
 
     def expected(self, dimension):
         nodes = {name: frame_samples.grid(dimension, storeys, 0 if name == "tall" else 2 * frame_samples.BAY + frame_samples.GAP)[0]
@@ -115,7 +116,7 @@ class Nodes(Samples):
         run = self.read(2, nodes=7)
         tall = run.structures["tall"]
         tall.nodes.displacement[:, 6, 1] = 0.5
-        self.assertTrue(np.all(node_displacements(tall, skeleton(tall))[:, 6, 2] == 0.5))
+        self.assertTrue(np.all(node_displacements(tall, line_model(tall))[:, 6, 2] == 0.5))
 
     def test_node_between_floors_lies_between_their_motions(self):
         run = self.read(2, nodes="none")
@@ -124,7 +125,7 @@ class Nodes(Samples):
                                                                             tall.geometry.floor_of_node))
         geometry.nodes[6:9, 2] = 4.0  # a quarter of the way from floor 1 to floor 2
         tall = dataclasses.replace(tall, geometry=geometry)
-        moved = node_displacements(tall, skeleton(tall))
+        moved = node_displacements(tall, line_model(tall))
         floors = tall.displacement
         np.testing.assert_allclose(moved[:, 7, 0], 0.75 * floors[:, 0] + 0.25 * floors[:, 1], atol=1e-15)
 
@@ -147,7 +148,7 @@ class Scenes(Samples):
         ends = []
         face = motion.face(link, frame)
         for name, side in ((link.left, 1), (link.right, -1)):
-            nodes = motion.nodes(name, frame) + [side * scene.bones[name].half_width, 0, 0]
+            nodes = motion.nodes(name, frame) + [side * scene.line_models[name].half_width, 0, 0]
             level = nodes[np.abs(scene.at_rest(name)[:, 2] - scene.faces[link.name][2]) < 1e-9]
             ends.append(level[np.argmin(np.linalg.norm(level - face, axis=1)), 0])
         return ends[1] - ends[0]
@@ -155,7 +156,7 @@ class Scenes(Samples):
     def test_sticks_of_a_row_stand_gap_beside_gap(self):
         scene = Scene(self.read_old("row"), 10)
         left, right, far = (scene.at_rest(name)[0, 0] for name in ("left", "right", "far right"))
-        width = 2 * scene.bones["left"].half_width
+        width = 2 * scene.line_models["left"].half_width
         self.assertAlmostEqual(right - left, width + 0.2)
         self.assertAlmostEqual(far - right, width + 0.3)
 

@@ -15,8 +15,8 @@ import numpy as np
 
 import frame_samples
 from pounding import mode_shapes
-from pounding.drawing import project
-from pounding.style import BadRequest
+from pounding.pictures.drawing import project
+from pounding.pictures.style import BadRequest
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 MODEL = """
@@ -46,13 +46,17 @@ def example():
     return modes
 
 
+def plot(modes):
+    return mode_shapes.plot_modes(mode_shapes.read_modes(modes))
+
+
 class ModeShapes(unittest.TestCase):
     def setUp(self):
         warnings.simplefilter("error")
         self.addCleanup(warnings.resetwarnings)
 
     def test_profile_goes_through_the_amplitudes(self):
-        axes = mode_shapes.plot_modes(example()).axes[1]
+        axes = plot(example()).axes[1]
         line = axes.lines[-1]
         np.testing.assert_array_equal(line.get_xdata(), [0, -1.2, -0.5, 1])
         np.testing.assert_array_equal(line.get_ydata(), [0, 3, 6, 10])
@@ -60,7 +64,7 @@ class ModeShapes(unittest.TestCase):
 
     def test_frame_is_deformed_by_its_node_shapes(self):
         modes = example()
-        figure = mode_shapes.plot_modes(modes)
+        figure = plot(modes)
         for name, view, direction in (("plane", "elevation", 0), ("space", "oblique", 1)):
             axes = next(a for a in figure.axes if a.get_title(loc="left").startswith(f"{name}, mode 1"))
             nodes, members = np.array(modes["geometry"][name]["nodes"]), np.array(modes["geometry"][name]["members"])
@@ -78,7 +82,7 @@ class ModeShapes(unittest.TestCase):
         for wrong, words in ((short, r"plane: node_shapes are \(11, 3\) numbers for 12 nodes"),
                              (missing, "plane: node_shapes of mode 1 are missing"), ({"wall": []}, "no mode to draw")):
             with self.assertRaisesRegex(BadRequest, words):
-                mode_shapes.plot_modes(wrong)
+                plot(wrong)
 
     def test_what_the_program_prints_is_drawn(self):
         with tempfile.TemporaryDirectory() as directory:
@@ -89,7 +93,7 @@ class ModeShapes(unittest.TestCase):
             modes.write_text(done.stdout)
             self.assertEqual(mode_shapes.main([str(modes), "-o", str(picture)]), 0)
             self.assertEqual(picture.read_bytes()[1:4], b"PNG")
-            figure = mode_shapes.plot_modes(json.loads(done.stdout))
+            figure = plot(json.loads(done.stdout))
             self.assertTrue(figure.axes[3].get_title(loc="left").startswith("ball, mode 1\nno period"))
 
     def test_other_files_are_refused(self):

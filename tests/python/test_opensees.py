@@ -68,7 +68,7 @@ class TwoOscillators(unittest.TestCase):
         np.testing.assert_array_less(10, coarse / fine)
         np.testing.assert_array_less(fine, 6e-4)
 
-    # Of a step in which the bodies meet, an impulse of the 5/4th power of its length is lost.
+    # A step in which the bodies meet loses an impulse of the 5/4th power of its length.
     def test_jankowski_converges(self):
         coarse, fine = self.errors("jankowski", 2e-3), self.errors("jankowski", 5e-4)
         np.testing.assert_array_less(4 ** 0.95, coarse / fine)

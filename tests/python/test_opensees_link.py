@@ -15,7 +15,8 @@ import unittest
 import numpy as np
 
 import pounding
-from pounding.opensees_link import time_to_close
+from pounding.opensees import LINK_PROCESS
+from pounding.opensees.link_process import time_to_close
 
 SIZE = 8
 MASSES = 100e3, 150e3
@@ -32,7 +33,7 @@ class Element:
     """The part of GenericClient that talks."""
 
     def __init__(self, law, gap=0.01):
-        self.process = subprocess.Popen([sys.executable, "-m", "pounding.opensees_link"], stdin=subprocess.PIPE,
+        self.process = subprocess.Popen([sys.executable, str(LINK_PROCESS)], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, text=True, env=dict(os.environ))
         self.first = self.ask(json.dumps({**law, "gap": gap}))
 

@@ -14,8 +14,10 @@ import h5py
 import numpy as np
 
 from pounding import plots
-from pounding.results import NotResults, read
-from pounding.style import BadRequest
+from pounding.pictures import style
+from pounding.pictures.style import BadRequest
+from pounding.results import NotResults
+from pounding.runs import read
 
 WRITER = os.environ["POUNDING_RESULTS_WRITER"]
 KINDS = ("two", "row", "towers", "alone", "quiet", "running", "failed")
@@ -89,7 +91,7 @@ class Pictures(unittest.TestCase):
     def test_a_top_above_the_links_is_drawn_too(self):
         run = read(self.files["towers"])
         del run.links["slender.6-stiff.6"]
-        run = dataclasses.replace(run, impacts=run.impacts[run.impacts["link"] != b"slender.6-stiff.6"])
+        run = dataclasses.replace(run, impacts=run.impacts[run.impacts["link"] != "slender.6-stiff.6"])
         axes = axes_titled(plots.standard_figure(run), "Displacements")
         self.assertEqual(axes.get_legend_handles_labels()[1], [
             "slender, floor 5", "slender, top", "stiff, floor 5", "stiff, top", "gap, 40 mm at rest"])
@@ -163,9 +165,9 @@ class Pictures(unittest.TestCase):
         self.assertEqual(self.figure("two", title="50 % of $x$").get_suptitle(), "50 % of $x$")
 
     def test_unit_suits_the_size(self):
-        self.assertEqual(plots.engineering(2.4e7, plots.FORCE_UNITS), (1e6, "MN"))
-        self.assertEqual(plots.engineering(4e5, plots.FORCE_UNITS), (1e3, "kN"))
-        self.assertEqual(plots.engineering(0.0, plots.FORCE_UNITS), (1.0, "N"))
+        self.assertEqual(style.engineering(2.4e7, style.FORCE_UNITS), (1e6, "MN"))
+        self.assertEqual(style.engineering(4e5, style.FORCE_UNITS), (1e3, "kN"))
+        self.assertEqual(style.engineering(0.0, style.FORCE_UNITS), (1.0, "N"))
 
 
 class CommandLine(unittest.TestCase):

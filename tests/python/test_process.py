@@ -50,6 +50,26 @@ class Importing(unittest.TestCase):
         """
         self.assertEqual(python(code), "")
 
+    def test_links_for_opensees_are_there_without_opensees(self):
+        self.assertEqual(python("""
+            import sys
+            sys.modules["openseespy"] = None
+            import pounding
+            assert pounding.opensees.link.__name__ == "link" and "opensees" in dir(pounding)
+            assert pounding.from_opensees.__module__ == "pounding.opensees.from_model"
+            assert not {"matplotlib", "h5py"} & set(sys.modules)
+            try:
+                pounding.opensees.link(1, 2, 3, gap=0.0, law="hertz")
+            except ImportError as error:
+                assert "python3 -m pip install openseespy" in str(error)
+            else:
+                raise AssertionError("a link without a model")
+        """), "")
+
+    def test_public_modules_are_attributes(self):
+        for module in ("animation", "contact", "models", "opensees", "results"):
+            self.assertEqual(python(f"import pounding; print(pounding.{module}.__name__)").strip(), f"pounding.{module}")
+
     def test_unknown_names_are_no_attributes(self):
         self.assertEqual(python("""
             import pounding

@@ -41,7 +41,7 @@ class Processes(unittest.TestCase):
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE, env=SURROUNDINGS)
 
     def told(self, code):
-        """What each process tells, in order."""
+        """Lines that each process prints, in order."""
         done = self.on_two(code)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         lines = sorted(done.stdout.splitlines())
@@ -136,7 +136,7 @@ class Uncaught(Processes):
         """)
         done = self.ends(code + "run()", "process 2 of 2 failed alone")
         self.assertIn("radius", done.stderr)
-        # What Open MPI says of the end is lost now and then.
+        # Open MPI's own message about the end is lost now and then.
         done = self.ends(code + "tell(run); tell(run)", error="")
         self.assertRegex(done.stdout, "failed alone(.|\n)*the others still wait in it")
 

@@ -120,7 +120,7 @@ class ResultsFile(unittest.TestCase):
 class KilledRun(unittest.TestCase):
     @staticmethod
     def state(path):
-        """What a write changes, in whatever way it writes."""
+        """Marks of the file that every way of writing changes."""
         status = path.stat()
         return status.st_ino, status.st_mtime_ns, status.st_size
 

@@ -20,6 +20,7 @@ import numpy as np
 import pounding
 from test_models import TWO_OSCILLATORS, two_oscillators
 
+FRAMES = TWO_OSCILLATORS.parents[1] / "07_plane_frames/model.yaml"
 PROGRAM = os.environ["POUNDING_PROGRAM"]
 #: No step resolves a contact as stiff as this.
 UNSOLVABLE = pounding.Model(structures={"a": {"body": {"mass": "100 t"}, "initial_velocity": "1 m/s"},
@@ -32,7 +33,7 @@ def long_model(duration=500.0):
     """Longer than any test waits, unless told otherwise."""
     model = two_oscillators()
     model.ground_motion["harmonic"]["duration"] = duration
-    model.analysis = {"duration": duration, "tolerance": "1e-7", "output_step": "10 ms"}
+    model.analysis = {"duration": duration, "tolerance": "1e-7", "output_step": "10 ms", "integrator": "generalized_alpha"}
     return model
 
 
@@ -79,6 +80,29 @@ class SameAsTheProgram(RunTest):
         np.testing.assert_array_equal(results.structures["left"].displacement, read.structures["left"].displacement)
         self.assertEqual((results.status, len(results.impacts), repr(results)), ("done", 5, repr(read)))
 
+    def test_names_are_text(self):
+        model = two_oscillators()
+        model.structures = {"Büro 1": model.structures["left"], "right": model.structures["right"]}
+        model.links[0]["between"] = ["Büro 1", "right"]
+        model.structures["wall"] = {"wall": {}}
+        model.links.append({"between": ["right", "wall"], "gap": "10 mm", "law": "hertz", "stiffness": 1e9, "name": "ω"})
+        results = pounding.run(model, tolerance=1e-3, output=self.folder / "out.h5")
+        for run in (results, pounding.read(self.folder / "out.h5")):
+            self.assertEqual(set(run.impacts["link"].tolist()), {"Büro 1-right", "ω"})
+            for name, link in run.links.items():
+                self.assertEqual(np.count_nonzero(run.impacts["link"] == name), len(run.impacts_of(name)))
+                self.assertEqual((type(name), type(link.left), type(link.law), type(link.left_end)), (str, str, str, str))
+            self.assertEqual(len(run.impacts_of("ω")) + len(run.impacts_of("Büro 1-right")), len(run.impacts))
+            self.assertEqual({type(structure.kind) for structure in run.structures.values()}, {str})
+            self.assertEqual(set(run.to_pandas()["impacts"]["link"]), {"Büro 1-right", "ω"})
+            self.assertEqual(set(run.to_xarray()["impacts"]["link"].values.tolist()), {"Büro 1-right", "ω"})
+
+    def test_names_of_no_impact_are_text_too(self):
+        model = two_oscillators()
+        model.links[0]["gap"] = "5 m"
+        results = pounding.run(model, tolerance=1e-3)
+        self.assertEqual((results.impacts["link"].dtype.kind, results.impacts["link"].size), ("U", 0))
+
     def test_contact_forces_are_those_of_the_law(self):
         for name in ("jankowski", "hertz_damped", "bilinear_hertz"):
             model = two_oscillators()
@@ -113,7 +137,23 @@ class SameAsTheProgram(RunTest):
         self.assertEqual({name: [mode.period for mode in modes[name]] for name in modes},
                          {name: [mode["period"] for mode in found] for name, found in printed.items()})
         self.assertAlmostEqual(modes["left"][0].period, 0.8, delta=1e-12)
+        self.assertEqual((modes["left"][0].participation.shape, modes["left"][0].shape.shape), ((1,), (1,)))
         self.assertEqual(len(modes.plot().axes), 4)
+
+    def test_modes_of_frames_are_those_of_the_command_and_drawn_as_frames(self):
+        modes = pounding.modes(FRAMES, count=3)
+        printed = json.loads(self.program("modes", FRAMES, "--json", "--count", 3).stdout)
+        self.assertEqual(list(modes), list(printed))
+        for name, found in printed.items():
+            self.assertEqual(len(modes[name]), 3)
+            for mode, told in zip(modes[name], found):
+                self.assertIsInstance(mode, pounding.Mode)
+                self.assertEqual((mode.period, mode.damping_ratio), (told["period"], told["damping_ratio"]))
+                for quantity in ("participation", "effective_mass", "shape"):
+                    np.testing.assert_array_equal(getattr(mode, quantity), told[quantity])
+                self.assertEqual(mode.participation.shape, (3,))
+        # Members at rest and displaced, no profile.
+        self.assertEqual([len(axes.collections) for axes in modes.plot().axes], [2] * 3 * len(modes))
 
 
 class Failures(RunTest):

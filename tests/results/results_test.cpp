@@ -84,6 +84,7 @@ Results small_run() {
   run.energy.input = {0, 5, 9};
   run.energy.kinetic = run.energy.strain = run.energy.damping = run.energy.hysteretic = {0, 1, 2};
   run.energy.impact = run.energy.error = {0, 0, 0.5};
+  run.integrator = "esdirk4";
   run.solver = {.steps = 120, .rejected = 3, .events = 4, .iterations = 300, .wall_seconds = 0.25};
   run.summary_json = R"({"status": "done"})";
   return run;
@@ -300,6 +301,7 @@ TEST_F(ResultsFile, EnergyAndSolverComeBack) {
             (Texts{"time", "input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"}));
   EXPECT_EQ(file.values("/energy/input"), (Values{0, 5, 9}));
   EXPECT_EQ(file.values("/energy/error"), (Values{0, 0, 0.5}));
+  EXPECT_EQ(file.text_attribute("/solver", "integrator"), "esdirk4");
   EXPECT_EQ(file.values("/solver/steps"), Values{120});
   EXPECT_EQ(file.values("/solver/rejected"), Values{3});
   EXPECT_EQ(file.values("/solver/wall_seconds"), Values{0.25});

@@ -86,7 +86,7 @@ std::string grid(const std::string& name, const std::string& origin, const std::
 
 const std::string hertz = "gap: 10 mm, law: hertz, stiffness: 1e9";
 
-// The same pair with its places and its motion reversed: the first of the two ends stands on the right.
+// Reverse the places and the motion of a pair: the first of the two ends stands on the right.
 TEST(Frames, MirroredGiveMirroredResults) {
   const auto pair = [](double a, double b, double amplitude) {
     return test::run_text(fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: 0.5, duration: 2.0}}}}\nstructures:\n", amplitude) +

@@ -79,6 +79,8 @@ double observed_order(const std::vector<double>& errors) {
   return std::log2(errors[errors.size() - 2] / errors.back());
 }
 
+constexpr Scheme alpha(double radius) { return {.kind = Scheme::Kind::generalized_alpha, .spectral_radius = radius}; }
+
 class SpectralRadius : public testing::TestWithParam<double> {};
 
 TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
@@ -90,7 +92,7 @@ TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
   for (const double h : {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512}) {
     Problem p = damped_oscillator(w, z);
     ModalSolver base(p.system);
-    Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = {.spectral_radius = GetParam()}, .max_step = h});
+    Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = alpha(GetParam()), .max_step = h});
     stepper.start(0, p.u, p.v);
     EXPECT_DOUBLE_EQ(stepper.state().a[0], -w * w) << "the initial acceleration balances the equations";
     march(stepper, p.end, h);
@@ -131,7 +133,7 @@ TEST_P(SpectralRadius, AHertzImpactIsSecondOrder) {
   const laws::Hertz law{.stiffness = 2.75e9};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
-  for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, 1.0, h, {.spectral_radius = GetParam()}));
+  for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, 1.0, h, alpha(GetParam())));
   book.near("generalized-alpha: order through a Hertz impact, least squares [-]", order_of(errors), 2.0, 0.15);
   book.near("generalized-alpha: order through a Hertz impact, last two steps [-]", observed_order(errors), 2.0, 0.2);
 }
@@ -144,7 +146,7 @@ TEST_P(SpectralRadius, AKelvinVoigtImpactIsSecondOrderAlthoughItsForceJumps) {
   const laws::KelvinVoigt law{.stiffness = 9.35e7, .restitution = asked, .reduced_mass = 6e4};
   const double duration = laws::free_impact(law, 6e4, 1.0).duration;
   std::vector<double> errors;
-  for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, asked, h, {.spectral_radius = GetParam()}));
+  for (double h = 2e-4; h > 5e-6; h /= 2) errors.push_back(error_after_impact(law, duration, asked, h, alpha(GetParam())));
   book.near("generalized-alpha: order through a Kelvin-Voigt impact, least squares [-]", order_of(errors), 2.0, 0.15);
   book.near("generalized-alpha: order through a Kelvin-Voigt impact, last two steps [-]",
             observed_order(errors), 2.0, 0.2);
@@ -157,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(GeneralizedAlpha, SpectralRadius, testing::Values(1.0, 
 TEST(SpectralRadiusBelowOne, CostsNoMoreStepsThanOne) {
   const auto steps = [](const char* radius) {
     std::string yaml = test::two_oscillators("hertz_damped, stiffness: 2.75e9, restitution: 0.65", 1e-5);
-    yaml.insert(yaml.rfind('}'), std::string(", spectral_radius: ") + radius);
+    yaml.insert(yaml.rfind('}'), std::string(", integrator: generalized_alpha, spectral_radius: ") + radius);
     const Outcome run = test::run_text(yaml);
     EXPECT_LT(run.summary.energy.error, 1e-5);
     return run.summary.solver.steps + run.summary.solver.rejected;
@@ -264,7 +266,7 @@ TEST(ErrorEstimate, FallsWithTheCubeOfTheStep) {
   test::Book book("Orders of the time schemes", "order of the local error", "the next order of the error");
   Problem p = damped_oscillator(7.0, 0.05);
   ModalSolver base(p.system);
-  Stepper stepper(p.system, base, {.tolerance = 1e-3, .max_step = 0.1});
+  Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = alpha(1), .max_step = 0.1});
   stepper.start(0, p.u, p.v);
   ASSERT_TRUE(stepper.try_step(1e-2));
   const double coarse = stepper.error_ratio();

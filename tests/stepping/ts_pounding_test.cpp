@@ -8,6 +8,7 @@
 
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 #include "support/runs.hpp"
 

@@ -71,7 +71,7 @@ std::string pendulum(bool heavy, double velocity, bool in_space = false) {
       heavy, y, y, rod_length, in_space ? "uy, " : "", in_space ? ", rx, rz" : "", rod_spring, rod_mass, velocity);
 }
 
-// Of the turn: m L^2 w^2/2 + k t^2/2 - m g L (1 - cos t) is constant.
+// Energy without the kinetic part, at this turn: m L^2 w^2/2 + k t^2/2 - m g L (1 - cos t) is constant.
 double pendulum_energy(double turn, double g) {
   return 0.5 * rod_spring * turn * turn - rod_mass * g * rod_length * (1 - std::cos(turn));
 }

@@ -255,7 +255,7 @@ TEST(YieldingStoreys, AreRefusedWithAReason) {
                 R"(2:23: structures.a.body: unknown key "yield_force". Allowed: mass, initial_velocity, initial_displacement.)");
 }
 
-// What has yielded before the start is not known.
+// An initial displacement beyond yield is refused: the yielding before the start is not known.
 TEST(YieldingStoreys, AreNotYieldedAtTheStart) {
   const std::string building = "{shear_building: {storeys: 2, mass: 1, stiffness: 1 MN/m, yield_force: 20 kN}, damping: 0, ";
   EXPECT_NO_THROW(test::model_of(structure(building + "initial_displacement: [20 mm, 40 mm]}")));

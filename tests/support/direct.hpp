@@ -19,8 +19,8 @@ struct NamedScheme {
   double order;
 };
 
-inline constexpr NamedScheme schemes[] = {{"midpoint", {}, 2},
-                                          {"damped", {.spectral_radius = 0.8}, 2},
+inline constexpr NamedScheme schemes[] = {{"midpoint", {.kind = Scheme::Kind::generalized_alpha}, 2},
+                                          {"damped", {.kind = Scheme::Kind::generalized_alpha, .spectral_radius = 0.8}, 2},
                                           {"esdirk4", {.kind = Scheme::Kind::esdirk4}, 4}};
 
 inline SparseMatrix diagonal(const std::vector<double>& values) {

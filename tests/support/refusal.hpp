@@ -1,5 +1,5 @@
 #pragma once
-/// What a call refuses with.
+/// Message of the exception with which a call refuses.
 
 #include <stdexcept>
 #include <string>

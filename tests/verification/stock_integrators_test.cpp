@@ -21,6 +21,7 @@
 
 #include <pounding/laws/all.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 #include <pounding/petsc/version.hpp>
 #include "support/book.hpp"
 #include "support/runs.hpp"

@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 MEMBERS, LENGTH, EA, EI, MASS = 4, 1.0, 2e6, 4e4, 50.0
 SPEED, END, GRAVITY = 6.0, 1.0, 9.80665
 
-# Of the rotations, the foot held: 2 EI/L (2 own + other) at both ends of each member.
+# Stiffness of the rotations, the foot held: 2 EI/L (2 own + other) at both ends of each member.
 COUPLING = np.zeros((MEMBERS + 1, MEMBERS + 1))
 for _i in range(MEMBERS):
     COUPLING[_i:_i + 2, _i:_i + 2] += 2 * EI / LENGTH * np.array([[2, 1], [1, 2]])

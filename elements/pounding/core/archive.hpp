@@ -1,44 +1,45 @@
 #pragma once
 /// State as bytes, for going back a step and for checkpoints: one function names the fields, for writing and for reading.
+/// archive_eigen.hpp adds matrices.
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pounding {
 
-/// `archive(x)` appends x when writing and replaces it when reading. The bytes are the machine's own: what is read gives
-/// the same bits, on the same kind of machine and by the same version of the program.
+/// `archive(x)` appends x when writing and replaces it when reading, with the same bits. The bytes are those of this machine:
+/// they are read on the same kind of machine, by the same version of the program.
 class Archive {
  public:
-  /// For writing.
+  /// An empty archive, for writing.
   Archive() = default;
-  /// For reading.
+  /// An archive of these bytes, for reading.
   explicit Archive(std::vector<std::byte> bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
-  /// Whether it reads, and what was written so far or is read.
+  /// True when reading; and the bytes written so far or to be read.
   bool reading() const { return reading_; }
   const std::vector<std::byte>& bytes() const { return bytes_; }
-  /// Starts over: writing into an empty archive, keeping its memory, or reading from the first byte.
+  /// Starts over: empties the archive for writing but keeps its memory, or reads again from the first byte.
   void rewind_for_writing() {
     bytes_.clear();
     reading_ = false;
-    place_ = 0;
+    position_ = 0;
   }
   void rewind_for_reading() {
     reading_ = true;
-    place_ = 0;
+    position_ = 0;
   }
-  /// Throws std::runtime_error unless all was read.
+  /// Throws std::runtime_error unless all bytes were read.
   void expect_end() const {
-    if (place_ != bytes_.size()) throw std::runtime_error("the saved state holds more than is expected");
+    if (position_ != bytes_.size()) throw std::runtime_error("the saved state holds more than is expected");
   }
 
-  /// Values, lists, texts and matrices, with their sizes. Throws std::runtime_error for bytes that end early.
+  /// Values, lists and texts, with their sizes. Throws std::runtime_error for bytes that end early.
   template <class T>
     requires std::is_trivially_copyable_v<T>
   void operator()(T& value) {
@@ -60,12 +61,6 @@ class Archive {
     text.resize(count(text.size()));
     raw(text.data(), text.size());
   }
-  template <int Columns>
-  void operator()(Eigen::Matrix<double, Eigen::Dynamic, Columns>& m) {
-    const std::size_t rows = count(static_cast<std::size_t>(m.rows())), columns = count(static_cast<std::size_t>(m.cols()));
-    m.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
-    raw(m.data(), sizeof(double) * static_cast<std::size_t>(m.size()));
-  }
   /// A class with a member `void archive(Archive&)`.
   template <class T>
     requires requires(T& value, Archive& archive) { value.archive(archive); }
@@ -74,13 +69,21 @@ class Archive {
   {
     value.archive(*this);
   }
+  /// A type of another library: `archive_value(Archive&, T&)` in this namespace, as in archive_eigen.hpp.
+  template <class T>
+    requires requires(T& value, Archive& archive) { archive_value(archive, value); }
+  void operator()(T& value) {
+    archive_value(*this, value);
+  }
 
- private:
+  /// The parts that such a function is made of. A number of items: written, or read and returned. Throws std::runtime_error
+  /// for a number that the bytes cannot hold.
   std::size_t count(std::size_t size) {
     (*this)(size);
     if (reading_ && size > bytes_.size()) throw std::runtime_error("the saved state is damaged");
     return size;
   }
+  /// `size` bytes at `data`: written, or read into it.
   void raw(void* data, std::size_t size) {
     if (size == 0) return;
     if (!reading_) {
@@ -88,14 +91,15 @@ class Archive {
       bytes_.insert(bytes_.end(), first, first + size);
       return;
     }
-    if (place_ + size > bytes_.size()) throw std::runtime_error("the saved state ends early");
-    std::memcpy(data, bytes_.data() + place_, size);
-    place_ += size;
+    if (position_ + size > bytes_.size()) throw std::runtime_error("the saved state ends early");
+    std::memcpy(data, bytes_.data() + position_, size);
+    position_ += size;
   }
 
+ private:
   std::vector<std::byte> bytes_;
   bool reading_ = false;
-  std::size_t place_ = 0;
+  std::size_t position_ = 0;
 };
 
 }  // namespace pounding

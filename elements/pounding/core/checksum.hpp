@@ -1,5 +1,5 @@
 #pragma once
-/// Tells whether data have changed.
+/// A checksum that shows whether data have changed.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace pounding {
 
-/// A 64-bit number that follows from everything that was added, in its order. One changed bit always changes it, other
-/// damage nearly always; it does not resist intention.
+/// A 64-bit number from everything that was added, in that order. One changed bit always changes it, other damage nearly
+/// always; it gives no protection against deliberate changes.
 class Checksum {
  public:
-  /// Adds bytes, their number included.
+  /// Adds the number of bytes and the bytes.
   void add(const void* data, std::size_t size) {
     mix(size);
     const auto* bytes = static_cast<const unsigned char*>(data);
@@ -35,11 +35,11 @@ class Checksum {
   void add(const std::vector<T>& values) {
     add(values.data(), sizeof(T) * values.size());
   }
-  /// In hexadecimal.
+  /// The number in hexadecimal.
   std::string text() const { return fmt::format("{:016x}", value_); }
 
  private:
-  // Both steps can be undone, so that two different words never give the same number. Constants of FNV-1a.
+  // Both steps are invertible, so that two different words never give the same number. Constants of FNV-1a.
   void mix(std::uint64_t word) {
     value_ = (value_ ^ word) * 0x100000001b3;
     value_ ^= value_ >> 32;

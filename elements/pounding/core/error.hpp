@@ -1,5 +1,5 @@
 #pragma once
-/// Errors that users meet, and the search for the name they probably meant.
+/// Errors for users, and the search for the name that was probably meant.
 
 #include <span>
 #include <stdexcept>
@@ -8,19 +8,19 @@
 
 namespace pounding {
 
-/// Wrong input. The text says where, what was read, what is allowed and what to type. The program ends with exit code 2.
+/// Wrong input. The text says where it is, what was read, what is allowed and what to type. Exit code 2 of the program.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A solve that failed. The text says at which time and why. The program ends with exit code 3.
+/// A solve that failed. The text says at which time and why. Exit code 3 of the program.
 class SolverError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The allowed name nearest to `read` by edit distance, or an empty view when none is near.
+/// The allowed name nearest to `read`, or an empty view when none is near; see laws/nearest_name.hpp.
 std::string_view nearest_name(std::string_view read, std::span<const std::string_view> allowed);
 
 /// ` Did you mean "hertz_damped"?` when a near name exists; otherwise ` Allowed: a, b, c.`

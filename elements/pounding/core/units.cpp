@@ -208,7 +208,7 @@ class UnitReader {
   std::size_t position_ = 0;
 };
 
-/// Reads the number that `text` begins with and returns what follows it; nothing when there is no finite number.
+/// Reads the number at the beginning of `text` and returns the rest; nothing when there is no finite number.
 std::optional<std::string_view> leading_number(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '+') {
     text.remove_prefix(1);
@@ -228,7 +228,7 @@ struct Scale {
   std::string_view unit;
 };
 
-/// Units for reports, largest first; the first one that the value reaches is taken, the last one otherwise.
+/// Units for reports, largest first: the first unit not larger than the value is used, else the last one.
 std::vector<Scale> report_scales(const Dimension& d) {
   if (d == dimension::length) return {{1, "m"}, {1e-3, "mm"}};
   if (d == dimension::time) return {{1, "s"}, {1e-3, "ms"}};

@@ -1,12 +1,12 @@
 #pragma once
-/// Quantities with units: what a text such as "20 mm" or "93500 kN/m" means in SI, and how a value is shown in a report.
+/// Quantities with units: reads texts such as "20 mm" or "93500 kN/m" into SI, and writes values for reports.
 
 #include <string>
 #include <string_view>
 
 namespace pounding {
 
-/// What the unit `g` stands for [m/s^2].
+/// Value of the unit `g` [m/s^2].
 inline constexpr double standard_gravity = 9.80665;
 
 /// Exponents of mass, length and time. Angles and ratios have none.
@@ -16,7 +16,7 @@ struct Dimension {
   bool operator==(const Dimension&) const = default;
 };
 
-/// The dimensions that inputs take.
+/// The dimensions of the inputs.
 namespace dimension {
 inline constexpr Dimension none{};
 inline constexpr Dimension mass{1, 0, 0};
@@ -42,7 +42,7 @@ inline constexpr Dimension mass_per_area{1, -2, 0};
 inline constexpr Dimension rotational_inertia{1, 2, 0};
 }  // namespace dimension
 
-/// A unit: its dimension, and its value in SI.
+/// A unit: its dimension, and its value in SI units.
 struct Unit {
   Dimension dimension;
   double factor = 1;
@@ -54,24 +54,24 @@ struct Unit {
 /// Throws InputError for an unknown unit, with the nearest known one, and for "kN/m s", which can be read in two ways.
 Unit parse_unit(std::string_view unit);
 
-/// The dimension of a unit; errors as parse_unit.
+/// The dimension of a unit; throws as parse_unit.
 Dimension parse_unit_dimension(std::string_view unit);
 
-/// Value in SI of a bare number (taken as SI) or of a number with its unit. Throws InputError, without a place, for
-/// another dimension, an unknown unit, a text that is no number, NaN and infinity:
+/// Value in SI of a number with its unit, or of a bare number, which counts as SI. Throws InputError, without line and
+/// column, for another dimension, an unknown unit, a text that is no number, NaN and infinity:
 ///     takes a length such as "20 mm"; "20 kN" is a force
 double parse_quantity(std::string_view text, const Dimension& expected);
 
-/// A finite number and nothing else, such as "2.75e9". False when the text is anything else.
+/// Reads a finite number such as "2.75e9". False when the text is anything else, or more than that.
 bool parse_number(std::string_view text, double& value);
 
 /// The SI unit of a dimension: "N/m", "m/s^2", "N/m^1.5"; "" for a pure number.
 std::string unit_text(const Dimension& dimension);
 
-/// What a dimension is called: "a length", "a stiffness", else "a quantity in N/m^1.2".
+/// Name of a dimension: "a length", "a stiffness", else "a quantity in N/m^1.2".
 std::string quantity_name(const Dimension& dimension);
 
-/// A value of this dimension as one would type it: "20 mm".
+/// An example of a value with this dimension, as a user types it: "20 mm".
 std::string quantity_example(const Dimension& dimension);
 
 /// A value for a report, `digits` significant digits, in the unit an engineer would choose: "20 mm", "1.27 MN", "3.5 t".

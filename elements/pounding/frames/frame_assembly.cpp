@@ -8,44 +8,30 @@
 
 #include <pounding/frames/frame_dofs.hpp>
 #include <pounding/frames/static_solver.hpp>
+#include <pounding/structures/massless.hpp>
 #include <pounding/core/units.hpp>
 
 namespace pounding {
 
-using Eigen::SparseMatrix;
 using Eigen::Triplet;
 using Eigen::Vector3d;
 using namespace frame_dofs;
 
 namespace {
 
-SparseMatrix<double> symmetric(const SparseMatrix<double>& m) { return 0.5 * (m + SparseMatrix<double>(m.transpose())); }
-
-// The rows and columns that are picked.
-SparseMatrix<double> block(const SparseMatrix<double>& matrix, const std::vector<bool>& picked, int count) {
-  std::vector<int> to(picked.size(), -1);
-  for (std::size_t j = 0, next = 0; j < picked.size(); ++j)
-    if (picked[j]) to[j] = static_cast<int>(next++);
-  std::vector<Triplet<double>> entries;
-  for (int j = 0; j < matrix.outerSize(); ++j)
-    for (SparseMatrix<double>::InnerIterator it(matrix, j); it; ++it)
-      if (picked[j] && picked[it.row()]) entries.emplace_back(to[it.row()], to[j], it.value());
-  SparseMatrix<double> part(count, count);
-  part.setFromTriplets(entries.begin(), entries.end());
-  return part;
-}
+SparseMatrix symmetric(const SparseMatrix& m) { return 0.5 * (m + SparseMatrix(m.transpose())); }
 
 // A motion without inertia that is no single unknown, such as the turning of a rigid floor with its mass at one node
 // other than the master, would leave the accelerations undetermined.
-void require_regular(const SparseMatrix<double>& mass, const AssembledFrame& frame) {
+void require_regular(const SparseMatrix& mass, const AssembledFrame& frame) {
   std::vector<Triplet<double>> entries;
   for (int j = 0; j < mass.outerSize(); ++j) {
     if (frame.massless[j]) entries.emplace_back(j, j, 1.0);
-    for (SparseMatrix<double>::InnerIterator it(mass, j); it; ++it) entries.emplace_back(it.row(), j, it.value());
+    for (SparseMatrix::InnerIterator it(mass, j); it; ++it) entries.emplace_back(it.row(), j, it.value());
   }
-  SparseMatrix<double> padded(mass.rows(), mass.cols());
+  SparseMatrix padded(mass.rows(), mass.cols());
   padded.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<SparseMatrix<double>> factor(padded);
+  const Eigen::SimplicialLDLT<SparseMatrix> factor(padded);
   const Eigen::VectorXd pivots = factor.permutationPinv() * factor.vectorD();
   for (int j = 0; j < mass.rows(); ++j)
     if (!(pivots[j] > 1e-12 * padded.coeff(j, j)))
@@ -108,7 +94,7 @@ void Frame::trace(AssembledFrame& frame) const {
 }
 
 // Of all displacements: the entries at the nodes and the members' matrices.
-SparseMatrix<double> Frame::gathered(const Entries& nodal, Matrix12 (Beam::*of_member)() const) const {
+SparseMatrix Frame::gathered(const Entries& nodal, Matrix12 (Beam::*of_member)() const) const {
   Entries entries = nodal;
   for (const Member& member : members_) {
     const Matrix12 matrix = (member.beam.*of_member)();
@@ -121,7 +107,7 @@ SparseMatrix<double> Frame::gathered(const Entries& nodal, Matrix12 (Beam::*of_m
       for (const auto& [column, j] : rows)
         if (matrix(i, j) != 0) entries.emplace_back(row, column, matrix(i, j));
   }
-  SparseMatrix<double> sum(nodes() * dofs(), nodes() * dofs());
+  SparseMatrix sum(nodes() * dofs(), nodes() * dofs());
   sum.setFromTriplets(entries.begin(), entries.end());
   return sum;
 }
@@ -153,10 +139,10 @@ AssembledFrame Frame::assemble(bool gravity) const {
   out.positions = positions_;
   for (int node = 0; node < nodes(); ++node) out.node_names.push_back(node_name(node));
   trace(out);
-  const SparseMatrix<double> t = out.transform;
-  const SparseMatrix<double> mass = gathered(masses_, &Beam::mass);
+  const SparseMatrix t = out.transform;
+  const SparseMatrix mass = gathered(masses_, &Beam::mass);
   const int n = static_cast<int>(t.cols()), all = static_cast<int>(t.rows());
-  SparseMatrix<double> dashpots(all, all);
+  SparseMatrix dashpots(all, all);
   dashpots.setFromTriplets(dashpots_.begin(), dashpots_.end());
   out.stiffness = symmetric(t.transpose() * gathered(springs_, &Beam::stiffness) * t);
   out.damping = symmetric(t.transpose() * dashpots * t);
@@ -197,7 +183,7 @@ void Frame::require_motion(const AssembledFrame& frame) const {
   std::vector<int> massless;
   for (int j = 0; j < frame.size(); ++j)
     if (frame.massless[j]) massless.push_back(j);
-  const StaticSolver light(block(frame.stiffness, frame.massless, static_cast<int>(massless.size())));
+  const StaticSolver light(submatrix(frame.stiffness, massless, massless));
   if (light.holds()) return;
   Eigen::VectorXd mode = Eigen::VectorXd::Zero(frame.size());
   mode(massless) = light.mode();

@@ -62,7 +62,7 @@ struct Moved {
   double velocity = 0, displacement = 0;
 };
 
-// By a = amplitude sin(w s) from rest at s = 0.
+// Integrals of a = amplitude sin(w s) from rest at s = 0.
 Moved moved_by_sine(double amplitude, double w, double s) {
   const double half = std::sin(0.5 * w * s);
   return {2 * amplitude / w * half * half, amplitude / w * (s - std::sin(w * s) / w)};

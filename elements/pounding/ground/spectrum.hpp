@@ -1,5 +1,5 @@
 #pragma once
-/// Elastic response spectra, and the oscillator step they are made of.
+/// Elastic response spectra, and the exact oscillator step that they are computed with.
 
 #include <span>
 #include <vector>

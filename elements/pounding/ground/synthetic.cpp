@@ -26,7 +26,7 @@ class NormalNumbers {
   }
 
  private:
-  /// In (0, 1]: the upper 53 bits, moved off zero, where the logarithm ends.
+  /// A number in (0, 1] from the upper 53 bits; zero is excluded because of the logarithm.
   double uniform() { return (static_cast<double>(bits_() >> 11) + 1) * 0x1p-53; }
 
   std::mt19937_64 bits_;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <pounding/laws/free_impact.hpp>
+#include <pounding/laws/compiled.hpp>
 
 namespace pounding {
 

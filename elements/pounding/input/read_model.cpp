@@ -9,6 +9,7 @@
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/structure_input.hpp>
+#include <pounding/model/ground_plan.hpp>
 
 namespace pounding {
 namespace {
@@ -33,7 +34,9 @@ AnalysisSettings read_analysis(const Input& input, const Model& model) {
       settings.scheme.kind = Scheme::kind_of(integrator->as_choice("integrator", Scheme::names));
     if (const auto radius = node->find("spectral_radius")) {
       if (settings.scheme.kind != Scheme::Kind::generalized_alpha)
-        radius->fail(fmt::format("belongs to generalized_alpha; leave it out with integrator: {}", settings.scheme.name()));
+        radius->fail(node->find("integrator")
+                         ? fmt::format("belongs to generalized_alpha; leave it out with integrator: {}", settings.scheme.name())
+                         : "belongs to generalized_alpha; type integrator: generalized_alpha beside it");
       settings.scheme.spectral_radius = radius->as_quantity(dimension::none, bounds::from_0_to_1);
     }
     settings.max_step = node->quantity_or("max_step", dimension::time, 0, bounds::positive);

@@ -28,7 +28,7 @@ struct TwoFrequencies {
   std::string note;
 };
 
-int count_of_modes(const Structure& s) { return static_cast<int>(unknowns_with_mass(s.mass).size()); }
+int count_of_modes(const Structure& s) { return static_cast<int>(split_by_mass(s.mass).dynamic.size()); }
 
 TwoFrequencies rayleigh_points(const Input& node, const Structure& s, const ModeSolver& solver) {
   const int count = count_of_modes(s);

@@ -1,5 +1,5 @@
 #pragma once
-/// Laws by name, for a variant of laws: the catalogue, making a law from settings, and describing a made law. Everything
+/// Laws by name, for any variant of laws: the catalogue, making a law from settings, and describing a made law. Everything
 /// is read from the laws' own tables. all.hpp applies it to the laws of this library.
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 
 #include <pounding/laws/checks.hpp>
 #include <pounding/laws/law.hpp>
+#include <pounding/laws/nearest_name.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
@@ -32,7 +33,7 @@ struct Settings {
   std::map<std::string, double, std::less<>> values{};  ///< the law's own parameters
 };
 
-/// What the tables of a law say.
+/// One law of the catalogue, read from the tables of its struct.
 struct Entry {
   std::string_view name, shape, summary, source;
   std::string_view symbols;  ///< what the letters of the shape mean, with units, beside F, d, d', v and m
@@ -83,7 +84,8 @@ inline std::string resolved_unit(std::string_view unit, double exponent) {
   return text;
 }
 
-/// The dimensionless damping number of a law at this closing speed [m/s], which Entry::number names; 0 without damping.
+/// Dimensionless damping number of a made law at this closing speed [m/s]; Entry::number gives its name. 0 for a law without
+/// damping. Throws std::invalid_argument where the formula has no value for the law's restitution.
 template <class... L>
 double damping_number(const std::variant<L...>& law, double closing_speed) {
   return std::visit(
@@ -94,7 +96,8 @@ double damping_number(const std::variant<L...>& law, double closing_speed) {
       law);
 }
 
-/// Its coefficient at this closing speed [m/s], in the unit that Entry::coefficient names; 0 without damping.
+/// Damping coefficient of a made law at this closing speed [m/s], in the unit of Entry::coefficient; 0 for a law without
+/// damping. Throws as damping_number does.
 template <class... L>
 double damping_coefficient(const std::variant<L...>& law, double closing_speed) {
   return std::visit(
@@ -106,33 +109,6 @@ double damping_coefficient(const std::variant<L...>& law, double closing_speed) 
 }
 
 namespace by_name {
-
-/// Insertions, deletions and replacements between two words.
-inline std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = std::exchange(row[j], std::min({replaced, row[j] + 1, row[j - 1] + 1}));
-    }
-  }
-  return row[b.size()];
-}
-
-/// ` Did you mean "hertz"?` when a name is near, else ` Allowed: a, b.`
-inline std::string hint(std::string_view read, const std::vector<std::string_view>& allowed) {
-  std::string_view nearest;
-  std::size_t least = read.size() / 3 + 2;
-  std::string list;
-  for (const std::string_view name : allowed) {
-    if (const std::size_t d = edit_distance(read, name); d < least) least = d, nearest = name;
-    list += (list.empty() ? "" : ", ") + std::string(name);
-  }
-  if (!nearest.empty()) return " Did you mean \"" + std::string(nearest) + "\"?";
-  return list.empty() ? "" : " Allowed: " + list + ".";
-}
 
 /// The `name` of each of these.
 template <class Range>
@@ -152,7 +128,7 @@ inline constexpr auto parameter_infos = [] {
 template <class L>
 inline constexpr bool has_formulas = requires { L::formulas; };
 
-/// What the members of a law say about it.
+/// The catalogue entry of a law, from its members.
 template <class L>
 constexpr Entry entry() {
   Entry e{.name = L::name,
@@ -188,7 +164,7 @@ struct List<std::variant<L...>> {
   static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
 };
 
-/// Sets a parameter by its name [SI]. Throws std::invalid_argument for a name that the law has not.
+/// Sets a parameter by its name, value in SI. Throws std::invalid_argument for a name that the law does not have.
 template <class L>
 void set(L& law, std::string_view name, double value) {
   std::vector<std::string_view> known;
@@ -201,10 +177,10 @@ void set(L& law, std::string_view name, double value) {
       law.*p.choice = value;
     return;
   }
-  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + hint(name, known));
+  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + suggestion(name, known));
 }
 
-/// The law with these settings, checked. Throws std::invalid_argument for what is missing, unknown or out of range.
+/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <class L>
 L make(const Settings& s) {
   const std::string law_name(L::name);
@@ -229,7 +205,7 @@ L make(const Settings& s) {
     if constexpr (has_formulas<L>) {
       const auto found = std::ranges::find(L::formulas, s.formula, &Formula::name);
       if (found == L::formulas.end())
-        throw std::invalid_argument(law_name + " has no formula \"" + s.formula + "\"." + hint(s.formula, names(L::formulas)));
+        throw std::invalid_argument(law_name + " has no formula \"" + s.formula + "\"." + suggestion(s.formula, names(L::formulas)));
       if (!s.restitution)
         throw std::invalid_argument("formula \"" + s.formula + "\" needs a restitution to find the damping of " + law_name);
       law.formula = found->function;
@@ -247,11 +223,11 @@ L make(const Settings& s) {
   return law;
 }
 
-/// The same for the law that the settings name.
+/// The law of the variant Any that the settings name, checked. Throws as make does, and for an unknown name.
 template <class Any, std::size_t I = 0>
 Any make_any(const Settings& s) {
   if constexpr (I == std::variant_size_v<Any>) {
-    throw std::invalid_argument("unknown law \"" + s.law + "\"." + hint(s.law, names(List<Any>::entries)));
+    throw std::invalid_argument("unknown law \"" + s.law + "\"." + suggestion(s.law, names(List<Any>::entries)));
   } else {
     using L = std::variant_alternative_t<I, Any>;
     if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));
@@ -291,4 +267,26 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
 }
 
 }  // namespace by_name
+
+/// The parameters of a made law, its damping number and its coefficient, for reports. Where the coefficient depends on the
+/// closing speed, it holds for `closing_speed` [m/s], which is then listed too.
+template <class... L>
+std::vector<ResolvedValue> describe(const std::variant<L...>& law, double closing_speed = 1) {
+  return std::visit([&](const auto& chosen) { return by_name::describe(chosen, closing_speed); }, law);
+}
+
+/// The formula that calibrates a made law; empty when its damping was given directly or it has none.
+template <class... L>
+std::string_view formula_name(const std::variant<L...>& law) noexcept {
+  return std::visit(
+      [](const auto& chosen) -> std::string_view {
+        if constexpr (requires { chosen.formula; })
+          if (chosen.restitution)
+            for (const Formula& f : chosen.formulas)
+              if (f.function == chosen.formula) return f.name;
+        return {};
+      },
+      law);
+}
+
 }  // namespace pounding::laws

@@ -1,5 +1,5 @@
 #pragma once
-/// Refusals that say which parameter, what was read, and what is allowed. All throw std::invalid_argument.
+/// Checks of parameters. They throw std::invalid_argument with the parameter, the value that was read, and the allowed range.
 
 #include <charconv>
 #include <cmath>
@@ -18,12 +18,12 @@ inline std::string number_text(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-/// Throws std::invalid_argument: NAME is VALUE, but must be ALLOWED.
+/// Throws std::invalid_argument with the text "NAME is VALUE, but must be ALLOWED".
 [[noreturn]] inline void refuse(std::string_view name, double value, std::string_view allowed) {
   throw std::invalid_argument(std::string(name) + " is " + number_text(value) + ", but must be " + std::string(allowed));
 }
 
-/// Each throws std::invalid_argument unless the value is as its name says; a value that was not given is right.
+/// Throws std::invalid_argument unless the value is finite and positive. In all checks a value that was not given is allowed.
 inline void require_positive(std::string_view name, double value) {
   if (!(std::isfinite(value) && value > 0)) refuse(name, value, "finite and positive");
 }
@@ -32,22 +32,22 @@ inline void require_positive(std::string_view name, const std::optional<double>&
   if (value) require_positive(name, *value);
 }
 
-/// See require_positive.
+/// Throws std::invalid_argument unless the value is finite and not negative.
 inline void require_not_negative(std::string_view name, const std::optional<double>& value) {
   if (value && !(std::isfinite(*value) && *value >= 0)) refuse(name, *value, "finite and not negative");
 }
 
-/// A restitution lies in (0, 1].
+/// Throws std::invalid_argument unless the restitution lies in (0, 1].
 inline void require_restitution(const std::optional<double>& value) {
   if (value && !(*value > 0 && *value <= 1)) refuse("restitution", *value, "in (0, 1]");
 }
 
-/// Below 1 the stiffness at the touch would be infinite.
+/// Throws std::invalid_argument for an exponent below 1, with which the stiffness at the touch would be infinite.
 inline void require_exponent(double value) {
   if (!(std::isfinite(value) && value >= 1)) refuse("exponent", value, "finite and at least 1");
 }
 
-/// Damping comes from a restitution or from one direct value.
+/// Throws std::invalid_argument unless damping is given exactly once: by a restitution or by one direct value.
 inline void require_one_damping(std::string_view law, const std::optional<double>& restitution,
                                 std::initializer_list<std::pair<std::string_view, const std::optional<double>*>> direct) {
   std::string names = "restitution", given;
@@ -65,7 +65,7 @@ inline void require_one_damping(std::string_view law, const std::optional<double
     throw std::invalid_argument(std::string(law) + " takes its damping once, but " + given + " are given; keep one of them");
 }
 
-/// A design velocity that nothing uses is a misunderstanding, not a detail.
+/// Throws std::invalid_argument for a design velocity beside a direct coefficient, where it would have no effect.
 inline void require_velocity_used(const std::optional<double>& impact_velocity, const std::optional<double>& coefficient) {
   if (impact_velocity && coefficient)
     throw std::invalid_argument("impact_velocity has no effect beside damping_coefficient; leave one of them out");

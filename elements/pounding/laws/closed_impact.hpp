@@ -57,7 +57,7 @@ inline FreeImpact oscillator_approach(double k, double z, double m, double v) {
   return r;
 }
 
-/// Laws without a closed form, and laws of users.
+/// For laws without a closed form, and laws of users: no value is known.
 template <class L>
 FreeImpact closed_impact(const L&, double, double) {
   return {};
@@ -155,7 +155,7 @@ inline FreeImpact closed_impact(const BilinearHertz& law, double m, double v) {
                        m, v);
 }
 
-/// An infinite force in no time.
+/// An infinite force of zero duration.
 inline FreeImpact closed_impact(const Stereomechanical& law, double m, double v) {
   return with_momentum({.restitution = law.restitution,
                         .peak_force = std::numeric_limits<double>::infinity(),

@@ -35,13 +35,15 @@ FreeImpact free_impact(const L& law, double reduced_mass, double closing_speed) 
   return known;
 }
 
-/// The same for a law chosen by name.
-inline FreeImpact free_impact(const AnyLaw& law, double reduced_mass, double closing_speed) {
+/// free_impact for a law chosen by name; throws as it does.
+template <class... L>
+FreeImpact free_impact(const std::variant<L...>& law, double reduced_mass, double closing_speed) {
   return std::visit([&](const auto& chosen) { return free_impact(chosen, reduced_mass, closing_speed); }, law);
 }
 
 /// integrated_free_impact for a law chosen by name; throws std::invalid_argument for an instantaneous law.
-inline FreeImpact integrated_free_impact(const AnyLaw& law, double reduced_mass, double closing_speed) {
+template <class... L>
+FreeImpact integrated_free_impact(const std::variant<L...>& law, double reduced_mass, double closing_speed) {
   return std::visit(
       [&](const auto& chosen) -> FreeImpact {
         if constexpr (instantaneous<std::decay_t<decltype(chosen)>>)

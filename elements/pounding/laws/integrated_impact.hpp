@@ -16,7 +16,7 @@
 
 namespace pounding::laws {
 
-/// What a free impact of two bodies gives.
+/// Result of a free impact of two bodies.
 struct FreeImpact {
   double restitution = 0;       ///< separation speed over closing speed [-]
   double peak_force = 0;        ///< [N]; infinite for an instantaneous law
@@ -26,10 +26,10 @@ struct FreeImpact {
   double energy_lost = 0;       ///< work done on the link and not given back [J]
   double impulse = 0;           ///< integral of the force [N s]
 
-  /// Which values are closed forms; the others are integrated.
+  /// True for values in closed form; the others are integrated.
   struct Known {
     bool restitution = false, peak_force = false, time_of_peak = false, peak_penetration = false, duration = false;
-    /// Nothing had to be integrated.
+    /// True when nothing has to be integrated.
     bool all() const noexcept { return restitution && peak_force && time_of_peak && peak_penetration && duration; }
   } closed_form{};
 };
@@ -60,9 +60,9 @@ class ImpactIntegration {
  private:
   using State = std::array<double, 4>;
   static constexpr double tolerance = 1e-13;
-  static constexpr int most_steps = 20000;
+  static constexpr int max_steps = 20000;
 
-  /// A length within which the force stops the bodies, to a factor of two.
+  /// Penetration at which the force stops the bodies, to a factor of two [m].
   double scale() const {
     const double energy = mass_ * speed_ * speed_;
     double d = 1;
@@ -76,7 +76,7 @@ class ImpactIntegration {
   double uncut_force(const State& y) const noexcept { return uncut(y).force * length_ / (mass_ * speed_ * speed_); }
   double force(const State& y) const noexcept {
     const double f = uncut_force(y);
-    return may_pull<L> ? f : std::max(f, 0.0);
+    return may_pull<L> ? f : no_tension(f);
   }
   double force_rate(const State& y) const noexcept {
     const Response r = uncut(y);
@@ -99,7 +99,7 @@ class ImpactIntegration {
   void advance(double step, Clock&& clock, ClockSlope&& clock_slope, Ended&& ended) {
     const auto f = [&](double at, const State& y) { return slope(y, clock_slope(at)); };
     double x = 0;
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < max_steps; ++i) {
       const auto try_step = [&](double h) { return extrapolated_step<4>(f, x, state_, h, tolerance); };
       auto trial = try_step(step);
       const auto shorten = [&](const std::optional<double>& to) {

@@ -1,6 +1,6 @@
 #pragma once
-/// What every contact law shares: its answer, what it may know of the impact, the no-tension cut, and how an impact
-/// begins and is kept.
+/// Shared by all contact laws: their answer, the history of an impact that they may use, the no-tension rule, and how that
+/// history begins and moves.
 ///
 /// A law is a plain struct with parameters as members and
 ///
@@ -24,7 +24,7 @@
 
 namespace pounding::laws {
 
-/// x, or +0. A mask: on an array of states in no order a branch would cost more than most laws.
+/// x where `kept`, else +0. A bit mask: on arrays of unordered states a mispredicted branch would cost more than most laws.
 constexpr double only_if(bool kept, double x) noexcept {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & -std::uint64_t{kept});
 }
@@ -36,12 +36,12 @@ struct Response {
   double by_rate = 0;         ///< dF/dd' [N s/m]
 };
 
-/// The answer, or all zero.
+/// The answer where `kept`, else all zeros.
 constexpr Response only_if(bool kept, const Response& r) noexcept {
   return {only_if(kept, r.force), only_if(kept, r.by_penetration), only_if(kept, r.by_rate)};
 }
 
-/// What a law may know of the impact it is in. Written by the link, at kept states only.
+/// History of the present impact, all that a law may use beside the state. The link writes it, at kept states only.
 struct Impact {
   double closing_speed = 0;        ///< rate at the touch, or the fixed design velocity [m/s]
   double damping = 0;              ///< the law's coefficient for this impact, in the law's own unit
@@ -49,10 +49,12 @@ struct Impact {
   double slip = 0;                 ///< plastic slip of laws that have one [m]
 };
 
-/// Contact cannot pull: a negative force becomes zero, with zero slopes.
+/// The no-tension rule, for a force [N]: contact cannot pull, so a force that is not positive becomes +0.
+constexpr double no_tension(double force) noexcept { return only_if(force > 0, force); }
+/// The no-tension rule, for force and slopes: all are zero where the force is not positive.
 constexpr Response no_tension(const Response& r) noexcept { return only_if(r.force > 0, r); }
 
-/// Where a damping formula divides by the closing speed, a slower touch counts as this fast [m/s].
+/// Lower bound of the closing speed in damping formulas, which divide by it [m/s].
 inline constexpr double slowest_closing_speed = 1e-6;
 
 /// The speed that calibrates an impact [m/s]: the fixed design velocity when there is one, else the fresh closing speed,
@@ -61,28 +63,28 @@ constexpr double calibration_speed(const std::optional<double>& impact_velocity,
   return std::max(impact_velocity.value_or(closing_speed), slowest_closing_speed);
 }
 
-/// The law pulls at the end of an impact, as published.
+/// True for a law that pulls at the end of an impact, as published: it is exempt from the no-tension rule.
 template <class L>
 inline constexpr bool may_pull = [] {
   if constexpr (requires { L::may_pull; }) return L::may_pull;
   return false;
 }();
 
-/// The contact ends where the force reaches zero, and the penetration left is added to the gap.
+/// True where the contact ends as the force reaches zero, and the penetration left then is added to the gap.
 template <class L>
 inline constexpr bool leaves_indentation = [] {
   if constexpr (requires { L::leaves_indentation; }) return L::leaves_indentation;
   return false;
 }();
 
-/// The law is a jump of the velocity at the touch; it has no force history.
+/// True for a law that is a jump of the velocity at the touch; it has no force history.
 template <class L>
 inline constexpr bool instantaneous = [] {
   if constexpr (requires { L::instantaneous; }) return L::instantaneous;
   return false;
 }();
 
-/// The law has a coefficient that is calibrated at each impact.
+/// True for a law with a coefficient that is calibrated at each impact.
 template <class L>
 inline constexpr bool has_damping = requires(const L& law) { law.damping_for(1.0); };
 
@@ -102,8 +104,8 @@ void keep(const L& law, double penetration, double rate, Impact& impact) noexcep
   if constexpr (requires { law.keep(penetration, rate, impact); }) law.keep(penetration, rate, impact);
 }
 
-/// What acts on the bodies: nothing across an open gap, and no pull unless the law may. The formula is evaluated in any case:
-/// in a loop over states what it takes from the impact alone is then computed once.
+/// Force on the bodies, and slopes: zero across an open gap, and without tension unless the law may pull. The formula is
+/// evaluated in any case: in a loop over states the part of it that depends on the impact alone is then computed once.
 template <class L>
 Response pressed(const L& law, double penetration, double rate, const Impact& impact) noexcept {
   const Response r = law.contact(penetration, rate, impact);

@@ -1,14 +1,14 @@
 #pragma once
-/// How a law describes itself: the tables that parser, reports, tests and documentation read.
+/// The tables in which a law describes itself, for parser, reports, tests and documentation.
 
 #include <optional>
 #include <string_view>
 
 namespace pounding::laws {
 
-/// Whether a parameter must be given.
+/// Necessity of a parameter.
 enum class Need : unsigned char {
-  required,  ///< no default: the user must say it
+  required,  ///< no default: it must be given
   optional,  ///< has a default
   damping    ///< gives the damping directly, instead of a restitution
 };
@@ -28,7 +28,7 @@ struct Parameter {
   std::optional<double> L::*choice = nullptr;
 };
 
-/// What a damping formula may use; most need the restitution alone.
+/// Arguments of a damping formula; most formulas use the restitution only.
 struct CalibrationTarget {
   double restitution = 1;    ///< e in (0, 1]
   double closing_speed = 1;  ///< v [m/s]
@@ -39,7 +39,7 @@ struct CalibrationTarget {
   double yield_ratio = 0.1;  ///< yield over design penetration (bilinear_hertz)
 };
 
-/// Gives the law's dimensionless damping number (its `number`: a, zeta, xi ...) for a restitution.
+/// The dimensionless damping number of a law (its `number`: a, zeta, xi ...) for a restitution.
 using DampingFormula = double (*)(const CalibrationTarget&);
 
 /// A published damping formula, or the exact calibration: the number that gives the restitution e.

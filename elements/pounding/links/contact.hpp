@@ -1,15 +1,15 @@
 #pragma once
-/// A unilateral link as the integrator sees it: pure forces, event_functions that tell when the present phase ends, and history
+/// A unilateral link as the integrator sees it: pure forces, event functions whose zeros end the present phase, and a history
 /// that moves at kept states only.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <span>
 
 #include <pounding/core/archive.hpp>
 #include <pounding/laws/law.hpp>
+#include <pounding/links/contact_state.hpp>
 #include <pounding/links/impact_row.hpp>
 
 namespace pounding {
@@ -20,12 +20,12 @@ struct LinkMotion {
   double rate = 0;         ///< [m/s]
 };
 
-/// One kept step of a link, its ends and its middle.
+/// One kept step of a link: motion and force at its beginning, its middle and its end.
 struct LinkStep {
   double begin = 0, end = 0;  ///< [s]
   LinkMotion motion_begin, motion_middle, motion_end;
   double force_begin = 0, force_middle = 0, force_end = 0;  ///< [N]
-  double acceleration_begin = 0, acceleration_end = 0;      ///< slopes of the rate [m/s^2]
+  double acceleration_begin = 0, acceleration_end = 0;      ///< time derivative of the rate [m/s^2]
 };
 
 /// Motion inside a kept step, s from 0 to 1: the polynomial of degree five through motions and accelerations at its ends.
@@ -41,7 +41,7 @@ constexpr LinkMotion interpolate(const LinkStep& step, double s) noexcept {
           (v0 + s * (a0 + s * (3 * c3 + s * (4 * c4 + s * 5 * c5)))) / h};
 }
 
-/// Penetration inside a step, s from 0 to 1: the cubic through the motions at its ends, for steps that are not kept yet.
+/// Penetration inside a trial step, s from 0 to 1: the cubic polynomial through the motions at its ends.
 class CubicPenetration {
  public:
   CubicPenetration(const LinkMotion& begin, const LinkMotion& end, double h) noexcept : begin_(begin), h_(h) {
@@ -52,7 +52,7 @@ class CubicPenetration {
 
   /// Penetration at s [m].
   double at(double s) const noexcept { return begin_.penetration + h_ * s * (begin_.rate + s * (b_ / 2 + s * a_ / 3)); }
-  /// Where the rate, which has different signs at the ends, passes through zero.
+  /// The s at which the rate is zero, for rates of opposite sign at the two ends.
   double turn() const noexcept {
     const double root = std::sqrt(std::max(0.0, b_ * b_ - 4 * a_ * begin_.rate));
     return 2 * begin_.rate / (-b_ + std::copysign(root, begin_.rate));
@@ -63,67 +63,58 @@ class CubicPenetration {
   double h_, a_, b_;  // the rate is begin.rate + b s + a s^2
 };
 
-/// What happened to a rigid contact when velocities jumped. Several impulses at one instant, handed back and forth in a row
-/// of bodies, count as one.
+/// Velocity jump of a rigid contact. Several impulses at one instant, as in a row of bodies that pass them back and forth,
+/// count as one.
 struct Jump {
   double impulse = 0;                      ///< [N s]
-  double work = 0;                         ///< taken from the bodies [J]
+  double work = 0;                         ///< kinetic energy taken from the bodies [J]
   double rate_before = 0, rate_after = 0;  ///< > 0 closes [m/s]
   double penetration = 0;                  ///< zero but for rounding [m]
 };
 
-/// What a contact is doing.
-enum class ContactPhase : std::uint8_t {
-  open,         ///< apart
-  approach,     ///< pressed, still closing
-  restitution,  ///< pressed, opening
-  slack,        ///< overlapping, but the law's force is cut at zero
-  resting       ///< held at zero rate by whatever force that needs (rigid contact after its last bounce)
-};
-
-/// Pressed together, with a force or held.
-constexpr bool presses(ContactPhase phase) noexcept {
-  return phase == ContactPhase::approach || phase == ContactPhase::restitution || phase == ContactPhase::resting;
-}
-
-/// Phases are set from the state at a located instant, never toggled.
+/// One contact between two ends that approach each other. The integrator asks for forces and event functions as often as it
+/// likes, and tells which steps it keeps and where it has located an event.
 class Contact {
  public:
   static constexpr int max_event_functions = 3;
-  /// Numbers that are positive while a phase lasts; infinite where one has no meaning.
+  /// Values that are positive while the present phase lasts and zero where it ends; unused ones are infinite.
   using EventFunctions = std::array<double, max_event_functions>;
 
   virtual ~Contact() = default;
 
-  /// The phase since the last kept state.
+  /// Present phase, as the last kept state left it.
   virtual ContactPhase phase() const noexcept = 0;
-  /// Penetration when the two ends have closed on each other by `relative_displacement` [m] since the undeformed state.
+  /// Penetration [m] when the two ends have approached each other by `relative_displacement` [m] since the undeformed state.
   virtual double penetration(double relative_displacement) const noexcept = 0;
-  /// Pure: force and slopes in the present phase, continued smoothly past its end so that a trial step may overshoot.
+  /// Force [N] and its slopes in the present phase. Pure. The law's formula is continued smoothly past the end of the phase,
+  /// also to negative forces, so that a trial step may overshoot; see acting_force.
   virtual laws::Response evaluate(const LinkMotion& motion) const noexcept = 0;
-  /// The law as published pulls near the separation; the force of any other that dips below zero inside a step is zero there.
+  /// True if the published law may give tension near the separation.
   virtual bool may_pull() const noexcept { return false; }
-  /// Pure: values that are positive while the present phase lasts; unused ones are infinite.
-  /// `force` is the link force of the state (only a resting contact needs it).
+  /// Force on the bodies [N] where `evaluate` gives `law_force` [N] inside a step: without tension unless the law may pull.
+  double acting_force(double law_force) const noexcept { return may_pull() ? law_force : laws::no_tension(law_force); }
+  /// Event functions of the present phase. Pure. `force` is the link force of the state [N]; only a resting contact uses it.
   virtual EventFunctions event_functions(const LinkMotion& motion, double force) const noexcept = 0;
-  /// Pure: what the rounding of the motion makes of a margin that follows the sign of a force.
+  /// Round-off of an event function that follows the sign of a force, for this round-off of penetration [m] and rate [m/s].
+  /// Pure; has the scale of the event function, no unit.
   virtual double force_event_noise(const LinkMotion& /*motion*/, const LinkMotion& /*rounding*/) const noexcept { return 0; }
-  /// A step was kept. Moves histories and peaks.
+  /// A step was kept: moves histories and peaks.
   virtual void accept(const LinkStep& step) = 0;
-  /// The margin with this index reached zero at a kept state: enter the next phase.
+  /// The event function with this index is zero at a kept state, at this time [s]: enters the next phase.
   virtual void on_event(int event, double time, const LinkMotion& motion) = 0;
 
-  /// A rigid contact answers a touch with a velocity jump: the rate after is -restitution times the rate before.
+  /// True for a contact that answers a touch with a velocity jump: rate after = -restitution * rate before.
   virtual bool is_rigid() const noexcept { return false; }
+  /// Coefficient of restitution of that jump, in (0, 1].
   virtual double restitution() const noexcept { return 1; }
-  /// The jump was applied at a kept state. `held` when the bodies rest on each other after it.
+  /// A jump was applied at a kept state, at this time [s]. `held`: the bodies rest on each other after it.
   virtual void jumped(double /*time*/, const Jump& /*jump*/, bool /*held*/) {}
 
-  /// Work done on the link so far, stored and lost [J].
+  /// Work done on the link since the beginning, stored and lost [J].
   virtual double work() const noexcept = 0;
-  /// One row an impact, in the order of their touches; the last one is unfinished (t_end NaN) while it lasts.
+  /// One row per impact, in the order of the touches; the last one is unfinished (t_end NaN) while the impact lasts.
   virtual std::span<const ImpactRow> impacts() const noexcept = 0;
-  /// Everything that moves in accept() and on_event().
+  /// Reads or writes all that moves in accept(), on_event() and jumped().
   virtual void archive(Archive& archive) = 0;
 };
 

@@ -1,45 +1,46 @@
 #pragma once
-/// The force of friction at a contact that presses, and its slopes.
+/// Friction along a contact that presses: its force and its slopes.
 
-#include <Eigen/Core>
-#include <algorithm>
+#include <array>
 #include <cmath>
 
-#include <pounding/links/contact.hpp>
+#include <pounding/laws/law.hpp>
 
 namespace pounding {
 
-/// Coulomb's friction where a contact presses, regularised: F_t = coefficient max(F_n, 0) v_t / sqrt(|v_t|^2 + sliding^2)
-/// with the force F_n of the contact and the rates v_t of the columns `first` .. `first + count - 1` of B.
+/// Coulomb's friction at one contact, regularised: F_t = coefficient max(F_n, 0) v_t / sqrt(|v_t|^2 + sliding^2), with the
+/// force F_n of the contact and the sliding velocities v_t of the columns `first` .. `first + count - 1` of B.
 struct Friction {
-  int contact = 0;
-  int first = 0, count = 1;  ///< one column in the plane, two in space
-  double coefficient = 0;
-  double sliding = 0;  ///< velocity at which 0.71 of the full force is reached [m/s]
+  int contact = 0;              ///< link whose force is F_n
+  int first = 0, count = 1;     ///< columns of B: one in a plane model, two in space
+  double coefficient = 0;       ///< of Coulomb [-]
+  double sliding = 0;           ///< velocity at which the force is 0.71 of coefficient * F_n [m/s]
 };
 
-/// A vector in the plane of a contact; its second component is unused where only one direction slides.
-using Sliding = Eigen::Vector2d;
+/// A vector in the plane of a contact; the second component is zero where only one direction slides.
+using Sliding = std::array<double, 2>;
 
-/// Force of a friction against its sliding rates, and its slopes.
+/// Friction force against the sliding velocities, and its slopes.
 struct FrictionForce {
-  Sliding force = Sliding::Zero();                      ///< [N]
-  Sliding by_penetration = Sliding::Zero();             ///< of the contact [N/m]
-  Sliding by_rate = Sliding::Zero();                    ///< of the contact [N s/m]
-  Eigen::Matrix2d by_sliding = Eigen::Matrix2d::Zero();  ///< [force, rate] [N s/m]
+  Sliding force{};                      ///< [N]
+  Sliding by_penetration{};             ///< slope by the penetration of the contact [N/m]
+  Sliding by_rate{};                    ///< slope by the rate of the contact [N s/m]
+  std::array<Sliding, 2> by_sliding{};  ///< [i][j]: slope of component i by sliding velocity j [N s/m]
 };
 
-/// The formula of Friction, of the force of its contact and of the rates v_t [m/s]. A contact that pulls has no friction.
-inline FrictionForce friction_force(const Friction& friction, const laws::Response& contact, const Sliding& rates) {
+/// Regularised Coulomb force for a contact's response and sliding velocities v_t [m/s]; zero where the contact is in tension.
+inline FrictionForce friction_force(const Friction& friction, const laws::Response& contact, const Sliding& rates) noexcept {
   FrictionForce f;
   if (!(contact.force > 0)) return f;
-  const double size = std::sqrt(rates.squaredNorm() + friction.sliding * friction.sliding);
-  const Sliding direction = rates / size;
-  f.force = friction.coefficient * contact.force * direction;
-  f.by_penetration = friction.coefficient * contact.by_penetration * direction;
-  f.by_rate = friction.coefficient * contact.by_rate * direction;
-  f.by_sliding = friction.coefficient * contact.force / size *
-                 (Eigen::Matrix2d::Identity() - direction * direction.transpose());
+  const double size = std::sqrt(rates[0] * rates[0] + rates[1] * rates[1] + friction.sliding * friction.sliding);
+  const Sliding direction{rates[0] / size, rates[1] / size};
+  for (int i = 0; i < 2; ++i) {
+    f.force[i] = friction.coefficient * contact.force * direction[i];
+    f.by_penetration[i] = friction.coefficient * contact.by_penetration * direction[i];
+    f.by_rate[i] = friction.coefficient * contact.by_rate * direction[i];
+    for (int j = 0; j < 2; ++j)
+      f.by_sliding[i][j] = friction.coefficient * contact.force / size * ((i == j ? 1 : 0) - direction[i] * direction[j]);
+  }
   return f;
 }
 

@@ -8,11 +8,11 @@ namespace pounding {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-// Slower touches have no restitution worth the name: bodies that lean on each other from rest.
-constexpr double slowest_impact = 1e-9;  // m/s
+// Below this closing speed bodies lean on each other from rest, and a restitution has no meaning.
+constexpr double min_closing_speed = 1e-9;  // m/s
 
 double restitution(double approach, double separation) {
-  return approach > slowest_impact ? separation / approach : unknown;
+  return approach > min_closing_speed ? separation / approach : unknown;
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ void ImpactLog::begin(double time, double closing_speed) {
   open_ = true;
 }
 
-// A force that jumps at the touch has its value there as a first sample.
+// The force at the beginning counts as a sample too: some laws jump at the touch.
 void ImpactLog::add(const LinkStep& step) {
   ImpactRow& row = rows_.back();
   const double h = step.end - step.begin;
@@ -39,11 +39,11 @@ void ImpactLog::add(const LinkStep& step) {
   row.energy_lost += work;
   work_ += work;
   row.peak_penetration = std::max({row.peak_penetration, step.motion_begin.penetration, step.motion_end.penetration});
-  follow_peak(step.begin, step.force_begin);
-  follow_peak(step.end, step.force_end);
+  record_peak(step.begin, step.force_begin);
+  record_peak(step.end, step.force_end);
 }
 
-void ImpactLog::follow_peak(double time, double force) {
+void ImpactLog::record_peak(double time, double force) {
   ImpactRow& row = rows_.back();
   if (!(force > row.peak_force)) return;
   row.peak_force = force;

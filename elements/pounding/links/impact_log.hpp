@@ -1,5 +1,5 @@
 #pragma once
-/// Keeps the rows of a link's impacts from its kept steps.
+/// Records the impacts of one link, one row each, from its kept steps.
 
 #include <span>
 #include <vector>
@@ -8,35 +8,36 @@
 
 namespace pounding {
 
-/// The rows of the impacts of one link, filled step by step while an impact lasts.
+/// Rows of the impacts of one link, filled step by step while an impact lasts. Between begin() and end() a row is open;
+/// only then may the other functions be called.
 class ImpactLog {
  public:
-  /// `link` is the index that the rows carry.
+  /// `link` is written into the rows.
   explicit ImpactLog(int link) : link_(link) {}
 
-  /// An impact begins at this time [s] and closing speed [m/s].
+  /// An impact begins at this time [s] with this closing speed [m/s].
   void begin(double time, double closing_speed);
-  /// Adds a kept step inside the impact: impulse, work and the peaks at its ends. Integrals by Simpson's rule.
+  /// Adds a kept step inside the impact: impulse and work by Simpson's rule, peaks at both ends.
   void add(const LinkStep& step);
-  /// The force was this large at a time inside a step.
-  void follow_peak(double time, double force);
-  /// The force fell to zero and may come back.
+  /// The force [N] at a time [s] inside a step, where it may be the largest of the impact.
+  void record_peak(double time, double force);
+  /// The force fell to zero at this time [s]; the bodies still overlap, so it may come back.
   void release(double time);
-  /// The force is back.
+  /// The force came back after a release.
   void engage();
-  /// The impact is over; `rate` is that of the separation, negative when the bodies part [m/s].
+  /// The impact is over at this time [s]; `rate` at the separation is negative when the bodies part [m/s].
   void end(double time, double rate);
-  /// Adds an impulse without duration and the work that it took.
+  /// Adds an impulse without duration [N s] and the energy that it took [J].
   void push(double impulse, double work);
 
-  /// Whether an impact lasts, and its row.
+  /// True while an impact lasts; and the row of the last impact.
   bool open() const { return open_; }
   const ImpactRow& current() const { return rows_.back(); }
   /// All impacts so far, the one that lasts included.
   std::span<const ImpactRow> rows() const { return rows_; }
-  /// Work done on the link by all impacts [J].
+  /// Work done on the link in all impacts [J].
   double work() const { return work_; }
-  /// All that goes on from one step to the next.
+  /// Reads or writes all of it.
   void archive(Archive& archive);
 
  private:

@@ -1,10 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <tuple>
 
+#include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 
 namespace pounding {
@@ -29,40 +27,25 @@ SparseMatrix sparse(const Triplets& entries, int rows, int columns) {
   return matrix;
 }
 
-// Later than where the wave arrives first.
-double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
-  if (!model.ground.wave) return 0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Structure& s : model.structures)
-    for (const Support& support : s.supports) nearest = std::min(nearest, support.position.dot(model.ground.wave->direction));
-  return (position.dot(model.ground.wave->direction) - nearest) / model.ground.wave->velocity;
-}
-
-// Where a structure has no unknowns it goes with its ground, which what rubs on it feels; a body has none but along x.
-bool moves_along(const Structure& s, int direction) { return direction == 0 || !s.is_free; }
-
 int total_size(const Model& model) {
   int count = 0;
   for (const Structure& s : model.structures) count += s.size();
   return count;
 }
 
-// Displacement of a point in a direction when the ground at one support moves by one along an axis and the unknowns rest:
-// they are relative to the first support, and the statical displacement goes with the others.
-void add_ground_motion(Eigen::MatrixXd& closing, int column_of_link, double sign, const LinkEnd& end, const Structure& s,
-                       const std::vector<std::array<int, 3>>& under, const Eigen::Vector3d& direction) {
+// Adds the displacement of one end of a link along `direction`, with the unknowns at rest, to the link's row on ground motions. The
+// first support carries the whole structure; the others add their part.
+void add_ground_motion(Eigen::MatrixXd& by_ground, int link, double sign, const LinkEnd& end, const Structure& s,
+                       const SupportMotion& ground, const Eigen::Vector3d& direction) {
   for (int i = 0; i < 3; ++i) {
     if (direction[i] == 0) continue;
-    if (under.front()[i] >= 0) closing(column_of_link, under.front()[i]) += sign * direction[i];
-    for (std::size_t k = 1; k < s.supports.size(); ++k)
-      for (int j = 0; j < 3; ++j) {
-        double moved = end.point.motion[i].dot(s.supports[k].influence.col(j));
-        if (end.point.supported[i].nonZeros() > 0) moved += end.point.supported[i].dot(s.supports[k].enforced.col(j));
-        const double part = sign * direction[i] * moved;
-        if (part == 0) continue;
-        if (under[k][j] >= 0) closing(column_of_link, under[k][j]) += part;
-        if (under.front()[j] >= 0) closing(column_of_link, under.front()[j]) -= part;
-      }
+    if (ground.at_first(i) >= 0) by_ground(link, ground.at_first(i)) += sign * direction[i];
+    const auto influence = [&](std::size_t support, int axis) {
+      double moved = end.point.motion[i].dot(s.supports[support].influence.col(axis));
+      if (end.point.supported[i].nonZeros() > 0) moved += end.point.supported[i].dot(s.supports[support].enforced.col(axis));
+      return sign * direction[i] * moved;
+    };
+    ground.project(influence, by_ground.row(link));
   }
 }
 
@@ -92,56 +75,6 @@ SparseMatrix floor_motions(const Model& model) {
 }
 
 }  // namespace
-
-GroundPlan ground_plan(const Model& model) {
-  GroundPlan plan;
-  // Which motion (-1 the model's, else that of a support), along which axis, how late.
-  std::map<std::tuple<int, int, double>, int> known;
-  int own = 0;
-  for (const Structure& s : model.structures) {
-    std::vector<std::array<int, 3>>& under = plan.under.emplace_back();
-    for (const Support& support : s.supports) {
-      const int source = support.motion ? own++ : -1;
-      const GroundComponents& components = support.motion ? *support.motion : model.ground.components;
-      const double delay = support.delay + (support.motion ? 0 : delay_by_wave(model, support.position));
-      std::array<int, 3> index{-1, -1, -1};
-      for (int i = 0; i < 3; ++i) {
-        if (components[i].is_still() || !moves_along(s, i)) continue;
-        const auto [place, is_new] = known.emplace(std::tuple(source, i, delay), static_cast<int>(plan.motions.size()));
-        if (is_new) plan.motions.push_back(delay == 0 ? components[i] : components[i].delayed(delay));
-        index[i] = place->second;
-      }
-      under.push_back(index);
-    }
-  }
-  if (plan.motions.empty()) plan.motions.emplace_back();
-  return plan;
-}
-
-double GroundPlan::peak() const {
-  double largest = 0;
-  for (const GroundMotion& motion : motions) largest = std::max(largest, motion.peak());
-  return largest;
-}
-
-double GroundPlan::duration() const {
-  double last = 0;
-  for (const GroundMotion& motion : motions) last = std::max(last, motion.duration());
-  return last;
-}
-
-double GroundPlan::sample_step() const {
-  double shortest = 0;
-  for (const GroundMotion& motion : motions)
-    if (motion.sample_step() > 0) shortest = shortest > 0 ? std::min(shortest, motion.sample_step()) : motion.sample_step();
-  return shortest;
-}
-
-double GroundPlan::shortest_period() const {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const GroundMotion& motion : motions) shortest = std::min(shortest, motion.shortest_period());
-  return shortest;
-}
 
 std::vector<int> offsets(const Model& model) {
   std::vector<int> first;
@@ -173,8 +106,8 @@ System assemble(const Model& model, bool with_links) {
     add_entries(stiffness, s.stiffness, first[i]);
     for (std::size_t k = 0; k < s.supports.size(); ++k)
       for (int j = 0; j < 3; ++j)
-        if (plan.under[i][k][j] >= 0)
-          system.load.col(plan.under[i][k][j]).segment(first[i], s.size()) += s.supports[k].load.col(j);
+        if (const int ground = plan.supports[i].at(k, j); ground >= 0)
+          system.load.col(ground).segment(first[i], s.size()) += s.supports[k].load.col(j);
     // Errors are compared with the motion so far; before there is any, with a hundredth of what the ground can cause.
     Group group{first[i], s.size(), 1e-12, 1e-9, s.by_mass, s.by_stiffness};
     group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
@@ -246,7 +179,7 @@ System assemble(const Model& model, bool with_links) {
     const Link& link = *columns[c].link;
     for (const auto& [end, sign] : {std::pair(&link.left, 1.0), std::pair(&link.right, -1.0)}) {
       const Structure& s = model.structures[end->structure];
-      add_ground_motion(by_ground, c, sign, *end, s, plan.under[end->structure], columns[c].direction);
+      add_ground_motion(by_ground, c, sign, *end, s, plan.supports[end->structure], columns[c].direction);
       if (s.at_rest.size() == 0) continue;
       for (int i = 0; i < 3; ++i) at_rest[c] += sign * columns[c].direction[i] * end->point.motion[i].dot(s.at_rest);
     }

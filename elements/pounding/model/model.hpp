@@ -55,13 +55,13 @@ inline constexpr int modes_of_a_structure = 6;
 /// Below the first the rounding of the arithmetic is larger than the error; above the second an impact is not resolved.
 inline constexpr double min_tolerance = 1e-10, max_tolerance = 0.1;
 
-/// The section `analysis` of the input.
+/// How a model is integrated in time: the section `analysis` of the input. PETSc options may change tolerance and scheme.
 struct AnalysisSettings {
-  double duration = 0;           ///< [s]
-  double tolerance = 1e-4;       ///< relative, on displacements and forces
-  double output_step = 0;        ///< [s]
-  Scheme scheme;                 ///< of time stepping
-  double max_step = 0;           ///< longest step [s]; 0 lets the model decide
+  double duration = 0;      ///< of the run, which starts at time 0 [s]
+  double tolerance = 1e-4;  ///< local error relative to the motion and to link forces [-], in [min_tolerance, max_tolerance]
+  double output_step = 0;   ///< spacing of the output times, the first being 0 [s]
+  Scheme scheme;            ///< scheme of the time stepping
+  double max_step = 0;      ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
 };
 
 /// How often a run at least leaves a state to go on from; the results file is rewritten then. Zero: not asked for.
@@ -115,19 +115,6 @@ struct Kinds {
 /// Reads and checks a whole model; `modes` finds what Rayleigh damping and the first periods need. Throws InputError with
 /// file, line and column.
 Model read_model(const Input& input, const Kinds& kinds, const ModeSolver& modes = dense_modes);
-
-/// The motions of the ground under all supports, each component once.
-struct GroundPlan {
-  std::vector<GroundMotion> motions;  ///< delays included; at least one, which may be still
-  /// [structure][support][x y z]: which of them; -1 where the ground is still.
-  std::vector<std::vector<std::array<int, 3>>> under;
-
-  double peak() const;             ///< largest of all [m/s^2]
-  double duration() const;         ///< until all are still [s]
-  double sample_step() const;      ///< shortest of all samples, 0 for none [s]
-  double shortest_period() const;  ///< of the closed forms [s]; infinity for none
-};
-GroundPlan ground_plan(const Model& model);
 
 /// The equations of motion. The contacts and springs stay the model's; the springs start undeformed, whatever an earlier
 /// run has left in them. `with_links` false leaves the links out.

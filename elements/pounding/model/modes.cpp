@@ -16,7 +16,7 @@ constexpr std::string_view axes[] = {"x", "y", "z"};
 
 bool along_x_only(const Structure& s) { return s.dimension == 1; }
 
-// Factor that a shape is shown with.
+// Factor from a shape with phi^T M phi = 1 to the one that is shown.
 double scale(const Structure& s, const Eigen::MatrixXd& floors, const Eigen::VectorXd& unit) {
   if (along_x_only(s)) return 1 / floors(floors.rows() - 1, 0);
   double largest = 0;
@@ -37,7 +37,7 @@ Eigen::MatrixXd floor_motion(const Structure& s, const Eigen::VectorXd& q) {
   return motion;
 }
 
-int count_of(const Structure& s, int most) { return along_x_only(s) ? s.size() : std::min(most, s.size()); }
+int count_of(const Structure& s, int max_count) { return along_x_only(s) ? s.size() : std::min(max_count, s.size()); }
 
 Eigen::Vector3d total_mass(const Structure& s) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -58,7 +58,7 @@ Eigen::MatrixX3d whole_load(const Structure& s) {
 std::vector<Mode> modes(const Structure& s, int count, const ModeSolver& solver) {
   std::vector<Mode> found;
   if (s.is_rigid()) return found;
-  const int available = static_cast<int>(unknowns_with_mass(s.mass).size());
+  const int available = static_cast<int>(split_by_mass(s.mass).dynamic.size());
   const Eigenmodes solved = solver(s.mass, s.stiffness, std::min(count, available));
   const Eigen::MatrixX3d load = whole_load(s);
   const SparseMatrix damping = s.whole_damping();
@@ -91,7 +91,7 @@ std::string floor_shape(const Mode& mode) {
   return text;
 }
 
-// Rounding noise is shown as zero.
+// Shows round-off as zero.
 double without_sign_of_zero(double value) { return std::abs(value) < 5e-6 ? 0.0 : value; }
 
 std::string table_along_x(const std::vector<Mode>& found, double total) {
@@ -173,23 +173,23 @@ Json mode_json(const Structure& s, const Mode& mode) {
 
 }  // namespace
 
-std::string modes_table(const Model& model, int most, const ModeSolver& solver) {
+std::string modes_table(const Model& model, int max_count, const ModeSolver& solver) {
   std::string text;
   for (const Structure& s : model.structures) {
     if (s.is_rigid()) continue;
     const double total = total_mass(s)[0];
     text += fmt::format("{} ({}, {} floor{}, {:.6g} t, damping: {})\n", s.name, s.kind, s.floors.size(),
                         s.floors.size() == 1 ? "" : "s", total / 1e3, s.damping_note);
-    const std::vector<Mode> found = modes(s, count_of(s, most), solver);
+    const std::vector<Mode> found = modes(s, count_of(s, max_count), solver);
     text += along_x_only(s) ? table_along_x(found, total) : table_of_frame(s, found);
   }
   return text;
 }
 
-std::string modes_json(const Model& model, int most, const ModeSolver& solver, bool for_pictures) {
+std::string modes_json(const Model& model, int max_count, const ModeSolver& solver, bool for_pictures) {
   Json all = Json::object(), geometry = Json::object(), shapes = Json::object(), elevations = Json::object();
   for (const Structure& s : model.structures) {
-    const std::vector<Mode> found = modes(s, count_of(s, most), solver);
+    const std::vector<Mode> found = modes(s, count_of(s, max_count), solver);
     Json list = Json::array();
     for (const Mode& mode : found) list.push_back(mode_json(s, mode));
     all[s.name] = std::move(list);

@@ -1,5 +1,5 @@
 #pragma once
-/// Periods, mode shapes and participation of one structure.
+/// Natural modes of structures: periods, damping ratios, shapes, participation.
 
 #include <Eigen/Core>
 #include <limits>
@@ -13,25 +13,26 @@ namespace pounding {
 /// One natural mode of a structure.
 struct Mode {
   double period = 0;         ///< [s]; infinity for a free body
-  double damping_ratio = 0;  ///< of the mode, from the structure's damping matrix
-  /// phi^T p / phi^T M phi for the ground along x, y, z, of the shape as it stands here.
+  double damping_ratio = 0;  ///< from the structure's damping matrix [-]
+  /// Participation factors phi^T p / phi^T M phi for ground motion along x, y, z, with phi scaled as `shape`.
   Eigen::Vector3d participation = Eigen::Vector3d::Zero();
   Eigen::Vector3d effective_mass = Eigen::Vector3d::Zero();  ///< (phi^T p)^2 / phi^T M phi [kg]
-  /// [floor, direction] of the floors' reported motion. The top floor is 1 in a structure along x, the largest translation of a
-  /// floor in a frame.
+  /// Reported motion of the floors: [floor, direction]. Scaled so that the top floor of a structure along x, and the largest
+  /// translation of a floor of a frame, is 1.
   Eigen::MatrixXd shape;
-  Eigen::VectorXd unknowns;  ///< the same, of all unknowns
+  Eigen::VectorXd unknowns;  ///< the shape at all unknowns, with this scale
 };
 
-/// The lowest modes of a structure, longest period first; none for a wall. A body has one of infinite period.
+/// Lowest modes of a structure, longest period first. A wall has none; a free body has one with an infinite period.
 std::vector<Mode> modes(const Structure& structure, int count = std::numeric_limits<int>::max(),
                         const ModeSolver& solver = dense_modes);
 
-/// One table a structure: periods, damping ratios, participation, effective masses, shapes. `most` modes of a frame, all of
-/// the others.
-std::string modes_table(const Model& model, int most, const ModeSolver& solver = dense_modes);
-/// One object with a list of modes a structure; `for_pictures` puts it beside what pictures of frames need: {"modes": the
-/// object, "geometry": {NAME: {dimension, nodes, members}}, "node_shapes": {NAME: [mode][node][x y z]}, "elevations": {NAME: []}}.
-std::string modes_json(const Model& model, int most, const ModeSolver& solver = dense_modes, bool for_pictures = false);
+/// Text with one table a structure: periods, damping ratios, participation, effective masses, shapes. Frames show at most `max_count`
+/// modes, other structures all.
+std::string modes_table(const Model& model, int max_count, const ModeSolver& solver = dense_modes);
+/// JSON object with a list of modes for each structure. With `for_pictures` it is one of four members, the others being what pictures
+/// of frames need: {"modes": this object, "geometry": {NAME: {dimension, nodes, members}}, "node_shapes": {NAME: [mode][node][x y z]},
+/// "elevations": {NAME: []}}.
+std::string modes_json(const Model& model, int max_count, const ModeSolver& solver = dense_modes, bool for_pictures = false);
 
 }  // namespace pounding

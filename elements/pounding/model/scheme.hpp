@@ -11,8 +11,8 @@ namespace pounding {
 struct Scheme {
   /// By its name in the input, see names.
   enum class Kind { generalized_alpha, esdirk4 };
-  Kind kind = Kind::generalized_alpha;
-  double spectral_radius = 1.0;  ///< of generalized-alpha
+  Kind kind = Kind::esdirk4;
+  double spectral_radius = 1.0;  ///< at infinite frequency, 0 to 1; generalized-alpha alone has it
 
   /// Names in input files and options, in the order of Kind.
   static constexpr std::array<std::string_view, 2> names{"generalized_alpha", "esdirk4"};

@@ -9,13 +9,11 @@
 #include <pounding/links/contact.hpp>
 #include <pounding/links/friction.hpp>
 #include <pounding/structures/elastic_forces.hpp>
+#include <pounding/structures/massless.hpp>
 #include <pounding/ground/ground_motion.hpp>
 #include <pounding/structures/spring.hpp>
 
 namespace pounding {
-
-/// The matrices here, column by column.
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// Degrees of freedom first .. first + count - 1 that share one scale of displacement and velocity: one structure.
 /// No entry of a matrix joins two groups.

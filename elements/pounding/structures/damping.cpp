@@ -14,29 +14,12 @@
 namespace pounding {
 namespace {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
 // Of its diagonal, a pivot of a singular matrix.
 constexpr double no_pivot = 1e-12;
 // Rounding of the quotient and of the entries of K itself, of the sum of magnitudes |phi|^T |K| |phi|.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 // Components that differ by less count as equally large: those of a symmetric structure do but for rounding.
 constexpr double equally_large = 1 - 1e-6;
-
-// 1 where a row of the smaller matrix is taken from: n x part.
-SparseMatrix selection(int size, const std::vector<int>& part) {
-  SparseMatrix s(size, static_cast<int>(part.size()));
-  for (std::size_t k = 0; k < part.size(); ++k) s.insert(part[k], static_cast<int>(k)) = 1;
-  s.makeCompressed();
-  return s;
-}
-
-std::vector<int> others(int size, const std::vector<int>& part) {
-  std::vector<int> all(size), rest;
-  std::iota(all.begin(), all.end(), 0);
-  std::set_difference(all.begin(), all.end(), part.begin(), part.end(), std::back_inserter(rest));
-  return rest;
-}
 
 // Of K over the unknowns without mass.
 void factor(Eigen::SimplicialLDLT<SparseMatrix>& ldlt, const SparseMatrix& k, const std::vector<int>& unknowns) {
@@ -62,17 +45,6 @@ bool turned(const Eigen::VectorXd& shape) {
 
 }  // namespace
 
-std::vector<int> unknowns_with_mass(const SparseMatrix& mass) {
-  std::vector<int> heavy;
-  for (int j = 0; j < mass.cols(); ++j)
-    for (SparseMatrix::InnerIterator it(mass, j); it; ++it)
-      if (it.value() != 0) {
-        heavy.push_back(j);
-        break;
-      }
-  return heavy;
-}
-
 void require_mode_count(int count, std::size_t available) {
   if (count < 0 || static_cast<std::size_t>(count) > available)
     throw std::invalid_argument(
@@ -80,11 +52,9 @@ void require_mode_count(int count, std::size_t available) {
 }
 
 void require_static_stiffness(const SparseMatrix& mass, const SparseMatrix& stiffness) {
-  const int n = static_cast<int>(mass.rows());
-  const std::vector<int> light = others(n, unknowns_with_mass(mass));
-  const SparseMatrix take = selection(n, light);
+  const std::vector<int> massless = split_by_mass(mass).massless;
   Eigen::SimplicialLDLT<SparseMatrix> ldlt;
-  factor(ldlt, SparseMatrix(take.transpose() * stiffness * take), light);
+  factor(ldlt, submatrix(stiffness, massless, massless), massless);
 }
 
 Eigenmodes modes_of_shapes(const SparseMatrix& mass, const SparseMatrix& stiffness, const Eigen::MatrixXd& shapes) {
@@ -110,21 +80,22 @@ Eigenmodes modes_of_shapes(const SparseMatrix& mass, const SparseMatrix& stiffne
 }
 
 Eigenmodes dense_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count) {
-  const int n = static_cast<int>(mass.rows());
-  const std::vector<int> heavy = unknowns_with_mass(mass), light = others(n, heavy);
-  require_mode_count(count, heavy.size());
-  const SparseMatrix take = selection(n, heavy), leave = selection(n, light);
+  const auto [dynamic, massless] = split_by_mass(mass);
+  require_mode_count(count, dynamic.size());
   Eigen::SimplicialLDLT<SparseMatrix> ldlt;
-  factor(ldlt, SparseMatrix(leave.transpose() * stiffness * leave), light);
-  const SparseMatrix coupling = leave.transpose() * stiffness * take;
-  const Eigen::MatrixXd following = light.empty() ? Eigen::MatrixXd(0, heavy.size()) : -ldlt.solve(Eigen::MatrixXd(coupling));
+  factor(ldlt, submatrix(stiffness, massless, massless), massless);
+  const SparseMatrix coupling = submatrix(stiffness, massless, dynamic);
+  const Eigen::MatrixXd following =
+      massless.empty() ? Eigen::MatrixXd(0, dynamic.size()) : -ldlt.solve(Eigen::MatrixXd(coupling));
   const Eigen::MatrixXd condensed =
-      Eigen::MatrixXd(take.transpose() * stiffness * take) + Eigen::MatrixXd(coupling.transpose() * following);
-  const Eigen::MatrixXd shapes =
-      heavy.empty() ? Eigen::MatrixXd(0, 0)
-                    : eigenmodes(Eigen::MatrixXd(take.transpose() * mass * take), condensed).shapes;
-  return modes_of_shapes(mass, stiffness,
-                         take * shapes.leftCols(count) + leave * Eigen::MatrixXd(following * shapes.leftCols(count)));
+      dense_submatrix(stiffness, dynamic, dynamic) + Eigen::MatrixXd(coupling.transpose() * following);
+  const Eigen::MatrixXd shapes = dynamic.empty()
+                                     ? Eigen::MatrixXd(0, 0)
+                                     : eigenmodes(dense_submatrix(mass, dynamic, dynamic), condensed).shapes;
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(mass.rows(), count);
+  whole(dynamic, Eigen::all) += shapes.leftCols(count);
+  whole(massless, Eigen::all) += following * shapes.leftCols(count);
+  return modes_of_shapes(mass, stiffness, whole);
 }
 
 Eigenmodes eigenmodes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {

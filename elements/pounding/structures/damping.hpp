@@ -6,6 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include <pounding/structures/massless.hpp>
+
 namespace pounding {
 
 /// Angular frequencies [rad/s], increasing, and shapes with phi^T M phi = 1 (n x count); unknowns without mass follow
@@ -16,11 +18,8 @@ struct Eigenmodes {
 };
 
 /// Finds the `count` lowest modes of sparse symmetric M (may have empty rows: massless unknowns), K.
-using ModeSolver = std::function<Eigenmodes(const Eigen::SparseMatrix<double>& mass,
-                                            const Eigen::SparseMatrix<double>& stiffness, int count)>;
-
-/// Unknowns whose row of the mass matrix is not empty, increasing. There are as many modes.
-std::vector<int> unknowns_with_mass(const Eigen::SparseMatrix<double>& mass);
+using ModeSolver = std::function<Eigenmodes(const SparseMatrix& mass,
+                                            const SparseMatrix& stiffness, int count)>;
 
 /// A ModeSolver by dense matrices of the size of the unknowns with mass, all others condensed: for hundreds of them.
 ///
@@ -28,15 +27,15 @@ std::vector<int> unknowns_with_mass(const Eigen::SparseMatrix<double>& mass);
 /// Throws std::invalid_argument for a count that is not in 0 .. number of unknowns with mass, a mass matrix that is not
 /// positive definite over these, a stiffness that is singular over the others (naming one), or one that is negative for
 /// some motion: a structure that buckles.
-Eigenmodes dense_modes(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& stiffness, int count);
+Eigenmodes dense_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count);
 
 /// The modes that these columns (n x count) are the shapes of: frequencies by Rayleigh's quotient, order, scale and sign as
 /// dense_modes gives them. Throws std::invalid_argument for a stiffness that is negative for one of them.
-Eigenmodes modes_of_shapes(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& stiffness,
+Eigenmodes modes_of_shapes(const SparseMatrix& mass, const SparseMatrix& stiffness,
                            const Eigen::MatrixXd& shapes);
 
 /// Throws std::invalid_argument, naming an unknown, when the stiffness is singular over the unknowns without mass.
-void require_static_stiffness(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& stiffness);
+void require_static_stiffness(const SparseMatrix& mass, const SparseMatrix& stiffness);
 
 /// Throws std::invalid_argument when there are not so many modes.
 void require_mode_count(int count, std::size_t available);

@@ -12,13 +12,12 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/structures/elastic_forces.hpp>
+#include <pounding/structures/massless.hpp>
 #include <pounding/ground/components.hpp>
 #include <pounding/structures/spring.hpp>
 
 namespace pounding {
 
-/// The matrices here, column by column.
-using SparseMatrix = Eigen::SparseMatrix<double>;
 /// How the unknowns of a structure make one quantity: their factors.
 using Row = Eigen::SparseVector<double>;
 

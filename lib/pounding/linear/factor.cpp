@@ -9,11 +9,11 @@
 namespace pounding::petsc {
 namespace {
 
-// Below this PETSc's own Cholesky is faster: a call to CHOLMOD or MUMPS has a cost of its own.
+// Below this size PETSc's own Cholesky is faster, because each call to CHOLMOD or MUMPS has a fixed cost.
 constexpr PetscInt small_matrix = 500;
-// A solution that differs by more from the one that its right-hand side was made of belongs to a singular matrix. Frames have
-// condition numbers up to 1e12.
-constexpr double lost = 1e-2;
+// A known solution that a factor does not reproduce to this relative error belongs to a singular matrix. Frames have condition
+// numbers up to 1e12.
+constexpr double max_reproduction_error = 1e-2;
 constexpr double close_enough = 1e-13;
 constexpr PetscInt max_iterations = 200;
 
@@ -23,7 +23,7 @@ int processes(MPI_Comm comm) {
   return count;
 }
 
-// Gives a Vec the memory of somebody else while this lives.
+// Lets a Vec use an array of the caller while this lives.
 class Placed {
  public:
   Placed(Vec vec, const double* values) : vec_(vec) { check(VecPlaceArray(vec, values)); }
@@ -44,6 +44,15 @@ PetscErrorCode apply_near(PC pc, Vec x, Vec y) {
 }
 
 }  // namespace
+
+Pattern pattern_of(const Eigen::SparseMatrix<double>& a) {
+  const PetscInt* begin = a.outerIndexPtr();
+  return {{begin, begin + a.cols() + 1}, {a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros()}};
+}
+
+std::span<const double> values_of(const Eigen::SparseMatrix<double>& a) {
+  return {a.valuePtr(), static_cast<std::size_t>(a.nonZeros())};
+}
 
 Handle<Mat> make_matrix(MPI_Comm comm, const Pattern& pattern, std::span<const double> values) {
   Handle<Mat> matrix;
@@ -123,12 +132,12 @@ bool Factor::refactor(std::span<const double> values) {
   return true;
 }
 
-// The vector is any that has a part of every motion.
+// Multiplies a vector that has a part of every motion, and solves for it again.
 bool Factor::reproduces() const {
   Eigen::VectorXd x(product_.rows()), b(product_.rows()), again(product_.rows());
   for (PetscInt i = 0; i < product_.rows(); ++i) x[i] = 1 + 0.5 * std::sin(1.7 * i);
   product_(x.data(), b.data());
-  return solve(b.data(), again.data()) && (again - x).lpNorm<Eigen::Infinity>() <= lost;
+  return solve(b.data(), again.data()) && (again - x).lpNorm<Eigen::Infinity>() <= max_reproduction_error;
 }
 
 void Factor::inspect() {
@@ -155,7 +164,7 @@ void Factor::inspect() {
   check(MatFactorGetSolverType(factor, &type));
   check(MatGetInfo(factor, MAT_LOCAL, &info));
   package_ = std::string(type) + (cholesky ? " Cholesky" : " LU");
-  // MUMPS reports entries and no bytes.
+  // MUMPS reports the number of entries, not bytes.
   memory_ += std::max<double>(info.memory, info.nz_used * sizeof(PetscScalar));
 }
 

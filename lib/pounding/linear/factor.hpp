@@ -4,12 +4,14 @@
 #include <petscksp.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 
 namespace pounding::petsc {
 
@@ -22,20 +24,25 @@ struct Destroyer<KSP> {
   static PetscErrorCode destroy(KSP* object) { return KSPDestroy(object); }
 };
 
-/// Where the entries of the rows of this process stand: compressed rows with sorted columns, both triangles. Columns count
-/// over all processes of the matrix's communicator.
+/// Sparsity pattern of the rows of this process: compressed rows with sorted columns, both triangles. Columns are numbered over
+/// all processes of the matrix's communicator.
 struct Pattern {
-  std::vector<PetscInt> begin{0};  ///< one more than rows
-  std::vector<PetscInt> columns;
+  std::vector<PetscInt> begin{0};  ///< of each row in `columns`, and the end of the last: rows + 1
+  std::vector<PetscInt> columns;   ///< row by row
 
-  /// Of this process.
+  /// Number of rows on this process.
   PetscInt rows() const { return static_cast<PetscInt>(begin.size()) - 1; }
 };
 
-/// Rows of an AIJ matrix with these values. Collective.
+/// Pattern and values of a symmetric matrix, compressed; the columns that Eigen stores are its rows. The values are a view of
+/// the matrix.
+Pattern pattern_of(const Eigen::SparseMatrix<double>& symmetric);
+std::span<const double> values_of(const Eigen::SparseMatrix<double>& symmetric);
+
+/// An AIJ matrix with these values, marked as positive definite. Collective.
 Handle<Mat> make_matrix(MPI_Comm comm, const Pattern& pattern, std::span<const double> values);
 
-/// y = A x with Eigen's memory, all on the rows of this process; collective when the matrix is.
+/// Products y = A x on plain arrays of the rows of this process. Collective when the matrix is.
 class Product {
  public:
   explicit Product(Handle<Mat> matrix);
@@ -53,28 +60,29 @@ class Product {
   PetscInt rows_ = 0;
 };
 
-/// A KSP that applies a factor: by default PETSc's own Cholesky for a small matrix, CHOLMOD on one process, MUMPS on several;
-/// any other by options with the prefix.
+/// A KSP that applies a factor: by default PETSc's own Cholesky for a small matrix, else CHOLMOD on one process and MUMPS on
+/// several. Options with the prefix choose another one.
 class Factor {
  public:
-  /// Collective. ok() tells, on each process by itself, whether the matrix could be factored.
+  /// Collective. ok() tells on each process by itself whether the matrix could be factored.
   Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix);
 
-  /// Whether the matrix could be factored.
+  /// True if the matrix could be factored.
   bool ok() const { return ok_; }
-  /// Factors another matrix of the same pattern, on one process only: what the first one told of the pattern is kept, which
-  /// is a third of the work. False when that is not possible here; ok() is told anew otherwise.
+  /// Factors another matrix of the same pattern. The symbolic factorization is kept, a third of the work. False, with nothing
+  /// done, on several processes; else ok() tells the result.
   bool refactor(std::span<const double> values);
-  /// False when an iterative solver that was asked for did not converge.
+  /// x = A^-1 b. False when an iterative solver, chosen by an option, did not converge.
   bool solve(const double* b, double* x) const;
-  /// Every column; columns stand one after the other.
+  /// X = A^-1 B for all columns. Resizes x.
   bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const;
-  /// Of the factor and the matrix on this process [bytes]; as far as the package tells.
+  /// Memory of the factor and the matrix on this process, as far as the package reports it [bytes].
   double memory() const { return memory_; }
-  /// What really solves: the package that PETSc holds the factor in.
+  /// Package that holds the factor, or the iterative method that an option chose.
   const std::string& package() const { return package_; }
-  /// Its solves cannot fail.
+  /// True for a direct solver, whose solves cannot fail.
   bool is_direct() const { return direct_; }
+  /// The factor as a preconditioner.
   PC preconditioner() const;
 
  private:
@@ -89,17 +97,19 @@ class Factor {
   std::string package_;
 };
 
-/// Conjugate gradients on a matrix, preconditioned by the factor of one near to it, which must outlive this.
+/// Conjugate gradients on a matrix, preconditioned by the factor of a matrix near to it, which must outlive this.
 ///
-/// Stops at 1e-13 of the right-hand side: instants of contact are located to 1e-12 of a margin's change, and a step from here
-/// must not differ from one by a factor at that level. The residual of the recurrence reaches it in any case.
+/// They stop at a residual of 1e-13 of the right-hand side: contact events are located to 1e-12 of the change of an event
+/// function, and a step solved here must not differ from one by a factor at that level. The recurred residual always gets
+/// there.
 class NearSolver {
  public:
   NearSolver(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const Factor& near,
              const std::string& prefix);
 
-  /// `guess`: x holds one. False when it did not converge.
+  /// x = A^-1 b. `guess`: x holds an initial guess. False when the iteration did not converge.
   bool solve(const double* b, double* x, bool guess);
+  /// Iterations of all solves so far.
   long iterations() const { return iterations_; }
 
  private:

@@ -22,18 +22,18 @@ LinkEnds::LinkEnds(const System& system, const SystemMatrices& matrices) : matri
       group_of_.push_back(static_cast<int>(k));
       if (!part.entries.empty()) parts_.push_back(std::move(part));
     }
-  bundle();
+  make_batches();
 }
 
 bool LinkEnds::joins(int link, int group) const {
   return std::any_of(slots_[link].begin(), slots_[link].end(), [&](int slot) { return group_of_[slot] == group; });
 }
 
-// Each link goes to the first bundle that has none of its groups.
-void LinkEnds::bundle() {
+// Each link joins the first batch that has none of its groups.
+void LinkEnds::make_batches() {
   const int groups = group_of_.empty() ? 0 : *std::max_element(group_of_.begin(), group_of_.end()) + 1;
   std::vector<std::vector<bool>> taken;
-  bundle_of_.resize(slots_.size());
+  batch_of_.resize(slots_.size());
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const auto is_free = [&](const std::vector<bool>& by) {
       return std::none_of(slots_[i].begin(), slots_[i].end(), [&](int slot) { return by[group_of_[slot]]; });
@@ -41,11 +41,11 @@ void LinkEnds::bundle() {
     const std::size_t to = std::find_if(taken.begin(), taken.end(), is_free) - taken.begin();
     if (to == taken.size()) {
       taken.emplace_back(groups);
-      bundles_.emplace_back();
+      batches_.emplace_back();
     }
     for (const int slot : slots_[i]) taken[to][group_of_[slot]] = true;
-    bundles_[to].push_back(static_cast<int>(i));
-    bundle_of_[i] = static_cast<int>(to);
+    batches_[to].push_back(static_cast<int>(i));
+    batch_of_[i] = static_cast<int>(to);
   }
 }
 
@@ -81,9 +81,9 @@ void LinkEnds::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Ei
   }
 }
 
-void LinkEnds::add_columns(std::span<const int> place, int first, Eigen::Ref<Eigen::MatrixXd> b) const {
+void LinkEnds::add_columns(std::span<const int> column_of, int first, Eigen::Ref<Eigen::MatrixXd> b) const {
   for (const Part& part : parts_)
-    if (const int at = place[part.link]; at >= first)
+    if (const int at = column_of[part.link]; at >= first)
       for (const auto& [row, value] : part.entries) b(row, at - first) += value;
 }
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include <pounding/linear/factor.hpp>
+#include <pounding/linear/mode_count.hpp>
 #include <pounding/petsc/version.hpp>
 
 namespace pounding::petsc {
@@ -21,26 +22,17 @@ struct Destroyer<EPS> {
 
 namespace {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
 constexpr const char* prefix = "pounding_modes_";
-// Unknowns with mass, and all: below both a dense matrix is faster.
-constexpr std::size_t few_with_mass = 300;
-constexpr Eigen::Index few = 1500;
-// Of the largest quotient of stiffness and mass: far above rounding. Beside light masses they may exceed the lowest
-// frequencies; this costs iterations, not accuracy.
+// Numbers of dynamic and of all degrees of freedom up to which dense matrices are faster.
+constexpr std::size_t max_dense_dynamic = 300;
+constexpr Eigen::Index max_dense = 1500;
+// Shifts s as fractions of the largest quotient of stiffness and mass, far above round-off. Where some masses are small they
+// may exceed the lowest w^2; this costs iterations, not accuracy.
 constexpr double negative_shifts[] = {-1e-8, -1e-6, -1e-4};
-// Residual of the iteration, of each eigenvalue. Frequencies err by its square.
+// Relative residual of each eigenvalue; the error of its frequency is the square of it.
 constexpr double close_enough = 1e-12;
-// Frequencies are counted up to a gap of this part behind the last one wanted, so that rounding of equal ones cannot matter.
+// Relative gap behind the last frequency wanted up to which frequencies are counted: far above the round-off of equal ones.
 constexpr double gap = 1e-3;
-
-Pattern pattern_of(const SparseMatrix& a) {
-  const PetscInt* begin = a.outerIndexPtr();
-  return {{begin, begin + a.cols() + 1}, {a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros()}};
-}
-
-std::span<const double> values_of(const SparseMatrix& a) { return {a.valuePtr(), static_cast<std::size_t>(a.nonZeros())}; }
 
 SparseMatrix shifted(const SparseMatrix& mass, const SparseMatrix& stiffness, double shift) {
   SparseMatrix a = stiffness;
@@ -49,16 +41,16 @@ SparseMatrix shifted(const SparseMatrix& mass, const SparseMatrix& stiffness, do
   return a;
 }
 
-// L, n x unknowns with mass, with M = L L^T.
-SparseMatrix root_of(const SparseMatrix& mass, const std::vector<int>& heavy) {
-  SparseMatrix take(mass.rows(), static_cast<int>(heavy.size()));
-  for (std::size_t k = 0; k < heavy.size(); ++k) take.insert(heavy[k], static_cast<int>(k)) = 1;
-  const Eigen::SimplicialLLT<SparseMatrix> llt(take.transpose() * mass * take);
+// L with M = L L^T: n x dynamic degrees of freedom.
+SparseMatrix root_of(const SparseMatrix& mass, const std::vector<int>& dynamic) {
+  const Eigen::SimplicialLLT<SparseMatrix> llt(submatrix(mass, dynamic, dynamic));
   if (llt.info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
-  return take * SparseMatrix(llt.permutationPinv() * SparseMatrix(llt.matrixL()));
+  SparseMatrix spread(mass.rows(), static_cast<int>(dynamic.size()));
+  for (std::size_t k = 0; k < dynamic.size(); ++k) spread.insert(dynamic[k], static_cast<int>(k)) = 1;
+  return spread * SparseMatrix(llt.permutationPinv() * SparseMatrix(llt.matrixL()));
 }
 
-// CHOLMOD prints a warning for every matrix that is not positive definite; here this is how a free body is recognised.
+// Silences CHOLMOD, which prints a warning for each matrix that is not positive definite: so a free body is recognised here.
 class QuietCholmod {
  public:
   QuietCholmod() {
@@ -149,7 +141,7 @@ struct Pairs {
   }
 };
 
-// Has a part of every shape, symmetric or not, and another one in each round.
+// A starting vector with a part of every shape, symmetric or not; another one in each round.
 Eigen::VectorXd start(PetscInt size, std::size_t round) {
   Eigen::VectorXd x(size);
   for (PetscInt i = 0; i < size; ++i) x[i] = 1 + std::sin(1.7 * i + 0.3 * std::sqrt(2.0 + i) + static_cast<double>(round));
@@ -166,7 +158,7 @@ Handle<Vec> copy_of(const Eigen::VectorXd& x) {
   return vec;
 }
 
-// Adds `count` pairs at least, orthogonal to those that are there.
+// Adds at least `count` pairs, orthogonal to the known ones.
 void find(const Flexibility& flexibility, int count, Pairs& pairs) {
   Handle<EPS> eps;
   check(EPSCreate(PETSC_COMM_SELF, eps.out()));
@@ -205,42 +197,7 @@ void find(const Flexibility& flexibility, int count, Pairs& pairs) {
   }
 }
 
-// How many w^2 do not lie above `square`: the negative pivots of K - square M.
-int modes_below(const SparseMatrix& mass, const SparseMatrix& stiffness, double square) {
-  const SparseMatrix a = shifted(mass, stiffness, square);
-  const Handle<Mat> matrix = make_matrix(PETSC_COMM_SELF, pattern_of(a), values_of(a));
-  check(MatSetOption(matrix, MAT_SPD, PETSC_FALSE));
-  check(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
-  const std::string count_prefix = std::string(prefix) + "count_";
-  check(MatSetOptionsPrefixFactor(matrix, count_prefix.c_str()));
-  Handle<KSP> ksp;
-  check(KSPCreate(PETSC_COMM_SELF, ksp.out()));
-  check(KSPSetOptionsPrefix(ksp, count_prefix.c_str()));
-  check(KSPSetOperators(ksp, matrix, matrix));
-  check(KSPSetType(ksp, KSPPREONLY));
-  PC pc = nullptr;
-  check(KSPGetPC(ksp, &pc));
-  check(PCSetType(pc, PCCHOLESKY));
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  // MUMPS tells the inertia only where it looks for pivots that are zero.
-  Mat factor = nullptr;
-  check(PCFactorSetUpMatSolverType(pc));
-  check(PCFactorGetMatrix(pc, &factor));
-  check(MatMumpsSetIcntl(factor, 24, 1));
-  check(KSPSetFromOptions(ksp));
-  check(KSPSetUp(ksp));
-  PCFailedReason reason = PC_NOERROR;
-  check(PCGetFailedReason(pc, &reason));
-  if (reason != PC_NOERROR)
-    throw SolverError(fmt::format("the modes below {:.6g} rad/s could not be counted: no factor (MUMPS; more memory by "
-                                  "-{}count_mat_mumps_icntl_14 100)",
-                                  std::sqrt(std::max(square, 0.0)), prefix));
-  PetscInt negative = 0, zero = 0, positive = 0;
-  check(MatGetInertia(factor, &negative, &zero, &positive));
-  return negative + zero;
-}
-
-// Where to count: behind the first gap after the last pair wanted, as w^2 - s.
+// Limit of the count as w^2 - s: behind the first gap after the last pair wanted.
 double behind(const Pairs& pairs, int count) {
   std::size_t last = count - 1;
   const auto distance = [&](std::size_t i) { return 1 / pairs.values[i]; };
@@ -248,18 +205,19 @@ double behind(const Pairs& pairs, int count) {
   return distance(last) * (1 + gap / 2);
 }
 
-// Of the `count` lowest none is missing then. False when K - s M is not positive definite, which not every factor tells.
+// Finds the `count` lowest pairs, none missing. False when K - s M is not positive definite, which not every factor reports.
 bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Flexibility& flexibility, int count,
               Pairs& pairs) {
+  const auto modes_below = [&](double square) { return count_modes_below(shifted(mass, stiffness, square), square, prefix); };
   find(flexibility, count, pairs);
   while (static_cast<PetscInt>(pairs.size()) < flexibility.size()) {
     if (pairs.values[count - 1] <= 0) return false;
     const double limit = behind(pairs, count);
     const int known = static_cast<int>(
         std::count_if(pairs.values.begin(), pairs.values.end(), [&](double value) { return 1 / value < limit; }));
-    const int there = modes_below(mass, stiffness, flexibility.shift() + limit);
+    const int there = modes_below(flexibility.shift() + limit);
     if (there == known) break;
-    if (modes_below(mass, stiffness, flexibility.shift()) > 0) return false;
+    if (modes_below(flexibility.shift()) > 0) return false;
     if (there < known)
       throw SolverError(fmt::format("{} modes found where the pivots of the stiffness count {}: it is too badly conditioned "
                                     "for its lowest modes",
@@ -269,7 +227,7 @@ bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Fle
   return pairs.values.back() > 0;
 }
 
-// Nothing when K - s M is not positive definite.
+// The modes by one shift; nothing when K - s M is not positive definite.
 std::optional<Eigenmodes> modes_by_shift(const SparseMatrix& mass, const SparseMatrix& stiffness, const SparseMatrix& root,
                                          int count, double shift) {
   const Flexibility flexibility(mass, stiffness, root, shift);
@@ -284,16 +242,16 @@ std::optional<Eigenmodes> modes_by_shift(const SparseMatrix& mass, const SparseM
 }  // namespace
 
 Eigenmodes sparse_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count) {
-  const std::vector<int> heavy = unknowns_with_mass(mass);
-  require_mode_count(count, heavy.size());
+  const std::vector<int> dynamic = split_by_mass(mass).dynamic;
+  require_mode_count(count, dynamic.size());
   if (count == 0) return {Eigen::VectorXd(0), Eigen::MatrixXd(mass.rows(), 0)};
-  const SparseMatrix root = root_of(mass, heavy);
+  const SparseMatrix root = root_of(mass, dynamic);
   const QuietCholmod quiet;
-  // Beside a motion at rest the others would drown without a shift.
+  // A mode of frequency 0 would dominate the iteration without a shift.
   if (auto modes = modes_by_shift(mass, stiffness, root, count, 0); modes && modes->frequencies[0] > 0)
     return *std::move(modes);
   double scale = 0;
-  for (const int i : heavy) scale = std::max(scale, stiffness.coeff(i, i) / mass.coeff(i, i));
+  for (const int i : dynamic) scale = std::max(scale, stiffness.coeff(i, i) / mass.coeff(i, i));
   for (const double part : negative_shifts)
     if (auto modes = modes_by_shift(mass, stiffness, root, count, part * scale)) return *std::move(modes);
   require_static_stiffness(mass, stiffness);
@@ -301,7 +259,7 @@ Eigenmodes sparse_modes(const SparseMatrix& mass, const SparseMatrix& stiffness,
 }
 
 Eigenmodes lowest_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, int count) {
-  const bool dense = mass.rows() <= few && unknowns_with_mass(mass).size() <= few_with_mass;
+  const bool dense = mass.rows() <= max_dense && split_by_mass(mass).dynamic.size() <= max_dense_dynamic;
   return dense ? dense_modes(mass, stiffness, count) : sparse_modes(mass, stiffness, count);
 }
 

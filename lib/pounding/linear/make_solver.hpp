@@ -1,5 +1,5 @@
 #pragma once
-/// Chooses how the structures are solved.
+/// Makes the solver of the structures.
 
 #include <petscsys.h>
 
@@ -9,14 +9,14 @@
 
 namespace pounding::petsc {
 
-/// How the structures are solved without their links.
+/// Solver of the structures without their links.
 enum class SolverKind {
-  automatic,  ///< modal while setting it up is cheap, else sparse
-  modal,      ///< all modes of every structure
-  sparse      ///< PETSc matrices and factors
+  automatic,  ///< modal where no structure has more than 500 dynamic degrees of freedom, else sparse
+  modal,      ///< ModalSolver: all modes of every structure
+  sparse      ///< SparseSolver: PETSc matrices and factors
 };
 
-/// `automatic` is modal while setting that up is cheap. Collective on `comm` when it is sparse.
-std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm = PETSC_COMM_WORLD);
+/// Collective on `comm` when it is sparse. `system` must outlive the solver; throws as the constructors of the two solvers do.
+std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind kind, MPI_Comm comm);
 
 }  // namespace pounding::petsc

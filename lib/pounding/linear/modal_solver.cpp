@@ -4,7 +4,6 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -12,53 +11,20 @@
 namespace pounding {
 namespace {
 
-// Off the diagonal of a classical damping matrix stands rounding of this part of its largest entry.
+// Off-diagonal modal damping below this fraction of the largest entry is round-off.
 constexpr double rounding = 1e-11;
 
-// Unknowns of a group with and without mass, counted in the group.
-struct Partition {
-  std::vector<int> heavy, massless;
-};
-
-Partition partition(const System& system, const Group& group) {
-  Partition p;
-  for (int i = 0; i < group.count; ++i) {
-    const double m = system.mass.coeff(group.first + i, group.first + i);
-    if (!(m >= 0)) throw std::invalid_argument("the mass matrix is not positive definite");
-    (m > 0 ? p.heavy : p.massless).push_back(i);
-  }
-  return p;
-}
-
-Eigen::MatrixXd dense(const SparseMatrix& a, const std::vector<int>& rows, const std::vector<int>& columns, int first) {
-  std::vector<int> place(static_cast<std::size_t>(a.rows() - first), -1);
-  for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = static_cast<int>(i);
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    for (SparseMatrix::InnerIterator it(a, first + columns[j]); it; ++it)
-      if (it.row() >= first && place[it.row() - first] >= 0) out(place[it.row() - first], static_cast<int>(j)) = it.value();
-  return out;
-}
-
-SparseMatrix sparse(const SparseMatrix& a, const std::vector<int>& unknowns, int first) {
-  std::vector<int> place(static_cast<std::size_t>(a.rows() - first), -1);
-  for (std::size_t i = 0; i < unknowns.size(); ++i) place[unknowns[i]] = static_cast<int>(i);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t j = 0; j < unknowns.size(); ++j)
-    for (SparseMatrix::InnerIterator it(a, first + unknowns[j]); it; ++it)
-      if (it.row() >= first && place[it.row() - first] >= 0)
-        entries.emplace_back(place[it.row() - first], static_cast<int>(j), it.value());
-  const int n = static_cast<int>(unknowns.size());
-  SparseMatrix out(n, n);
-  out.setFromTriplets(entries.begin(), entries.end());
-  return out;
+MassSplit split_of(const System& system, const Group& group) {
+  for (int i = group.first; i < group.first + group.count; ++i)
+    if (!(system.mass.coeff(i, i) >= 0)) throw std::invalid_argument("the mass matrix is not positive definite");
+  return split_by_mass(system.mass, group.first, group.count);
 }
 
 }  // namespace
 
-int ModalSolver::largest_block(const System& system) {
+int ModalSolver::max_dynamic_dofs(const System& system) {
   std::size_t largest = 0;
-  for (const Group& group : system.groups) largest = std::max(largest, partition(system, group).heavy.size());
+  for (const Group& group : system.groups) largest = std::max(largest, split_of(system, group).dynamic.size());
   return static_cast<int>(largest);
 }
 
@@ -87,7 +53,7 @@ ModalSolver::ModalSolver(const System& system) : unknowns_(system.size()) {
           block.shapes.transpose() * system.load.col(j).segment(block.first, block.shapes.rows());
   outputs_ = static_cast<int>(system.outputs.cols());
   for (const Block& block : blocks_) add_view(system.outputs, block);
-  closing_.resize(system.links());
+  gap_jacobian_.resize(system.links());
   for (int i = 0; i < system.links(); ++i) {
     const Eigen::VectorXd column(system.gap_jacobian.col(i));
     for (const Block& block : blocks_) {
@@ -96,27 +62,27 @@ ModalSolver::ModalSolver(const System& system) : unknowns_(system.size()) {
       for (int k = 0; k < part.size(); ++k)
         if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
           throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, block.first + k));
-      closing_[i].push_back({block.coordinate, block.shapes.transpose() * part});
+      gap_jacobian_[i].push_back({block.coordinate, block.shapes.transpose() * part});
     }
   }
 }
 
 void ModalSolver::add_block(const System& system, const Group& group) {
-  const Partition p = partition(system, group);
-  const int count = static_cast<int>(p.heavy.size());
-  Eigen::MatrixXd stiffness = dense(system.stiffness, p.heavy, p.heavy, group.first);
-  const Eigen::MatrixXd mass = dense(system.mass, p.heavy, p.heavy, group.first);
-  Eigen::MatrixXd follow;  // of the unknowns without mass
-  if (!p.massless.empty()) {
-    const Eigen::MatrixXd coupling = dense(system.stiffness, p.massless, p.heavy, group.first);
-    const Eigen::SimplicialLLT<SparseMatrix> solver(sparse(system.stiffness, p.massless, group.first));
+  const auto [dynamic, massless] = split_of(system, group);
+  const int count = static_cast<int>(dynamic.size());
+  Eigen::MatrixXd stiffness = dense_submatrix(system.stiffness, dynamic, dynamic, group.first);
+  const Eigen::MatrixXd mass = dense_submatrix(system.mass, dynamic, dynamic, group.first);
+  Eigen::MatrixXd recovery;  // of the massless degrees of freedom from the dynamic ones
+  if (!massless.empty()) {
+    const Eigen::MatrixXd coupling = dense_submatrix(system.stiffness, massless, dynamic, group.first);
+    const Eigen::SimplicialLLT<SparseMatrix> solver(submatrix(system.stiffness, massless, massless, group.first));
     if (solver.info() != Eigen::Success)
       throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
-    follow = -solver.solve(coupling);
-    stiffness += coupling.transpose() * follow;
+    recovery = -solver.solve(coupling);
+    stiffness += coupling.transpose() * recovery;
     stiffness = 0.5 * (stiffness + stiffness.transpose().eval());
-    if (!dense(system.damping, p.massless, p.massless, group.first).isZero(0) ||
-        !dense(system.damping, p.massless, p.heavy, group.first).isZero(0))
+    if (!dense_submatrix(system.damping, massless, massless, group.first).isZero(0) ||
+        !dense_submatrix(system.damping, massless, dynamic, group.first).isZero(0))
       throw std::invalid_argument("a dashpot acts on an unknown without mass");
   }
   if (Eigen::LLT<Eigen::MatrixXd>(mass).info() != Eigen::Success)
@@ -124,22 +90,17 @@ void ModalSolver::add_block(const System& system, const Group& group) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass);
   if (modes.info() != Eigen::Success) throw std::invalid_argument("the modes of a structure could not be computed");
   const Eigen::MatrixXd& phi = modes.eigenvectors();
-
   Block block;
   block.first = group.first;
   block.coordinate = static_cast<int>(stiffness_.size());
   block.shapes = Eigen::MatrixXd::Zero(group.count, count);
-  for (int i = 0; i < count; ++i) block.shapes.row(p.heavy[i]) = phi.row(i);
-  if (follow.size() > 0) {
-    const Eigen::MatrixXd others = follow * phi;
-    for (std::size_t i = 0; i < p.massless.size(); ++i) block.shapes.row(p.massless[i]) = others.row(static_cast<int>(i));
-  }
+  block.shapes(dynamic, Eigen::all) = phi;
+  if (recovery.size() > 0) block.shapes(massless, Eigen::all) = recovery * phi;
   block.project = Eigen::MatrixXd::Zero(count, group.count);
-  const Eigen::MatrixXd project = phi.transpose() * mass;
-  for (int i = 0; i < count; ++i) block.project.col(p.heavy[i]) = project.col(i);
+  block.project(Eigen::all, dynamic) = phi.transpose() * mass;
 
   const Eigen::VectorXd squares = modes.eigenvalues().cwiseMax(0);
-  const Eigen::MatrixXd rest = phi.transpose() * dense(system.damping, p.heavy, p.heavy, group.first) * phi;
+  const Eigen::MatrixXd rest = phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi;
   Eigen::VectorXd diagonal = rest.diagonal() + group.by_stiffness * squares;
   diagonal.array() += group.by_mass;
   Eigen::MatrixXd coupled = rest;
@@ -195,9 +156,9 @@ void ModalSolver::mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eig
 void ModalSolver::accelerate(Eigen::Ref<Eigen::VectorXd>) const {}
 void ModalSolver::recover(Eigen::Ref<Eigen::VectorXd>) const {}
 
-void ModalSolver::set_matrix(const EffectiveMatrix& s, std::optional<int> /*rung*/) {
-  if (s.mass == shift_.mass && s.damping == shift_.damping && s.stiffness == shift_.stiffness) return;
-  shift_ = s;
+void ModalSolver::set_matrix(const EffectiveMatrix& s, std::optional<int> /*step_level*/) {
+  if (s.mass == matrix_.mass && s.damping == matrix_.damping && s.stiffness == matrix_.stiffness) return;
+  matrix_ = s;
   if (classical_) {
     const Eigen::Index n = stiffness_.size();
     for (Eigen::Index i = 0; i < n; ++i) inverse_[i] = 1 / (s.mass + s.damping * damping_[i] + s.stiffness * stiffness_[i]);
@@ -230,7 +191,7 @@ bool ModalSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
   const int count = static_cast<int>(links.size());
   g.setZero(count, count);
   for (int j = 0; j < count; ++j)
-    for (const Part& part : closing_[links[j]]) {
+    for (const Part& part : gap_jacobian_[links[j]]) {
       const Eigen::Index n = part.values.size();
       Eigen::VectorXd solved;
       if (!classical_) {
@@ -239,7 +200,7 @@ bool ModalSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
           if (blocks_[b].coordinate == part.first) factors_[b].solveInPlace(solved);
       }
       for (int i = 0; i <= j; ++i)
-        for (const Part& other : closing_[links[i]]) {
+        for (const Part& other : gap_jacobian_[links[i]]) {
           if (other.first != part.first) continue;
           double sum = 0;
           if (classical_)
@@ -257,7 +218,7 @@ void ModalSolver::add_response(double factor, std::span<const int> links, const 
                              Eigen::Ref<Eigen::VectorXd> y) const {
   for (std::size_t j = 0; j < links.size(); ++j) {
     const double scale = factor * f[static_cast<Eigen::Index>(j)];
-    for (const Part& part : closing_[links[j]]) {
+    for (const Part& part : gap_jacobian_[links[j]]) {
       const Eigen::Index n = part.values.size();
       if (classical_) {
         for (Eigen::Index k = 0; k < n; ++k)
@@ -272,11 +233,11 @@ void ModalSolver::add_response(double factor, std::span<const int> links, const 
 
 void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
   const Eigen::Index columns = x.cols();
-  relative.resize(static_cast<Eigen::Index>(closing_.size()), columns);
-  for (std::size_t i = 0; i < closing_.size(); ++i)
+  relative.resize(static_cast<Eigen::Index>(gap_jacobian_.size()), columns);
+  for (std::size_t i = 0; i < gap_jacobian_.size(); ++i)
     for (Eigen::Index j = 0; j < columns; ++j) {
       double sum = 0;
-      for (const Part& part : closing_[i]) {
+      for (const Part& part : gap_jacobian_[i]) {
         const Eigen::Index n = part.values.size();
         for (Eigen::Index k = 0; k < n; ++k) sum += part.values[k] * x(part.first + k, j);
       }
@@ -285,10 +246,10 @@ void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& r
 }
 
 void ModalSolver::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
-  for (std::size_t i = 0; i < closing_.size(); ++i) {
+  for (std::size_t i = 0; i < gap_jacobian_.size(); ++i) {
     const double scale = factor * f[static_cast<Eigen::Index>(i)];
     if (scale == 0) continue;
-    for (const Part& part : closing_[i]) {
+    for (const Part& part : gap_jacobian_[i]) {
       const Eigen::Index n = part.values.size();
       for (Eigen::Index k = 0; k < n; ++k) y[part.first + k] += scale * part.values[k];
     }

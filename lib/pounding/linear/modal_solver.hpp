@@ -1,5 +1,5 @@
 #pragma once
-/// All natural modes of every structure: coordinates in which the equations without links are decoupled.
+/// The structures in their natural modes: coordinates in which the equations without links are decoupled.
 
 #include <vector>
 
@@ -9,20 +9,20 @@
 
 namespace pounding {
 
-/// Mass-normalised modes q, u = Phi q, of each group by itself, none left out: M becomes the identity and K diagonal, so
-/// a step of any length costs a few operations an unknown and no factorization. Unknowns without mass are condensed out
-/// exactly. C becomes diagonal too when the damping is classical (Rayleigh, modal); else it stays a full block and each
-/// length of step is factored once.
+/// All mass-normalised modes of each group, u = Phi q: M becomes the identity and K diagonal, so a step of any length costs a
+/// few operations per degree of freedom and no factorization. Massless degrees of freedom are condensed statically, which is
+/// exact. C becomes diagonal too when the damping is classical (Rayleigh, modal); else it stays a full block per group, and
+/// each length of step is factored once.
 ///
-/// For small and middle systems; setting up costs the cube of the number of unknowns with mass of a structure.
+/// For small and middle systems: the cost of setting up grows with the cube of a structure's dynamic degrees of freedom.
 class ModalSolver final : public StructureSolver {
  public:
-  /// Throws std::invalid_argument for a mass that is not positive, a stiffness that leaves an unknown without mass loose,
-  /// and a link or a dashpot at an unknown without mass.
+  /// Throws std::invalid_argument for a mass matrix that is not positive definite, a massless degree of freedom that the
+  /// stiffness does not hold, and a link or a dashpot at a massless one.
   explicit ModalSolver(const System& system);
 
-  /// Largest number of unknowns with mass in one structure, what the set-up is measured by.
-  static int largest_block(const System& system);
+  /// Largest number of dynamic degrees of freedom in one structure: its cube is the cost of setting up.
+  static int max_dynamic_dofs(const System& system);
 
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
   void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
@@ -31,7 +31,7 @@ class ModalSolver final : public StructureSolver {
   void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override;
   void recover(Eigen::Ref<Eigen::VectorXd> x) const override;
   bool prefers_dyadic_steps() const override { return !classical_; }
-  void set_matrix(const EffectiveMatrix& shift, std::optional<int> rung) override;
+  void set_matrix(const EffectiveMatrix& matrix, std::optional<int> step_level) override;
   bool solve(Eigen::Ref<Eigen::VectorXd> x) override;
   bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) override;
   void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
@@ -45,11 +45,11 @@ class ModalSolver final : public StructureSolver {
   std::string description() const override;
 
  private:
-  // The modes of one group. Rows of `shapes` are the unknowns of the group, massless ones included.
+  // The modes of one group.
   struct Block {
-    int first = 0;        // unknown
-    int coordinate = 0;   // first mode
-    Eigen::MatrixXd shapes;
+    int first = 0;            // degree of freedom
+    int coordinate = 0;       // first mode
+    Eigen::MatrixXd shapes;   // Phi: [all degrees of freedom of the group, mode]
     Eigen::MatrixXd project;  // Phi^T M: displacements to modes
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
   };
@@ -59,7 +59,7 @@ class ModalSolver final : public StructureSolver {
     Eigen::VectorXd values;
   };
 
-  // What is outputs of one group: values[rows[i]] counts factors.row(i) times the modes from `first` on.
+  // Outputs of one group: values[rows[i]] += factors.row(i) * modes from `first` on.
   struct View {
     int first = 0;
     std::vector<int> rows;
@@ -71,16 +71,16 @@ class ModalSolver final : public StructureSolver {
 
   std::vector<Block> blocks_;
   Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
-  std::vector<std::vector<Part>> closing_;
+  std::vector<std::vector<Part>> gap_jacobian_;  // of each link
   std::vector<View> views_;
-  int outputs_ = 0;  // quantities
+  int outputs_ = 0;  // number of output quantities
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;
   int unknowns_ = 0;
 
-  EffectiveMatrix shift_{0, 0, 0};
+  EffectiveMatrix matrix_{0, 0, 0};
   Eigen::VectorXd inverse_;  // of the diagonal of A
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;  // by block, of the present shift, when not classical
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;  // by block, of the present matrix, when not classical
 };
 
 }  // namespace pounding

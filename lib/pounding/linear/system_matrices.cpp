@@ -1,19 +1,18 @@
 #include <pounding/linear/system_matrices.hpp>
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include <pounding/linear/row_ranges.hpp>
+#include <pounding/linear/system_checks.hpp>
+
 namespace pounding::petsc {
 namespace {
 
-// Of its diagonal, a pivot of a singular matrix.
-constexpr double no_pivot = 1e-12;
-
-// y = A x, `Columns` of them in one pass over the matrix.
+// y = A x for several columns in one pass over the matrix.
 template <int Columns>
 void multiply(const Pattern& a, const std::vector<double>& values, const double* x, Eigen::Index ldx, double* y,
               Eigen::Index ldy) {
@@ -29,113 +28,28 @@ void multiply(const Pattern& a, const std::vector<double>& values, const double*
   }
 }
 
-// First row of each process: whole groups, the borders where the entries of the stiffness come nearest to even parts.
-std::vector<int> whole_groups_of(const System& system, int processes) {
-  const int groups = static_cast<int>(system.groups.size());
-  std::vector<double> entries(groups + 1, 0.0);
-  for (int k = 0; k < groups; ++k) {
-    const Group& group = system.groups[k];
-    entries[k + 1] = entries[k] + 1;
-    for (int j = group.first; j < group.first + group.count; ++j)
-      for (SparseMatrix::InnerIterator it(system.stiffness, j); it; ++it) entries[k + 1] += 1;
-  }
-  std::vector<int> first{0};
-  int border = 0;
-  for (int r = 1; r < processes; ++r) {
-    const double even = entries[groups] * r / processes;
-    ++border;
-    while (border < groups - (processes - r) && std::abs(entries[border + 1] - even) < std::abs(entries[border] - even))
-      ++border;
-    first.push_back(system.groups[border].first);
-  }
-  first.push_back(system.size());
-  return first;
-}
-
-void require_groups(const System& system) {
-  std::vector<int> group_of(system.size(), -1);
-  int next = 0;
-  for (std::size_t k = 0; k < system.groups.size(); ++k) {
-    const Group& group = system.groups[k];
-    if (group.first != next || group.count < 1)
-      throw std::invalid_argument(fmt::format("group {} begins at unknown {}, not at {}", k, group.first, next));
-    next += group.count;
-    for (int i = group.first; i < std::min(next, system.size()); ++i) group_of[i] = static_cast<int>(k);
-  }
-  if (next != system.size())
-    throw std::invalid_argument(fmt::format("the groups hold {} unknowns of {}", next, system.size()));
-  for (const SparseMatrix* matrix : {&system.mass, &system.damping, &system.stiffness})
-    for (int j = 0; j < matrix->outerSize(); ++j)
-      for (SparseMatrix::InnerIterator it(*matrix, j); it; ++it)
-        if (group_of[it.row()] != group_of[j])
-          throw std::invalid_argument(fmt::format("an entry joins the unknowns {} and {} of two groups", it.row(), j));
-}
-
-void require_masses(const System& system, const Eigen::VectorXd& diagonal) {
-  const Eigen::VectorXd stiffness = system.stiffness.diagonal();
-  const auto has_mass = [&](Eigen::Index i) { return diagonal[i] > 0; };
-  for (Eigen::Index i = 0; i < diagonal.size(); ++i) {
-    if (!(diagonal[i] >= 0)) throw std::invalid_argument(fmt::format("the mass of unknown {} is negative", i));
-    if (!has_mass(i) && !(stiffness[i] > 0))
-      throw std::invalid_argument(fmt::format("the stiffness leaves unknown {}, which has no mass, loose", i));
-  }
-  for (int j = 0; j < system.damping.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator it(system.damping, j); it; ++it)
-      if (it.value() != 0 && !(has_mass(j) && has_mass(it.row())))
-        throw std::invalid_argument(fmt::format("a dashpot acts on unknown {}, which has no mass", has_mass(j) ? it.row() : j));
-  for (int i = 0; i < system.links(); ++i)
-    for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
-      if (it.value() != 0 && !has_mass(it.row()))
-        throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, it.row()));
-}
-
-// Every process looks at the whole matrix and finds the same unknown.
-[[noreturn]] void fail_singular(const System& system, const SparseMatrix& matrix, const char* what) {
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<int> unknowns, number(system.size(), -1);
-  for (int i = 0; i < system.size(); ++i)
-    if (&matrix == &system.stiffness ? system.mass.coeff(i, i) == 0 : matrix.coeff(i, i) != 0) {
-      number[i] = static_cast<int>(unknowns.size());
-      unknowns.push_back(i);
-    }
-  for (const int j : unknowns)
-    for (SparseMatrix::InnerIterator it(matrix, j); it; ++it)
-      if (number[it.row()] >= 0) entries.emplace_back(number[it.row()], number[j], it.value());
-  const int count = static_cast<int>(unknowns.size());
-  SparseMatrix part(count, count);
-  part.setFromTriplets(entries.begin(), entries.end());
-  Eigen::SimplicialLDLT<SparseMatrix> factor(part);
-  std::string place;
-  if (factor.vectorD().size() == count) {
-    const Eigen::VectorXd pivots = factor.permutationPinv() * Eigen::VectorXd(factor.vectorD());
-    for (int i = 0; i < count && place.empty(); ++i)
-      if (!(pivots[i] > no_pivot * part.coeff(i, i))) place = fmt::format(": a motion with unknown {} meets nothing", unknowns[i]);
-  }
-  throw SolverError(fmt::format("{} is singular or not positive definite{}", what, place));
-}
-
 }  // namespace
 
-// A block of a matrix at some of the unknowns, with its factor.
+// The rows and columns of a matrix at some degrees of freedom, with their factor.
 struct SystemMatrices::Subset {
   std::vector<int> rows;  // on this process
   std::unique_ptr<Factor> factor;
   Eigen::VectorXd b, x;
 
-  // `wanted` tells of every unknown.
-  Subset(const SystemMatrices& whole, const SparseMatrix& matrix, const std::vector<bool>& wanted) {
+  // `dofs`: increasing, of the whole system.
+  Subset(const SystemMatrices& whole, const SparseMatrix& matrix, const std::vector<int>& dofs) {
     const int first = whole.first(), end = first + whole.rows(), solving = whole.first_column();
-    std::vector<PetscInt> number(wanted.size(), -1);
+    std::vector<PetscInt> number(static_cast<std::size_t>(matrix.rows()), -1);
     PetscInt count = 0;
-    for (int i = solving; i < static_cast<int>(wanted.size()); ++i)
-      if (wanted[i]) number[i] = count++;
+    for (const int i : dofs)
+      if (i >= solving) number[i] = count++;
     Pattern pattern;
     std::vector<double> values;
-    for (int i = first; i < end; ++i) {
-      if (!wanted[i]) continue;
+    for (const int i : dofs) {
+      if (i < first || i >= end) continue;
       rows.push_back(i - first);
       for (SparseMatrix::InnerIterator it(matrix, i); it; ++it)
-        if (wanted[it.row()]) {
+        if (number[it.row()] >= 0) {
           pattern.columns.push_back(number[it.row()]);
           values.push_back(it.value());
         }
@@ -149,7 +63,7 @@ struct SystemMatrices::Subset {
   }
 
   bool ok() const { return !factor || factor->ok(); }
-  // Entries of r at these rows become those of A^-1 r.
+  // Entries of r at these rows become sign A^-1 r.
   void solve(Eigen::Ref<Eigen::VectorXd> r, double sign) {
     if (!factor) return;
     for (std::size_t i = 0; i < rows.size(); ++i) b[static_cast<Eigen::Index>(i)] = sign * r[rows[i]];
@@ -171,13 +85,9 @@ SystemMatrices::SystemMatrices(MPI_Comm comm, const System& system, const std::s
   const Eigen::VectorXd masses = system.mass.diagonal();
   require_masses(system, masses);
 
-  whole_ = static_cast<int>(system.groups.size()) >= processes_;
-  if (whole_) {
-    first_row_ = whole_groups_of(system, processes_);
-    solving_comm_ = PETSC_COMM_SELF;
-  } else {
-    for (int r = 0; r <= processes_; ++r) first_row_.push_back(static_cast<int>(static_cast<long>(n) * r / processes_));
-  }
+  whole_ = shares_whole_groups(system, processes_);
+  if (whole_) solving_comm_ = PETSC_COMM_SELF;
+  first_row_ = first_rows(system, processes_);
   diagonal_mass_ = masses.segment(first(), rows());
   find_segments();
   fill();
@@ -186,12 +96,10 @@ SystemMatrices::SystemMatrices(MPI_Comm comm, const System& system, const std::s
     if (!mass_.empty()) shared_mass_ = std::make_unique<Product>(make_matrix(comm, pattern_, mass_));
     if (!damping_.empty()) shared_damping_ = std::make_unique<Product>(make_matrix(comm, pattern_, damping_));
   }
-  std::vector<bool> heavy(n);
-  for (int i = 0; i < n; ++i) heavy[i] = masses[i] > 0;
-  any_massless_ = std::find(heavy.begin(), heavy.end(), false) != heavy.end();
+  dofs_ = split_by_mass(system.mass);
   if (!mass_.empty()) {
-    heavy_ = std::make_unique<Subset>(*this, system.mass, heavy);
-    if (!agreed(heavy_->ok())) fail_singular(system, system.mass, "the mass matrix");
+    dynamic_ = std::make_unique<Subset>(*this, system.mass, dofs_.dynamic);
+    if (!agreed(dynamic_->ok())) fail_singular(system.mass, dofs_.dynamic, "the mass matrix");
   }
 }
 
@@ -272,7 +180,7 @@ void SystemMatrices::damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::R
   Eigen::VectorXd product;
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     const double* inertia = nullptr;
-    if (heavy_) {
+    if (dynamic_) {
       product.resize(x.rows());
       mass_times(x.col(j), product);
       inertia = product.data();
@@ -296,8 +204,8 @@ void SystemMatrices::damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::R
 
 void SystemMatrices::accelerate(Eigen::Ref<Eigen::VectorXd> r) const {
   const Eigen::VectorXd& mass = diagonal_mass_;
-  if (heavy_) {
-    heavy_->solve(r, 1);
+  if (dynamic_) {
+    dynamic_->solve(r, 1);
     for (Eigen::Index i = 0; i < r.size(); ++i)
       if (mass[i] == 0) r[i] = 0;
     return;
@@ -305,17 +213,14 @@ void SystemMatrices::accelerate(Eigen::Ref<Eigen::VectorXd> r) const {
   for (Eigen::Index i = 0; i < r.size(); ++i) r[i] = mass[i] > 0 ? r[i] / mass[i] : 0;
 }
 
-// K_ss x_s = -K_sm x_m.
+// Solves K_ss x_s = -K_sm x_m.
 void SystemMatrices::recover(Eigen::Ref<Eigen::VectorXd> x) const {
-  if (!any_massless_) return;
+  if (dofs_.massless.empty()) return;
   if (!massless_) {
-    std::vector<bool> loose(system_.size());
-    const Eigen::VectorXd masses = system_.mass.diagonal();
-    for (int i = 0; i < system_.size(); ++i) loose[i] = masses[i] == 0;
-    massless_ = std::make_unique<Subset>(*this, system_.stiffness, loose);
+    massless_ = std::make_unique<Subset>(*this, system_.stiffness, dofs_.massless);
     if (!agreed(massless_->ok())) {
       massless_.reset();
-      fail_singular(system_, system_.stiffness, "the stiffness at the unknowns without mass");
+      fail_singular(system_.stiffness, dofs_.massless, "the stiffness at the unknowns without mass");
     }
   }
   for (const int i : massless_->rows) x[i] = 0;
@@ -325,14 +230,14 @@ void SystemMatrices::recover(Eigen::Ref<Eigen::VectorXd> x) const {
   for (const int i : massless_->rows) x[i] = pull[i];
 }
 
-// A of this shift, in the pattern.
-std::vector<double> SystemMatrices::values(const EffectiveMatrix& shift) const {
+// The entries of A, in the pattern.
+std::vector<double> SystemMatrices::values(const EffectiveMatrix& step) const {
   std::vector<double> a(stiffness_.size());
   const int diagonal = first() - first_column();
   for (const StructureSolver::Segment& s : segments_) {
     const Group& group = system_.groups[s.group];
-    const double by_mass = shift.mass + shift.damping * group.by_mass;
-    const double by_stiffness = shift.stiffness + shift.damping * group.by_stiffness;
+    const double by_mass = step.mass + step.damping * group.by_mass;
+    const double by_stiffness = step.stiffness + step.damping * group.by_stiffness;
     for (int i = s.first; i < s.first + s.count; ++i)
       for (PetscInt p = pattern_.begin[i]; p < pattern_.begin[i + 1]; ++p) {
         a[p] = by_stiffness * stiffness_[p];
@@ -340,15 +245,18 @@ std::vector<double> SystemMatrices::values(const EffectiveMatrix& shift) const {
           a[p] += by_mass * mass_[p];
         else if (pattern_.columns[p] == i + diagonal)
           a[p] += by_mass * diagonal_mass_[i];
-        if (!damping_.empty()) a[p] += shift.damping * damping_[p];
+        if (!damping_.empty()) a[p] += step.damping * damping_[p];
       }
   }
   return a;
 }
 
-void SystemMatrices::name_singular(const EffectiveMatrix& shift) const {
-  const SparseMatrix a = shift.mass * system_.mass + shift.stiffness * system_.stiffness;
-  fail_singular(system_, a, "mass and stiffness together");
+void SystemMatrices::name_singular(const EffectiveMatrix& step) const {
+  const SparseMatrix a = step.mass * system_.mass + step.stiffness * system_.stiffness;
+  std::vector<int> dofs;
+  for (int i = 0; i < system_.size(); ++i)
+    if (a.coeff(i, i) != 0) dofs.push_back(i);
+  fail_singular(a, dofs, "mass and stiffness together");
 }
 
 void SystemMatrices::spread(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& all) const {

@@ -13,7 +13,7 @@
 namespace pounding::petsc {
 namespace {
 
-// The first message of the failure that is on its way up; PETSc calls the handler once a level.
+// PETSc calls its error handler once a function on the way up; this keeps the first message.
 thread_local std::string failure;
 
 PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
@@ -26,9 +26,9 @@ PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char
   return code;
 }
 
-// Open MPI looks for networks and a launcher daemon when it starts: a fifth of a second of every short run. A process that
-// no launcher has started talks to itself only. It needs no session folder either: processes that start and end at the same
-// time would share one, and now and then one would find it gone. What the user has set stays.
+// Open MPI looks for networks and a launcher daemon when it starts, which costs a fifth of a second. A process that no launcher has
+// started talks to itself only and needs neither. It needs no session folder either: processes that start and end at the same time
+// would share one, and now and then one would find it gone. Variables that the user has set stay.
 void prepare_single_process() {
   if (launch()) return;
   constexpr int keep_existing = 0;
@@ -54,7 +54,7 @@ Environment::Environment(const std::vector<std::string>& options) {
     char** arguments = pointers.data();
     check(PetscInitialize(&count, &arguments, nullptr, nullptr));
     owns_petsc_ = true;
-    // The options were copied into PETSc's own table; signals stay the program's.
+    // PETSc has copied the options into its own table. Signals stay the program's.
     PetscPopSignalHandler();
   }
   PetscPushErrorHandler(keep_message, nullptr);
@@ -66,7 +66,7 @@ Environment::Environment(const std::vector<std::string>& options) {
 }
 
 Environment::~Environment() {
-  // Under our handler to the end: what PETSc finds then (a full standard output) is the program's to tell.
+  // Our handler stays until the end: a failure there (a full standard output) is told by the program, not by PETSc.
   if (owns_slepc_) SlepcFinalize();
   if (owns_petsc_)
     PetscFinalize();

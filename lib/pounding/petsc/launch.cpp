@@ -5,7 +5,7 @@
 namespace pounding::petsc {
 
 std::optional<Launch> launch() {
-  // Those of Open MPI, of MPICH and Slurm's PMI, and of PMIx, whose number of processes only Slurm tells.
+  // Variables of Open MPI, of PMI (MPICH, Slurm) and of PMIx, which leaves the number of processes to Slurm's own variable.
   static constexpr struct {
     const char *rank, *size;
   } variables[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"}, {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"}};

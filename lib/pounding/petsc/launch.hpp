@@ -1,5 +1,5 @@
 #pragma once
-/// What a launcher of MPI programs (mpirun, srun) tells each process in its environment, before MPI begins.
+/// The environment variables by which a launcher of MPI programs (mpirun, srun) describes a process, before MPI begins.
 
 #include <optional>
 
@@ -7,10 +7,11 @@ namespace pounding::petsc {
 
 /// One process of a parallel program, by its launcher.
 struct Launch {
-  int rank = 0, size = 1;  ///< place of this process, and how many there are
+  int rank = 0;  ///< of this process, from 0
+  int size = 1;  ///< number of processes
 };
 
-/// Nothing where no launcher has started this process.
+/// Empty where no launcher has started this process.
 std::optional<Launch> launch();
 
 }  // namespace pounding::petsc

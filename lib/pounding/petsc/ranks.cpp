@@ -1,11 +1,9 @@
 #include <pounding/petsc/ranks.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -16,14 +14,14 @@ namespace {
 
 enum class Kind : char { input, solver, other };
 
-// What a failure is for other processes: its kind, then its text.
+// A failure as a message to other processes: its kind, then its text.
 std::vector<std::byte> message(Kind kind, std::string text) {
   text.insert(text.begin(), static_cast<char>(kind));
   const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
   return {bytes, bytes + text.size()};
 }
 
-// Empty where there is no failure.
+// The failure of a task as a message; empty for a success.
 std::vector<std::byte> failure_of(const std::function<void()>& task) {
   try {
     task();
@@ -109,29 +107,6 @@ std::vector<std::vector<std::byte>> Ranks::gather(const std::vector<std::byte>& 
   std::vector<std::vector<std::byte>> parts;
   for (int r = 0; r < size_; ++r) parts.emplace_back(all.begin() + first[r], all.begin() + first[r] + counts[r]);
   return parts;
-}
-
-CollectiveExit::CollectiveExit(MPI_Comm comm) {
-  if (Ranks(comm).size() > 1) MPI_Comm_dup(comm, &comm_);
-}
-
-CollectiveExit::~CollectiveExit() {
-  if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
-}
-
-bool CollectiveExit::together(double seconds) const {
-  if (comm_ == MPI_COMM_NULL) return true;
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begin = Clock::now();
-  MPI_Request all = MPI_REQUEST_NULL;
-  MPI_Ibarrier(comm_, &all);
-  for (;;) {
-    int come = 0;
-    MPI_Test(&all, &come, MPI_STATUS_IGNORE);
-    if (come) return true;
-    if (std::chrono::duration<double>(Clock::now() - begin).count() > seconds) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
 }
 
 }  // namespace pounding::petsc

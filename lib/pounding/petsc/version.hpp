@@ -1,5 +1,5 @@
 #pragma once
-/// Differences between PETSc versions, 3.18 to 3.26; nothing else in the project asks for a version.
+/// Differences between PETSc versions, 3.18 to 3.26. No other file asks for the version.
 
 #include <petscversion.h>
 #include <petscsys.h>

@@ -7,15 +7,15 @@
 
 namespace pounding {
 
-/// The state between two steps, and what must be the same for the same bits to follow.
+/// The state between two steps, and everything that must be the same for the run to continue with the same bits.
 struct Checkpoint {
-  std::string model_file;            ///< of the input, absolute; relative paths in it start from its folder
-  std::vector<std::string> options;  ///< PETSc's that the result depends on, sorted: "-pounding_ts_rtol 1e-6"
+  std::string model_file;            ///< absolute path of the input; relative paths in the input start from its folder
+  std::vector<std::string> options;  ///< PETSc options that change the results, sorted: "-pounding_ts_rtol 1e-6"
   std::string ground;                ///< checksum of the record's samples; empty for a closed form
-  std::vector<std::byte> state;      ///< stepper, TS and recorder (Archive)
+  std::vector<std::byte> state;      ///< stepper, TS and recorder of every process (Archive)
 };
 
-/// Checksum of a checkpoint and of the input beside it, by which damage is found when it is read.
+/// Checksum of a checkpoint and of the input beside it, to detect a damaged file.
 std::string checksum_of(const Checkpoint& checkpoint, const std::string& model_yaml, const std::string& resolved_yaml);
 
 }  // namespace pounding

@@ -1,6 +1,6 @@
 #pragma once
-/// What results.cpp and checkpoint.cpp need of HDF5's C interface: identifiers that close themselves, errors as exceptions
-/// with HDF5's own text, and datasets that say their units. Every function throws std::runtime_error when HDF5 fails.
+/// A thin layer over HDF5's C interface for results and restarts: identifiers that close themselves, errors as exceptions with
+/// HDF5's own text, and datasets that state their units. Every function throws std::runtime_error when HDF5 fails.
 
 #include <hdf5.h>
 
@@ -13,13 +13,13 @@
 
 namespace pounding::hdf5 {
 
-/// The status as it is when it reports success; otherwise throws `HDF5 could not ACTION: ...`.
+/// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`.
 hid_t checked(hid_t status, std::string_view action);
 
 /// Owns one identifier.
 class Handle {
  public:
-  /// HDF5's function that closes an identifier of this kind.
+  /// The HDF5 function that closes an identifier of this kind.
   using Close = herr_t (*)(hid_t);
   Handle(hid_t id, Close close, std::string_view action) : id_(checked(id, action)), close_(close) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
@@ -34,50 +34,50 @@ class Handle {
   Close close_;
 };
 
-/// The bytes of a file that `write` fills. It is made in memory: HDF5 never touches the disk.
+/// Makes a file in memory, lets `write` fill it, and returns its bytes; HDF5 never touches the disk.
 std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write);
 
-/// A group whose members come back in the order in which they were made.
+/// Creates a group whose members are listed in the order of their creation.
 Handle group(hid_t parent, const std::string& name);
 
-/// UTF-8 text of any length, or of `size` bytes where the rows of a table hold it.
+/// Type of UTF-8 text of any length, or of `size` bytes for the rows of a table.
 Handle text_type(std::size_t size = H5T_VARIABLE);
 
-/// Writes an attribute.
+/// Writes an attribute of an object.
 void attribute(hid_t object, const char* name, const std::string& value);
 void attribute(hid_t object, const char* name, double value);
 void attribute(hid_t object, const char* name, int value);
 void attribute(hid_t object, const char* name, const std::vector<std::string>& values);
 void attribute(hid_t object, const char* name, const std::vector<double>& values);
 
-/// What every dataset says about itself; a dimensionless number has the unit "1".
+/// Name, unit and meaning of a dataset; the unit of a dimensionless number is "1".
 struct Label {
   const char* name;
   const char* units;
   const char* long_name;
 };
 
-/// A chunked array, time first, row-major; any extent may be 0. Large ones are compressed.
+/// Writes a chunked array, time first, row-major; any extent may be 0. Large arrays are compressed.
 Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape);
 Handle integers(hid_t parent, const Label& label, const std::vector<int>& values, const std::vector<hsize_t>& shape);
-/// A list of texts, with the unit "text"; attributes are too small for long ones.
+/// Writes a list of texts with the unit "text"; attributes are too small for long lists.
 void texts(hid_t parent, const char* name, const char* long_name, const std::vector<std::string>& values);
-/// One text, with the unit "text".
+/// Writes one text with the unit "text".
 void text(hid_t parent, const char* name, const char* long_name, const std::string& value);
 void scalar(hid_t parent, const Label& label, long value);
 void scalar(hid_t parent, const Label& label, double value);
-/// A chunked table of `rows` rows of a compound type. Units and meanings: one a field, in their order.
+/// Writes a chunked table of `rows` rows of a compound type; one unit and one meaning for each field, in their order.
 void table(hid_t parent, const char* name, const char* long_name, hid_t row_type, std::size_t rows, const void* data,
            const std::vector<std::string>& units, const std::vector<std::string>& field_long_names);
-/// Bytes that mean something to the program only.
+/// Writes bytes that only the program can interpret.
 void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values);
 
-/// Hands a file of the disk to `read`.
+/// Opens a file on the disk for `read` and closes it afterwards.
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read);
 bool has(hid_t file, const char* path);
 std::string read_attribute(hid_t object, const char* name);
 std::string read_text(hid_t file, const char* path);
-/// Every value of an array, row-major.
+/// Reads all values of an array, row-major.
 void read_array(hid_t file, const char* path, std::vector<double>& values);
 void read_bytes(hid_t file, const char* path, std::vector<std::byte>& values);
 

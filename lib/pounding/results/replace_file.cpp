@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// Only earlier results (HDF5 starts with these eight bytes) and empty files are replaced, never a model or a record.
+/// Only empty files and earlier results are replaced, never a model or a record; HDF5 files start with these eight bytes.
 bool may_be_replaced(const fs::path& path) {
   static constexpr std::array<char, 8> signature = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
   std::array<char, 8> start{};
@@ -34,7 +34,7 @@ bool may_be_replaced(const fs::path& path) {
   return file.gcount() == 0 || (file.gcount() == 8 && start == signature);
 }
 
-/// Where the file really goes: a symbolic link stays a link. Refuses what a rename would silently destroy.
+/// Resolves a symbolic link, which stays a link. Refuses everything that a rename would destroy in silence.
 fs::path destination(const std::string& path) {
   if (path.empty()) refuse(path, "the name is empty", "Name a file: -o results.h5");
   std::error_code error;
@@ -48,7 +48,7 @@ fs::path destination(const std::string& path) {
   return fs::canonical(path);
 }
 
-/// Removes the temporary files of killed processes. Only tidiness: what cannot be removed is left.
+/// Removes the temporary files of killed processes, as far as possible.
 void remove_leftovers(const fs::path& directory, const std::string& prefix, std::string_view suffix) {
   std::error_code error;
   for (fs::directory_iterator entry(directory, error), end; !error && entry != end; entry.increment(error)) {

@@ -226,8 +226,9 @@ void write_energy(hid_t file, const EnergyHistory& energy) {
   column({"error", "J", "input minus all other parts"}, energy.error);
 }
 
-void write_solver(hid_t file, const SolverStatistics& solver) {
+void write_solver(hid_t file, const std::string& integrator, const SolverStatistics& solver) {
   const Handle place = group(file, "solver");
+  attribute(place, "integrator", integrator);
   scalar(place, {"steps", "1", "steps kept"}, solver.steps);
   scalar(place, {"rejected", "1", "steps thrown away by the error control"}, solver.rejected);
   scalar(place, {"events", "1", "located touches, reversals, releases and separations"}, solver.events);
@@ -313,14 +314,14 @@ void write_all(hid_t file, const Results& results) {
   write_impacts(file, results);
   write_energy(file, results.energy);
   text(file, "summary", "summary as JSON", results.summary_json);
-  write_solver(file, results.solver);
+  write_solver(file, results.integrator, results.solver);
   if (results.checkpoint) write_checkpoint(file, results);
 }
 
 }  // namespace
 
 void visit_histories(Results& results,
-                     const std::function<void(const std::string& place, std::vector<double>& values)>& visit) {
+                     const std::function<void(const std::string& path, std::vector<double>& values)>& visit) {
   visit_all(results, visit);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a run leaves behind, in memory and in one HDF5 file that h5py reads without help (DESIGN of the file: README).
+/// Results of a run in memory and in one HDF5 file, which h5py reads without help.
 
 #include <array>
 #include <cstddef>
@@ -25,11 +25,11 @@ struct NamedEnd {
 struct LinkHistory {
   std::string name;
   std::vector<double> time, penetration, velocity, force, energy;  ///< [s], [m], [m/s], [N], [J]
-  int tangents = 0;              ///< directions in which friction acts
+  int tangents = 0;              ///< number of directions in which friction acts
   std::vector<double> friction;  ///< row-major [time, tangent] [N]
   double gap = 0;       ///< opening when nothing moves [m]
   std::string law;      ///< name of the contact law
-  NamedEnd left, right;  ///< what it is between; pictures place the right one a gap away from the left one
+  NamedEnd left, right;  ///< its ends; pictures place the right one a gap away from the left one
   std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
 };
 
@@ -51,31 +51,32 @@ struct StructureHistory {
   std::vector<double> end_forces;  ///< [time, member, component] [N], [N m]
   Geometry geometry;
 
-  /// In which drift and storey shear are given.
+  /// Number of directions of drift and storey shear.
   int storey_directions() const { return dimension == 3 ? 2 : 1; }
 };
 
-/// The balance at the output times [J]. input = kinetic + strain + damping + hysteretic + impact + error.
+/// Energy balance at the output times [s], [J]: input = kinetic + strain + damping + hysteretic + impact + error.
 struct EnergyHistory {
   std::vector<double> time, input, kinetic, strain, damping, hysteretic, impact, error;
 };
 
-/// What a run cost.
+/// Effort of a run.
 struct SolverStatistics {
-  long steps = 0;       ///< kept
-  long rejected = 0;    ///< thrown away by the error control
+  long steps = 0;       ///< kept steps
+  long rejected = 0;    ///< steps rejected by the error control
   long events = 0;      ///< located touches, reversals, releases, separations
-  long iterations = 0;  ///< of the link equations
-  double wall_seconds = 0;
-  double wall_setup = 0, wall_solve = 0, wall_output = 0;
+  long iterations = 0;  ///< iterations of the link equations
+  double wall_seconds = 0;  ///< whole wall time [s]
+  double wall_setup = 0, wall_solve = 0, wall_output = 0;  ///< its parts: before the first step, in the steps, for output [s]
 };
 
-/// All that the results file holds.
+/// Content of a results file.
 struct Results {
   std::string program = "pounding", version, created, title, command;
   std::string status = "running";  ///< running | done | failed: reason
   std::string model_yaml;          ///< the input as given
   std::string resolved_yaml;       ///< every default and calibrated parameter filled in
+  std::string integrator;          ///< scheme of the time stepping by its name in the input
   std::vector<double> time;        ///< output times [s]
   std::vector<StructureHistory> structures;
   std::vector<LinkHistory> links;
@@ -84,23 +85,23 @@ struct Results {
   std::vector<double> ground_acceleration;  ///< at the output times [m/s^2]
   SolverStatistics solver;
   std::string summary_json;  ///< the object that --json prints
-  std::optional<Checkpoint> checkpoint;  ///< of a run that can go on
+  std::optional<Checkpoint> checkpoint;  ///< of an interrupted run that can be resumed
 };
 
-/// Writes the whole file beside its place and moves it there in one step: whoever opens `path`, also after a kill at
-/// any moment, finds a complete earlier or a complete new file. Names of structures and links become group names, so
-/// they must differ, must not be empty, "." or "..", and must not contain '/'.
-/// Throws InputError when the place cannot be written or a name is not possible, std::invalid_argument when the lengths
+/// Writes the whole file beside `path` and moves it there in one step: whoever opens `path`, also after a kill at any moment, finds
+/// a complete earlier or a complete new file. Names of structures and links become group names, so they must differ, must not be
+/// empty, "." or "..", and must not contain '/'.
+/// Throws InputError when `path` cannot be written or a name is not possible, std::invalid_argument when the lengths
 /// of the histories do not fit together, std::runtime_error with HDF5's own text when HDF5 fails.
 void write_results(const Results& results, const std::string& path);
 
-/// The bytes of that file, for whoever reads the results without a disk; throws as write_results.
+/// Bytes of the file that write_results() writes, for readers without a disk; throws as write_results().
 std::vector<std::byte> results_image(const Results& results);
 
-/// Calls `visit` with the place in the file and the values of every history of a number in time, those of the links and of
-/// the energy included.
+/// Calls `visit` for every history in time, those of links and energies included, with its path in the file and its values.
 void visit_histories(Results& results,
-                     const std::function<void(const std::string& place, std::vector<double>& values)>& visit);
+                     const std::function<void(const std::string& path, std::vector<double>& values)>& visit);
+/// Checksum of the values of all histories.
 std::string checksum_of_histories(const Results& results);
 
 }  // namespace pounding

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,10 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// An imbalance this many times the tolerance says that something was not resolved.
+// An energy imbalance above this many times the tolerance means that something was not resolved.
 constexpr double suspicious_imbalance = 100;
 
-// JSON has no NaN: what has no value is null.
+// JSON has no NaN; a missing value is null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json structures_json(const std::vector<StructureSummary>& structures) {
@@ -26,7 +27,7 @@ Json structures_json(const std::vector<StructureSummary>& structures) {
   return all;
 }
 
-// Rounding noise is shown as zero, without a sign.
+// Shows round-off as zero, without a sign.
 double shown(double value, int digits) { return std::abs(value) < 0.5 * std::pow(10.0, -digits) ? 0.0 : value; }
 
 std::string structures_table(const std::vector<StructureSummary>& structures,
@@ -69,6 +70,20 @@ std::string links_table(const std::vector<LinkSummary>& links) {
 
 }  // namespace
 
+LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impacts) {
+  LinkSummary s;
+  s.name = name;
+  if (!impacts.empty()) s.peak_force = std::numeric_limits<double>::quiet_NaN();  // fmax() replaces it by the first finite force
+  for (const ImpactRow& row : impacts) {
+    ++s.impacts;
+    s.peak_force = std::fmax(s.peak_force, row.peak_force);
+    s.peak_penetration = std::max(s.peak_penetration, row.peak_penetration);
+    s.impulse += row.impulse;
+    s.energy_lost += row.energy_lost;
+  }
+  return s;
+}
+
 std::string to_json(const Summary& summary) {
   Json links = Json::array();
   for (const LinkSummary& s : summary.links)
@@ -91,7 +106,8 @@ std::string to_json(const Summary& summary) {
                 {"impact", e.impact},
                 {"error", e.error}}},
               {"solver",
-               {{"steps", summary.solver.steps},
+               {{"integrator", summary.integrator},
+                {"steps", summary.solver.steps},
                 {"rejected", summary.solver.rejected},
                 {"events", summary.solver.events},
                 {"wall_seconds", summary.solver.wall_seconds}}}};
@@ -125,7 +141,7 @@ std::string to_table(const Summary& summary) {
       "             largest imbalance {:.1e} of the input\n",
       shown(e.input / 1e3, 5), shown(e.kinetic / 1e3, 5), shown(e.strain / 1e3, 5), shown(e.damping / 1e3, 5),
       shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5), e.error);
-  text += fmt::format("solver       {} steps, {} rejected, {} events, {:.3f} s\n", summary.solver.steps,
+  text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
   return text;
 }

@@ -1,23 +1,31 @@
 #pragma once
-/// The few numbers that a run is remembered by.
+/// A run in a few numbers, and the tables that show them.
 
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <pounding/core/archive.hpp>
+#include <pounding/links/impact_row.hpp>
 #include <pounding/results/results.hpp>
 
 namespace pounding {
 
-/// Of all impacts of one link: the largest of them, and the sums of impulse and loss.
+/// All impacts of one link: peaks over the impacts, sums of impulse and loss.
 struct LinkSummary {
   std::string name;
   int impacts = 0;
-  double peak_force = 0, peak_penetration = 0, impulse = 0, energy_lost = 0;  ///< [N], [m], [N s], [J]
+  double peak_force = 0;        ///< [N]; NaN where every impact is rigid and so has no finite force
+  double peak_penetration = 0;  ///< [m]
+  double impulse = 0;           ///< [N s]
+  double energy_lost = 0;       ///< friction included [J]
 };
 
-/// Largest absolute values, one a floor. Displacement and drift relative, acceleration absolute. A body has no drift.
+/// Summary of the impacts of one link, without friction.
+LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impacts);
+
+/// Peaks of one structure: largest absolute values, one a floor from the lowest up. Displacement relative to the ground, drift
+/// relative to the floor below, acceleration absolute. A structure without storeys has no drift.
 struct StructureSummary {
   std::string name;
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
@@ -31,26 +39,27 @@ struct StructureSummary {
   }
 };
 
-/// At the end of the run [J]; `error` is the largest imbalance of the run as part of the largest input.
+/// Energies at the end of the run [J]; `error` is the largest imbalance of the run over its largest input [-].
 struct EnergySummary {
   double input = 0, kinetic = 0, strain = 0, damping = 0, hysteretic = 0, impact = 0, error = 0;
 };
 
 /// A run in a few numbers.
 struct Summary {
-  std::string status;
+  std::string status;  ///< running | done | failed: reason
   std::vector<LinkSummary> links;
   std::vector<StructureSummary> structures;
   EnergySummary energy;
+  std::string integrator;  ///< scheme of the time stepping by its name in the input
   SolverStatistics solver;
-  /// The same structures without links, when `compare: no_pounding` asks for it.
+  /// Structures in the run without links that `compare: no_pounding` asks for; else empty.
   std::vector<StructureSummary> without_pounding;
 };
 
 /// The object that `pounding run --json` prints, on one line.
 std::string to_json(const Summary& summary);
 
-/// What to tell beside the results of a run with this tolerance: that its energies do not close. Empty when they do.
+/// A warning that the energies of a run with this tolerance do not balance; empty when they do.
 std::string warning(const Summary& summary, double tolerance);
 
 /// The tables that `pounding run` prints, in engineering units.

@@ -1,36 +1,39 @@
 #pragma once
-/// What a report takes from the unknowns: the motion of floors at every step, all else at the output times.
+/// The motion of floors as reports show it, from the output quantities of the stepper.
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
+#include <pounding/ground/ground_motion.hpp>
+#include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 
 namespace pounding {
 
-/// Motion of the floors as reported: relative to the ground at the structure's first support, with the place at rest; accelerations
-/// absolute.
+/// Turns System::outputs^T times u, v, a into the reported motion of the floors: displacements and velocities relative to the
+/// ground at the first support of their structure, with the displacement under gravity; absolute accelerations.
+///
+/// Each direction of each floor is one row of the motion: structure by structure, floor by floor.
 class FloorResponse {
  public:
-  explicit FloorResponse(const Model& model);
+  FloorResponse(const Model& model, const GroundPlan& plan);
 
-  /// Quantities that are followed, and directions of a structure's floors.
-  int count() const { return static_cast<int>(at_rest_.size()); }
+  /// Directions in which the floors of a structure move; 0 for a structure without floors.
   int directions(int structure) const { return directions_[structure]; }
-  /// Column of a floor in a direction.
-  int column(int structure, int floor, int direction) const { return first_[structure] + floor * directions_[structure] + direction; }
-  /// Of [quantity, u v a] as outputs; `ground` are the accelerations of the grounds just then.
+  /// Row of the motion that holds a floor, counted from 0 at the lowest, in a direction.
+  int row(int structure, int floor, int direction) const { return first_[structure] + floor * directions_[structure] + direction; }
+  /// Completes a motion [row, u v a], [m], [m/s], [m/s^2], at a time [s]; `ground` holds the accelerations of all ground motions
+  /// at that instant [m/s^2].
   void complete(Eigen::MatrixXd& motion, double time, const Eigen::VectorXd& ground) const;
-  /// Of accelerations alone, a column of them.
+  /// Completes accelerations alone [m/s^2].
   void complete_accelerations(Eigen::Ref<Eigen::VectorXd> accelerations, const Eigen::VectorXd& ground) const;
 
  private:
   std::vector<GroundMotion> grounds_;
   std::vector<int> first_, directions_;
-  Eigen::VectorXd at_rest_;        // [m]
-  Eigen::MatrixXd by_difference_;  // of supports that move differently, columns x grounds; empty when none do
-  std::vector<int> ground_of_;     // that moves the first support along each column; -1 for none
+  Eigen::VectorXd at_rest_;        // displacement under gravity [m]
+  Eigen::MatrixXd by_difference_;  // rows on ground motions: supports that move unlike the first; empty where all move alike
+  std::vector<int> ground_of_;     // ground motion that moves the first support along each row; -1 for none
 };
 
 }  // namespace pounding

@@ -10,6 +10,7 @@
 #include <pounding/core/checksum.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/input/input.hpp>
+#include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/core/version.hpp>
@@ -17,7 +18,7 @@
 namespace pounding {
 namespace {
 
-// What prints, and where a run may be cut: the steps stay the same.
+// Options that only print or draw, and the limit on steps, leave the steps as they are.
 bool result_depends_on(const std::string& option) {
   const std::string name = option.substr(0, option.find(' '));
   return name.find("monitor") == std::string::npos && name.find("view") == std::string::npos &&
@@ -29,7 +30,7 @@ std::vector<std::string> deciding(std::vector<std::string> options) {
   return options;
 }
 
-// The closed forms stand in resolved.yaml.
+// Checksum of the samples of all records; closed forms stand in resolved.yaml.
 std::string checksum_of_ground(const GroundPlan& ground) {
   Checksum checksum;
   bool any = false;
@@ -50,10 +51,10 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// Counted from 1.
+// The first line in which two texts differ, counted from 1.
 std::size_t first_different_line(const std::string& a, const std::string& b) {
-  const auto place = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
-  return static_cast<std::size_t>(std::count(a.begin(), place, '\n')) + 1;
+  const auto difference = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+  return static_cast<std::size_t>(std::count(a.begin(), difference, '\n')) + 1;
 }
 
 std::string shown(const std::vector<std::string>& options) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What a run that was stopped goes on from. It lies in the results file, together with the histories up to then.
+/// Reading of interrupted runs. Their checkpoint lies in the results file, together with the histories up to it.
 
 #include <string>
 #include <vector>
@@ -12,32 +12,33 @@ class Input;
 struct Model;
 struct Results;
 
-/// A checkpoint without a state for a run of this model with these options of PETSc's.
+/// A checkpoint, still without a state, for a run of this model with these PETSc options.
 Checkpoint checkpoint_of(const Model& model, const std::vector<std::string>& options);
 
-/// A run that has not ended, as its results file tells it.
+/// A run that has not come to its end, as read from its results file.
 struct InterruptedRun {
-  std::string file;
-  std::string model_yaml = {}, resolved_yaml = {};
-  std::string histories = {};  ///< their fingerprint
+  std::string file;                ///< its results file
+  std::string model_yaml = {};     ///< the input as given
+  std::string resolved_yaml = {};  ///< the input with all defaults filled in
+  std::string histories = {};      ///< checksum of the histories
   Checkpoint checkpoint = {};
 };
 
-/// Throws InputError for a file that is no results file, is damaged, was written by another version of the program, whose
-/// run is done, or that holds no checkpoint.
+/// Reads all of an interrupted run but its histories. Throws InputError for a file that is no results file, is damaged, was written
+/// by another version of the program, holds no checkpoint, or whose run is done.
 InterruptedRun read_interrupted_run(const std::string& file);
 
-/// The input that the file of a run holds, under the name of the one that it was read from.
+/// The input in the results file; messages name the file from which it was first read.
 Input input_of(const InterruptedRun& run);
 
-/// Options of the run's beginning ("-pounding_ts_rtol 1e-6") hold for the rest of it without being typed again: adds those that
-/// are missing in `options`, words of a command line.
+/// Adds the PETSc options with which the run began ("-pounding_ts_rtol 1e-6") to `options`, the words of a command line, unless
+/// they are there: nobody needs to type them again.
 void add_earlier_options(const InterruptedRun& run, std::vector<std::string>& options);
 
-/// Throws InputError, with what differs, unless the model, the data that it reads and the options are those of the run.
+/// Throws InputError, naming the difference, unless the model, its ground motion and the options are those of the run.
 void check_same_run(const InterruptedRun& run, const Model& model, const std::vector<std::string>& options);
 
-/// Fills the histories of the structures and links that `results` names. Throws InputError when they are damaged.
+/// Fills the histories of all structures and links in `results` from the file. Throws InputError when they are damaged.
 void read_histories(const InterruptedRun& run, Results& results);
 
 }  // namespace pounding

@@ -1,6 +1,8 @@
 #pragma once
 /// Runs a model through time and records what happens.
 
+#include <petscsys.h>
+
 #include <functional>
 #include <string>
 #include <utility>
@@ -12,44 +14,52 @@
 
 namespace pounding {
 
-/// What a run writes, whom it tells, and what it goes on from.
+/// How a model is run. Tolerance, scheme and steps are no part of this: they are the model's (Model::analysis), and PETSc options
+/// with the prefix -pounding_ have the last word on them.
 struct RunOptions {
+  /// The processes that run the model together. Several models may run at once on communicators that share no process.
+  /// PETSC_COMM_WORLD is set by PETSc's start, so make the options after it (petsc::Environment).
+  MPI_Comm comm = PETSC_COMM_WORLD;
   std::string output = {};   ///< results file, rewritten while the run goes on; empty for none
-  std::string command = {};  ///< as the user typed it, for the results file
-  /// Called now and then with the simulated time [s], the duration [s] and the number of impacts so far.
+  std::string command = {};  ///< command line that the results file tells
+  /// Called about ten times a second between two steps with the simulated time [s], the duration [s] and the number of impacts.
   std::function<void(double, double, int)> progress = {};
-  /// Asked as often; the run ends as a failed one, with what was computed in the file, when it answers true.
+  /// Polled between steps, some fifty times a second. Returning true on one process stops the run: results so far are written,
+  /// with a checkpoint, and FailedRun is thrown.
   std::function<bool()> stop = {};
-  /// Results file of a run of this model that was killed, stopped, or cut by -pounding_ts_max_steps: the run goes on from
-  /// its last checkpoint, and gives the bits of a run that was never stopped.
+  /// Results file of an interrupted run of this model: one that was killed, stopped, or cut by -pounding_ts_max_steps. The run
+  /// continues from its last checkpoint and gives the same bits as a run without interruption. Empty for a run from the start.
   std::string resume = {};
 };
 
-/// What a run that has ended leaves.
+/// Results of a run in memory.
 struct Outcome {
   Results results;
   Summary summary;
 };
 
-/// A run that stopped before its end, with what it had computed until then.
+/// A run that ended early.
 class FailedRun : public SolverError {
  public:
   FailedRun(const std::string& reason, Outcome outcome) : SolverError(reason), outcome_(std::move(outcome)) {}
-  /// What was computed until then.
+  /// The results until the failure.
   const Outcome& outcome() const { return outcome_; }
 
  private:
   Outcome outcome_;
 };
 
-/// All processes of PETSC_COMM_WORLD run one model together, each with the same arguments; the first one writes.
+/// Runs a model once; its contacts keep the history of their impacts. With `compare: no_pounding` the model is first run without
+/// its links.
 ///
-/// Runs a model once: its contacts keep the history of their impacts. PETSc must be running (petsc::Environment).
-/// With an output, whatever ends it early but a failed solve leaves a file that `resume` takes.
-/// Throws FailedRun when the solve fails or is stopped, after the results so far were written with the reason; InputError
-/// for a place that cannot be written, for PETSc options that are wrong or that nothing reads, and for a run that cannot be
-/// continued (read_interrupted_run, check_same_run); std::logic_error for a
-/// model that was run before.
+/// Collective on `options.comm`: all processes pass the same arguments, and the first one writes the file. PETSc must be running.
+/// A run that ended early for any reason but a failed solve leaves a file that `resume` takes.
+///
+/// Throws
+///   FailedRun         when the solve fails or is stopped, after the results so far and the reason were written
+///   InputError        for a file that cannot be written, for PETSc options that are wrong or that nothing reads, and for a run
+///                     that cannot be resumed (read_interrupted_run, check_same_run)
+///   std::logic_error  for a model that has been run, and for options made before PETSc's start
 Outcome run(const Model& model, const RunOptions& options = {});
 
 }  // namespace pounding

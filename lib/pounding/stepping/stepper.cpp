@@ -219,11 +219,11 @@ void Stepper::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd
       held_links.push_back(i);
     else if (works(i))
       force[i] = law(i, motions[i]).force;
-    if (inside_step && i < system_.contact_count() && !system_.contacts[i]->may_pull()) force[i] = std::max(0.0, force[i]);
+    if (inside_step && i < system_.contact_count()) force[i] = system_.contacts[i]->acting_force(force[i]);
     any = any || force[i] != 0;
   }
   for (const Friction& friction : system_.frictions) {
-    Sliding rates = Sliding::Zero();
+    Sliding rates{};
     for (int j = 0; j < friction.count; ++j) rates[j] = motions[friction.first + j].rate;
     const FrictionForce answer = friction_force(friction, {.force = force[friction.contact]}, rates);
     for (int j = 0; j < friction.count; ++j) force[friction.first + j] = answer.force[j];

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include <pounding/core/archive.hpp>
+#include <pounding/core/archive_eigen.hpp>
 #include <pounding/linear/structure_solver.hpp>
 #include <pounding/stepping/pseudo_forces.hpp>
 #include <pounding/links/friction.hpp>
@@ -67,6 +67,8 @@ class Stepper {
   /// that adds to the energy counts as input.
   void start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v);
 
+  /// Sets the matrix of steps of length h > 0 without a step: its factor is made, and the options of the factor are read.
+  void prepare(double h) { set_shift(h); }
   /// Solves a trial step of length h > 0. False when the equations of the links or of large turns could not be solved.
   /// `end` is the time at its end when that is known better than by adding h.
   bool try_step(double h, std::optional<double> end = std::nullopt);

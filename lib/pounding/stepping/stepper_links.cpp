@@ -100,7 +100,7 @@ bool Stepper::solve_one_link(int place, double by_u, double by_v, double weight,
 FrictionForce Stepper::slide(const Slider& slider, double by_u, double by_v, const Eigen::VectorXd& relief) const {
   const auto rate = [&](int place) { return free_[place].rate - by_v * relief[place]; };
   const LinkMotion contact{free_[slider.contact].penetration - by_u * relief[slider.contact], rate(slider.contact)};
-  Sliding rates = Sliding::Zero();
+  Sliding rates{};
   for (int j = 0; j < slider.friction->count; ++j) rates[j] = rate(slider.first + j);
   return friction_force(*slider.friction, law(active_[slider.contact], contact), rates);
 }
@@ -170,12 +170,12 @@ bool Stepper::solve_many_links(double by_u, double by_v, double weight) {
         residual[i] = answer.force[j] - x[i];
         for (int k = 0; k < slider.friction->count; ++k) {
           const int other = slider.first + k;
-          scale = std::max(scale, std::abs(answer.by_sliding(j, k)) *
+          scale = std::max(scale, std::abs(answer.by_sliding[j][k]) *
                                       std::max(std::abs(free_[other].rate), std::abs(by_v * relief[other])));
         }
         if (!with_slopes) continue;
         slopes.row(i) = (by_u * answer.by_penetration[j] + by_v * answer.by_rate[j]) * g.row(slider.contact);
-        for (int k = 0; k < slider.friction->count; ++k) slopes.row(i) += by_v * answer.by_sliding(j, k) * g.row(slider.first + k);
+        for (int k = 0; k < slider.friction->count; ++k) slopes.row(i) += by_v * answer.by_sliding[j][k] * g.row(slider.first + k);
         slopes(i, i) += 1;
       }
     }

@@ -1,9 +1,15 @@
 // A code of its own with our gap link, without PETSc: Newmark's average acceleration, a ball on a wall.
+#include <pounding/links/friction.hpp>
 #include <pounding/links/gap_link.hpp>
+#include <pounding/links/rigid_gap_link.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#ifdef EIGEN_WORLD_VERSION
+#error "a header of the links includes Eigen"
+#endif
 
 int main() {
   const double mass = 6e4, h = 1e-6;

@@ -44,7 +44,7 @@ class Plane:
         self.node, _ = plane_frame(self.storeys, self.bays, STIFFER[self.side], 0.0, 1, 1)
 
     def tag(self, name):
-        """Of a node or of a member."""
+        """Tag of a node or of a member."""
         *kind, place = name.split()
         s, i = map(int, place.split("."))
         if not kind:
@@ -55,7 +55,7 @@ class Plane:
         ops.constraints("Plain")
 
     def rayleigh(self):
-        """Of the pair: see `pair_periods`."""
+        """Sets the frequencies for Rayleigh damping to those of the pair: see `pair_periods`."""
         low, high = (2 * math.pi / t for t in pair_periods())
         self.frequencies = low, high
 

@@ -30,7 +30,7 @@ def digits(values):
 
 
 def richardson(coarse_to_fine):
-    """Of results whose error has even powers of a step that halves."""
+    """Richardson extrapolation of results whose error has even powers of a step that halves."""
     table = list(coarse_to_fine)
     for power in range(1, len(table)):
         factor = 4.0**power

@@ -21,7 +21,11 @@ char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigne
 }  // namespace
 
 std::span<const Format* const> formats() {
-  static constexpr const Format* all[] = {&knet, &esm, &cosmos, &csmip, &smc, &peer_at2, &two_columns};
+#define FORMAT(name) &name,
+  static constexpr const Format* all[] = {
+#include <pounding/ground/records/formats.inc>
+  };
+#undef FORMAT
   return all;
 }
 
@@ -112,7 +116,7 @@ namespace {
   lines.fail(i, fmt::format("more values than the {} that {} states", stated.count, stated.by));
 }
 
-/// Whether a line is no line of numbers: blank, or with a word in it. "NaN" and "***" are meant as numbers.
+/// Whether a line ends the numbers: it is blank or has a word in it. "NaN" and "***" count as numbers.
 bool ends_numbers(std::string_view line) {
   if (trimmed(line).empty() || line.starts_with('/')) return true;
   int letters = 0;

@@ -1,7 +1,8 @@
 #pragma once
-/// What the readers of record formats share. Users call read_record() instead.
+/// Tools that the readers of record formats share. Users call read_record() instead.
 ///
-/// A format is one file with a `Format` in it, declared below and listed in `formats()`.
+/// To add a format: write NAME.cpp in this folder, which defines `constinit const Format NAME`, and add FORMAT(NAME) to
+/// formats.inc.
 
 #include <cstddef>
 #include <optional>
@@ -23,7 +24,7 @@ class Lines {
   std::size_t size() const { return lines_.size(); }
   std::string_view operator[](std::size_t i) const { return lines_[i]; }
   const std::string& name() const { return name_; }
-  /// Line i; fails at the last line, saying what was expected, when there is none.
+  /// Line i. Fails at the last line, naming `expected`, when the file has no line i.
   std::string_view at(std::size_t i, std::string_view expected) const;
   /// Throws InputError with "file:line: ".
   [[noreturn]] void fail(std::size_t i, const std::string& message) const;
@@ -35,16 +36,20 @@ class Lines {
   std::vector<std::string_view> lines_;
 };
 
+/// One format of records.
 struct Format {
-  std::string_view name;
+  std::string_view name;  ///< for messages and reports
+  /// Whether a file is of this format, by its content; formats before it in formats.inc were asked first and did not recognise it.
   bool (*recognises)(const Lines& lines);
-  /// Fills all but file, `uniform` and measures.
+  /// Reads the record; read_record() fills `file`, `uniform` and `measures` afterwards. Throws InputError with "file:line: ".
   Record (*read)(const Lines& lines, const RecordOptions& options);
 };
 
-extern const Format knet, esm, cosmos, csmip, smc, peer_at2, two_columns;
+#define FORMAT(name) extern const Format name;
+#include <pounding/ground/records/formats.inc>
+#undef FORMAT
 
-/// Every format, the surest to be recognised first.
+/// Every format, in the order of formats.inc.
 std::span<const Format* const> formats();
 
 // Words.
@@ -57,7 +62,7 @@ std::vector<std::string_view> split_at_blanks(std::string_view text);
 /// Whether `text` contains `part`, or begins with it, in capitals or not; `part` is in capitals.
 bool contains(std::string_view text, std::string_view part);
 bool begins_with(std::string_view text, std::string_view part);
-/// What the pattern's brackets caught; nothing when it does not occur in the line.
+/// Groups that the pattern captured in the line; empty when the line does not match.
 std::optional<std::vector<std::string>> captured(std::string_view line, const std::regex& pattern);
 /// A pattern that does not distinguish capitals.
 std::regex pattern(const char* text);
@@ -69,7 +74,7 @@ std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view na
 /// A spacing or a rate. Fails unless it is > 0; `what`: "a time".
 double checked_positive(const Lines& lines, std::size_t i, std::string_view name, double value, std::string_view what);
 
-/// How many values a file must hold, and what of the file says so.
+/// Number of values that a file must hold, and the part of the file that states it.
 struct Stated {
   std::size_t count;
   std::string by;  ///< "NPTS", "line 46"
@@ -99,7 +104,7 @@ std::vector<double> even_times(std::size_t count, double dt);
 
 // Units.
 
-/// What a user may type as the unit of an acceleration.
+/// Units of acceleration that a user may type.
 inline constexpr std::string_view unit_advice = "g, m/s^2, cm/s^2 or gal";
 
 /// The acceleration [m/s^2] that 1 in the file stands for, from what the file states (empty: nothing) and what the user
@@ -109,6 +114,7 @@ double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string&
 
 // Channels.
 
+/// One channel of a file with several.
 struct Channel {
   std::string number;     ///< as in the file; may be empty
   std::string component;  ///< "90 deg", "Up", "N-S"; may be empty

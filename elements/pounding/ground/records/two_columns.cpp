@@ -31,7 +31,7 @@ std::vector<std::string_view> split_columns(std::string_view text) {
   return columns;
 }
 
-/// What follows the first "(" or "[" up to its end: the unit in "acc (m/s^2)".
+/// Text inside the first "(" or "[" of a name: the unit in "acc (m/s^2)".
 std::string bracketed(std::string_view text) {
   const std::size_t begin = text.find_first_of("([");
   const std::size_t end = text.find_last_of(")]");

@@ -1,0 +1,21 @@
+#pragma once
+/// Eigen's vectors and matrices in an Archive.
+
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include <pounding/core/archive.hpp>
+
+namespace pounding {
+
+/// Rows, columns and entries, column by column. Throws as Archive does.
+template <int Columns>
+void archive_value(Archive& archive, Eigen::Matrix<double, Eigen::Dynamic, Columns>& m) {
+  const std::size_t rows = archive.count(static_cast<std::size_t>(m.rows()));
+  const std::size_t columns = archive.count(static_cast<std::size_t>(m.cols()));
+  m.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+  archive.raw(m.data(), sizeof(double) * static_cast<std::size_t>(m.size()));
+}
+
+}  // namespace pounding

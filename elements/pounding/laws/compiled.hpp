@@ -1,0 +1,19 @@
+#pragma once
+/// The laws of the list for sources that are linked with Pounding::links, which holds their code: nothing of it is compiled
+/// again. all.hpp and free_impact.hpp alone give the same functions without a library.
+
+#include <pounding/laws/all.hpp>
+#include <pounding/laws/free_impact.hpp>
+
+namespace pounding::laws {
+
+extern template struct by_name::List<AnyLaw>;
+extern template AnyLaw by_name::make_any<AnyLaw>(const Settings&);
+extern template std::vector<ResolvedValue> describe(const AnyLaw&, double);
+extern template std::string_view formula_name(const AnyLaw&) noexcept;
+extern template double damping_number(const AnyLaw&, double);
+extern template double damping_coefficient(const AnyLaw&, double);
+extern template FreeImpact free_impact(const AnyLaw&, double, double);
+extern template FreeImpact integrated_free_impact(const AnyLaw&, double, double);
+
+}  // namespace pounding::laws

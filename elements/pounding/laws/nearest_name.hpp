@@ -1,0 +1,63 @@
+#pragma once
+/// The name that was probably meant: one spell checker for inputs, programs, C and Python.
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pounding::laws {
+
+/// A letter for comparison: names that differ only in case or in the separator (`-`, blank, `_`) are equal.
+constexpr char folded(char c) noexcept {
+  if (c == '-' || c == ' ') return '_';
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Number of letters to insert, delete, replace, or swap with their neighbour that turns one name into the other.
+inline std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = folded(a[i - 1]) == folded(b[j - 1]);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && folded(a[i - 1]) == folded(b[j - 2]) && folded(a[i - 2]) == folded(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+    }
+    before_last.swap(last);
+    last.swap(row);
+  }
+  return last[b.size()];
+}
+
+/// The allowed name nearest to `read` by edit distance, or an empty view when none is near.
+inline std::string_view nearest_name(std::string_view read, std::span<const std::string_view> allowed) {
+  // One slip in three letters is a typing mistake; more is another word.
+  std::size_t nearest_distance = std::max<std::size_t>(1, read.size() / 3) + 1;
+  std::string_view nearest;
+  for (const std::string_view name : allowed) {
+    const std::size_t distance = edit_distance(read, name);
+    if (distance < nearest_distance && distance < std::max<std::size_t>(1, std::min(read.size(), name.size()))) {
+      nearest_distance = distance;
+      nearest = name;
+    }
+  }
+  return nearest;
+}
+
+/// ` Did you mean "hertz_damped"?` when a near name exists; otherwise ` Allowed: a, b, c.`; empty when nothing is allowed.
+inline std::string suggestion(std::string_view read, std::span<const std::string_view> allowed) {
+  if (const std::string_view name = nearest_name(read, allowed); !name.empty())
+    return " Did you mean \"" + std::string(name) + "\"?";
+  if (allowed.empty()) return {};
+  std::string text = " Allowed: ";
+  for (std::size_t i = 0; i < allowed.size(); ++i) text += (i == 0 ? "" : ", ") + std::string(allowed[i]);
+  return text + ".";
+}
+
+}  // namespace pounding::laws

@@ -1,0 +1,39 @@
+#pragma once
+/// A gap link of rigid bodies: velocity jumps instead of a contact force.
+
+#include <span>
+
+#include <pounding/links/contact.hpp>
+#include <pounding/links/impact_log.hpp>
+
+namespace pounding {
+
+/// Rigid contact: Newton's impact law at each touch, and rest after the last bounce that is worth resolving.
+class RigidGapLink final : public Contact {
+ public:
+  /// Restitution in (0, 1] and initial gap >= 0 [m]; throws std::invalid_argument for other values. `link` is written into
+  /// the rows of the impacts.
+  RigidGapLink(double restitution, double gap, int link = 0);
+
+  ContactPhase phase() const noexcept override { return phase_; }
+  double penetration(double relative_displacement) const noexcept override { return relative_displacement - gap_; }
+  /// Zero in every phase: a touch is a velocity jump, and the force of a rest follows from the equations of motion.
+  laws::Response evaluate(const LinkMotion&) const noexcept override { return {}; }
+  EventFunctions event_functions(const LinkMotion& motion, double force) const noexcept override;
+  void accept(const LinkStep& step) override;
+  void on_event(int event, double time, const LinkMotion& motion) override;
+  bool is_rigid() const noexcept override { return true; }
+  double restitution() const noexcept override { return restitution_; }
+  void jumped(double time, const Jump& jump, bool held) override;
+  double work() const noexcept override { return log_.work(); }
+  std::span<const ImpactRow> impacts() const noexcept override { return log_.rows(); }
+  void archive(Archive& archive) override;
+
+ private:
+  double restitution_, gap_;
+  double drift_ = 0;  // overlap by rounding when the last rest ended, the zero of the next touch [m]
+  ContactPhase phase_ = ContactPhase::open;
+  ImpactLog log_;
+};
+
+}  // namespace pounding

@@ -1,0 +1,80 @@
+#include <pounding/model/ground_plan.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include <pounding/model/model.hpp>
+
+namespace pounding {
+namespace {
+
+// Delay of a travelling wave at a position after its arrival at the first support of all [s].
+double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
+  if (!model.ground.wave) return 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Structure& s : model.structures)
+    for (const Support& support : s.supports) nearest = std::min(nearest, support.position.dot(model.ground.wave->direction));
+  return (position.dot(model.ground.wave->direction) - nearest) / model.ground.wave->velocity;
+}
+
+// A structure without unknowns along an axis follows its ground there, and whatever rubs on it feels that. A free body is the
+// exception: it has an unknown along x and stays where it is along y and z.
+bool moves_along(const Structure& s, int direction) { return direction == 0 || !s.is_free; }
+
+}  // namespace
+
+GroundPlan ground_plan(const Model& model) {
+  GroundPlan plan;
+  std::vector<std::vector<std::array<int, 3>>> indices;  // [structure][support][axis]
+  // Key of a motion: its source (-1 for the model's, else counted over the supports' own), the axis, the delay [s].
+  std::map<std::tuple<int, int, double>, int> known;
+  int own = 0;
+  for (const Structure& s : model.structures) {
+    std::vector<std::array<int, 3>>& under = indices.emplace_back();
+    for (const Support& support : s.supports) {
+      const int source = support.motion ? own++ : -1;
+      const GroundComponents& components = support.motion ? *support.motion : model.ground.components;
+      const double delay = support.delay + (support.motion ? 0 : delay_by_wave(model, support.position));
+      std::array<int, 3> index{-1, -1, -1};
+      for (int i = 0; i < 3; ++i) {
+        if (components[i].is_still() || !moves_along(s, i)) continue;
+        const auto [found, is_new] = known.emplace(std::tuple(source, i, delay), static_cast<int>(plan.motions.size()));
+        if (is_new) plan.motions.push_back(delay == 0 ? components[i] : components[i].delayed(delay));
+        index[i] = found->second;
+      }
+      under.push_back(index);
+    }
+  }
+  if (plan.motions.empty()) plan.motions.emplace_back();
+  for (std::vector<std::array<int, 3>>& under : indices) plan.supports.emplace_back(plan.motions, std::move(under));
+  return plan;
+}
+
+double GroundPlan::peak() const {
+  double largest = 0;
+  for (const GroundMotion& motion : motions) largest = std::max(largest, motion.peak());
+  return largest;
+}
+
+double GroundPlan::duration() const {
+  double last = 0;
+  for (const GroundMotion& motion : motions) last = std::max(last, motion.duration());
+  return last;
+}
+
+double GroundPlan::sample_step() const {
+  double shortest = 0;
+  for (const GroundMotion& motion : motions)
+    if (motion.sample_step() > 0) shortest = shortest > 0 ? std::min(shortest, motion.sample_step()) : motion.sample_step();
+  return shortest;
+}
+
+double GroundPlan::shortest_period() const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const GroundMotion& motion : motions) shortest = std::min(shortest, motion.shortest_period());
+  return shortest;
+}
+
+}  // namespace pounding

@@ -1,0 +1,70 @@
+#include <pounding/linear/system_checks.hpp>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+
+namespace pounding::petsc {
+namespace {
+
+// A pivot below this fraction of its diagonal entry belongs to a singular matrix.
+constexpr double min_pivot = 1e-12;
+
+}  // namespace
+
+void require_groups(const System& system) {
+  std::vector<int> group_of(system.size(), -1);
+  int next = 0;
+  for (std::size_t k = 0; k < system.groups.size(); ++k) {
+    const Group& group = system.groups[k];
+    if (group.first != next || group.count < 1)
+      throw std::invalid_argument(fmt::format("group {} begins at unknown {}, not at {}", k, group.first, next));
+    next += group.count;
+    for (int i = group.first; i < std::min(next, system.size()); ++i) group_of[i] = static_cast<int>(k);
+  }
+  if (next != system.size())
+    throw std::invalid_argument(fmt::format("the groups hold {} unknowns of {}", next, system.size()));
+  for (const SparseMatrix* matrix : {&system.mass, &system.damping, &system.stiffness})
+    for (int j = 0; j < matrix->outerSize(); ++j)
+      for (SparseMatrix::InnerIterator it(*matrix, j); it; ++it)
+        if (group_of[it.row()] != group_of[j])
+          throw std::invalid_argument(fmt::format("an entry joins the unknowns {} and {} of two groups", it.row(), j));
+}
+
+void require_masses(const System& system, const Eigen::VectorXd& diagonal) {
+  const Eigen::VectorXd stiffness = system.stiffness.diagonal();
+  const auto has_mass = [&](Eigen::Index i) { return diagonal[i] > 0; };
+  for (Eigen::Index i = 0; i < diagonal.size(); ++i) {
+    if (!(diagonal[i] >= 0)) throw std::invalid_argument(fmt::format("the mass of unknown {} is negative", i));
+    if (!has_mass(i) && !(stiffness[i] > 0))
+      throw std::invalid_argument(fmt::format("the stiffness leaves unknown {}, which has no mass, loose", i));
+  }
+  for (int j = 0; j < system.damping.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(system.damping, j); it; ++it)
+      if (it.value() != 0 && !(has_mass(j) && has_mass(it.row())))
+        throw std::invalid_argument(fmt::format("a dashpot acts on unknown {}, which has no mass", has_mass(j) ? it.row() : j));
+  for (int i = 0; i < system.links(); ++i)
+    for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
+      if (it.value() != 0 && !has_mass(it.row()))
+        throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, it.row()));
+}
+
+void fail_singular(const SparseMatrix& matrix, const std::vector<int>& dofs, const char* what) {
+  const SparseMatrix part = submatrix(matrix, dofs, dofs);
+  const int count = static_cast<int>(dofs.size());
+  Eigen::SimplicialLDLT<SparseMatrix> factor(part);
+  std::string place;
+  if (factor.vectorD().size() == count) {
+    const Eigen::VectorXd pivots = factor.permutationPinv() * Eigen::VectorXd(factor.vectorD());
+    for (int i = 0; i < count && place.empty(); ++i)
+      if (!(pivots[i] > min_pivot * part.coeff(i, i))) place = fmt::format(": a motion with unknown {} meets nothing", dofs[i]);
+  }
+  throw SolverError(fmt::format("{} is singular or not positive definite{}", what, place));
+}
+
+}  // namespace pounding::petsc

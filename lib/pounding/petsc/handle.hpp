@@ -1,0 +1,56 @@
+#pragma once
+/// The owner of PETSc objects. It is the only place that destroys one.
+
+#include <petscts.h>
+
+#include <utility>
+
+namespace pounding::petsc {
+
+/// How PETSc destroys an object of type T. Specialised here for what several modules own, else beside the only one that does.
+template <class T>
+struct Destroyer;
+template <>
+struct Destroyer<TS> {
+  static PetscErrorCode destroy(TS* object) { return TSDestroy(object); }
+};
+template <>
+struct Destroyer<Vec> {
+  static PetscErrorCode destroy(Vec* object) { return VecDestroy(object); }
+};
+
+/// Owns one PETSc object; may be moved, not copied.
+template <class T>
+class Handle {
+ public:
+  Handle() = default;
+  ~Handle() { reset(); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  Handle(Handle&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    if (this != &other) {
+      reset();
+      object_ = std::exchange(other.object_, nullptr);
+    }
+    return *this;
+  }
+
+  /// The object, still owned here; null when there is none.
+  T get() const { return object_; }
+  operator T() const { return object_; }
+  /// Where PETSc's creating functions put a new object; an earlier one is destroyed.
+  T* out() {
+    reset();
+    return &object_;
+  }
+
+ private:
+  void reset() {
+    if (object_) Destroyer<T>::destroy(&object_);
+    object_ = nullptr;
+  }
+  T object_ = nullptr;
+};
+
+}  // namespace pounding::petsc

@@ -1,0 +1,37 @@
+#pragma once
+/// Columns of the histories that grow beside the output times, and how to cut them to a length.
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+#include <pounding/results/results.hpp>
+
+namespace pounding {
+
+inline std::array<std::vector<double>*, 5> columns(LinkHistory& h) {
+  return {&h.time, &h.penetration, &h.velocity, &h.force, &h.energy};
+}
+
+inline std::array<std::vector<double>*, 8> columns(EnergyHistory& e) {
+  return {&e.time, &e.input, &e.kinetic, &e.strain, &e.damping, &e.hysteretic, &e.impact, &e.error};
+}
+
+/// Cuts every column of a history to a length.
+template <class History>
+void cut_columns(History& history, std::size_t length) {
+  for (std::vector<double>* values : columns(history)) values->resize(length);
+}
+
+/// Writes the length of a history; reading cuts the history to it. Throws std::runtime_error where it is shorter.
+template <class History>
+void archive_length(Archive& archive, History& history) {
+  std::size_t length = history.time.size();
+  archive(length);
+  if (length > history.time.size()) throw std::runtime_error("a history is shorter than it was");
+  cut_columns(history, length);
+}
+
+}  // namespace pounding

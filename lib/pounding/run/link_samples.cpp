@@ -1,0 +1,145 @@
+#include <pounding/run/link_samples.hpp>
+
+#include <cmath>
+#include <span>
+
+#include <pounding/run/histories.hpp>
+
+namespace pounding {
+namespace {
+
+// Work in the second half of a step: the integral of the parabola through the power at both ends and the middle [J].
+double work_of_second_half(const LinkStep& step) {
+  const double begin = step.force_begin * step.motion_begin.rate, middle = step.force_middle * step.motion_middle.rate,
+               end = step.force_end * step.motion_end.rate;
+  return (step.end - step.begin) / 24 * (5 * end + 8 * middle - begin);
+}
+
+LinkHistory heading(const Link& link, const Model& model) {
+  LinkHistory history;
+  history.name = link.name;
+  history.gap = link.gap;
+  history.law = link.law;
+  history.left = {model.structures[link.left.structure].name, link.left.floor + 1, link.left.label};
+  history.right = {model.structures[link.right.structure].name, link.right.floor + 1, link.right.label};
+  for (int i = 0; i < 3; ++i) {
+    history.position[i] = link.left.point.position[i];
+    history.direction[i] = link.direction[i];
+  }
+  return history;
+}
+
+void append(const LinkSample& s, LinkHistory& history) {
+  history.time.push_back(s.time);
+  history.penetration.push_back(s.penetration);
+  history.velocity.push_back(s.velocity);
+  history.force.push_back(s.force);
+  history.energy.push_back(s.energy);
+  history.friction.insert(history.friction.end(), s.friction.begin(), s.friction.begin() + history.tangents);
+}
+
+void cut(LinkHistory& history, std::size_t length) {
+  cut_columns(history, length);
+  history.friction.resize(length * history.tangents);
+}
+
+}  // namespace
+
+void ImpactSamples::add(const LinkSample& sample) {
+  last_ = sample;
+  if (samples_.empty()) samples_.push_back({sample.time, sample.penetration, sample.velocity, 0, sample.energy, {}});
+  if (++skipped_ < stride_) return;
+  skipped_ = 0;
+  samples_.push_back(last_);
+  if (samples_.size() < max_count) return;
+  // The first two stay: they are the two sides of a jump at the touch.
+  for (std::size_t i = 1; 2 * i - 1 < samples_.size(); ++i) samples_[i] = samples_[2 * i - 1];
+  samples_.resize(samples_.size() / 2 + 1);
+  stride_ *= 2;
+}
+
+void ImpactSamples::show(LinkHistory& history) const {
+  for (const LinkSample& sample : samples_) append(sample, history);
+  if (!samples_.empty() && samples_.back().time < last_.time) append(last_, history);
+}
+
+void ImpactSamples::finish(LinkHistory& history) {
+  show(history);
+  samples_.clear();
+  stride_ = 1;
+  skipped_ = 0;
+}
+
+void ImpactSamples::archive(Archive& archive) {
+  archive(samples_);
+  archive(last_);
+  archive(stride_);
+  archive(skipped_);
+}
+
+LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories)
+    : model_(model), stepper_(stepper), histories_(histories) {
+  if (stepper.system().contact_count() == 0) return;
+  for (const Link& link : model.links) histories_.push_back(heading(link, model));
+  impacts_.resize(model.links.size());
+  first_tangent_.assign(model.links.size(), -1);
+  for (const Friction& friction : stepper.system().frictions) {
+    histories_[friction.contact].tangents = friction.count;
+    first_tangent_[friction.contact] = friction.first;
+  }
+}
+
+std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::*force) const {
+  std::array<double, 2> forces{};
+  for (int j = 0; j < histories_[link].tangents; ++j) forces[j] = stepper_.link_steps()[first_tangent_[link] + j].*force;
+  return forces;
+}
+
+void LinkSamples::step(bool output_due) {
+  for (std::size_t i = 0; i < impacts_.size(); ++i) {
+    const Contact& contact = *model_.links[i].contact;
+    const LinkStep& step = stepper_.link_steps()[i];
+    const std::span<const ImpactRow> rows = contact.impacts();
+    const bool begun = !rows.empty();
+    const bool presses = begun && std::isnan(rows.back().t_end);
+    const bool ends_here = begun && !presses && rows.back().t_end >= step.end;
+    ImpactSamples& impact = impacts_[i];
+    const LinkMotion &middle = step.motion_middle, &end = step.motion_end;
+    if (presses || ends_here) {
+      if (step.force_middle != 0)
+        impact.add({0.5 * (step.begin + step.end), middle.penetration, middle.rate, step.force_middle,
+                    contact.work() - work_of_second_half(step), friction(i, &LinkStep::force_middle)});
+      const double force = presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end;
+      impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});
+    }
+    if (presses) continue;
+    impact.finish(histories_[i]);
+    if (ends_here || output_due) append({step.end, end.penetration, end.rate, 0, contact.work(), {}}, histories_[i]);
+  }
+}
+
+void LinkSamples::end() {
+  for (std::size_t i = 0; i < impacts_.size(); ++i) impacts_[i].finish(histories_[i]);
+}
+
+void LinkSamples::show_unfinished() {
+  lengths_.clear();
+  for (std::size_t i = 0; i < impacts_.size(); ++i) {
+    lengths_.push_back(histories_[i].time.size());
+    impacts_[i].show(histories_[i]);
+  }
+}
+
+void LinkSamples::hide_unfinished() {
+  for (std::size_t i = 0; i < impacts_.size(); ++i) cut(histories_[i], lengths_[i]);
+}
+
+void LinkSamples::archive(Archive& archive) {
+  archive(impacts_);
+  for (LinkHistory& history : histories_) {
+    archive_length(archive, history);
+    history.friction.resize(history.time.size() * history.tangents);
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,71 @@
+#pragma once
+/// Histories of links: one sample an output time while a link is open, two a step while it presses.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/results/results.hpp>
+#include <pounding/stepping/stepper.hpp>
+
+namespace pounding {
+
+/// One sample of a link.
+struct LinkSample {
+  double time = 0, penetration = 0, velocity = 0, force = 0, energy = 0;  ///< [s], [m], [m/s], [N], [J]
+  std::array<double, 2> friction{};  ///< along the contact, in one or two directions [N]
+};
+
+/// Samples of the present impact of one link. They are held back until it ends: where they become too many, every other one is
+/// dropped, so that the memory of an impact is bounded however long it lasts.
+class ImpactSamples {
+ public:
+  /// More samples than these of one impact are thinned out; an even number.
+  static constexpr std::size_t max_count = 2048;
+
+  /// A sample in contact. The first one of an impact stands twice, with zero force before: a force may jump at the touch.
+  void add(const LinkSample& sample);
+  /// Appends the samples so far, the last one included, to a history.
+  void show(LinkHistory& history) const;
+  /// The impact is over, or the run: its samples go to the history.
+  void finish(LinkHistory& history);
+  /// For a checkpoint.
+  void archive(Archive& archive);
+
+ private:
+  std::vector<LinkSample> samples_;
+  LinkSample last_{};
+  int stride_ = 1, skipped_ = 0;
+};
+
+/// Fills the histories of all links of a model.
+class LinkSamples {
+ public:
+  /// Makes one history a link in `histories`, which must outlive this as model and stepper must. None for a system without
+  /// contacts.
+  LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories);
+
+  /// The step that the stepper has just kept; `output_due` when it holds an output time.
+  void step(bool output_due);
+  /// The run is over.
+  void end();
+  /// Appends the samples of unfinished impacts to the histories, and takes them back.
+  void show_unfinished();
+  void hide_unfinished();
+  /// For a checkpoint: also the lengths of the histories, to which reading cuts them.
+  void archive(Archive& archive);
+
+ private:
+  std::array<double, 2> friction(std::size_t link, double LinkStep::*force) const;
+
+  const Model& model_;
+  const Stepper& stepper_;
+  std::vector<LinkHistory>& histories_;
+  std::vector<ImpactSamples> impacts_;
+  std::vector<int> first_tangent_;    // by link: first column of its friction; -1 for none
+  std::vector<std::size_t> lengths_;  // of the histories without what is shown
+};
+
+}  // namespace pounding

@@ -1,0 +1,99 @@
+#include <pounding/run/run_monitor.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/version.hpp>
+
+namespace pounding {
+namespace {
+
+// The clock is read every few steps only. A launcher (mpirun) kills a second after it asks to stop; looks must be much closer.
+constexpr double seconds_between_looks = 0.02;
+constexpr int max_steps_between_looks = 256;
+constexpr double seconds_between_reports = 0.1;
+
+std::string text_of(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+RunMonitor::RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts, const Stepper& stepper,
+                       Recorder& recorder, RunWriter& writer)
+    : ranks_(options.comm),
+      options_(options),
+      duration_(duration),
+      ts_(ts),
+      stepper_(stepper),
+      recorder_(recorder),
+      writer_(writer),
+      since_report_(since_start) {}
+
+std::string RunMonitor::solve() {
+  petsc::check(TSSetApplicationContext(ts_, this));
+  petsc::check(TSSetPostStep(ts_, after_step));
+  try {
+    petsc::check(TSSolve(ts_, nullptr));
+  } catch (const SolverError& error) {
+    return failure_ ? text_of(failure_) : error.what();
+  }
+  return early_end();
+}
+
+PetscErrorCode RunMonitor::after_step(TS ts) {
+  RunMonitor* monitor = nullptr;
+  PetscFunctionBegin;
+  PetscCall(TSGetApplicationContext(ts, &monitor));
+  try {
+    monitor->recorder_.step();
+    if (--monitor->steps_to_look_ == 0) monitor->look();
+  } catch (...) {
+    monitor->failure_ = std::current_exception();
+  }
+  if (monitor->failure_) PetscFunctionReturn(petsc::fail("recording failed"));
+  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+void RunMonitor::look() {
+  if (ranks_.any(options_.stop && options_.stop())) {
+    writer_.save();
+    resumable_ = true;
+    throw SolverError(fmt::format("stopped by the user at t = {:.6g} s", stepper_.time()));
+  }
+  if (options_.progress && since_report_.seconds() > seconds_between_reports) {
+    since_report_.restart();
+    options_.progress(stepper_.time(), duration_, recorder_.impacts());
+  }
+  if (ranks_.from_root(writer_.is_due())) {
+    writer_.save();
+    writer_.write("running");
+  }
+  steps_to_look_ = steps_between_looks_ = ranks_.from_root(steps_until_next_look());
+  since_look_.restart();
+}
+
+int RunMonitor::steps_until_next_look() const {
+  const double steps = steps_between_looks_ * seconds_between_looks / std::max(since_look_.seconds(), 1e-9);
+  return static_cast<int>(std::clamp(steps, 1.0, 1.0 * max_steps_between_looks));
+}
+
+// A limit on steps (-pounding_ts_max_steps) ends a TS without an error.
+std::string RunMonitor::early_end() {
+  if (stepper_.time() >= duration_ * (1 - 1e-12)) return "";
+  TSConvergedReason reason = TS_CONVERGED_ITERATING;
+  petsc::check(TSGetConvergedReason(ts_, &reason));
+  resumable_ = reason == TS_CONVERGED_ITS;
+  if (resumable_) writer_.save();
+  return fmt::format("the time stepping ended at t = {:.6g} s of {:.6g} s ({})", stepper_.time(), duration_,
+                     TSConvergedReasons[reason]);
+}
+
+}  // namespace pounding

@@ -1,0 +1,48 @@
+#pragma once
+/// Watches a run between its steps: records them, reports progress, stops on request, and has the results file written.
+
+#include <petscts.h>
+
+#include <exception>
+#include <string>
+
+#include <pounding/petsc/ranks.hpp>
+#include <pounding/run/recorder.hpp>
+#include <pounding/run/run.hpp>
+#include <pounding/run/run_writer.hpp>
+#include <pounding/run/stopwatch.hpp>
+
+namespace pounding {
+
+/// Drives one TS to its end.
+class RunMonitor {
+ public:
+  /// `duration` of the run [s]; `since_start` runs since its beginning. All other arguments must outlive this.
+  RunMonitor(const RunOptions& options, double duration, const Stopwatch& since_start, TS ts, const Stepper& stepper,
+             Recorder& recorder, RunWriter& writer);
+
+  /// Runs TSSolve. Returns why the run ended before its duration; empty when it has not.
+  std::string solve();
+  /// Whether a run that ended early left a state to continue from: it was stopped, or cut by a limit on steps.
+  bool is_resumable() const { return resumable_; }
+
+ private:
+  static PetscErrorCode after_step(TS ts);
+  void look();
+  std::string early_end();
+  int steps_until_next_look() const;
+
+  petsc::Ranks ranks_;
+  const RunOptions& options_;
+  double duration_;
+  TS ts_;
+  const Stepper& stepper_;
+  Recorder& recorder_;
+  RunWriter& writer_;
+  Stopwatch since_report_, since_look_;
+  int steps_between_looks_ = 1, steps_to_look_ = 1;
+  bool resumable_ = false;
+  std::exception_ptr failure_ = nullptr;  // thrown after a step, kept out of PETSc's callbacks
+};
+
+}  // namespace pounding

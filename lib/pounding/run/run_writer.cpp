@@ -1,0 +1,111 @@
+#include <pounding/run/run_writer.hpp>
+
+#include <exception>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/stepping/ts_pounding.hpp>
+
+namespace pounding {
+namespace {
+
+// Part of the run time that writing the file may take.
+constexpr double output_share = 0.05;
+constexpr double seconds_between_writes = 1;
+
+}  // namespace
+
+RunWriter::RunWriter(const Model& model, const RunOptions& options, TS ts, const Stepper& stepper, Recorder& recorder,
+                     Outcome& outcome, const Stopwatch& since_start)
+    : ranks_(options.comm),
+      model_(model),
+      options_(options),
+      ts_(ts),
+      stepper_(stepper),
+      recorder_(recorder),
+      outcome_(outcome),
+      origin_(checkpoint_of(model, petsc::Environment::given_options())),
+      since_start_(since_start) {}
+
+// Everything that moves between two steps but the histories. Of the statistics only the run times come from here; the stepper and
+// the TS hold the others.
+void RunWriter::archive(Archive& archive) {
+  outcome_.results.solver.wall_seconds = seconds();
+  archive(outcome_.results.solver);
+  petsc::check(petsc::archive(ts_, archive));
+  recorder_.archive(archive);
+  archive(outcome_.summary.without_pounding);
+}
+
+void RunWriter::save() {
+  if (options_.output.empty()) return;
+  Archive state;
+  try {
+    archive(state);
+  } catch (const SolverError&) {
+    return;
+  }
+  outcome_.results.checkpoint = origin_;
+  Archive all;
+  std::vector<std::vector<std::byte>> parts = ranks_.gather(state.bytes());
+  all(parts);
+  outcome_.results.checkpoint->state = all.bytes();
+}
+
+// The part of a saved state that this process saved.
+std::vector<std::byte> RunWriter::own_part(const std::vector<std::byte>& saved) const {
+  Archive all(saved);
+  std::vector<std::vector<std::byte>> parts;
+  all(parts);
+  if (static_cast<int>(parts.size()) != ranks_.size())
+    throw InputError(fmt::format("it was made by {} process{}; type {}pounding run --resume {}", parts.size(),
+                                 parts.size() == 1 ? "" : "es",
+                                 parts.size() == 1 ? "" : fmt::format("mpirun -n {} ", parts.size()), options_.resume));
+  return parts[ranks_.rank()];
+}
+
+void RunWriter::restart(const InterruptedRun& run) {
+  read_histories(run, outcome_.results);
+  try {
+    Archive state(own_part(run.checkpoint.state));
+    archive(state);
+    state.expect_end();
+  } catch (const std::exception& error) {
+    throw InputError(fmt::format("{}: the run cannot go on: {}", run.file, error.what()));
+  }
+  earlier_seconds_ = outcome_.results.solver.wall_seconds;
+  outcome_.results.checkpoint = run.checkpoint;
+}
+
+void RunWriter::conclude(const std::string& status) {
+  auto& [results, summary] = outcome_;
+  results.status = summary.status = status;
+  recorder_.summarize(summary);
+  summary.integrator = results.integrator;
+  summary.solver = results.solver;
+  results.summary_json = to_json(summary);
+}
+
+void RunWriter::write(const std::string& status) {
+  if (options_.output.empty()) return;
+  const Stopwatch cost;
+  conclude(status);
+  recorder_.with_present_state([&] { ranks_.on_root([&] { write_results(outcome_.results, options_.output); }); });
+  since_write_.restart();
+  written_time_ = stepper_.time();
+  write_cost_ = cost.seconds();
+  outcome_.results.solver.wall_output += write_cost_;
+}
+
+bool RunWriter::is_due() const {
+  const CheckpointSettings& asked = model_.checkpoint;
+  const double since = since_write_.seconds();
+  if (since <= write_cost_ / output_share) return false;
+  if (!asked.asked()) return since > seconds_between_writes;
+  return (asked.every > 0 && since >= asked.every) ||
+         (asked.every_simulated > 0 && stepper_.time() - written_time_ >= asked.every_simulated);
+}
+
+}  // namespace pounding

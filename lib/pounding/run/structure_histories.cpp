@@ -1,0 +1,207 @@
+#include <pounding/run/structure_histories.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace pounding {
+namespace {
+
+// Force of a yielding storey at an instant of the last kept step [N]: linear in the deformation rather than in time, which is
+// exact on each branch of a bilinear spring, however long the step.
+double spring_force(const LinkStep& step, double time, double deformation) {
+  const bool early = time < 0.5 * (step.begin + step.end);
+  const double u0 = early ? step.motion_begin.penetration : step.motion_middle.penetration;
+  const double u1 = early ? step.motion_middle.penetration : step.motion_end.penetration;
+  const double f0 = early ? step.force_begin : step.force_middle, f1 = early ? step.force_middle : step.force_end;
+  return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
+}
+
+// Force of a contact at an instant of the last kept step [N]: the parabola through both ends and the middle.
+double link_force(const LinkStep& step, double time) {
+  const double s = std::clamp((time - step.begin) / (step.end - step.begin), 0.0, 1.0);
+  return (1 - s) * (1 - 2 * s) * step.force_begin + 4 * s * (1 - s) * step.force_middle + s * (2 * s - 1) * step.force_end;
+}
+
+StructureHistory heading(const Structure& s) {
+  StructureHistory history;
+  history.name = s.name;
+  history.kind = s.kind;
+  history.dimension = s.is_rigid() ? 1 : s.dimension;
+  for (const Floor& floor : s.floors) {
+    history.floors.push_back(floor.label);
+    history.elevations.push_back(floor.elevation.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  if (history.dimension == 3) history.directions = {"x", "y", "rz"};
+  history.nodes = s.nodes.names;
+  history.node_directions = s.nodes.directions;
+  history.members = s.members.names;
+  history.member_components = s.members.components;
+  history.geometry = s.geometry;
+  return history;
+}
+
+// A quantity of a structure from its unknowns.
+double value(const Row& row, const Eigen::VectorXd& unknowns) {
+  double sum = 0;
+  for (Row::InnerIterator it(row); it; ++it) sum += it.value() * unknowns[it.index()];
+  return sum;
+}
+
+void add(const Eigen::VectorXd& more, std::vector<double>& values, std::size_t from) {
+  for (Eigen::Index i = 0; i < more.size(); ++i) values[from + i] += more[i];
+}
+
+// Adds `amount` times the factors to the sample that ends a history.
+template <class Factors>
+void add_to_last(std::vector<double>& values, const Factors& factors, double amount) {
+  const std::size_t from = values.size() - factors.size();
+  for (int i = 0; i < factors.size(); ++i) values[from + i] += amount * factors[i];
+}
+
+}  // namespace
+
+StructureHistories::StructureHistories(const Model& model, const GroundPlan& plan, const FloorResponse& response,
+                                       const Stepper& stepper, std::vector<StructureHistory>& histories)
+    : model_(model), plan_(plan), response_(response), stepper_(stepper), histories_(histories), first_unknown_(offsets(model)) {
+  std::size_t spring = stepper.system().contact_count();
+  for (const Structure& s : model.structures) {
+    histories_.push_back(heading(s));
+    first_spring_.push_back(spring);
+    spring += s.yielding.size();
+    has_frames_ =
+        has_frames_ || !s.nodes.motion.empty() || !s.members.forces.empty() || (s.has_storeys() && s.storey_stiffness.empty());
+  }
+}
+
+void StructureHistories::sample(const OutputInstant& at) {
+  for (std::size_t k = 0; k < histories_.size(); ++k) sample_floors(static_cast<int>(k), at);
+  if (has_frames_) sample_frames(at);
+}
+
+void StructureHistories::sample_floors(int k, const OutputInstant& at) {
+  const Structure& s = model_.structures[k];
+  StructureHistory& history = histories_[k];
+  const int directions = response_.directions(k);
+  for (int i = 0; i < static_cast<int>(s.floors.size()); ++i)
+    for (int j = 0; j < directions; ++j) {
+      const int row = response_.row(k, i, j);
+      history.displacement.push_back(at.floors(row, 0));
+      history.velocity.push_back(at.floors(row, 1));
+      history.acceleration.push_back(at.floors(row, 2));
+      if (!s.has_storeys() || j > 1) continue;
+      const double drift = at.floors(row, 0) - (i > 0 ? at.floors(row - directions, 0) : 0);
+      history.drift.push_back(drift);
+      if (s.storey_stiffness.empty()) continue;
+      double shear = s.storey_stiffness[i] * drift;
+      if (!s.yielding.empty()) {
+        const LinkStep& step = stepper_.link_steps()[first_spring_[k] + i];
+        shear += at.inside ? spring_force(step, at.time, drift) : s.yielding[i].spring->evaluate({.penetration = drift}).force;
+      }
+      history.storey_shear.push_back(shear);
+    }
+}
+
+void StructureHistories::sample_frames(const OutputInstant& at) {
+  if (at.inside) {
+    stepper_.interpolate(at.time, u_, v_);
+    stepper_.interpolate_acceleration(at.time, a_);
+  } else {
+    const State& now = stepper_.state();
+    u_ = now.u;
+    v_ = now.v;
+    a_ = now.a;
+  }
+  for (std::size_t k = 0; k < histories_.size(); ++k) {
+    const Structure& s = model_.structures[k];
+    if (s.dimension == 1) continue;
+    const int first = first_unknown_[k];
+    Eigen::VectorXd u = u_.segment(first, s.size()), v = v_.segment(first, s.size()), a = a_.segment(first, s.size());
+    if (s.at_rest.size() > 0) u += s.at_rest;
+    const SupportMotion& ground = plan_.supports[k];
+    const auto influence = [&](std::size_t support, int axis) { return s.supports[support].influence.col(axis); };
+    ground.displacement(at.time, [&](std::size_t q, int axis, double amount) { u += amount * influence(q, axis); });
+    ground.velocity(at.time, [&](std::size_t q, int axis, double amount) { v += amount * influence(q, axis); });
+    ground.acceleration(at.ground, [&](std::size_t q, int axis, double amount) { a += amount * influence(q, axis); });
+    const int structure = static_cast<int>(k);
+    sample_nodes(structure, u, v, a, at);
+    StructureHistory& history = histories_[k];
+    const std::size_t shears = history.storey_shear.size();
+    for (const Floor& floor : s.floors)
+      for (const Row& shear : floor.storey_shear) history.storey_shear.push_back(value(shear, u));
+    if (s.storey_shears) add(s.storey_shears(u), history.storey_shear, shears);
+    sample_members(structure, u, at);
+    if (s.supports.size() > 1) add_enforced(structure, at);
+  }
+}
+
+// Displacements and velocities relative to the ground at the first support, absolute accelerations.
+void StructureHistories::sample_nodes(int k, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a,
+                                      const OutputInstant& at) {
+  const Structure& s = model_.structures[k];
+  StructureHistory& history = histories_[k];
+  const auto ground_acceleration = [&](const std::string& direction) {
+    const int axis = direction == "x" ? 0 : direction == "y" ? 1 : direction == "z" ? 2 : -1;
+    return axis < 0 || plan_.supports[k].at_first(axis) < 0 ? 0.0 : at.ground[plan_.supports[k].at_first(axis)];
+  };
+  for (const std::vector<Row>& node : s.nodes.motion)
+    for (std::size_t j = 0; j < node.size(); ++j) {
+      history.node_displacement.push_back(value(node[j], u));
+      history.node_velocity.push_back(value(node[j], v));
+      history.node_acceleration.push_back(value(node[j], a) + ground_acceleration(s.nodes.directions[j]));
+    }
+}
+
+void StructureHistories::sample_members(int k, const Eigen::VectorXd& u, const OutputInstant& at) {
+  const Structure& s = model_.structures[k];
+  std::vector<double>& forces = histories_[k].end_forces;
+  const std::size_t from = forces.size();
+  for (std::size_t m = 0; m < s.members.forces.size(); ++m)
+    for (std::size_t j = 0; j < s.members.components.size(); ++j)
+      forces.push_back(value(s.members.forces[m][j], u) + s.members.held[m][j]);
+  if (s.end_forces) add(s.end_forces(u), forces, from);
+  if (stepper_.system().contact_count() > 0) add_fixed_end_forces(k, from, at);
+}
+
+// Contacts that press on a member between its ends load its ends as those of a fixed member.
+void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const OutputInstant& at) {
+  const Structure& s = model_.structures[k];
+  const std::size_t components = s.members.components.size();
+  for (std::size_t i = 0; i < model_.links.size(); ++i) {
+    const Link& link = model_.links[i];
+    for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
+      if (end->structure != k || end->point.member < 0) continue;
+      const auto found = std::find(s.members.members.begin(), s.members.members.end(), end->point.member);
+      if (found == s.members.members.end()) continue;
+      const std::size_t m = found - s.members.members.begin();
+      const double force =
+          at.inside ? link_force(stepper_.link_steps()[i], at.time) : stepper_.link_forces()[static_cast<int>(i)];
+      if (force == 0) continue;
+      const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * force * link.direction);
+      for (std::size_t j = 0; j < components; ++j)
+        histories_[k].end_forces[from + m * components + j] += fixed[s.members.places[j]];
+    }
+  }
+}
+
+// Supports that move differently: adds their direct part, with the unknowns at rest, to the sample that was just taken.
+void StructureHistories::add_enforced(int k, const OutputInstant& at) {
+  const std::vector<Support>& supports = model_.structures[k].supports;
+  const SupportMotion& ground = plan_.supports[k];
+  StructureHistory& history = histories_[k];
+  ground.displacement(at.time, [&](std::size_t q, int axis, double amount) {
+    add_to_last(history.node_displacement, supports[q].nodes.col(axis), amount);
+    add_to_last(history.storey_shear, supports[q].shears.col(axis), amount);
+    add_to_last(history.end_forces, supports[q].members.col(axis), amount);
+  });
+  ground.velocity(at.time, [&](std::size_t q, int axis, double amount) {
+    add_to_last(history.node_velocity, supports[q].nodes.col(axis), amount);
+  });
+  ground.acceleration(at.ground, [&](std::size_t q, int axis, double amount) {
+    add_to_last(history.node_acceleration, supports[q].nodes.col(axis), amount);
+  });
+}
+
+}  // namespace pounding

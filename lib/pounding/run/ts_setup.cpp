@@ -1,0 +1,141 @@
+#include <pounding/run/ts_setup.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/model/ground_plan.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/stepping/ts_pounding.hpp>
+
+namespace pounding {
+namespace {
+
+using petsc::check;
+
+// The longest step as a part of the shortest of all first periods, and of the duration. Error control shortens steps further.
+constexpr double max_part_of_period = 0.1;
+constexpr double max_part_of_duration = 1.0 / 16;
+// The first step that is wanted, as a part of the longest.
+constexpr double first_part = 1.0 / 64;
+
+double max_step(const Model& model) {
+  double longest = max_part_of_duration * model.analysis.duration;
+  if (model.analysis.max_step > 0) longest = std::min(longest, model.analysis.max_step);
+  const GroundPlan ground = ground_plan(model);
+  const double sample = ground.sample_step();
+  if (sample > 0) return std::min(sample, model.analysis.max_step > 0 ? longest : model.analysis.duration);
+  longest = std::min(longest, max_part_of_period * ground.shortest_period());
+  for (const Structure& s : model.structures) {
+    if (s.is_rigid() || s.is_free) continue;
+    longest = std::min(longest, max_part_of_period * 2 * M_PI / s.frequencies[0]);
+  }
+  return longest;
+}
+
+// PETSc reads these for every TS; here they would change nothing.
+void refuse_idle_options() {
+  struct Idle {
+    const char *name, *reason;
+  };
+  constexpr Idle idle[] = {
+      {"ts_atol", "errors are relative to the motion; set -pounding_ts_rtol"},
+      {"ts_max_snes_failures", "no SNES takes part"},
+      {"ts_exact_final_time", "the run ends at its duration exactly"},
+      {"ts_time_span", "type analysis: {output_step: ...}"},
+      {"ts_init_time", "a run starts at zero"},
+      {"ts_adapt_wnormtype", "errors are root mean squares weighed by the masses"},
+  };
+  for (const Idle& option : idle) {
+    PetscBool given = PETSC_FALSE;
+    check(PetscOptionsHasName(nullptr, "pounding_", (std::string("-") + option.name).c_str(), &given));
+    if (given) throw InputError(fmt::format("-pounding_{} would change nothing: {}", option.name, option.reason));
+  }
+}
+
+// A distributed vector with these entries.
+petsc::Handle<Vec> make_vector(const Eigen::VectorXd& all, MPI_Comm comm) {
+  petsc::Handle<Vec> made;
+  check(VecCreateMPI(comm, PETSC_DECIDE, static_cast<PetscInt>(all.size()), made.out()));
+  PetscInt first = 0, end = 0;
+  PetscScalar* values = nullptr;
+  check(VecGetOwnershipRange(made, &first, &end));
+  check(VecGetArray(made, &values));
+  std::copy_n(all.data() + first, end - first, values);
+  check(VecRestoreArray(made, &values));
+  return made;
+}
+
+void set_defaults(TS ts, const Model& model) {
+  const AnalysisSettings& analysis = model.analysis;
+  check(TSSetOptionsPrefix(ts, "pounding_"));
+  check(TSSetType(ts, petsc::ts_type));
+  check(petsc::set_solver_options(ts, {analysis.scheme, petsc::SolverKind::automatic}));
+  check(TSSetMaxTime(ts, analysis.duration));
+  check(TSSetMaxSteps(ts, PETSC_MAX_INT));
+  check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
+  check(TSSetTolerances(ts, 0, nullptr, analysis.tolerance, nullptr));
+  const double longest = max_step(model);
+  TSAdapt adapt = nullptr;
+  check(TSGetAdapt(ts, &adapt));
+  check(TSAdaptSetStepLimits(adapt, 1e-18, longest));
+  check(TSSetTimeStep(ts, first_part * longest));
+}
+
+void read_command_line(TS ts) {
+  try {
+    check(TSSetFromOptions(ts));
+  } catch (const SolverError& error) {
+    throw InputError(fmt::format("a -pounding_ option is wrong: {}", error.what()));
+  }
+  refuse_idle_options();
+  refuse_unread_options(false);
+  PetscBool ours = PETSC_FALSE;
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts), petsc::ts_type, &ours));
+  if (!ours) throw InputError("-pounding_ts_type: only the type \"pounding\" lands on impacts; leave the option out");
+}
+
+void take_settings(TsSetup& setup, const Model& model) {
+  PetscReal tolerance = 0, first_step = 0;
+  petsc::SolverOptions chosen;
+  check(TSGetTolerances(setup.ts, nullptr, nullptr, &tolerance, nullptr));
+  check(TSGetTimeStep(setup.ts, &first_step));
+  check(petsc::get_solver_options(setup.ts, &chosen));
+  if (!(tolerance >= min_tolerance && tolerance <= max_tolerance))
+    throw InputError(fmt::format("-pounding_ts_rtol {:g}: the tolerance lies in [{:g}, {:g}]", tolerance, min_tolerance,
+                                 max_tolerance));
+  setup.stepper.tolerance = tolerance;
+  setup.stepper.scheme = chosen.scheme;
+  setup.stepper.max_step = max_step(model);
+  setup.solver = chosen.solver;
+  setup.first_step = first_step;
+}
+
+}  // namespace
+
+void refuse_unread_options(bool factors_too) {
+  for (const std::string& option : petsc::Environment::unread_options()) {
+    // Options that draw or print at the end of the run are read there.
+    if (option.find("view") != std::string::npos) continue;
+    if (!factors_too && option.rfind("-pounding_lev_", 0) == 0) continue;
+    throw InputError(fmt::format("nothing reads the option {}; pounding run --help names some that exist", option));
+  }
+}
+
+TsSetup set_up_ts(const Model& model, const Eigen::VectorXd& u, const Eigen::VectorXd& v, MPI_Comm comm) {
+  TsSetup setup;
+  check(petsc::register_ts_pounding());
+  check(TSCreate(comm, setup.ts.out()));
+  set_defaults(setup.ts, model);
+  setup.u = make_vector(u, comm);
+  setup.v = make_vector(v, comm);
+  check(TS2SetSolution(setup.ts, setup.u, setup.v));
+  read_command_line(setup.ts);
+  take_settings(setup, model);
+  return setup;
+}
+
+}  // namespace pounding

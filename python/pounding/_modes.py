@@ -1,0 +1,86 @@
+"""Periods and mode shapes of the structures of a model."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pounding._native import core
+from pounding.models import Model, as_model
+from pounding.pictures.html import table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Mode:
+    """One mode of a structure."""
+
+    period: float  #: [s]; infinite for a free body
+    damping_ratio: float  #: [-]
+    participation: np.ndarray  #: [direction] of the ground motion: x; x, y, z of a frame
+    effective_mass: np.ndarray  #: [direction] [kg]
+    shape: np.ndarray  #: [floor], of a frame [floor, direction]; 1 at the top, of a frame at its largest translation
+
+
+class Modes(Mapping[str, list[Mode]]):
+    """Modes of every structure, longest period first: `modes["left"][0].period`."""
+
+    def __init__(self, found: Sequence[core.StructureModes], title: str) -> None:
+        self._found, self._title = found, title
+        self._modes = {structure.name: [_mode(one, structure.is_frame) for one in structure.modes] for structure in found}
+
+    def __getitem__(self, structure: str) -> list[Mode]:
+        return self._modes[structure]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._modes)
+
+    def __len__(self) -> int:
+        return len(self._modes)
+
+    def __repr__(self) -> str:
+        return f"<pounding.Modes: {', '.join(f'{len(found)} of {name}' for name, found in self._modes.items())}>"
+
+    def _repr_html_(self) -> str:
+        names = [name for name, found in self.items() if found]
+        longest = max((len(self[name]) for name in names), default=0)
+        rows = [[number + 1, *(_words(self[name][number]) if number < len(self[name]) else "" for name in names)]
+                for number in range(longest)]
+        return table(["mode", *(f"{name}: T [s], damping" for name in names)], rows)
+
+    def plot(self, title: str | None = None) -> Figure:
+        """A picture of the first shapes of every structure. Raises InputError when there is none."""
+        from pounding.mode_shapes import DrawnMode, DrawnStructure, plot_modes
+
+        structures = [DrawnStructure(
+            one.name, [DrawnMode(mode.period, mode.damping_ratio, mode.shape) for mode in self[one.name]], one.elevations,
+            np.reshape(one.nodes, (-1, 3)), np.reshape(np.array(one.members, int), (-1, 2)), one.node_shapes)
+            for one in self._found]
+        return plot_modes(structures, title or self._title or "Mode shapes")
+
+
+def modes(model: Model | str | PathLike[str], count: int = 12) -> Modes:
+    """The natural modes of a model or an input file, longest period first: `count` of a frame, all of other structures, none
+    of a wall. Raises InputError."""
+    model = as_model(model)
+    return Modes(core.modes(model._source(), count), str(model.title or ""))
+
+
+def _mode(one: core.Mode, is_frame: bool) -> Mode:
+    # Without a frame there is the direction x only.
+    directions = len(one.participation) if is_frame else 1
+    shape = np.array(one.shape, order="C")
+    return Mode(one.period, one.damping_ratio, np.array(one.participation[:directions]),
+                np.array(one.effective_mass[:directions]), shape if is_frame else shape[:, 0])
+
+
+def _words(mode: Mode) -> str:
+    period = "none" if math.isinf(mode.period) else f"{mode.period:.4g}"
+    return f"{period}, {100 * mode.damping_ratio:.3g} %"

@@ -1,0 +1,29 @@
+"""The compiled part of the package, as `core`; ImportError says what to type where it is missing. Pictures and results files
+do without it."""
+
+import atexit
+import contextlib
+import sys
+
+try:
+    from pounding import _core as core
+except ImportError as error:
+    raise ImportError(f"the compiled part of pounding cannot be loaded: {error}. Type `python3 -m venv env` and "
+                      "then `env/bin/python3 -m pip install .` in the source directory, or set PYTHONPATH to build/python after "
+                      "`make`") from error
+
+
+def _end() -> None:
+    """Ends PETSc before the interpreter ends; mpi4py, when it started MPI, ends MPI after this."""
+    # Python keeps the exception that ended the program; at a prompt (ps1) it keeps those of single lines too.
+    failed = hasattr(sys, "last_value") and not hasattr(sys, "ps1")
+    for stream in (sys.stdout, sys.stderr):
+        # Without a terminal a stream is None; a pipe may be closed at its other end.
+        with contextlib.suppress(AttributeError, OSError, ValueError):
+            stream.flush()
+    core.end_petsc(failed)
+
+
+atexit.register(_end)
+
+__all__ = ["core"]

@@ -1,0 +1,291 @@
+"""Frames of an OpenSees model in the words of our input."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pounding.errors import InputError
+from pounding.opensees import links
+from pounding.opensees.printed import PRINTED, Constraint, Printed
+
+#: Names of degrees of freedom by the dimension. In the plane OpenSees has x, y and a rotation from x to y.
+DOFS = {2: ("ux", "uz", "ry"), 3: ("ux", "uy", "uz", "rx", "ry", "rz")}
+#: Members that are carried over, their properties, and the words by which OpenSees tells these to the last bit.
+MEMBERS = {
+    "ElasticBeam2d": {"E": "E", "A": "A", "Iz": "I"},
+    "ElasticTimoshenkoBeam2d": {"E": "E", "G": "G", "A": "A", "Iz": "Iz", "Avy": "Avy"},
+    "ElasticBeam3d": {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz"},
+    "ElasticTimoshenkoBeam3d": {"E": "E", "G": "G", "A": "A", "Jx": "J", "Iy": "Iy", "Iz": "Iz", "Avy": "Avy", "Avz": "Avz"},
+}
+#: The commands that make these members.
+COMMANDS = {"ElasticBeam2d": "elasticBeamColumn", "ElasticTimoshenkoBeam2d": "ElasticTimoshenkoBeam",
+            "ElasticBeam3d": "elasticBeamColumn", "ElasticTimoshenkoBeam3d": "ElasticTimoshenkoBeam"}
+#: Reasons for refusing a geometric transformation.
+TRANSFORMATIONS = {"PDelta": "its axial forces change with time, those of geometry: p_delta stay as at rest",
+                   "Corot": "set the frame up as Linear, and geometry: corotational in the model that is made"}
+
+
+@dataclass
+class Member:
+    """An elastic beam-column as OpenSees tells of it."""
+
+    tag: int
+    kind: str
+    nodes: tuple[int, int]
+    values: dict[str, float]  #: as in MEMBERS, exact
+    printed: dict[str, Any]
+    transformation: dict[str, Any]
+    mass: float  #: per length [kg/m]
+
+
+@dataclass
+class Frames:
+    """The model of the running process. Raises InputError at the first part that cannot be carried over."""
+
+    ops: Any
+    printed: Printed
+    without: set[int]
+    members: list[Member] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        ops = self.ops
+        self.dimension = ops.getNDM()[0]
+        if self.dimension not in DOFS:
+            raise InputError(f"the model has {self.dimension} dimension; frames in 2 and 3 are carried over")
+        self.dofs = DOFS[self.dimension]
+        self.nodes = {node: tuple(ops.nodeCoord(node)) for node in ops.getNodeTags()}
+        for node in self.nodes:
+            if ops.getNDF(node)[0] != len(self.dofs):
+                raise InputError(f"node {node} has {ops.getNDF(node)[0]} degrees of freedom; nodes of frames have {len(self.dofs)}")
+        for tag in self.without - set(ops.getEleTags()):
+            raise InputError(f"without: there is no element {tag}")
+        ours = {link.tag for link in links()}
+        transformations = {each["name"]: each for each in self.printed.model["properties"]["crdTransformations"]}
+        for element in self.printed.model["geometry"]["elements"]:
+            if element["name"] not in self.without | ours:
+                self.members.append(self._member(element, transformations))
+        # The list of the model has no elements that do not print themselves.
+        known = self.without | ours | {member.tag for member in self.members}
+        for tag in ops.getEleTags():
+            if tag not in known:
+                raise InputError(self._refusal(tag, ops.eleType(tag)))
+        self.held = {node: tuple(sorted(set(ops.getFixedDOFs(node)))) for node in set(ops.getFixedNodes())}
+
+    def require_rest(self) -> None:
+        """Raises InputError when a node has moved."""
+        for node in self.nodes:
+            if any(self.ops.nodeDisp(node)) or any(self.ops.nodeVel(node)):
+                raise InputError(f"node {node} has moved: read the model before its analysis, or after ops.reset()")
+
+    def parts(self) -> list[list[int]]:
+        """Nodes of each part that members and constraints connect, from the smaller x on. A node that is not connected is
+        no part."""
+        neighbours: dict[int, set[int]] = defaultdict(set)
+        pairs = [member.nodes for member in self.members] + [(c.node, c.retained) for c in self.printed.constraints]
+        for a, b in pairs:
+            neighbours[a].add(b)
+            neighbours[b].add(a)
+        for node in self.nodes:
+            if node not in neighbours and any(self.ops.nodeMass(node)):
+                raise InputError(f"node {node} has a mass, and no member meets it")
+        parts, seen = [], set()
+        for first in neighbours:
+            if first in seen:
+                continue
+            part, waiting = [], [first]
+            seen.add(first)
+            while waiting:
+                node = waiting.pop()
+                part.append(node)
+                waiting += neighbours[node] - seen
+                seen |= neighbours[node]
+            parts.append(sorted(part))
+        if not parts:
+            raise InputError("the model has no members")
+        return sorted(parts, key=lambda part: min(self.nodes[node][0] for node in part))
+
+    def structure(self, part: Sequence[int], damping: Any) -> dict[str, Any]:
+        """Words of one frame."""
+        inside = set(part)
+        members = [member for member in self.members if member.nodes[0] in inside]
+        # A node that only holds a rigid floor together is one that the floor makes for itself.
+        constraints = [c for c in self.printed.constraints if c.node in inside]
+        floors, ties = self._constraints(constraints)
+        used = {node for member in members for node in member.nodes} | {node for tie in ties for node in tie["all"]}
+        used |= {node for node in inside if any(self.ops.nodeMass(node))}
+        used |= {node for link in links() for node in link.nodes if node in inside}
+        for master in floors:
+            if master not in used:
+                self._require_loose(master)
+        nodes = [node for node in part if node in used]
+        frame: dict[str, Any] = {"dimension": self.dimension}
+        materials, sections, words = self._member_words(members)
+        frame["materials"], frame["sections"] = materials, sections
+        frame["nodes"] = {f"n{node}": list(self.nodes[node]) for node in nodes}
+        frame["members"] = words
+        if self._is_consistent(members):
+            frame["mass"] = "consistent"
+        frame["supports"] = {f"n{node}": "fixed" if len(self.held[node]) == len(self.dofs) else
+                             {"fix": [self.dofs[dof - 1] for dof in self.held[node]]} for node in nodes if node in self.held}
+        masses = {f"n{node}": {name: m for name, m in zip(self.dofs, self.ops.nodeMass(node)) if m} for node in nodes}
+        frame["masses"] = {name: value for name, value in masses.items() if value}
+        frame["ties"] = [{"master": f"n{tie['all'][0]}", "nodes": [f"n{node}" for node in tie["all"][1:]], **tie["words"]}
+                         for tie in ties]
+        frame["floors"] = self._floors(nodes, floors, used)
+        structure: dict[str, Any] = {"frame": {key: value for key, value in frame.items() if value}}
+        structure["damping"] = 0 if damping is None else damping
+        return structure
+
+    def _member(self, element: Mapping[str, Any], transformations: Mapping[str, Mapping[str, Any]]) -> Member:
+        tag, kind = element["name"], element["type"]
+        if kind not in MEMBERS:
+            raise InputError(self._refusal(tag, kind))
+        transformation = dict(transformations[element["crdTransformation"]])
+        if not transformation["type"].startswith("Linear"):
+            reason = next((text for start, text in TRANSFORMATIONS.items() if transformation["type"].startswith(start)), "")
+            raise InputError(f"element {tag}: its transformation {transformation['name']} is {transformation['type']}, and only "
+                             f"Linear is carried over{'; ' + reason if reason else ''}")
+        values = {name: self._value(tag, word, element[name]) for name, word in MEMBERS[kind].items()}
+        return Member(tag, kind, tuple(element["nodes"]), values, dict(element), transformation, element["massperlength"])
+
+    def _value(self, tag: int, word: str, printed: float) -> float:
+        """A property to the last bit, by a parameter that is made and removed."""
+        ops = self.ops
+        free = max(ops.getParamTags() or [0]) + 1
+        ops.parameter(free, "element", tag, word)
+        value = ops.getParamValue(free)
+        ops.remove("parameter", free)
+        if not abs(value - printed) <= PRINTED * abs(printed):
+            raise InputError(f"element {tag}: OpenSees tells {value!r} and prints {printed!r} for its {word}")
+        return value
+
+    @staticmethod
+    def _refusal(tag: int, kind: str) -> str:
+        return (f"element {tag} is of the type {kind}, which is not carried over; only elasticBeamColumn, ElasticTimoshenkoBeam "
+                f"and links of pounding.opensees are. without=[{tag}] leaves it out")
+
+    def _member_words(self, members: Sequence[Member]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+        materials: dict[tuple[float, ...], str] = {}
+        sections: dict[tuple[tuple[str, Any], ...], str] = {}
+        words: dict[str, Any] = {}
+        for member in members:
+            v = member.values
+            material = (v["E"], v.get("G", 0.0), member.mass / v["A"])
+            section: dict[str, Any] = {"area": v["A"]}
+            if self.dimension == 2:
+                section["inertia_y"] = v["Iz"]
+                if "Avy" in v:
+                    section["shear_area_z"] = v["Avy"]
+            else:
+                section |= {"inertia_y": v["Iy"], "inertia_z": v["Iz"], "torsion": v["Jx"]}
+                if "Avy" in v:
+                    section |= {"shear_area_y": v["Avy"], "shear_area_z": v["Avz"]}
+            of = materials.setdefault(material, f"m{len(materials) + 1}")
+            by = sections.setdefault(tuple(section.items()), f"s{len(sections) + 1}")
+            words[f"e{member.tag}"] = {"between": [f"n{node}" for node in member.nodes], "section": by, "material": of,
+                                       **self._ends(member)}
+        named = {name: {key: value for key, value in zip(("E", "G", "density"), material) if value}
+                 for material, name in materials.items()}
+        return named, {name: dict(section) for section, name in sections.items()}, words
+
+    def _ends(self, member: Member) -> dict[str, Any]:
+        """Releases, offsets and axes of a member."""
+        printed, transformation = member.printed, member.transformation
+        words: dict[str, Any] = {}
+        released = {"ry": printed.get("release", 0)} if self.dimension == 2 else {"rz": printed.get("releasez", 0),
+                                                                                  "ry": printed.get("releasey", 0)}
+        # 1: at the start, 2: at the end, 3: at both.
+        ends = {"start": [dof for dof, code in released.items() if code & 1],
+                "end": [dof for dof, code in released.items() if code & 2]}
+        if any(ends.values()):
+            words["releases"] = ends
+        offsets = {end: list(transformation[key]) for end, key in (("start", "iOffset"), ("end", "jOffset"))
+                   if any(transformation.get(key, ()))}
+        if offsets:
+            words["offsets"] = offsets
+        if self.dimension == 3:
+            # The vector as it was given has six digits; local z has all.
+            words["reference"] = list(self.ops.eleResponse(member.tag, "zlocal"))
+        return words
+
+    def _is_consistent(self, members: Sequence[Member]) -> bool:
+        heavy = [member for member in members if member.mass > 0]
+        consistent = {member.tag: self.printed.consistent_mass(member.tag) for member in heavy}
+        for member in heavy:
+            if consistent[member.tag] and member.kind != "ElasticBeam2d":
+                raise InputError(f"element {member.tag}: the consistent mass of a {COMMANDS[member.kind]} in {self.dimension}D has "
+                                 "terms that ours has not; build it without -cMass")
+        if len(set(consistent.values())) > 1:
+            raise InputError(f"elements {', '.join(str(tag) for tag in consistent)}: some masses are consistent and some lumped; a "
+                             "frame has one kind")
+        return any(consistent.values())
+
+    def _constraints(self, constraints: Sequence[Constraint]) -> tuple[dict[int, list[int]], list[dict[str, Any]]]:
+        """Nodes of rigid floors by their masters, and ties."""
+        floors: dict[int, list[int]] = defaultdict(list)
+        ties: list[dict[str, Any]] = []
+        in_plan = (1, 2, 6) if self.dimension == 3 else ()
+        above: list[Constraint] = []  # a node in the plan of its master follows a floor as it follows a tie
+        for c in constraints:
+            arm = np.subtract(self.nodes[c.node], self.nodes[c.retained])
+            if c.dofs == in_plan and c.retained_dofs == in_plan and not arm.any():
+                above.append(c)
+            elif c.dofs == c.retained_dofs and np.array_equal(c.matrix, np.eye(len(c.dofs))):
+                ties.append(_tie(c, {"dofs": [self.dofs[dof - 1] for dof in c.dofs]}))
+            elif c.dofs != c.retained_dofs or not _is_rigid(c, arm, self.dimension):
+                raise InputError(f"the constraint of node {c.node} to node {c.retained}, degrees of freedom {list(c.dofs)}, is "
+                                 "neither an equalDOF, a rigidLink nor a rigidDiaphragm that is level")
+            elif c.dofs == in_plan:
+                floors[c.retained].append(c.node)
+            else:
+                ties.append(_tie(c, {"rigid": True}))
+        for c in above:
+            if c.retained in floors:
+                floors[c.retained].append(c.node)
+            else:
+                ties.append(_tie(c, {"dofs": ["ux", "uy", "rz"]}))
+        return dict(floors), ties
+
+    def _require_loose(self, master: int) -> None:
+        if set(self.held.get(master, ())) != {3, 4, 5}:
+            raise InputError(f"node {master} holds a rigid floor and nothing else; fix its degrees of freedom 3, 4 and 5 and no others")
+
+    def _floors(self, nodes: Sequence[int], rigid: Mapping[int, Sequence[int]], used: set[int]) -> list[dict[str, Any]]:
+        """Rigid floors, and levels whose nodes have mass, from the ground up."""
+        levels: dict[float, dict[str, Any]] = {}
+        for master, members in rigid.items():
+            z = self.nodes[master][-1]
+            if z in levels:
+                raise InputError(f"there are two rigid floors at {z:g}; a frame has one at a level")
+            held = [master, *members] if master in used else list(members)
+            levels[z] = {"nodes": [f"n{node}" for node in held], "elevation": z, "rigid": True}
+        for node in nodes:
+            z = self.nodes[node][-1]
+            free = len(self.held.get(node, ())) < len(self.dofs)
+            if free and self.ops.nodeMass(node, 1) > 0 and not levels.get(z, {}).get("rigid"):
+                levels.setdefault(z, {"nodes": [], "elevation": z, "rigid": False})["nodes"].append(f"n{node}")
+        return [levels[z] for z in sorted(levels)]
+
+
+def _tie(constraint: Constraint, words: dict[str, Any]) -> dict[str, Any]:
+    return {"all": [constraint.retained, constraint.node], "words": words}
+
+
+def _is_rigid(constraint: Constraint, arm: np.ndarray, dimension: int) -> bool:
+    """Rows and columns of a rigid body's motion; in six digits."""
+    full = np.eye(len(DOFS[dimension]))
+    if dimension == 2:
+        full[:2, 2] = -arm[1], arm[0]
+    else:
+        x, y, z = arm
+        full[:3, 3:] = [[0, z, -y], [-z, 0, x], [y, -x, 0]]
+    rows = [dof - 1 for dof in constraint.dofs]
+    if len(rows) < len(full) and not (dimension == 3 and constraint.dofs == (1, 2, 6)):
+        return False
+    wanted = full[np.ix_(rows, rows)]
+    return bool(np.allclose(constraint.matrix, wanted, rtol=PRINTED, atol=PRINTED * max(1.0, np.abs(arm).max())))

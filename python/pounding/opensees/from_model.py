@@ -1,0 +1,91 @@
+"""Frames of an OpenSeesPy model as a Model of ours."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from pounding.errors import InputError
+from pounding.models import Model
+from pounding.opensees import Link, links, openseespy
+from pounding.opensees.frames import Frames
+from pounding.opensees.printed import Printed
+
+
+def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
+                  rayleigh: Sequence[float] | None = None, damping: Any = None, names: Sequence[str] | None = None,
+                  without: Iterable[int] = (), without_loads: bool = False, title: str | None = None) -> Model:
+    """The OpenSeesPy model of this process as a Model: every connected part is a structure of the kind `frame`, and links
+    made by `pounding.opensees.link` are its links.
+
+    Carried over: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear, releases,
+    joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. The model is in N, m, kg, s; in the plane y
+    is up, in space z. Nodes and members are named by their tags: n24, e7. Structures are called left and right when there
+    are two, else frame1, frame2, ... from the smaller x on, unless `names` says otherwise.
+
+    OpenSees does not tell the damping: give `rayleigh`, the numbers of ops.rayleigh (alphaM, betaK, betaKinit, betaKcomm),
+    or `damping` in our own words; neither is no damping. Nor does it tell the motion of a UniformExcitation: give
+    `ground_motion`, and `analysis`, as in Model. `without` are tags of elements that are left out, `without_loads` leaves
+    load patterns out. Mass per length and joint offsets are read with the six digits that OpenSees prints, all else exactly.
+
+    Raises InputError that names what cannot be carried over; ImportError without openseespy."""
+    ops = openseespy()
+    printed = Printed(ops)
+    frames = Frames(ops, printed, set(without))
+    frames.require_rest()
+    printed.require_nothing_else(ground_motion is not None, without_loads)
+    if rayleigh is not None:
+        if damping is not None:
+            raise InputError("rayleigh and damping both say the damping; keep one of them")
+        damping = rayleigh_words(rayleigh)
+    elif damping is None and printed.alpha_m != 0:
+        raise InputError(f"the nodes have Rayleigh damping with alphaM = {printed.alpha_m:g}; OpenSees does not tell the other "
+                         "factors, so give rayleigh=(alphaM, betaK, betaKinit, betaKcomm), or damping=")
+    parts = frames.parts()
+    if names is None:
+        names = ("left", "right") if len(parts) == 2 else [f"frame{i + 1}" for i in range(len(parts))]
+    if len(names) != len(parts):
+        raise InputError(f"names has {len(names)} names, and the model has {len(parts)} parts")
+    structures = {name: frames.structure(part, damping) for name, part in zip(names, parts)}
+    home = {node: name for name, part in zip(names, parts) for node in part}
+    between = [_link_words(each, home) for each in links() if each.tag not in frames.without]
+    return Model(structures, between, ground_motion=ground_motion, analysis=analysis, title=title)
+
+
+def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:
+    """Damping in the words of the input from alphaM [1/s] and the betas [s], whose sum acts on elastic members."""
+    by_mass, by_stiffness = float(factors[0]), float(sum(factors[1:]))
+    if not all(math.isfinite(factor) and factor >= 0 for factor in (by_mass, by_stiffness)):
+        raise InputError(f"rayleigh is {tuple(factors)}, but takes factors that are not negative")
+    if by_mass == by_stiffness == 0:
+        return None
+    # a0 = 2 z w1 w2/(w1 + w2) and a1 = 2 z/(w1 + w2) with any w1 < w2; where one factor is zero, the other frequency is so
+    # far away that what it adds is lost in rounding.
+    if by_stiffness == 0:
+        low, high = max(1.0, 10 * by_mass), 1e15
+        ratio = by_mass / (2 * low)
+    elif by_mass == 0:
+        low, high = 1e-15, min(1.0, 0.1 / by_stiffness)
+        ratio = by_stiffness * high / 2
+    else:
+        middle = math.sqrt(by_mass / by_stiffness)
+        low, high = middle / 2, middle * 2
+        ratio = 1.25 * math.sqrt(by_mass * by_stiffness)
+    if ratio >= 1:
+        raise InputError(f"rayleigh is {tuple(factors)}, which is overdamped at every frequency; its factors must give less "
+                         "than 80 % somewhere")
+    return {"rayleigh": {"ratio": ratio, "periods": [2 * math.pi / low, 2 * math.pi / high]}}
+
+
+def _link_words(link: Link, home: Mapping[int, str]) -> dict[str, Any]:
+    for node in link.nodes:
+        if node not in home:
+            raise InputError(f"element {link.tag}: node {node} belongs to no frame")
+    if link.dof != 1:
+        raise InputError(f"element {link.tag} acts along degree of freedom {link.dof}; only links along x are carried over")
+    law = link.law
+    given = {"formula": law.formula, "restitution": law.restitution, "impact_velocity": law.impact_velocity,
+             "reduced_mass": link.reduced_mass, **law.parameters}
+    return {"between": [{"structure": home[node], "node": f"n{node}"} for node in link.nodes], "gap": link.gap,
+            "law": law.kind.name, **{name: value for name, value in given.items() if value is not None}}

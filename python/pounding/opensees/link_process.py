@@ -1,0 +1,289 @@
+"""A gap link for the element genericClient of OpenSees: a process that `pounding.opensees.link` starts.
+
+    python3 link_process.py        reads one line of JSON, writes {"port": ...}, serves one element
+
+OpenSees holds the interpreter while it computes, so the link cannot live in the same process. The element asks for force and
+slopes at trial states, as often as Newton likes, and says which states are kept; impacts begin, go on and end at these.
+Protocol: GenericClient.cpp and RemoteTest in OpenSees' sources.
+
+Nothing but the standard library and the C interface of the laws (pounding.h) is used. Errors never end the process, because
+OpenSees would wait for ever: the link answers NaN, which ends the analysis, and tells the text when it is asked.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import json
+import math
+import os
+import select
+import socket
+import struct
+import sys
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+LIBRARY = Path(__file__).parents[1] / "libpounding_c.so.1"
+
+# First number of a message from the element. An answer is a vector of the same size.
+SET_TRIAL, COMMIT, GET_FORCE, GET_INITIAL_STIFFNESS, GET_STIFFNESS, GET_DAMPING, GET_MASS, END = 3, 5, 10, 12, 13, 14, 15, 99
+
+
+class _Contact(ctypes.Structure):
+    """pnd_contact."""
+
+    _fields_ = [(name, ctypes.c_double) for name in ("touching", "indentation", "closing_speed", "damping",
+                                                     "largest_penetration", "slip")] + [("reserved", ctypes.c_double * 2)]
+
+
+class _Value(ctypes.Structure):
+    """pnd_value."""
+
+    _fields_ = [("name", ctypes.c_char_p), ("value", ctypes.c_double)]
+
+
+class Answer(ctypes.Structure):
+    """pnd_response: force > 0 pushes apart [N], its slopes by penetration [N/m] and by rate [N s/m]."""
+
+    _fields_ = [(name, ctypes.c_double) for name in ("force", "by_penetration", "by_rate")]
+
+
+class Law:
+    """A law of the C interface. Raises ValueError with the interface's text."""
+
+    def __init__(self, name: str, formula: str, values: dict[str, float]) -> None:
+        self._library = ctypes.CDLL(str(LIBRARY))
+        self._library.pnd_error_text.restype = ctypes.c_char_p
+        self._law = ctypes.c_void_p()
+        pairs = (_Value * len(values))(*(_Value(name.encode(), value) for name, value in values.items()))
+        self._check(self._library.pnd_create(name.encode(), formula.encode(), pairs, ctypes.c_size_t(len(values)),
+                                             ctypes.byref(self._law)))
+
+    def touch(self, contact: _Contact, closing_speed: float) -> None:
+        """The bodies begin to press at this closing speed [m/s]."""
+        self._check(self._library.pnd_touch(self._law, ctypes.c_double(closing_speed), ctypes.byref(contact)))
+
+    def respond(self, contact: _Contact, penetration: float, rate: float) -> Answer:
+        """Force [N] and both slopes at a penetration [m] and its rate [m/s]; changes nothing."""
+        answer = Answer()
+        self._check(self._library.pnd_respond(self._law, ctypes.byref(contact), ctypes.c_double(penetration),
+                                              ctypes.c_double(rate), ctypes.byref(answer)))
+        return answer
+
+    def accept(self, contact: _Contact, penetration: float, rate: float) -> None:
+        """A step that is kept ends here."""
+        self._check(self._library.pnd_accept(self._law, ctypes.c_double(penetration), ctypes.c_double(rate),
+                                             ctypes.byref(contact)))
+
+    def _check(self, status: int) -> None:
+        if status != 0:
+            raise ValueError(self._library.pnd_error_text().decode())
+
+
+@dataclass
+class Impact:
+    """As a row of /impacts in the results files; peaks are the largest at kept states."""
+
+    t_start: float  #: touch, located inside its step [s]
+    t_end: float  #: separation, located inside its step; NaN while the impact lasts [s]
+    v_approach: float  #: closing speed at the touch [m/s]
+    v_separation: float = math.nan  #: opening speed at the separation [m/s]
+    restitution: float = math.nan  #: obtained: v_separation / v_approach
+    peak_force: float = 0.0  #: [N]
+    t_peak: float = math.nan  #: time of the peak force [s]
+    peak_penetration: float = 0.0  #: [m]
+    impulse: float = 0.0  #: integral of the force [N s]
+    energy_lost: float = 0.0  #: work that the link took and did not give back [J]
+
+
+class State(NamedTuple):
+    """Relative motion; penetration > 0 is overlap, rate > 0 closes."""
+
+    time: float  #: [s]
+    penetration: float  #: [m]
+    rate: float  #: [m/s]
+    acceleration: float  #: [m/s^2]
+
+
+def time_to_close(opening: float, rate: float, acceleration: float) -> float:
+    """When opening >= 0 is closed at this rate and acceleration: the first root of opening = rate s + acceleration s^2/2,
+    infinite without one."""
+    under_root = rate * rate + 2 * acceleration * opening
+    if under_root < 0:
+        return math.inf
+    # Without cancellation, and for any sign of the acceleration.
+    divisor = rate + math.sqrt(under_root)
+    return 2 * opening / divisor if divisor > 0 else 0.0 if opening == 0 else math.inf
+
+
+class Link:
+    """Force at trial states, history at kept ones.
+
+    An impact begins at the first kept state that overlaps: a step has one formula of the force from its beginning to its end,
+    because with a force that jumps at the touch, as that of kelvin_voigt, there may be no state in which a step could end.
+    The closing speed is that at the touch inside the step, by the acceleration at its beginning."""
+
+    def __init__(self, law: Law, gap: float) -> None:
+        self.law, self.gap = law, gap
+        self.impacts: list[Impact] = []
+        self.contact = _Contact()
+        self.kept: State | None = None
+        self.now = State(0.0, -gap, 0.0, 0.0)
+        self.answer = Answer()
+        self.force = 0.0  # of the link in the kept state, as the solver had it
+
+    def trial(self, time: float, closure: float, rate: float, acceleration: float) -> Answer:
+        """Changes nothing but what `keep` would keep."""
+        self.now = State(time, closure - self.gap, rate, acceleration)
+        # The model as it is before its first step.
+        self.kept = self.kept or self.now
+        self.answer = self.law.respond(self.contact, self.now.penetration, self.now.rate)
+        return self.answer
+
+    def keep(self) -> None:
+        """The last trial state was kept."""
+        before, now = self.kept or self.now, self.now
+        indentation, was_touching = self.contact.indentation, bool(self.contact.touching)
+        if not was_touching and now.penetration > indentation:
+            wait = self._closing_time(before)
+            start = min(before.time + wait, now.time)
+            speed = max(0.0, before.rate + before.acceleration * (start - before.time))
+            self.law.touch(self.contact, speed)
+            self.impacts.append(Impact(start, math.nan, speed))
+        if self.contact.touching:
+            self.law.accept(self.contact, now.penetration, now.rate)
+            self._add(before, now, indentation)
+            if not self.contact.touching:
+                self._end(now, indentation)
+        self.kept, self.force = now, self.answer.force
+
+    def _closing_time(self, state: State) -> float:
+        return time_to_close(max(0.0, self.contact.indentation - state.penetration), state.rate, state.acceleration)
+
+    def _add(self, before: State, now: State, indentation: float) -> None:
+        row, force, step = self.impacts[-1], self.answer.force, now.time - before.time
+        row.impulse += 0.5 * step * (self.force + force)
+        row.energy_lost += 0.5 * step * (self.force * before.rate + force * now.rate)
+        row.peak_penetration = max(row.peak_penetration, now.penetration - indentation)
+        if force > row.peak_force:
+            row.peak_force, row.t_peak = force, now.time
+
+    def _end(self, now: State, indentation: float) -> None:
+        """Seen backwards from a state that is apart the bodies close; no force has acted since."""
+        row = self.impacts[-1]
+        back = time_to_close(max(0.0, indentation - now.penetration), -now.rate, now.acceleration)
+        back = back if math.isfinite(back) else 0.0
+        row.t_end, row.v_separation = now.time - back, -now.rate + now.acceleration * back
+        row.restitution = row.v_separation / row.v_approach if row.v_approach > 0 else math.nan
+
+
+class Server:
+    """One link, one element, two unknowns: of the left body and of the right one, both along the line between them."""
+
+    def __init__(self, link: Link) -> None:
+        self.link = link
+        self.error = ""
+        self.answer = Answer()
+        self.connected = False
+
+    def serve(self, connection: socket.socket) -> None:
+        """Until the element ends. `sys.stdin` may ask for the results meanwhile."""
+        head = self._read(connection, 44)
+        if not head:
+            return
+        self.connected = True
+        sizes = struct.unpack("11i", head)
+        vector = struct.Struct(f"{sizes[10]}d")
+        listening = [connection, sys.stdin]
+        while True:
+            ready = select.select(listening, [], [])[0]
+            # The element first: what it has sent was sent before the question.
+            if connection in ready:
+                data = self._read(connection, vector.size)
+                if not data:
+                    return
+                numbers = vector.unpack(data)
+                if numbers[0] == END:
+                    return
+                answer = self._answer(numbers)
+                if answer is not None:
+                    connection.sendall(vector.pack(*answer, *[0.0] * (sizes[10] - 4)))
+            elif not sys.stdin.readline():
+                listening.remove(sys.stdin)
+            else:
+                self.tell()
+
+    def tell(self) -> None:
+        """Writes error, connection and impacts as a line of JSON to the caller."""
+        told = {"error": self.error, "connected": self.connected, "impacts": [asdict(impact) for impact in self.link.impacts]}
+        # The caller may be gone.
+        with contextlib.suppress(BrokenPipeError):
+            os.write(sys.stdout.fileno(), (json.dumps(told) + "\n").encode())
+
+    def _answer(self, numbers: tuple[float, ...]) -> tuple[float, float, float, float] | None:
+        action, link = numbers[0], self.link
+        try:
+            if action == SET_TRIAL:
+                u1, u2, v1, v2, a1, a2, time = numbers[1:8]
+                self.answer = Answer(math.nan, math.nan, math.nan)
+                self.answer = link.trial(time, u1 - u2, v1 - v2, a1 - a2)
+                return None
+            if action == COMMIT:
+                link.keep()
+                self.error = ""
+                return None
+        except ValueError as error:
+            self.error = str(error)
+            return None
+        if action == GET_FORCE:
+            # The element adds the damping matrix times the velocities.
+            force = self.answer.force - self.answer.by_rate * link.now.rate
+            return force, -force, 0.0, 0.0
+        slope = {GET_STIFFNESS: self.answer.by_penetration, GET_DAMPING: self.answer.by_rate}.get(int(action), 0.0)
+        return slope, -slope, -slope, slope
+
+    @staticmethod
+    def _read(connection: socket.socket, size: int) -> bytes:
+        """Nothing when the element is gone."""
+        data = b""
+        with contextlib.suppress(ConnectionError):
+            while len(data) < size:
+                part = connection.recv(size - len(data))
+                # The element waits with its next message until this one is acknowledged, which else takes 40 ms. The option
+                # is forgotten now and then.
+                if hasattr(socket, "TCP_QUICKACK"):
+                    connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_QUICKACK, 1)
+                if not part:
+                    return b""
+                data += part
+            return data
+        return b""
+
+
+def main() -> int:
+    """Serves the link that a line of JSON on the standard input describes; exit code 2 where it cannot be."""
+    asked: dict[str, Any] = json.loads(sys.stdin.readline())
+    try:
+        server = Server(Link(Law(asked["law"], asked["formula"], asked["values"]), asked["gap"]))
+    except (OSError, ValueError) as error:
+        print(json.dumps({"error": str(error)}), flush=True)
+        return 2
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        print(json.dumps({"port": listener.getsockname()[1]}), flush=True)
+        # The caller may end before an element has come; or ask, when there is nothing to tell yet.
+        while listener not in select.select([listener, sys.stdin], [], [])[0]:
+            if not sys.stdin.readline():
+                return 0
+            server.tell()
+        connection = listener.accept()[0]
+    with connection:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        server.serve(connection)
+    server.tell()
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,49 @@
+"""The pictures of a run by their names, as figures that are returned, not shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+from pounding.pictures.displacements import draw_displacements
+from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
+from pounding.pictures.loops import draw_loops
+from pounding.pictures.model_picture import model_figure
+from pounding.pictures.panels import label_time
+from pounding.pictures.profiles import profiles_figure
+from pounding.pictures.run_picture import standard_figure
+from pounding.pictures.style import STYLE, BadRequest, Picture, head
+from pounding.results import RunData
+
+WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure}
+OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
+                                             "energy": draw_energies}
+PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
+#: Below this width a legend stands under the axes, not beside them [in].
+NARROW = 4.5
+
+
+def figure(run: RunData, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+    """One picture of a run; `title` stands instead of that of the run, `size` is width and height [in]. Raises BadRequest for a
+    picture that does not exist."""
+    if picture in WHOLE:
+        return WHOLE[picture](run, title, size=size)
+    if picture not in PANELS:
+        raise BadRequest(f'there is no picture "{picture}"; there is {", ".join([*WHOLE, *PANELS])}')
+    with rc_context(STYLE):
+        size = size or ((6.5, 3.2) if picture in OVER_TIME else (5.5, 4.0))
+        made = Picture(figsize=size, layout="constrained")
+        axes: Any = made.add_subplot()
+        PANELS[picture](axes, run)
+        if picture in OVER_TIME:
+            label_time(axes, run)
+        if size[0] < NARROW and axes.get_legend():
+            axes.get_legend().remove()
+            made.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+        if title == "":
+            axes.set_title("")
+        head(made, run.title if title is None else title)
+        return made

@@ -1,0 +1,175 @@
+"""Line models of the structures, for pictures, animations and exports: nodes, members and their displacements.
+
+A frame is drawn by its nodes and members. A structure without geometry becomes a stick with a mass at each floor, a body a
+single mass, a wall a line. Coordinates are x, y, z [m], z up.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pounding.results import Structure
+
+#: Height of a storey [m] where the file has none.
+UNKNOWN_STOREY = 3.0
+
+
+@dataclass(frozen=True)
+class LineModel:
+    """One structure at rest, at its own place or, without geometry, at x = 0."""
+
+    name: str
+    nodes: np.ndarray  #: [node, 3]
+    members: np.ndarray  #: [member, 2]
+    masses: np.ndarray  #: numbers of the nodes that are drawn as masses; none in a frame
+    half_width: float  #: of a drawn mass: the distance of the faces of a stick from its axis [m]
+    has_place: bool  #: its coordinates are those of the model
+    has_heights: bool  #: its z are those of the model
+
+    @property
+    def half_height(self) -> float:
+        """Half the height of a drawn mass [m]."""
+        return 0.3 * self.half_width
+
+    @property
+    def height(self) -> float:
+        """Height of the highest node [m]."""
+        return float(self.nodes[:, 2].max())
+
+
+def line_model(structure: Structure, tallest: float = 2 * UNKNOWN_STOREY) -> LineModel:
+    """The line model of a structure. A wall gets the height `tallest` [m], and masses that look well beside it their width."""
+    if structure.geometry is not None:
+        return LineModel(structure.name, structure.geometry.nodes, structure.geometry.members, np.empty(0, int), 0.0, True, True)
+    heights, known = floor_heights(structure)
+    half_width = 0.35 * float(np.min(np.diff(heights, prepend=0), initial=0.5 * tallest))
+    if half_width <= 0:
+        half_width = 0.1 * tallest
+    if structure.is_wall:
+        nodes, members, masses = [[0, 0, 0], [0, 0, tallest]], [[0, 1]], range(0)
+        half_width = 0.0
+    elif structure.kind == "body":
+        nodes, members, masses = [[0, 0, height] for height in heights], [], range(len(heights))
+    else:
+        nodes = [[0, 0, 0], *([0, 0, height] for height in heights)]
+        members = [[i, i + 1] for i in range(len(heights))]
+        masses = range(1, len(nodes))
+    return LineModel(structure.name, np.array(nodes, float), np.array(members, int).reshape(-1, 2), np.array(masses, int),
+                    half_width, False, known)
+
+
+def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
+    """(heights of the floors [m], whether the file has them). Storeys are taken as equally high where it has not."""
+    known = structure.elevations.size > 0 and bool(np.isfinite(structure.elevations).all())
+    heights = structure.elevations if known else UNKNOWN_STOREY * np.arange(1, len(structure.floors) + 1)
+    return np.asarray(heights, float), known
+
+
+def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
+    """[time, node, 3]: displacements of the nodes of the line model relative to the ground [m].
+
+    Nodes that the file reports move as it says. Other nodes of a floor move with it as a plate that is rigid in its plane and
+    turns about the mean of its nodes; nodes between two floors are interpolated by their height."""
+    moved = _by_floors(structure, model)
+    reported = structure.nodes
+    if reported is None or structure.geometry is None:
+        return moved
+    numbers = {name: i for i, name in enumerate(structure.geometry.node_names)}
+    for i, name in enumerate(reported.names):
+        for j, axis in enumerate("xyz"):
+            if axis in reported.directions:
+                moved[:, numbers[name], j] = reported.displacement[:, i, reported.directions.index(axis)]
+    return moved
+
+
+def displaced_at(structure: Structure, time: np.ndarray, times: np.ndarray) -> Structure:
+    """The structure with its displacements at `times` instead of `time`; its other histories stay behind."""
+    along = {key: replace(motion, displacement=_at_times(time, motion.displacement, times))
+             for key, motion in structure.along.items()}
+    nodes = structure.nodes
+    if nodes is not None:
+        nodes = replace(nodes, displacement=_at_times(time, nodes.displacement, times))
+    return replace(structure, along=along, nodes=nodes)
+
+
+def _by_floors(structure: Structure, model: LineModel) -> np.ndarray:
+    samples = len(structure.displacement)
+    moved = np.zeros((samples, len(model.nodes), 3))
+    if not structure.floors:
+        return moved
+    floor_of_node = _floor_of_node(structure, model)
+    heights = np.array([model.nodes[floor_of_node == i, 2].mean() if np.any(floor_of_node == i) else np.nan
+                        for i in range(len(structure.floors))])
+    if structure.geometry is not None:
+        own, known = floor_heights(structure)
+        heights = np.where(np.isnan(heights) & known, own, heights)
+    held = model.nodes[:, 2].min()
+    for node, position in enumerate(model.nodes):
+        floor = floor_of_node[node]
+        if floor >= 0:
+            moved[:, node] = _plate(structure, model, floor_of_node, floor, position)
+        elif position[2] > held:
+            moved[:, node] = _between(structure, model, floor_of_node, heights, held, position)
+    return moved
+
+
+def _floor_of_node(structure: Structure, model: LineModel) -> np.ndarray:
+    if structure.geometry is not None:
+        return structure.geometry.floor_of_node
+    floors = np.full(len(model.nodes), -1)
+    floors[model.masses] = np.arange(len(model.masses))
+    return floors
+
+
+def _plate(structure: Structure, model: LineModel, floor_of_node: np.ndarray, floor: int, position: np.ndarray) -> np.ndarray:
+    """[time, 3] of a point that is fixed to a floor."""
+    move = np.zeros((len(structure.displacement), 3))
+    for j, axis in enumerate("xy"):
+        if axis in structure.along:
+            move[:, j] = structure.along[axis].displacement[:, floor]
+    on_floor = floor_of_node == floor
+    if "rz" in structure.along and np.any(on_floor):
+        arm = position - model.nodes[on_floor].mean(axis=0)
+        turn = structure.along["rz"].displacement[:, floor]
+        move[:, 0] -= turn * arm[1]
+        move[:, 1] += turn * arm[0]
+    return move
+
+
+def _between(structure: Structure, model: LineModel, floor_of_node: np.ndarray, heights: np.ndarray, held: float,
+             position: np.ndarray) -> np.ndarray:
+    """[time, 3] of a point off the floors, in proportion to its height between the next floors; as the top above it."""
+    order = [i for i in np.argsort(heights) if np.isfinite(heights[i])]
+    below = [i for i in order if heights[i] <= position[2]]
+    above = [i for i in order if heights[i] > position[2]]
+    low = _plate(structure, model, floor_of_node, below[-1], position) if below else np.zeros((len(structure.displacement), 3))
+    if not above:
+        return low
+    z = heights[below[-1]] if below else held
+    share = (position[2] - z) / (heights[above[0]] - z)
+    return (1 - share) * low + share * _plate(structure, model, floor_of_node, above[0], position)
+
+
+def _at_times(time: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Values [time, ...] at other times, linear between the samples and constant outside."""
+    if not len(time):
+        return np.zeros((len(times), *values.shape[1:]))
+    after = np.clip(np.searchsorted(time, times), 1, max(len(time) - 1, 1)) if len(time) > 1 else np.zeros(len(times), int)
+    before = np.maximum(after - 1, 0)
+    span = np.where(after > before, time[after] - time[before], 1.0)
+    share = np.clip((times - time[before]) / span, 0, 1).reshape(-1, *[1] * (values.ndim - 1))
+    return (1 - share) * values[before] + share * values[after]
+
+
+def nearest_on_members(nodes: np.ndarray, members: np.ndarray, point: np.ndarray) -> list[tuple[int, float]]:
+    """[(node, share)] of the point of all members that is nearest to `point`; of a structure without members, its
+    nearest node."""
+    if not len(members):
+        return [(int(np.argmin(np.linalg.norm(nodes - point, axis=1))), 1.0)]
+    start, along = nodes[members[:, 0]], nodes[members[:, 1]] - nodes[members[:, 0]]
+    length2 = np.maximum((along**2).sum(axis=1), 1e-30)
+    share = np.clip(((point - start) * along).sum(axis=1) / length2, 0, 1)
+    best = int(np.argmin(np.linalg.norm(start + share[:, None] * along - point, axis=1)))
+    return [(int(members[best, 0]), 1 - share[best]), (int(members[best, 1]), share[best])]

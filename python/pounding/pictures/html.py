@@ -1,0 +1,48 @@
+"""Tables and texts as HTML, for notebooks."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+#: A long text is scrolled.
+_TEXT = "max-height:24em;overflow:auto;margin:0;white-space:pre"
+
+
+def text_html(text: str) -> str:
+    """A text as it stands, scrolled when it is long."""
+    return f'<pre style="{_TEXT}">{html.escape(text)}</pre>'
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """A table of texts and numbers as HTML, `head` its first row."""
+    lines = ["".join(f"<th>{html.escape(one)}</th>" for one in head)]
+    lines += ["".join(f"<td>{html.escape(str(one))}</td>" for one in row) for row in rows]
+    return f"<table>{''.join(f'<tr>{line}</tr>' for line in lines)}</table>"
+
+
+def run_html(title: str, status: str, summary: Mapping[str, Any]) -> str:
+    """Largest values of links and structures, and where the energy went, from the object of `pounding run --json`."""
+    links = [[one["name"], one["impacts"], _number(one["peak_force"], 1e3), _number(one["peak_penetration"], 1e-3),
+              _number(one["impulse"], 1e3), _number(one["energy_lost"], 1e3)] for one in summary.get("links", [])]
+    structures = [[name, *(_number(max(one[key], default=None), size) for key, size in
+                           (("peak_displacement", 1e-3), ("peak_drift", 1e-3), ("peak_acceleration", 1.0)))]
+                  for name, one in summary.get("structures", {}).items() if one.get("peak_displacement")]
+    words = ["link", "impacts", "peak force [kN]", "penetration [mm]", "impulse [kN s]", "energy lost [kJ]"]
+    parts = [f"<b>{html.escape(title)}</b>" + ("" if status == "done" else f": {html.escape(status)}")]
+    if links:
+        parts.append(table(words, links))
+    if structures:
+        parts.append(table(["structure", "displacement [mm]", "drift [mm]", "acceleration [m/s²]"], structures))
+    energy = summary.get("energy", {})
+    if energy:
+        terms = " + ".join(f"{name} {_number(energy[name], 1e3)}"
+                           for name in ("kinetic", "strain", "damping", "hysteretic", "impact"))
+        parts.append(f"energy [kJ]: input {_number(energy['input'], 1e3)} = {terms}; "
+                     f"largest imbalance {energy['error']:.1e} of the input")
+    return "".join(f"<div>{part}</div>" for part in parts)
+
+
+def _number(value: float | None, size: float) -> str:
+    return "-" if value is None else f"{value / size:.4g}"

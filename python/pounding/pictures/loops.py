@@ -1,0 +1,75 @@
+"""Panels of the impacts: force over penetration, restitution over closing speed."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from pounding.pictures.panels import legend_beside, link_styles, say
+from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, MM, VERMILION, engineering, largest
+from pounding.results import RunData
+
+
+def draw_strongest_loop(axes: Axes, run: RunData) -> None:
+    """Force over penetration of the impact with the largest force."""
+    axes.set_title("Strongest impact")
+    peak = largest([run.impacts["peak_force"]])
+    if peak == 0:
+        say(axes, "Rigid contact: no loop" if run.impacts.size else "No impact")
+        axes.set(xlabel="Penetration", ylabel="Force")
+        return
+    impact = run.impacts[np.nanargmax(run.impacts["peak_force"])]
+    link = run.links[impact["link"]]
+    inside = (link.time >= impact["t_start"]) & (link.time <= impact["t_end"])
+    size, unit = engineering(peak, FORCE_UNITS)
+    penetration, force = MM * link.penetration[inside], link.force[inside] / size
+    axes.fill(penetration, force, color=VERMILION, alpha=0.12, linewidth=0)
+    axes.plot(penetration, force, color=VERMILION)
+    _arrow(axes, penetration, force)
+    lost_size, lost_unit = engineering(abs(impact["energy_lost"]), ENERGY_UNITS)
+    axes.set_ylabel(f"Force [{unit}]")
+    axes.set_xlabel(f"Penetration [mm]\n{link.name} at {impact['t_start']:.3f} s: {impact['v_approach']:.3g} m/s in, "
+                    f"{impact['v_separation']:.3g} m/s out,\nrestitution {impact['restitution']:.3f}, "
+                    f"{impact['energy_lost'] / lost_size:.3g} {lost_unit} lost")
+
+
+def draw_loops(axes: Axes, run: RunData) -> None:
+    """Force over penetration of every impact."""
+    axes.set_title("Contact loops")
+    size, unit = engineering(largest([run.impacts["peak_force"]]), FORCE_UNITS)
+    axes.set(xlabel="Penetration [mm]", ylabel=f"Force [{unit}]")
+    if largest([run.impacts["peak_force"]]) == 0:
+        say(axes, "Rigid contact: no loop" if run.impacts.size else "No impact")
+        return
+    for link, style in link_styles(run):
+        for impact in run.impacts_of(link.name):
+            inside = (link.time >= impact["t_start"]) & (link.time <= impact["t_end"])
+            axes.plot(MM * link.penetration[inside], link.force[inside] / size, **{**style, "linewidth": 0.8})
+            style["label"] = None
+    legend_beside(axes)
+
+
+def draw_restitution(axes: Axes, run: RunData) -> None:
+    """Restitution that each impact obtained, over its closing speed."""
+    axes.set_title("Restitution of each impact")
+    axes.set(xlabel="Closing speed [m/s]", ylabel="Restitution")
+    moving = run.impacts[np.isfinite(run.impacts["restitution"])]
+    if not moving.size:
+        say(axes, "No impact")
+        return
+    for link, style in link_styles(run):
+        impacts = moving[moving["link"] == link.name]
+        axes.plot(impacts["v_approach"], impacts["restitution"], linestyle="none", marker="o", markersize=3.5,
+                  markerfacecolor="none", markeredgewidth=0.9, color=style["color"], zorder=style["zorder"])
+    axes.set_xlim(0, 1.05 * moving["v_approach"].max() or 1)
+    axes.set_ylim(min(0, moving["restitution"].min()), max(1, 1.05 * moving["restitution"].max()))
+
+
+def _arrow(axes: Axes, x: np.ndarray, y: np.ndarray) -> None:
+    """Direction of a loop, on its rising branch."""
+    if x.size < 4:
+        return
+    rising = int(np.argmax(y))
+    middle = max(1, min(int(np.searchsorted(y[:rising + 1], 0.55 * y[rising])), x.size - 2))
+    axes.annotate("", (x[middle + 1], y[middle + 1]), (x[middle - 1], y[middle - 1]),
+                  arrowprops={"arrowstyle": "-|>", "color": VERMILION, "linewidth": 0.8})

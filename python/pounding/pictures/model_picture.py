@@ -1,0 +1,97 @@
+"""Picture of the model: frames in elevation, in space from all sides and in plan, with the links as marks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, label_axes, project
+from pounding.results import RunData
+from pounding.pictures.geometry import floor_heights
+from pounding.pictures.scene import Scene
+from pounding.pictures.style import MM, STYLE, Picture, head, structure_colour
+
+TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
+
+
+def model_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+    """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations. `size` [in]."""
+    scene = Scene(run)
+    # Sticks have no place of their own: their gaps are drawn wide enough to be seen.
+    widest = max((link.gap for link in run.links.values()), default=0.0)
+    if not scene.has_places and widest > 0:
+        scene = Scene(run, 0.04 * max(np.ptp(scene.bounds(), axis=1)) / widest)
+    views: list[Any] = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
+    with rc_context(STYLE):
+        figure = Picture(figsize=size or _size(scene), layout="constrained")
+        axes = figure.subplot_mosaic(views)
+        for letter, (view, panel) in zip("abcd", axes.items()):
+            panel.set_title(f"({letter}) {TITLES[view]}" if len(axes) > 1 else "")
+            draw_model(panel, scene, view)
+        figure.legend(handles=list(_legend(run)), loc="outside lower center", ncols=4)
+        head(figure, run.title if title is None else title)
+        return figure
+
+
+def draw_model(axes: Axes, scene: Scene, view: str) -> None:
+    """One view of a scene at rest: elevation, side, plan or oblique."""
+    axes.grid(False)
+    draw_ground(axes, scene, view)
+    Drawing(axes, scene, view)
+    frame_axes(axes, scene, view)
+    label_axes(axes, scene, view)
+    _name_structures(axes, scene, view)
+    if view == "elevation":
+        _label_floors(axes, scene)
+
+
+def _name_structures(axes: Axes, scene: Scene, view: str) -> None:
+    for number, name in enumerate(scene.line_models):
+        points = project(scene.at_rest(name), view)
+        x, y = (points[:, 0].min() + points[:, 0].max()) / 2, points[:, 1].max() + scene.line_models[name].half_height
+        wall = scene.run.structures[name].is_wall
+        axes.annotate(name, (x, y), (0, 4), textcoords="offset points", ha="center", va="bottom", fontweight="bold",
+                      color="0.25" if wall else structure_colour(number), zorder=8)
+
+
+def _label_floors(axes: Axes, scene: Scene) -> None:
+    """Floors of the structure at the left end on the left of all, of that at the right end on the right, walls included."""
+    middles = {name: scene.at_rest(name)[:, 0].mean() for name, s in scene.run.structures.items() if s.floors}
+    if not middles:
+        return
+    first, last = min(middles, key=middles.__getitem__), max(middles, key=middles.__getitem__)
+    ends = {first: -1} if first == last else {first: -1, last: 1}
+    for name, side in ends.items():
+        structure = scene.run.structures[name]
+        x = scene.bounds()[0, 1 if side > 0 else 0]
+        heights, _ = floor_heights(structure)
+        every = -(-len(heights) // 16)
+        for i in range(len(heights) - 1, -1, -every):
+            axes.annotate(structure.floors[i], (x, heights[i]), (5 * side, 0), textcoords="offset points", va="center",
+                          ha="left" if side > 0 else "right", fontsize=7, color="0.35")
+
+
+def _legend(run: RunData) -> Iterator[Line2D]:
+    """The links, one entry for each gap."""
+    gaps: dict[str, list[str]] = {}
+    for link in run.links.values():
+        gaps.setdefault(f"{MM * link.gap:.4g} mm", []).append(link.name)
+    for gap, names in gaps.items():
+        words = names[0] if len(names) == 1 else f"{len(names)} links"
+        yield Line2D([], [], linestyle="none", marker="D", markerfacecolor="white", markeredgecolor="black",
+                     markersize=4.5, label=f"{words}, gap {gap}")
+
+
+def _size(scene: Scene) -> tuple[float, float]:
+    """Width and height of the figure [in]: those of the scene in proportion, within a page."""
+    if scene.is_spatial:
+        return 7.5, 6.6
+    width, _, height = np.ptp(scene.bounds(), axis=1)
+    shape = (height + 0.2 * max(width, height)) / (width + 0.2 * max(width, height))
+    return 6.5, float(np.clip(5.6 * shape + 1.0, 3.0, 8.5))

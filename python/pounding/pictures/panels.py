@@ -1,0 +1,60 @@
+"""Parts that the panels of a picture have in common: the axis of time, the lines of links, legends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from pounding.pictures.style import LINK_COLOURS, QUIET, TIME_UNITS, largest
+from pounding.results import Link, RunData
+
+
+def time_unit(run: RunData) -> tuple[float, str]:
+    """The (size [s], name) of the unit in which the time of a run is drawn."""
+    span = run.time[-1] - run.time[0] if run.time.size else 0.0
+    return TIME_UNITS[1] if 0 < span < 0.5 else TIME_UNITS[0]
+
+
+def plot_time(axes: Axes, run: RunData, time: np.ndarray, values: np.ndarray, **style: Any) -> None:
+    """A line over the whole time of the run; `time` [s]."""
+    axes.plot(time / time_unit(run)[0], values, **style)
+    axes.margins(x=0)
+
+
+def label_time(axes: Axes, run: RunData) -> None:
+    """Names the axis of time, in the unit that the run is drawn in; it goes over the whole run."""
+    size, unit = time_unit(run)
+    axes.set_xlabel(f"Time [{unit}]")
+    if run.time.size > 1:
+        axes.set_xlim(run.time[0] / size, run.time[-1] / size)
+
+
+def link_styles(run: RunData) -> Iterator[tuple[Link, dict[str, Any]]]:
+    """Each link with its line: the hardest hit ones in colour, the others grey and below them."""
+    peaks = {name: largest([run.impacts_of(name)["peak_force"]]) for name in run.links}
+    chosen = sorted(run.links, key=lambda name: -peaks[name])[:len(LINK_COLOURS)]
+    chosen = [name for name in run.links if name in chosen]
+    others = [name for name in run.links if name not in chosen]
+    for i, name in enumerate(others):
+        words = f"{len(others)} other link" + ("s" if len(others) > 1 else "")
+        yield run.links[name], {"color": QUIET, "linewidth": 0.7, "label": words if i == 0 else None, "zorder": 1}
+    for name, colour in zip(chosen, LINK_COLOURS):
+        # Weaker spikes stay visible in front of stronger ones of the same moment.
+        rank = sum(peaks[other] > peaks[name] for other in chosen)
+        yield run.links[name], {"color": colour, "label": name, "zorder": 2 + 0.1 * rank}
+
+
+def say(axes: Axes, words: str) -> None:
+    """Words in the middle of a panel that has nothing to draw."""
+    axes.text(0.5, 0.5, words, transform=axes.transAxes, ha="center", va="center", color="0.35", fontsize=9)
+    axes.set_yticks([])
+
+
+def legend_beside(axes: Axes, reverse: bool = False) -> None:
+    """Outside, at the right: never over data."""
+    handles, labels = axes.get_legend_handles_labels()
+    if handles:
+        axes.legend(handles, labels, loc="upper left", bbox_to_anchor=(1.01, 1), reverse=reverse)

@@ -1,0 +1,88 @@
+"""Style of all pictures: colours, type sizes, units that suit a size, and the writing of files."""
+
+from __future__ import annotations
+
+import io
+import sys
+import textwrap
+from collections.abc import Iterable, Sequence
+from os import PathLike
+from typing import Any
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+from pounding.errors import InputError
+
+#: Okabe and Ito's colours, which colour-blind readers can tell apart.
+BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
+YELLOW = "#F0E442"
+STRUCTURE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
+LINK_COLOURS = (BLUE, VERMILION, GREEN, ORANGE)
+QUIET = "0.72"
+STYLE: dict[Any, Any] = {
+    "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8.5, "axes.titleweight": "bold", "axes.titlelocation": "left",
+    "legend.fontsize": 7.5, "legend.frameon": False, "legend.handlelength": 1.6, "legend.columnspacing": 1.2,
+    "legend.borderaxespad": 0.2, "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.6,
+    "lines.linewidth": 1.0, "axes.grid": True, "grid.color": "0.9", "grid.linewidth": 0.5, "axes.axisbelow": True,
+    "xtick.major.width": 0.6, "ytick.major.width": 0.6, "savefig.dpi": 200, "text.parse_math": False,
+    # TrueType, which journals ask for.
+    "pdf.fonttype": 42,
+}
+MM = 1e3
+FORCE_UNITS = ((1e6, "MN"), (1e3, "kN"), (1.0, "N"))
+IMPULSE_UNITS = ((1e6, "MN s"), (1e3, "kN s"), (1.0, "N s"))
+ENERGY_UNITS = ((1e6, "MJ"), (1e3, "kJ"), (1.0, "J"))
+TIME_UNITS = ((1.0, "s"), (1e-3, "ms"))
+
+
+class BadRequest(InputError):
+    """The picture that was asked for does not exist; the text says which do."""
+
+
+class Picture(Figure):
+    """A figure that a notebook shows, whether pyplot is there or not, and that looks the same wherever it is saved."""
+
+    def savefig(self, fname: Any, **options: Any) -> None:
+        """As Figure.savefig, in the style of this package."""
+        with rc_context(STYLE):
+            super().savefig(fname, **options)
+
+    def _repr_png_(self) -> bytes:
+        image = io.BytesIO()
+        self.savefig(image, format="png", dpi=110)
+        return image.getvalue()
+
+
+def head(figure: Figure, title: str) -> None:
+    """The title above all panels, in lines that fit; none for an empty one."""
+    if title:
+        letters = max(20, int(11 * figure.get_figwidth()))
+        figure.suptitle("\n".join(textwrap.wrap(title, letters)), fontsize=10.5, fontweight="bold")
+
+
+def engineering(largest: float, units: Sequence[tuple[float, str]]) -> tuple[float, str]:
+    """The (size, name) of the largest unit in which `largest` is at least 0.5; the smallest one for less."""
+    return next((unit for unit in units if largest >= 0.5 * unit[0]), units[-1])
+
+
+def largest(arrays: Iterable[np.ndarray]) -> float:
+    """Largest absolute value over arrays; 0 when they are empty or hold only NaN (the force of a rigid impact)."""
+    return max((float(np.abs(finite).max()) for finite in (a[np.isfinite(a)] for a in arrays) if finite.size), default=0.0)
+
+
+def structure_colour(number: int) -> str:
+    """Colour of a structure by its place in the input."""
+    return STRUCTURE_COLOURS[number % len(STRUCTURE_COLOURS)]
+
+
+def write_picture(figure: Figure, path: str | PathLike[str]) -> int:
+    """Writes .png, .pdf or .svg. Returns 0, or 2 after a message."""
+    try:
+        with rc_context(STYLE):
+            figure.savefig(path)
+    except (OSError, ValueError) as error:
+        print(f"cannot write {path}: {error}", file=sys.stderr)
+        return 2
+    return 0

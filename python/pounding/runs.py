@@ -1,0 +1,74 @@
+"""A run as its user holds it: the results, with pictures, films and tables of them. Needs numpy and h5py; pictures need
+matplotlib, tables pandas or xarray."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import dataclass
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+from pounding.pictures.html import run_html
+from pounding.results import RunData
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.figure import Figure
+
+    from pounding.animation import Film
+
+
+@dataclass(frozen=True, repr=False)
+class Run(RunData):
+    """Results of a run: what its file holds, and pictures and tables of it."""
+
+    def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+        """A picture: "run" (histories and impacts), "displacement", "gap", "force", "loops", "energy", "model" (the
+        structures at rest) or "profiles" (extreme values over the height).
+
+        `title` stands instead of that of the run; "" leaves out all titles, for a picture with a caption. `size` is width and
+        height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points. A notebook shows the picture; save it with
+        `.savefig("NAME.pdf")`. Raises InputError for another name, ImportError without matplotlib."""
+        return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size)
+
+    def animate(self, path: str | PathLike[str] | None = None, *, frames: int | None = None, start: float | None = None,
+                end: float | None = None, scale: float | None = None, title: str | None = None) -> Film:
+        """The run in motion from `start` to `end` [s], displacements drawn `scale` times as large.
+
+        Written to `path` when it is given: .gif, .mp4, or .png for one file a frame. A notebook plays the film. Raises
+        InputError for times that the run does not have, ImportError without matplotlib."""
+        animation = _needing("matplotlib", "pounding.animation")
+        if path is not None:
+            animation.check_output(path)
+        film = animation.animate(self, animation.frame_times(self, frames, start, end), scale, title)
+        if path is not None:
+            animation.save(film, path)
+        return film
+
+    def to_pandas(self) -> dict[str, pandas.DataFrame]:
+        """A table for each group of the file, with its own time [s] as index: "impacts", "energy", "ground", "links/NAME",
+        "structures/NAME" with columns (quantity, floor, direction). In SI. Raises ImportError without pandas."""
+        return _needing("pandas", "pounding.tables").to_pandas(self)
+
+    def to_xarray(self) -> dict[str, xarray.Dataset]:
+        """As `to_pandas`, but as datasets with the dimensions time, floor and direction, and with units. Raises ImportError
+        without xarray."""
+        return _needing("xarray", "pounding.tables").to_xarray(self)
+
+    def _repr_html_(self) -> str:
+        return run_html(self.title, self.status, self.summary)
+
+
+def read(path: str | PathLike[str]) -> Run:
+    """The run in the results file `path`. Raises OSError when it cannot be opened, NotResults when it is something else."""
+    return Run.read(path)
+
+
+def _needing(package: str, module: str) -> Any:
+    """A module of this package that needs another package; where that is missing, ImportError says what to type."""
+    try:
+        importlib.import_module(package)
+    except ModuleNotFoundError as error:
+        raise ImportError(f"this needs {package}: type python3 -m pip install {package}") from error
+    return importlib.import_module(module)

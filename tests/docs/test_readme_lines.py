@@ -1,0 +1,188 @@
+"""Every command, model and program that the README and the guide print is run, compiled, or at least there.
+
+The environment names the built parts; a test is skipped where its part is not built:
+POUNDING_PROGRAM, POUNDING_PACKAGE (the folder of the Python package), POUNDING_CXX, POUNDING_CC, POUNDING_C_LIBRARY.
+"""
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "python/docs/index.md", *sorted((ROOT / "python/docs/guide").glob("*.md"))]
+PATIENCE = 120
+#: Language and text of every block in a fence.
+FENCE = re.compile(r"(?ms)^```([^\n]*)\n(.*?)^```$")
+
+
+def blocks(page, language):
+    """Blocks of this language with the text that is printed below each, if any."""
+    text, found = page.read_text(), []
+    for match in FENCE.finditer(text):
+        if match.group(1) == language:
+            below = re.match(r"\n\n```\n(.*?)^```$", text[match.end():], re.DOTALL | re.MULTILINE)
+            found.append((match.group(2), below and below.group(1)))
+    return found
+
+
+def part(name):
+    """A built part, from the environment."""
+    if not os.environ.get(name):
+        raise unittest.SkipTest(f"{name} is not set")
+    return os.environ[name]
+
+
+def without_times(text):
+    return re.sub(r"\d+\.\d+ s$", "... s", text.strip(), flags=re.MULTILINE)
+
+
+class Lines(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        shutil.copytree(ROOT / "examples", self.folder / "examples")  # results are written beside a model
+
+    def done(self, *words, **environment):
+        """Output of a command, which must succeed."""
+        run = subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE,
+                             env=os.environ | environment)
+        self.assertEqual((run.returncode, run.stderr), (0, ""), f"{words}\n{run.stdout[-2000:]}\n{run.stderr[-2000:]}")
+        return run.stdout
+
+
+class Commands(Lines):
+    def refuse_unknown(self, line):
+        """Checks a line of a shell; those of `pounding` are run."""
+        words = shlex.split(line, comments=True)
+        for command in " ".join(shlex.quote(word) if word != "&&" else word for word in words).split(" && "):
+            self.check(shlex.split(command))
+
+    def check(self, words):
+        match words:
+            case []:
+                pass
+            case ["make", *targets]:
+                known = re.search(r"(?m)^\.PHONY: (.*)$", (ROOT / "Makefile").read_text()).group(1).split()
+                for target in targets:
+                    self.assertIn(target.split("=")[0], [*known, "LONG", "JOBS"])
+            case ["build/pounding", *rest]:
+                self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *rest), "")
+            case ["cmake", "--build", "build", "--target", *targets]:
+                for target in targets:
+                    self.assert_target(target)
+            case [test, *_] if test.startswith("build/tests/"):
+                _, _, area, target = test.split("/")
+                self.assertTrue((ROOT / "tests" / area).is_dir(), test)
+                self.assert_target(target)
+            case ["cmake", "--preset" | "--build", *rest]:
+                presets = json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
+                self.assertIn(rest[-1], [preset["name"] for preset in presets])
+            case ["ctest", "--test-dir", "build", "--output-on-failure", "-R", name]:
+                area, subject = name.split(".")
+                self.assertTrue((ROOT / "tests" / area / f"test_{subject}.py").is_file(), name)
+            case ["cmake", "-S", ".", "-B", "build", "-G", "Ninja"] | ["cmake", "--install", "build", "--prefix", "DIR"] | ["python3", "-m", "venv", "env"]:
+                pass
+            case ["env/bin/python3", "-m", "pip", "install", place]:
+                self.assertEqual(place, ".")
+            case _:
+                self.fail(f"nobody has tried: {shlex.join(words)}")
+
+    def assert_target(self, target):
+        texts = [path.read_text() for folder in ("lib", "tests") for path in (ROOT / folder).rglob("CMakeLists.txt")]
+        name = target.removeprefix("test_")
+        self.assertTrue(any(re.search(rf"pounding_test\({name}\s|add_executable\({target}\s", text) for text in texts), target)
+
+    def test_AreRunOrThere(self):
+        for page in PAGES:
+            for text, _ in blocks(page, "sh"):
+                for line in text.splitlines():
+                    with self.subTest(page.name, line=line):
+                        self.refuse_unknown(line)
+
+    def test_NothingIsInstalledIntoThePythonOfTheSystem(self):
+        # Debian answers "externally-managed-environment".
+        for page in [*PAGES, *(ROOT / "examples").rglob("*.md")]:
+            self.assertNotRegex(page.read_text(), r"(?<!env/bin/)python3 -m pip install|(?<!-m )\bpip3? install \S", page)
+
+    def test_NamedExtrasExist(self):
+        extras = re.search(r"(?ms)^\[project\.optional-dependencies\]\n(.*?)^\[", (ROOT / "pyproject.toml").read_text()).group(1)
+        for page in PAGES:
+            for name in re.findall(r'"\.\[(\w+)\]"', page.read_text()):
+                self.assertRegex(extras, rf"(?m)^{name} = ", page)
+
+    def test_CommandsOfTheProgramExist(self):
+        known = self.done(part("POUNDING_PROGRAM"), "--help")
+        for page in PAGES:
+            for name in re.findall(r"`(?:mpirun -n K )?pounding ([a-z]+)", page.read_text()):
+                self.assertRegex(known, rf"(?m)^  {name} ", page)
+
+
+class Models(Lines):
+    def test_AreReadAsTheyStand(self):
+        count = 0
+        for page in PAGES:
+            for text, _ in blocks(page, "yaml"):
+                with self.subTest(page.name):
+                    (self.folder / "model.yaml").write_text(text)
+                    self.done(part("POUNDING_PROGRAM"), "check", "model.yaml")
+                    count += 1
+        self.assertGreaterEqual(count, 2)
+
+    def test_TheModelOfTheReadmePrintsWhatStandsBelowIt(self):
+        readme = (ROOT / "README.md").read_text()
+        (self.folder / "model.yaml").write_text(blocks(ROOT / "README.md", "yaml")[0][0])
+        printed = re.search(r"(?ms)^<!-- begin two_oscillators -->\n```\n\$ [^\n]*\n(.*?)^```$", readme).group(1)
+        self.assertEqual(without_times(self.done(part("POUNDING_PROGRAM"), "run", "model.yaml")), without_times(printed))
+
+
+class Programs(Lines):
+    def test_ThoseInPythonPrintWhatStandsBelowThem(self):
+        package, count = part("POUNDING_PACKAGE"), 0
+        for page in PAGES:
+            for text, printed in blocks(page, "python"):
+                with self.subTest(page.name):
+                    found = self.done(sys.executable, "-c", text, PYTHONPATH=package, MPLBACKEND="agg", PYTHONDONTWRITEBYTECODE="1")
+                    if printed:
+                        self.assertEqual(found.strip(), printed.strip())
+                    count += 1
+        self.assertGreaterEqual(count, 3)
+
+    def in_main(self, text, given, last):
+        """A program: the includes of a block, and the rest of it as the body of main."""
+        includes = "\n".join(re.findall(r"(?m)^#include.*$", text))
+        rest = re.sub(r"(?m)^#include.*$", "", text)
+        return f"#include <stdio.h>\n{includes}\nint main(void) {{\n{given}\n{rest}\n{last}\n}}\n"
+
+    def test_ThoseInCxxCompileAndRun(self):
+        compiler, count = part("POUNDING_CXX"), 0
+        for page in PAGES:
+            for text, _ in blocks(page, "cpp"):
+                with self.subTest(page.name):
+                    (self.folder / "host.cpp").write_text(self.in_main(text, "", "return !(force > 0 && by_penetration > 0 && by_rate > 0);"))
+                    self.done(compiler, "-std=c++20", "-I", ROOT / "elements", "host.cpp", "-o", "host")
+                    self.done(self.folder / "host")
+                    count += 1
+        self.assertGreaterEqual(count, 1)
+
+    def test_ThoseInCCompileAndRun(self):
+        c, cxx, library, count = part("POUNDING_CC"), part("POUNDING_CXX"), part("POUNDING_C_LIBRARY"), 0
+        for page in PAGES:
+            for text, _ in blocks(page, "c"):
+                with self.subTest(page.name):
+                    (self.folder / "host.c").write_text(self.in_main(text, "double penetration = 2e-3, rate = 0.3;", "pnd_destroy(law);\nreturn 0;"))
+                    self.done(c, "-std=c99", "-Wall", "-Werror", "-Wno-unused-parameter", "-I", ROOT / "elements/c", "-c", "host.c", "-o", "host.o")
+                    self.done(cxx, "host.o", library, f"-Wl,-rpath,{Path(library).parent}", "-o", "host")
+                    self.assertEqual(self.done(self.folder / "host"), "")
+                    count += 1
+        self.assertGreaterEqual(count, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

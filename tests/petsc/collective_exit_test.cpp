@@ -1,0 +1,50 @@
+// Failures of processes that work together, on one process and on two. A process that fails while others wait for it in the middle
+// of a task ends them: tests/program/test_processes.py and tests/python/test_processes.py.
+
+#include <gtest/gtest.h>
+
+#include <petscsys.h>
+
+#include <functional>
+#include <string>
+
+#include <pounding/core/error.hpp>
+#include <pounding/petsc/collective_exit.hpp>
+#include <pounding/petsc/ranks.hpp>
+
+namespace pounding::petsc {
+namespace {
+
+// Text of the failure of type Error that a task ends with on this process.
+template <class Error>
+std::string failure_of(const std::function<void()>& task) {
+  try {
+    run_collectively(PETSC_COMM_WORLD, task, [](const std::string&, const std::exception&) {});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(RunCollectively, ReturnsWhenAllProcessesHaveSucceeded) {
+  int runs = 0;
+  run_collectively(PETSC_COMM_WORLD, [&] { ++runs; }, [](const std::string&, const std::exception&) { FAIL(); });
+  EXPECT_EQ(runs, 1);
+}
+
+TEST(RunCollectively, ThrowsWhatAllProcessesHaveThrown) {
+  EXPECT_EQ(failure_of<InputError>([] { throw InputError("a wrong model"); }), "a wrong model");
+  EXPECT_EQ(failure_of<SolverError>([] { throw SolverError("a failed solve"); }), "a failed solve");
+}
+
+TEST(RunCollectively, ThrowsOnAllProcessesWhatOneHasThrownAtTheEnd) {
+  const Ranks ranks(PETSC_COMM_WORLD);
+  if (ranks.size() == 1) GTEST_SKIP() << "takes two processes";
+  const std::string text = failure_of<InputError>([&] {
+    if (ranks.rank() == 1) throw InputError("no such file");
+  });
+  EXPECT_EQ(text, "process 2 of 2 failed alone: no such file");
+}
+
+}  // namespace
+}  // namespace pounding::petsc

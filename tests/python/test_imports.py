@@ -1,0 +1,103 @@
+"""Which module of the package imports which: no circle, and results know no picture."""
+
+import ast
+import unittest
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[2] / "python/pounding"
+
+
+def names_of(package):
+    """{module: file} of a package's folder, such as {"pounding.opensees": .../opensees/__init__.py}; of the compiled module the
+    file that declares it."""
+    files = {}
+    for file in sorted([*package.rglob("*.py"), *package.glob("*.pyi")]):
+        words = [package.name, *file.relative_to(package).with_suffix("").parts]
+        files[".".join(words[:-1] if words[-1] == "__init__" else words)] = file
+    return files
+
+
+def imported(text, modules):
+    """The modules among `modules` that a text imports anywhere: at its top, inside functions, for types, or by a name that is
+    given to a function, as importlib.import_module("pounding.plots") has it."""
+    found = set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, "an import that starts with a dot"
+            inner = {f"{node.module}.{alias.name}" for alias in node.names}
+            # Of `from pounding import records` the module is pounding.records, of `from pounding.results import Link` it is
+            # pounding.results.
+            found |= inner & modules
+            if not inner <= modules:
+                found.add(node.module)
+        elif isinstance(node, ast.Call):
+            found |= {word.value for word in node.args if isinstance(word, ast.Constant) and isinstance(word.value, str)}
+    return found & modules
+
+
+def imports_of(package):
+    """{module: modules of the package that it imports}."""
+    files = names_of(package)
+    return {name: imported(file.read_text(), set(files)) for name, file in files.items()}
+
+
+def reached_from(module, imports):
+    """Every module that is loaded with this one, itself only when a circle comes back to it."""
+    found, queue = set(), [module]
+    while queue:
+        for other in imports[queue.pop()] - found:
+            found.add(other)
+            queue.append(other)
+    return found
+
+
+def in_circles(imports):
+    return {module for module in imports if module in reached_from(module, imports)}
+
+
+class Imports(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.imports = imports_of(PACKAGE)
+
+    def test_there_is_no_circle(self):
+        self.assertEqual(in_circles(self.imports), set())
+
+    def test_results_know_no_picture(self):
+        self.assertEqual(reached_from("pounding.results", self.imports), {"pounding.errors"})
+
+    def test_a_table_for_a_notebook_needs_no_picture_and_no_file(self):
+        self.assertEqual(reached_from("pounding.pictures.html", self.imports), set())
+
+    def test_pictures_take_results_not_runs(self):
+        for module in self.imports:
+            if module.startswith("pounding.pictures") or module in ("pounding.plots", "pounding.animation", "pounding.export"):
+                self.assertFalse({"pounding.runs", "pounding._native"} & reached_from(module, self.imports), module)
+
+    def test_every_import_is_seen(self):
+        self.assertLessEqual({"pounding.results", "pounding.tables", "pounding.animation", "pounding.pictures.figures"},
+                             self.imports["pounding.runs"])
+        self.assertIn("pounding.opensees", self.imports["pounding.opensees.from_model"])
+        self.assertIn("pounding.mode_shapes", self.imports["pounding._modes"])
+
+
+class Reader(unittest.TestCase):
+    """What the test itself sees."""
+
+    MODULES = {"p", "p.a", "p.b", "p.b.c"}
+
+    def test_sees_imports_wherever_they_stand(self):
+        for text in ("import p.a", "from p import a", "from p.a import x", "def f():\n    from p.a import x",
+                     "if TYPE_CHECKING:\n    from p.a import x", "load('numpy', 'p.a')"):
+            self.assertEqual(imported(text, self.MODULES), {"p.a"}, text)
+        self.assertEqual(imported("from p.b import c, x\nimport numpy", self.MODULES), {"p.b", "p.b.c"})
+
+    def test_sees_circles(self):
+        self.assertEqual(in_circles({"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": {"a"}}), {"b", "c"})
+        self.assertEqual(in_circles({"a": {"b", "c"}, "b": {"c"}, "c": set()}), set())
+
+
+if __name__ == "__main__":
+    unittest.main()
