@@ -63,7 +63,7 @@ packages:
 	bash cmake/python-env.sh .venv-test
 
 .venv-test/docs-ready: python/docs/requirements.txt | .venv-test/ready
-	@echo "Installing what builds the site into .venv-test (packages-demo from PyPI): sphinx, furo, myst-nb and what they need"
+	@echo "Installing what builds the site into .venv-test (packages from PyPI): sphinx, furo, myst-nb and what they need"
 	.venv-test/bin/python3 -m pip install --quiet --disable-pip-version-check --requirement python/docs/requirements.txt
 	@touch $@
 

@@ -6,6 +6,9 @@
 set(pounding_headers <algorithm> <array> <cmath> <functional> <limits> <map> <memory> <optional> <span> <stdexcept> <string>
   <string_view> <utility> <variant> <vector> <fmt/format.h> <Eigen/Core> <Eigen/SparseCore>)
 
+# Modules that do without Eigen are compiled without it in sight.
+set(pounding_without_eigen laws core links)
+
 # pounding_precompile(TARGET GROUP headers): the first target of a group makes its precompiled headers, the others take them.
 function(pounding_precompile target group)
   get_property(owner GLOBAL PROPERTY pounding_headers_of_${group})
@@ -32,7 +35,9 @@ function(pounding_module name)
     add_library(${target} OBJECT ${module_SOURCES})
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE pounding_warnings)
-    pounding_precompile(${target} libraries ${pounding_headers})
+    if(NOT name IN_LIST pounding_without_eigen)
+      pounding_precompile(${target} libraries ${pounding_headers})
+    endif()
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
