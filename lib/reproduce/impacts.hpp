@@ -12,16 +12,14 @@
 
 namespace pounding::reproduce {
 
-/// A model from the text of an input, run through time.
-Outcome run_text(const std::string& yaml);
-
 /// A law as a user asks for it.
 struct Asking {
   std::string law, formula;   ///< formula empty: none, or `exact`
   double stiffness = 0;       ///< [N/m^n]
   double restitution = 1;     ///< asked; not used by laws without damping
 
-  std::string yaml() const;                                ///< what stands behind "law: "
+  /// As it is given to a link: what a law must have, at its typical values but for the stiffness.
+  laws::Settings settings() const;
   laws::AnyLaw made(double reduced_mass) const;
   /// What it gives two free bodies, without a run [kg], [m/s].
   laws::FreeImpact free_impact(double reduced_mass, double speed) const;
@@ -33,9 +31,9 @@ struct Loop {
   ImpactRow impact;
 };
 
-/// A body of this mass thrown at a wall; the mass is the reduced one of two bodies, which move alike. `law` as it stands
-/// behind "law: ". Throws SolverError unless there is exactly one impact.
-Loop collide(const std::string& law, double mass, double speed);
+/// A body of this mass [kg] thrown at a wall [m/s]; the mass is the reduced one of two bodies, which move alike. Throws SolverError
+/// unless there is exactly one impact.
+Loop collide(const laws::Settings& law, double mass, double speed);
 
 /// A part of a link's history around an impact, thinned to about `points`, time from the touch.
 Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points = 240);

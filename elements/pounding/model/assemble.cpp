@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
 #include <pounding/model/model.hpp>
@@ -154,6 +155,7 @@ std::vector<int> offsets(const Model& model) {
 }
 
 System assemble(const Model& model, bool with_links) {
+  if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() before it is assembled");
   const std::vector<int> first = offsets(model);
   const int n = total_size(model);
   const GroundPlan plan = ground_plan(model);

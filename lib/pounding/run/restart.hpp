@@ -27,7 +27,8 @@ struct InterruptedRun {
 /// run is done, or that holds no checkpoint.
 InterruptedRun read_interrupted_run(const std::string& file);
 
-/// The input that the file of a run holds, under the name of the one that it was read from.
+/// The input that the file of a run holds, under the name of the one that it was read from. Throws InputError for the run of a
+/// model that was built by code.
 Input input_of(const InterruptedRun& run);
 
 /// Options of the run's beginning ("-pounding_ts_rtol 1e-6") hold for the rest of it without being typed again: adds those that

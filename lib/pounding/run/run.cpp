@@ -7,6 +7,7 @@
 
 #include <fmt/chrono.h>
 
+#include <pounding/input/resolved.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/linear/make_solver.hpp>
@@ -389,6 +390,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
 }  // namespace
 
 Outcome run(const Model& model, const RunOptions& options) {
+  if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() first");
   for (const Link& link : model.links)
     if (!link.contact->impacts().empty() || link.contact->phase() != ContactPhase::open)
       throw std::logic_error("this model has been run; read it again");

@@ -49,7 +49,12 @@ class FailedRun : public SolverError {
 /// Throws FailedRun when the solve fails or is stopped, after the results so far were written with the reason; InputError
 /// for a place that cannot be written, for PETSc options that are wrong or that nothing reads, and for a run that cannot be
 /// continued (read_interrupted_run, check_same_run); std::logic_error for a
-/// model that was run before.
+/// model that was run before or is not complete.
 Outcome run(const Model& model, const RunOptions& options = {});
+/// Completes the model first; throws ModelError where that fails.
+inline Outcome run(Model& model, const RunOptions& options = {}) {
+  model.complete();
+  return run(std::as_const(model), options);
+}
 
 }  // namespace pounding

@@ -1,0 +1,16 @@
+#pragma once
+/// Everything that models are built of: structures, frames, links with their laws, motions of the ground, the model itself, and
+/// its reader.
+
+#include <pounding/frames/frame_structure.hpp>
+#include <pounding/frames/sections.hpp>
+#include <pounding/ground/components.hpp>
+#include <pounding/ground/record.hpp>
+#include <pounding/ground/synthetic.hpp>
+#include <pounding/input/read_model.hpp>
+#include <pounding/input/resolved.hpp>
+#include <pounding/links.hpp>
+#include <pounding/model/contact_law.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/model/modes.hpp>
+#include <pounding/structures/oscillators.hpp>

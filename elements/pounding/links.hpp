@@ -1,0 +1,9 @@
+#pragma once
+/// Everything that a host's own structures need for contact: laws, gap links, friction, the list of impacts.
+
+#include <pounding/laws/all.hpp>
+#include <pounding/links/contact.hpp>
+#include <pounding/links/friction.hpp>
+#include <pounding/links/gap_link.hpp>
+#include <pounding/links/impact_log.hpp>
+#include <pounding/links/impact_row.hpp>
