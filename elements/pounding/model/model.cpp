@@ -1,4 +1,3 @@
-#include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/model/ground_plan.hpp>
 
 namespace pounding {
 namespace {

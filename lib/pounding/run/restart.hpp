@@ -9,7 +9,7 @@
 namespace pounding {
 
 class Input;
-struct Model;
+class Model;
 struct Results;
 
 /// A checkpoint, still without a state, for a run of this model with these PETSc options.
