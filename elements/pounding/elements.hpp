@@ -1,14 +1,19 @@
 #pragma once
-/// Structures, ground motions, models and their reader: the target Pounding::elements. No PETSc.
+/// Everything that models are built of: structures, frames, links with their laws, ground motions, the model itself and its
+/// reader. The target Pounding::elements; no PETSc.
 
 #include <pounding/core/units.hpp>
 #include <pounding/frames/frame_structure.hpp>
+#include <pounding/frames/sections.hpp>
+#include <pounding/ground/components.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/ground/spectrum.hpp>
 #include <pounding/ground/synthetic.hpp>
 #include <pounding/input/collision.hpp>
-#include <pounding/input/input.hpp>
+#include <pounding/input/read_model.hpp>
+#include <pounding/input/resolved.hpp>
 #include <pounding/links.hpp>
+#include <pounding/model/contact_law.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/modes.hpp>

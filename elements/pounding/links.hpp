@@ -1,7 +1,11 @@
 #pragma once
-/// Gap links for codes with structures of their own: the target Pounding::links.
+/// Everything that a host's own structures need for contact: laws, gap links, friction, the list of impacts. The target
+/// Pounding::links.
 
 #include <pounding/laws/all.hpp>
 #include <pounding/laws/by_name.hpp>
+#include <pounding/links/contact.hpp>
 #include <pounding/links/friction.hpp>
 #include <pounding/links/gap_link.hpp>
+#include <pounding/links/impact_log.hpp>
+#include <pounding/links/impact_row.hpp>

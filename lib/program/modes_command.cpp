@@ -3,11 +3,10 @@
 #include <memory>
 #include <string>
 
-#include <pounding/input/input.hpp>
+#include <pounding/input/read_model.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/structures/oscillators.hpp>
 #include "commands.hpp"
 
 namespace pounding::program {
@@ -29,7 +28,7 @@ void add_modes(CLI::App& app) {
   command->add_option("-o,--output", words->picture, "Name of the picture");
   command->callback([words] {
     const petsc::Environment environment;
-    const Model model = read_model(Input::read_file(words->model), kinds(), petsc::lowest_modes);
+    const Model model = read_model(Input::read_file(words->model), petsc::lowest_modes);
     const std::string text = words->json ? modes_json(model, words->count, petsc::lowest_modes) + "\n"
                                          : modes_table(model, words->count, petsc::lowest_modes);
     std::fputs(text.c_str(), stdout);

@@ -11,12 +11,12 @@
 
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
-#include <pounding/input/input.hpp>
+#include <pounding/input/read_model.hpp>
+#include <pounding/input/resolved.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
-#include <pounding/structures/oscillators.hpp>
 #include "commands.hpp"
 #include "exit_code.hpp"
 
@@ -28,7 +28,7 @@ struct Arguments {
   bool json = false, plot = false, quiet = false;
 };
 
-Model read(const Input& input) { return read_model(input, kinds(), petsc::lowest_modes); }
+Model read(const Input& input) { return read_model(input, petsc::lowest_modes); }
 
 std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();

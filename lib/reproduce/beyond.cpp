@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/elements.hpp>
+
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 
@@ -43,41 +45,40 @@ constexpr double oscillator_restitution = 0.65, frame_restitution = 0.5;
 Asking asking(const Case& c, double restitution) { return {c.law, c.formula, c.stiffness, restitution}; }
 
 Outcome oscillators(const Case& c) {
-  return run_text(
-      "ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
-      "structures:\n"
-      "  left:  {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
-      "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}\n"
-      "links: [{between: [left, right], gap: 20 mm, law: " +
-      asking(c, oscillator_restitution).yaml() +
-      "}]\n"
-      "analysis: {duration: 3.0, tolerance: 1e-7, integrator: esdirk4, output_step: 5 ms}\n");
+  Model model;
+  const StructureHandle left = model.add("left", make_oscillator({.mass = 100e3, .period = 0.8, .damping_ratio = 0.05}));
+  const StructureHandle right = model.add("right", make_oscillator({.mass = 150e3, .period = 0.4, .damping_ratio = 0.05}));
+  model.link(left, right, {.gap = 0.02}, asking(c, oscillator_restitution).settings());
+  model.ground = Harmonic{.amplitude = 3.0, .period = 0.6, .duration = 3.0};
+  model.analysis = {.duration = 3.0, .tolerance = 1e-7, .output_step = 0.005, .scheme = {.kind = Scheme::Kind::esdirk4}};
+  return run(model);
 }
 
-// Plane frames of eight and six storeys and three bays, of concrete: 1.31 s and 0.75 s.
+// Of concrete, with three bays.
+GridFrame concrete(int storeys, const Section& column, const Section& beam) {
+  return {.storeys = storeys,
+          .bays_x = 3,
+          .storey_height = {3.0},
+          .bay_width_x = {6.0},
+          .column = column,
+          .beam = beam,
+          .material = {.young = 30e9, .shear = 30e9 / 2.4},
+          .floor_mass = {120e3},
+          .rigid_floors = true};
+}
+
+// Plane frames of eight and six storeys: 1.31 s and 0.75 s.
 Outcome frames(const Case& c) {
-  return run_text(
-      "ground_motion: {synthetic: {seed: 1940, duration: 20 s, pga: 0.35 g, soil: firm}}\n"
-      "structures:\n"
-      "  left:\n"
-      "    frame:\n"
-      "      material: {E: 30 GPa, poisson: 0.2}\n"
-      "      sections: {column: {rectangle: [0.5 m, 0.5 m]}, beam: {rectangle: [0.3 m, 0.6 m]}}\n"
-      "      grid: {storeys: 8, bays: 3, storey_height: 3 m, bay_width: 6 m, columns: column, beams: beam, floor_mass: 120 t, "
-      "rigid_floors: true}\n"
-      "    damping: 5 %\n"
-      "  right:\n"
-      "    frame:\n"
-      "      origin: [18.02 m, 0 m]\n"
-      "      material: {E: 30 GPa, poisson: 0.2}\n"
-      "      sections: {column: {rectangle: [0.6 m, 0.6 m]}, beam: {rectangle: [0.3 m, 0.7 m]}}\n"
-      "      grid: {storeys: 6, bays: 3, storey_height: 3 m, bay_width: 6 m, columns: column, beams: beam, floor_mass: 120 t, "
-      "rigid_floors: true}\n"
-      "    damping: 5 %\n"
-      "links: [{between: [left, right], floors: all, gap: 20 mm, law: " +
-      asking(c, frame_restitution).yaml() +
-      "}]\n"
-      "analysis: {tolerance: 1e-5, integrator: esdirk4}\n");
+  GridFrame tall = concrete(8, rectangle_section(0.5, 0.5), rectangle_section(0.3, 0.6));
+  GridFrame low = concrete(6, rectangle_section(0.6, 0.6), rectangle_section(0.3, 0.7));
+  low.origin.x() = 18.02;
+  Model model;
+  const StructureHandle left = model.add("left", make_structure(tall), {.damping = 0.05});
+  const StructureHandle right = model.add("right", make_structure(low), {.damping = 0.05});
+  model.link(left, right, {.gap = 0.02, .floors = FacingFloors::all}, asking(c, frame_restitution).settings());
+  model.ground = synthetic_motion({.seed = 1940, .duration = 20, .pga = 0.35 * standard_gravity, .filter = firm_soil});
+  model.analysis = {.tolerance = 1e-5, .scheme = {.kind = Scheme::Kind::esdirk4}};
+  return run(model);
 }
 
 double largest_force(const Summary& summary) {

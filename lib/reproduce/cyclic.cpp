@@ -95,9 +95,9 @@ Pair pair_of_loops() {
                 {second_speed, second_restitution, second_speed}};
   for (const auto& m : models) {
     const std::string name = fmt::format("v = {}, CR = {}; {} m/s", m.design_speed, m.e, m.speed);
-    const Loop loop = collide(Asking{"hertz_damped", "naderpour_2015", stiffness, m.e}.yaml() +
-                                  fmt::format(", impact_velocity: {}", m.design_speed),
-                              mass, m.speed);
+    laws::Settings law = Asking{"hertz_damped", "naderpour_2015", stiffness, m.e}.settings();
+    law.impact_velocity = m.design_speed;
+    const Loop loop = collide(law, mass, m.speed);
     pair.figure.plot(name, scaled(loop.penetration, 1e3), scaled(loop.force, 1e-3));
     pair.table.rows.push_back({name,
                                {c_imp(m.design_speed, m.e) / 1e3, loop.impact.restitution, loop.impact.energy_lost / 1e3,

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/input/input.hpp>
+#include <pounding/laws/free_impact.hpp>
+#include <pounding/model/contact_law.hpp>
 #include <pounding/structures/oscillators.hpp>
 
 namespace pounding::reproduce {
@@ -17,20 +18,14 @@ constexpr double tolerance = 1e-8;
 
 }  // namespace
 
-Outcome run_text(const std::string& yaml) {
-  const Model model = read_model(Input::read_text(yaml, "reproduce.yaml"), kinds());
-  return run(model);
-}
-
-std::string Asking::yaml() const {
+laws::Settings Asking::settings() const {
   const laws::Entry& entry = laws::find_law(law);
-  std::string text = law;
+  laws::Settings settings{.law = law, .formula = formula};
   for (const laws::ParameterInfo& p : entry.parameters)
     if (p.need == laws::Need::required)
-      text += fmt::format(", {}: {}", p.name, p.name == "stiffness" && stiffness > 0 ? stiffness : p.typical);
-  if (entry.takes_restitution) text += fmt::format(", restitution: {}", restitution);
-  if (!formula.empty()) text += ", formula: " + formula;
-  return text;
+      settings.values.emplace(p.name, p.name == "stiffness" && stiffness > 0 ? stiffness : p.typical);
+  if (entry.takes_restitution) settings.restitution = restitution;
+  return settings;
 }
 
 laws::AnyLaw Asking::made(double reduced_mass) const {
@@ -46,16 +41,16 @@ laws::FreeImpact Asking::free_impact(double reduced_mass, double speed) const {
   return laws::free_impact(made(reduced_mass), reduced_mass, speed);
 }
 
-Loop collide(const std::string& law, double mass, double speed) {
-  // Some laws let the body out of the contact very slowly, so the run is long; free flight costs nothing.
-  const double gap = 1e-3 * speed, duration = 100;
-  const Outcome outcome = run_text(fmt::format(
-      "structures:\n  body: {{body: {{mass: {} kg}}, initial_velocity: {} m/s}}\n  wall: {{wall: {{}}}}\n"
-      "links: [{{between: [body, wall], gap: {}, law: {}}}]\n"
-      "analysis: {{duration: {}, output_step: 1, tolerance: {}, integrator: esdirk4}}\n",
-      mass, speed, gap, law, duration, tolerance));
+Loop collide(const laws::Settings& law, double mass, double speed) {
+  Model model;
+  const StructureHandle body = model.add("body", make_body({.mass = mass}), {.initial_velocity = speed});
+  const StructureHandle wall = model.add("wall", make_wall());
+  model.link(body, wall, {.gap = 1e-3 * speed}, law);
+  // A body that creeps out of a contact leaves slowly; a long free flight costs nothing.
+  model.analysis = {.duration = 100, .tolerance = tolerance, .output_step = 1, .scheme = {.kind = Scheme::Kind::esdirk4}};
+  const Outcome outcome = run(model);
   if (outcome.results.impacts.size() != 1)
-    throw SolverError(fmt::format("a thrown body meets the wall {} times with {}", outcome.results.impacts.size(), law));
+    throw SolverError(fmt::format("a thrown body meets the wall {} times with {}", outcome.results.impacts.size(), law.law));
   return loop_of(outcome.results.links.at(0), outcome.results.impacts[0]);
 }
 

@@ -11,16 +11,14 @@
 
 namespace pounding::reproduce {
 
-/// Runs the model in the text of an input.
-Outcome run_text(const std::string& yaml);
-
 /// A law as a user asks for it.
 struct Asking {
   std::string law, formula;   ///< formula empty: none, or `exact`
   double stiffness = 0;       ///< [N/m^n]
   double restitution = 1;     ///< asked; not used by laws without damping
 
-  std::string yaml() const;                                ///< what stands behind "law: "
+  /// As it is given to a link: what a law must have, at its typical values but for the stiffness.
+  laws::Settings settings() const;
   laws::AnyLaw made(double reduced_mass) const;
   /// Impact of two free bodies without a run: reduced mass [kg], approach velocity [m/s].
   laws::FreeImpact free_impact(double reduced_mass, double speed) const;
@@ -32,9 +30,9 @@ struct Loop {
   ImpactRow impact;
 };
 
-/// Throws a body of this mass [kg] at a wall with this speed [m/s]; two bodies of this reduced mass would move alike. `law` is the
-/// text behind "law: ". Throws SolverError unless there is exactly one impact.
-Loop collide(const std::string& law, double mass, double speed);
+/// Throws a body of this mass [kg] at a wall with this speed [m/s]; two bodies of this reduced mass would move alike. Throws
+/// SolverError unless there is exactly one impact.
+Loop collide(const laws::Settings& law, double mass, double speed);
 
 /// Loop of one impact from the history of its link, thinned to about `points`; its time counts from the touch.
 Loop loop_of(const LinkHistory& link, const ImpactRow& impact, int points = 240);

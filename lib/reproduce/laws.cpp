@@ -55,7 +55,7 @@ void run_cases(const std::vector<Case>& cases, Table& table, Figure& figure) {
   const std::string x = "Penetration [mm]", y = "Contact force [kN]";
   figure.panels = {{"linear springs", x, y, {}}, {"Hertz springs", x, y, {}}};
   for (const Case& c : cases) {
-    const Loop loop = collide(c.law.yaml(), mass, speed);
+    const Loop loop = collide(c.law.settings(), mass, speed);
     const ImpactRow& row = loop.impact;
     const bool lossless = laws::find_law(c.law.law).number.name.empty() && !laws::find_law(c.law.law).takes_restitution;
     double at_touch = not_a_number, pull = not_a_number;

@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include <pounding/input/input.hpp>
-#include <pounding/structures/oscillators.hpp>
+#include <pounding/elements.hpp>
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 
@@ -25,19 +24,25 @@ struct Touching {
   Matrix2d mass, damping, stiffness;
 };
 
-std::string pair_yaml(bool free) {
-  const char* left = free ? "body: {mass: 100 t}" : "oscillator: {mass: 100 t, period: 0.8, damping: 5 %}";
-  const char* right = free ? "body: {mass: 150 t}" : "oscillator: {mass: 150 t, period: 0.4, damping: 5 %}";
-  return fmt::format(
-      "structures:\n  left: {{{}, initial_velocity: {}}}\n  right: {{{}}}\n"
-      "links: [{{between: [left, right], gap: 0, law: {}}}]\n"
-      "analysis: {{duration: 0.3, tolerance: 1e-8, integrator: esdirk4}}\n",
-      left, speed, right, Asking{"kelvin_voigt", "anagnostopoulos", stiffness, asked}.yaml());
+const Asking law{"kelvin_voigt", "anagnostopoulos", stiffness, asked};
+
+/// Two free bodies, or the two oscillators; the left one moves towards the right one, which it touches.
+Model touching_pair(bool is_free) {
+  Model model;
+  const auto add = [&](const char* name, double mass, double period, double velocity) {
+    return model.add(name, is_free ? make_body({.mass = mass}) : make_oscillator({.mass = mass, .period = period, .damping_ratio = 0.05}),
+                     {.initial_velocity = velocity});
+  };
+  const StructureHandle left = add("left", m1, 0.8, speed), right = add("right", m2, 0.4, 0);
+  model.link(left, right, {.gap = 0.0}, law.settings());
+  model.analysis = {.duration = 0.3, .tolerance = 1e-8, .scheme = {.kind = Scheme::Kind::esdirk4}};
+  model.complete();
+  return model;
 }
 
 /// The program's own matrices of the two oscillators, the link added where it acts.
 Touching assembled(double c) {
-  const Model model = read_model(Input::read_text(pair_yaml(false), "pair.yaml"), kinds());
+  const Model model = touching_pair(false);
   const System system = assemble(model);
   const Vector2d closing = Eigen::MatrixXd(system.gap_jacobian).col(0);
   Touching t{Matrix2d(system.mass), Matrix2d(system.damping), Matrix2d(system.stiffness)};
@@ -91,11 +96,10 @@ std::vector<std::vector<double>> rows_of(const Matrix2d& m, double unit) {
 }  // namespace
 
 Item sdof() {
-  const Asking law{"kelvin_voigt", "anagnostopoulos", stiffness, asked};
   const double c = damping_coefficient(law.made(reduced), speed);
 
-  const Loop one = collide(law.yaml(), reduced, speed);
-  const Outcome free_run = run_text(pair_yaml(true)), sprung_run = run_text(pair_yaml(false));
+  const Loop one = collide(law.settings(), reduced, speed);
+  const Outcome free_run = run(touching_pair(true)), sprung_run = run(touching_pair(false));
   const Loop two = loop_of(free_run.results.links[0], free_run.results.impacts.at(0));
   const Loop sprung = loop_of(sprung_run.results.links[0], sprung_run.results.impacts.at(0));
 

@@ -116,7 +116,7 @@ Item section5() {
               {"energy lost", "kJ", 3}, {"Eq. 18", "kJ", 3}, {"impulse", "kN s", 3}},
              {}};
   const auto run_row = [&](const Named& f, double e) {
-    const Loop loop = collide(asking(f, e).yaml(), mass, speed);
+    const Loop loop = collide(asking(f, e).settings(), mass, speed);
     const ImpactRow& r = loop.impact;
     runs.rows.push_back({fmt::format("{:.1f}, {}", e, f.name),
                          {damping_number(asking(f, e).made(mass), speed), r.restitution, r.peak_penetration, r.peak_force / 1e3,

@@ -30,7 +30,10 @@ double value(const Ratio& r, double e) { return r.formula({.restitution = e}); }
 double obtained(const Ratio& r, double e) { return laws::restitution_of_approach(value(r, e)); }
 
 Loop impact(const Ratio& r, double e) {
-  return collide(fmt::format("modified_linear_viscoelastic, stiffness: {}, damping_ratio: {}", stiffness, value(r, e)), mass, speed);
+  const laws::Settings law{.law = "modified_linear_viscoelastic",
+                           .formula = {},
+                           .values = {{"stiffness", stiffness}, {"damping_ratio", value(r, e)}}};
+  return collide(law, mass, speed);
 }
 
 /// Restitution e at which (1-e^2)/e has this value.

@@ -40,7 +40,7 @@ Figure example_figure() {
                            "exact one. Right: what each formula asks for at other restitutions.",
                 .panels = {{"loops", "Penetration [mm]", "Contact force [kN]", {}}}};
   for (const Named& f : formulas) {
-    const Loop loop = collide(asking(f).yaml(), mass, speed);
+    const Loop loop = collide(asking(f).settings(), mass, speed);
     figure.plot(f.name, scaled(loop.penetration, 1e3), scaled(loop.force, 1e-3));
   }
   figure.panels.push_back({"damping", "Restitution asked [-]", "Damping coefficient [kN s/m^2.5]", {}, false, true});
@@ -104,7 +104,7 @@ Item table2() {
                 {}};
   for (const Named& f : formulas) {
     const laws::AnyLaw law = asking(f).made(mass);
-    const ImpactRow row = collide(asking(f).yaml(), mass, speed).impact;
+    const ImpactRow row = collide(asking(f).settings(), mass, speed).impact;
     example.rows.push_back({f.name,
                             {damping_number(law, speed), damping_coefficient(law, speed) / 1e3, row.restitution, row.peak_penetration,
                              row.peak_force / 1e3, row.energy_lost / 1e3, loss, percent(row.energy_lost / 1e3, loss)}});

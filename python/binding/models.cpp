@@ -18,13 +18,13 @@
 
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
-#include <pounding/input/input.hpp>
+#include <pounding/input/read_model.hpp>
+#include <pounding/input/resolved.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/launch.hpp>
 #include <pounding/petsc/ranks.hpp>
-#include <pounding/structures/oscillators.hpp>
 #include "bindings.hpp"
 #include "host.hpp"
 
@@ -42,7 +42,7 @@ struct Source {
   std::string text, name;
 };
 
-Model read(const Input& input) { return read_model(input, kinds(), petsc::lowest_modes); }
+Model read(const Input& input) { return read_model(input, petsc::lowest_modes); }
 Model read(const Source& source) { return read(Input::read_text(source.text, source.name)); }
 
 /// Runs `task` without holding the interpreter, with PETSc started.

@@ -15,6 +15,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/frames/frame_structure.hpp>
+#include <pounding/input/frame_input.hpp>
 #include <pounding/frames/sections.hpp>
 #include "support/book.hpp"
 

@@ -23,6 +23,10 @@ if(MPIEXEC)
   execute_process(COMMAND ${MPIEXEC} -n 2 ${WORK}/whole/whole COMMAND_ERROR_IS_FATAL ANY)
 endif()
 build(hosts ${HOSTS})
+# Their numbers are held against their pages by tests/program/test_cpp_lessons.py.
+foreach(lesson IN ITEMS 15_your_own_law 16_model_in_cpp)
+  build(${lesson} ${HOSTS}/../${lesson})
+endforeach()
 
 # By pkg-config alone.
 execute_process(COMMAND sh -ec "

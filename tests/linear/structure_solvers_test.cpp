@@ -13,7 +13,7 @@
 #include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/linear/sparse_solver.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_controller.hpp>
 
 namespace pounding {
 namespace {
@@ -522,28 +522,22 @@ TEST(SparseSolver, RefusesWhatCannotMove) {
 struct Trajectory {
   State end;
   std::vector<double> peaks;
-  int impacts = 0, lands = 0;
+  int impacts = 0;
   double imbalance = 0;  // of the energies, as part of the input
   Eigen::VectorXd seen;  // what is observed of the displacements
 };
 
-// Steps of level 0, located events in between.
+// The longest dyadic step, shorter ones around events.
 Trajectory march(Pair& pair, StructureSolver& base, Scheme scheme, double until) {
   constexpr double h = 2e-3;
   Stepper stepper(pair.system, base, {.tolerance = 1e-4, .scheme = scheme, .max_step = h});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(pair.system.size());
   stepper.start(0, zero, zero);
   Trajectory run;
-  for (int step = 0; stepper.time() < until - 1e-9 && step < 100000; ++step) {
-    const double left = std::min(until, h * (std::floor(stepper.time() / h + 1e-6) + 1)) - stepper.time();
-    if (!stepper.try_step(std::abs(left - h) < 1e-12 ? h : left)) break;
-    const std::optional<double> landed = stepper.locate_event();
-    run.lands += landed.has_value();
-    if (landed && *landed == 0)
-      stepper.apply_event();
-    else
-      stepper.accept();
-  }
+  StepController controller(stepper);
+  FixedSteps policy;
+  while (stepper.time() < until - 1e-9)
+    controller.advance(h, std::min(until, h * (std::floor(stepper.time() / h + 1e-6) + 1)), policy);
   run.end = stepper.state();
   run.seen = stepper.outputs().motion.col(0);
   const Energies e = stepper.energies();

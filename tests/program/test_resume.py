@@ -74,9 +74,9 @@ class Resumed(ProgramTest):
             return file.attrs["status"]
 
     def cut(self, text=OSCILLATORS, *words):
-        """A file whose run was cut after 2000 steps, and its model."""
+        """A file whose run was cut after 100 steps, and its model."""
         self.write(text)
-        cut = self.pounding("run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "2000", *words)
+        cut = self.pounding("run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "100", *words)
         self.assertEqual(cut.returncode, 3, cut.stderr)
         self.assertIn("To go on: pounding run --resume out.h5", cut.stderr)
 

@@ -13,6 +13,7 @@
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/stepping/stepper.hpp>
 #include "support/book.hpp"
+#include "support/direct.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -62,19 +63,6 @@ Problem ball_on_wall(const Law& law, double end) {
   return p;
 }
 
-// Steps of one length; shorter only where a phase ends and at the end.
-void march(Stepper& stepper, double end, double h) {
-  while (stepper.state().time < end * (1 - 1e-12)) {
-    const double left = end - stepper.state().time;
-    ASSERT_TRUE(stepper.try_step(std::min(h, left)));
-    const auto landed = stepper.locate_event();
-    if (landed && *landed == 0)
-      stepper.apply_event();
-    else
-      stepper.accept();
-  }
-}
-
 double observed_order(const std::vector<double>& errors) {
   return std::log2(errors[errors.size() - 2] / errors.back());
 }
@@ -95,7 +83,7 @@ TEST_P(SpectralRadius, FreeVibrationFromRestIsSecondOrder) {
     Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = alpha(GetParam()), .max_step = h});
     stepper.start(0, p.u, p.v);
     EXPECT_DOUBLE_EQ(stepper.state().a[0], -w * w) << "the initial acceleration balances the equations";
-    march(stepper, p.end, h);
+    test::march_evenly(stepper, p.end, h);
     errors.push_back(std::abs(stepper.state().u[0] - exact_oscillation(w, z, p.end)));
   }
   book.near("generalized-alpha: order in free vibration [-]", observed_order(errors), 2.0, 0.06);
@@ -110,7 +98,7 @@ double error_after_impact(const Law& law, double parting, double speed, double h
   ModalSolver base(p.system);
   Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = scheme, .max_step = h});
   stepper.start(0, p.u, p.v);
-  march(stepper, end, h);
+  test::march_evenly(stepper, end, h);
   const double position = 0.01 - speed * (end - 0.01 - parting);
   return std::hypot(stepper.state().v[0] + speed, (stepper.state().u[0] - position) / parting);
 }
@@ -222,7 +210,7 @@ TEST(Esdirk4, FreeVibrationFromRestIsOfOrderFour) {
     ModalSolver base(p.system);
     Stepper stepper(p.system, base, {.tolerance = 1e-3, .scheme = fourth, .max_step = h});
     stepper.start(0, p.u, p.v);
-    march(stepper, p.end, h);
+    test::march_evenly(stepper, p.end, h);
     errors.push_back(std::abs(stepper.state().u[0] - exact_oscillation(w, z, p.end)));
   }
   book.near("ESDIRK4: order in free vibration [-]", observed_order(errors), 4.0, 0.1);

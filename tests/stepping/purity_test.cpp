@@ -8,7 +8,7 @@
 
 #include <pounding/links/gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_controller.hpp>
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -28,21 +28,18 @@ TEST(TrialSteps, LeaveNoTrace) {
     const Model model = test::model_of(test::two_oscillators("bilinear_hertz, stiffness: 2.75e9, restitution: 0.65", 1e-4));
     const System system = assemble(model);
     ModalSolver base(system);
-  Stepper stepper(system, base, {.tolerance = 1e-4, .max_step = 1e-3});
+    Stepper stepper(system, base, {.tolerance = 1e-4, .max_step = 1e-3});
     const auto [u, v] = initial_state(model);
     stepper.start(0, u, v);
-    while (stepper.state().time < 1.3) {
+    StepController controller(stepper);
+    FixedSteps policy;
+    while (stepper.time() < 1.3) {
       if (with_trials)
         for (const double h : {3e-3, 1e-4, 2.2e-2, 5e-4}) {
           EXPECT_TRUE(stepper.try_step(h));
           stepper.locate_event();
         }
-      EXPECT_TRUE(stepper.try_step(1e-3));
-      const auto landed = stepper.locate_event();
-      if (landed && *landed == 0)
-        stepper.apply_event();
-      else
-        stepper.accept();
+      controller.advance(1e-3, 2, policy);
     }
     EXPECT_EQ(model.links[0].contact->impacts().size(), 2u);
     return stepper.state();

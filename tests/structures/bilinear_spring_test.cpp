@@ -11,7 +11,9 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <pounding/input/resolved.hpp>
 #include <pounding/structures/bilinear_spring.hpp>
+#include <pounding/structures/oscillators.hpp>
 #include "support/refusals.hpp"
 
 namespace pounding {
@@ -265,7 +267,7 @@ TEST(YieldingStoreys, AreNotYieldedAtTheStart) {
 }
 
 TEST(YieldingStoreys, AreCountedFromNumbersToo) {
-  Structure s = make_shear_building({1, 1}, {10, 10});
+  Structure s = make_shear_building({.storeys = 2, .mass = 1, .stiffness = 10});
   EXPECT_THROW(let_storeys_yield(s, {1}, {0, 0}), std::invalid_argument);
   EXPECT_THROW(let_storeys_yield(s, {1, 1}, {0}), std::invalid_argument);
   EXPECT_THROW(let_storeys_yield(s, {1, -1}, {0, 0}), std::invalid_argument);

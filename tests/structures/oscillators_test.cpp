@@ -9,8 +9,10 @@
 #include <stdexcept>
 #include <string>
 
-#include <pounding/structures/damping.hpp>
+#include <pounding/input/resolved.hpp>
 #include <pounding/model/modes.hpp>
+#include <pounding/structures/damping.hpp>
+#include <pounding/structures/oscillators.hpp>
 #include "support/book.hpp"
 #include "support/models.hpp"
 
@@ -23,7 +25,7 @@ double damping_ratio(const Structure& s, int mode) { return modes(s)[mode].dampi
 
 TEST(Oscillator, HasTheMatricesOfItsMassAndSpring) {
   test::Book book("Oscillators and shear buildings", "oscillator: 2 pi sqrt(m/k)", "rounding");
-  const Structure s = make_oscillator(1e5, 4e6, 0.05);
+  const Structure s = make_oscillator({.mass = 1e5, .stiffness = 4e6, .damping_ratio = 0.05});
   EXPECT_EQ(s.mass.coeff(0, 0), 1e5);
   EXPECT_EQ(s.stiffness.coeff(0, 0), 4e6);
   EXPECT_DOUBLE_EQ(s.damping.coeff(0, 0), 2 * 0.05 * std::sqrt(4e6 * 1e5));
@@ -40,16 +42,16 @@ TEST(Oscillator, FollowsFromItsPeriod) {
 }
 
 TEST(Oscillator, RefusesWhatCannotBe) {
-  EXPECT_THROW(make_oscillator(0, 1, 0), std::invalid_argument);
-  EXPECT_THROW(make_oscillator(1, -1, 0), std::invalid_argument);
-  EXPECT_THROW(make_oscillator(1, 1, -0.1), std::invalid_argument);
-  EXPECT_THROW(make_body(std::numeric_limits<double>::infinity()), std::invalid_argument);
-  EXPECT_THROW(make_shear_building({1, 2}, {1}), std::invalid_argument);
-  EXPECT_THROW(make_shear_building({}, {}), std::invalid_argument);
+  EXPECT_THROW(make_oscillator({.mass = 0, .stiffness = 1}), std::invalid_argument);
+  EXPECT_THROW(make_oscillator({.mass = 1, .stiffness = -1}), std::invalid_argument);
+  EXPECT_THROW(make_oscillator({.mass = 1, .stiffness = 1, .damping_ratio = -0.1}), std::invalid_argument);
+  EXPECT_THROW(make_body({.mass = std::numeric_limits<double>::infinity()}), std::invalid_argument);
+  EXPECT_THROW(make_shear_building({.storeys = 2, .mass = {1, 2}, .stiffness = {1, 2, 3}}), std::invalid_argument);
+  EXPECT_THROW(make_shear_building({}), std::invalid_argument);
 }
 
 TEST(ShearBuilding, HasTheMatricesOfItsStoreysFromTheGroundUp) {
-  const Structure s = make_shear_building({10, 20, 30}, {400, 500, 600});
+  const Structure s = make_shear_building({.storeys = 3, .mass = {10, 20, 30}, .stiffness = {400, 500, 600}});
   Eigen::Matrix3d stiffness, mass;
   stiffness << 400 + 500, -500, 0, -500, 500 + 600, -600, 0, -600, 600;
   mass << 10, 0, 0, 0, 20, 0, 0, 0, 30;
@@ -65,7 +67,7 @@ TEST(ShearBuilding, OfEqualStoreysHasTheFrequenciesOfTheClosedForm) {
                   "an eigenvalue carries rounding of the largest one");
   for (const int storeys : {1, 2, 7, 40}) {
     const double m = 2.5e5, k = 2.2e8;
-    const Structure s = make_shear_building(std::vector<double>(storeys, m), std::vector<double>(storeys, k));
+    const Structure s = make_shear_building({.storeys = storeys, .mass = m, .stiffness = k});
     const std::vector<Mode> found = modes(s);
     ASSERT_EQ(found.size(), static_cast<std::size_t>(storeys));
     for (int j = 1; j <= storeys; ++j) {
@@ -81,7 +83,7 @@ TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
                   "completeness of the modes: effective masses add up to the mass, participations rebuild a unit "
                   "displacement",
                   "rounding");
-  const Structure s = make_shear_building({3e5, 2.5e5, 2e5, 1e5}, {4e8, 1e8, 3e8, 2e8});
+  const Structure s = make_shear_building({.storeys = 4, .mass = {3e5, 2.5e5, 2e5, 1e5}, .stiffness = {4e8, 1e8, 3e8, 2e8}});
   double effective = 0;
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(4);
   for (const Mode& mode : modes(s)) {
@@ -95,8 +97,8 @@ TEST(ShearBuilding, HasEffectiveMassesThatAddUpToItsMass) {
 }
 
 TEST(Modes, OfABodyIsOneOfInfinitePeriodAndAWallHasNone) {
-  EXPECT_TRUE(std::isinf(modes(make_body(10)).at(0).period));
-  EXPECT_DOUBLE_EQ(modes(make_body(10)).at(0).effective_mass[0], 10);
+  EXPECT_TRUE(std::isinf(modes(make_body({.mass = 10})).at(0).period));
+  EXPECT_DOUBLE_EQ(modes(make_body({.mass = 10})).at(0).effective_mass[0], 10);
   EXPECT_TRUE(modes(make_wall()).empty());
 }
 

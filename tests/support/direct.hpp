@@ -1,15 +1,12 @@
 #pragma once
 /// Marching of a Stepper with error control, and an independent integrator to compare it with.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
-#include <pounding/stepping/stepper.hpp>
+#include <pounding/stepping/step_controller.hpp>
 
 namespace pounding::test {
 
@@ -31,53 +28,18 @@ inline SparseMatrix diagonal(const std::vector<double>& values) {
 
 /// Steps to `end` that keep the tolerance of the stepper; how many were tried.
 inline long march(Stepper& stepper, double end, double longest) {
+  StepController controller(stepper);
+  ErrorControl policy(longest);
   double h = longest / 64;
-  long tries = 0;
-  while (stepper.time() < end) {
-    const double target = std::min(end, stepper.next_break()), left = target - stepper.time();
-    // A rest that is too short for a step of its own goes along.
-    const bool reaches = h >= left * (1 - 1e-9);
-    const double step = reaches ? left : h;
-    if (++tries > 3000000 || step < 1e-14) {
-      ADD_FAILURE() << "stalled at " << stepper.time() << " s";
-      return tries;
-    }
-    if (!stepper.try_step(step, reaches ? std::optional(target) : std::nullopt)) {
-      h = step / 4;
-      continue;
-    }
-    const double factor = 0.9 * std::pow(std::max(stepper.error_ratio(), 1e-9), -1.0 / stepper.error_order());
-    if (stepper.error_ratio() > 1) {
-      h = step * std::clamp(factor, 0.1, 0.9);
-      continue;
-    }
-    const std::optional<double> landed = stepper.locate_event();
-    if (landed && *landed == 0) {
-      stepper.apply_event();
-      continue;
-    }
-    if (stepper.error_ratio() > 1) {
-      h = step / 4;
-      continue;
-    }
-    stepper.accept();
-    h = std::min(longest, (landed ? std::max(h, step) : step) * std::clamp(factor, 0.2, 4.0));
-  }
-  return tries;
+  while (stepper.time() < end) h = controller.advance(h, end, policy);
+  return controller.trials();
 }
 
-/// Steps of one length; shorter where a phase ends, where the ground has a corner, and at the end.
+/// Steps of one length; shorter only where a phase ends, where the ground has a corner, and at the end.
 inline void march_evenly(Stepper& stepper, double end, double h) {
-  while (stepper.time() < end * (1 - 1e-12)) {
-    const double target = std::min(end, stepper.next_break()), left = target - stepper.time();
-    const bool reaches = left <= h * (1 + 1e-9);
-    ASSERT_TRUE(stepper.try_step(reaches ? left : h, reaches ? std::optional(target) : std::nullopt));
-    const std::optional<double> landed = stepper.locate_event();
-    if (landed && *landed == 0)
-      stepper.apply_event();
-    else
-      stepper.accept();
-  }
+  StepController controller(stepper);
+  FixedSteps policy;
+  while (stepper.time() < end * (1 - 1e-12)) controller.advance(h, end, policy);
 }
 
 /// y' = f(t, y) from `begin` to `end`: Dormand and Prince 5(4), relative tolerance 1e-11 against `size`. Steps end at the

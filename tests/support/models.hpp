@@ -5,12 +5,11 @@
 
 #include <string>
 
-#include <pounding/input/input.hpp>
-#include <pounding/structures/oscillators.hpp>
+#include <pounding/input/read_model.hpp>
 
 namespace pounding::test {
 
-inline Model model_of(const std::string& yaml) { return read_model(Input::read_text(yaml, "test.yaml"), kinds()); }
+inline Model model_of(const std::string& yaml) { return read_model(Input::read_text(yaml, "test.yaml")); }
 
 /// Every law as it stands after "law: ".
 inline constexpr const char* every_law[] = {

@@ -195,6 +195,7 @@ void Frame::add_spring(int node_a, int node_b, Dof dof, double stiffness) {
   require_not_negative(stiffness, node_a, "stiffness");
   if (checked(node_a) == checked(node_b)) refuse(node_text(node_a) + "a spring from the node to itself");
   add_between(springs_, node_a, node_b, dof, stiffness);
+  between_.push_back({node_a, node_b, dof, stiffness});
 }
 
 void Frame::add_dashpot(int node, Dof dof, double coefficient) {
@@ -215,6 +216,7 @@ void Frame::add_load(int node, Dof dof, double force) {
   const int at = index(node, dof);
   if (!std::isfinite(force)) refuse(label(at) + ": the load must be finite");
   loads_.emplace_back(at, force);
+  is_loaded_ = true;
 }
 
 void Frame::add_member_load(int member, const Vector3d& per_length) {
@@ -222,6 +224,27 @@ void Frame::add_member_load(int member, const Vector3d& per_length) {
   if (!per_length.allFinite()) refuse("member " + member_name(member) + ": its load must be finite");
   if (dimension_ == 2 && per_length.y() != 0) refuse("member " + member_name(member) + ": its load leaves the plane");
   m.load += per_length;
+  is_loaded_ = true;
+}
+
+std::vector<double> Frame::masses_along_x() const {
+  std::vector<double> masses(nodes(), 0.0);
+  for (const Eigen::Triplet<double>& entry : masses_)
+    if (entry.row() % dofs() == place(dimension_, Dof::ux)) masses[entry.row() / dofs()] += entry.value();
+  return masses;
+}
+
+std::vector<int> Frame::grounded_nodes() const {
+  std::vector<int> found;
+  std::vector<bool> is_found(nodes(), false);
+  const auto add = [&](int at) {
+    const int node = at / dofs();
+    if (!is_found[node]) found.push_back(node);
+    is_found[node] = true;
+  };
+  for (const int at : fixed_) add(at);
+  for (const auto& [at, stiffness] : ground_springs_) add(at);
+  return found;
 }
 
 void Frame::follow(int node, Dof dof, int master, Row row) {

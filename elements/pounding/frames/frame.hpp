@@ -20,6 +20,13 @@ const char* name(Dof dof);
 /// Those that a node of such a frame has, in the order of its unknowns.
 std::span<const Dof> dofs_of(int dimension);
 
+/// A spring between two nodes, on the same displacement of both.
+struct FrameSpring {
+  int start = 0, end = 0;
+  Dof dof = Dof::ux;
+  double stiffness = 0;  ///< [N/m], [N m]
+};
+
 /// The equations of a frame in its unknowns q, n of them, node by node: M q'' + C q' + K q = load_at_rest - load ag(t),
 /// relative to the ground.
 struct AssembledFrame {
@@ -68,6 +75,14 @@ class Frame {
   /// The nodes that a member joins.
   std::array<int, 2> ends(int member) const;
   const Beam& beam(int member) const { return of(member).beam; }
+  /// Those between two nodes, in the order they were added.
+  const std::vector<FrameSpring>& springs() const { return between_; }
+  /// Sum of the masses along x that were added at each node [kg], without those of members.
+  std::vector<double> masses_along_x() const;
+  /// Nodes with a displacement that is fixed, then those with a spring to the ground, each once.
+  std::vector<int> grounded_nodes() const;
+  /// Whether a load was added, at a node or on a member.
+  bool is_loaded() const { return is_loaded_; }
   /// As in messages: the name that was given, or the number.
   std::string node_name(int node) const;
   std::string member_name(int member) const;
@@ -205,7 +220,9 @@ class Frame {
   std::vector<Member> members_;
   std::vector<std::string> names_;  // of the nodes, empty for none
   Entries springs_, masses_, dashpots_;
+  std::vector<FrameSpring> between_;
   std::vector<std::pair<int, double>> ground_springs_, loads_;  // at displacements
+  bool is_loaded_ = false;
   std::set<int> connected_, trussed_;                           // nodes
   std::set<int> fixed_, engaged_;                               // displacements; that more than a truss acts on
   std::map<int, Row> follows_;                                  // displacement -> displacements of its master

@@ -1,7 +1,7 @@
 #pragma once
 /// The structure that a frame is.
 
-#include <pounding/input/frame_input.hpp>
+#include <pounding/frames/frame_model.hpp>
 #include <pounding/structures/structure.hpp>
 
 namespace pounding {
@@ -26,7 +26,7 @@ namespace pounding {
 /// Throws std::invalid_argument as Frame does, also for a frame that nothing holds and, other than linear, one that buckles.
 Structure make_structure(FrameModel model);
 
-/// Reads a frame and makes its structure. Throws InputError at the place of what is wrong.
-Structure read_frame_structure(const Input& body);
+/// The structure of a grid with fixed feet. Throws as the above, and as make_frame.
+Structure make_structure(const GridFrame& grid);
 
 }  // namespace pounding

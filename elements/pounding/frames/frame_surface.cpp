@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/names.hpp>
+#include <pounding/core/names.hpp>
 #include <pounding/core/units.hpp>
 
 namespace pounding {
@@ -49,7 +49,7 @@ FrameSurface::FrameSurface(std::shared_ptr<const FrameModel> model, std::shared_
 std::optional<std::array<double, 4>> FrameSurface::plan() const {
   constexpr double far = std::numeric_limits<double>::infinity();
   std::array<double, 4> box{far, -far, far, -far};
-  for (int node = 0; node < model_->given_nodes; ++node)
+  for (int node = 0; node < model_->given_nodes(); ++node)
     for (const int axis : {0, 1}) {
       box[2 * axis] = std::min(box[2 * axis], position(node)[axis]);
       box[2 * axis + 1] = std::max(box[2 * axis + 1], position(node)[axis]);
@@ -139,7 +139,7 @@ ContactPoint FrameSurface::column(double elevation, Side side, double along) con
 
 ContactPoint FrameSurface::node(const std::string& name) const {
   std::vector<std::string> names;
-  for (int node = 0; node < model_->given_nodes; ++node) {
+  for (int node = 0; node < model_->given_nodes(); ++node) {
     names.push_back(model_->frame.node_name(node));
     if (names.back() == name) return on_arm(node, position(node), mass_along_x(*assembled_, {node}));
   }
@@ -149,8 +149,9 @@ ContactPoint FrameSurface::node(const std::string& name) const {
 // The member from node to node over its rigid offsets; nothing where it does not reach this height or lies level.
 std::optional<FrameSurface::OnColumn> FrameSurface::on_column(int member, double elevation) const {
   const auto [start, end] = model_->frame.ends(member);
-  const auto& [start_offset, end_offset] = model_->offsets[member];
-  const std::array<Vector3d, 4> path{position(start), position(start) + start_offset, position(end) + end_offset, position(end)};
+  const BeamOptions& options = model_->frame.beam(member).options();
+  const std::array<Vector3d, 4> path{position(start), position(start) + options.start_offset, position(end) + options.end_offset,
+                                       position(end)};
   if (std::abs(path[3].z() - path[0].z()) < together) return {};
   for (const int node : {start, end})
     if (std::abs(position(node).z() - elevation) < together) return OnColumn{member, node, node == start ? 0.0 : 1.0, position(node)};
@@ -167,7 +168,8 @@ std::optional<std::pair<int, double>> FrameSurface::member_through(const Vector3
   for (int member = 0; member < model_->frame.members(); ++member) {
     if (model_->frame.beam(member).is_truss()) continue;
     const auto [start, end] = model_->frame.ends(member);
-    const Vector3d from = position(start) + model_->offsets[member][0], way = position(end) + model_->offsets[member][1] - from;
+    const BeamOptions& options = model_->frame.beam(member).options();
+    const Vector3d from = position(start) + options.start_offset, way = position(end) + options.end_offset - from;
     const double along = (point - from).dot(way) / way.squaredNorm();
     if (along >= 0 && along <= 1 && (from + along * way - point).norm() < together) return std::pair(member, along);
   }
@@ -197,7 +199,7 @@ ContactPoint FrameSurface::on_arm(int node, const Vector3d& at, double mass) con
 }
 
 ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& at, double mass) const {
-  if (model_->corotational)
+  if (model_->geometry == FrameGeometry::corotational)
     refuse("with geometry: corotational a member is not hit between its ends; put a node there");
   const Frame::PointOnMember on = model_->frame.point_on_member(member, along, *assembled_);
   ContactPoint point;

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <pounding/frames/frame.hpp>
-#include <pounding/input/frame_input.hpp>
+#include <pounding/frames/frame_model.hpp>
 #include <pounding/structures/structure.hpp>
 
 namespace pounding {

@@ -1,4 +1,4 @@
-#include <pounding/frames/frame.hpp>
+#include <pounding/frames/frame_model.hpp>
 
 #include <cmath>
 #include <numeric>
@@ -23,9 +23,9 @@ std::vector<double> spread(const std::vector<double>& given, int count, const ch
   return all;
 }
 
-// Coordinates of the grid lines.
-std::vector<double> lines(double origin, const std::vector<double>& widths) {
-  std::vector<double> at{origin};
+// Distances of the grid lines from the first one.
+std::vector<double> lines(const std::vector<double>& widths) {
+  std::vector<double> at{0.0};
   for (const double width : widths) at.push_back(at.back() + width);
   return at;
 }
@@ -56,31 +56,42 @@ int GridFrame::floor(int storey) const {
   return bays_y == 0 ? first : node(storeys, bays_x, bays_y) + storey;
 }
 
-Frame make_frame(const GridFrame& grid) {
+GridParts add_grid(FrameModel& model, const GridFrame& grid) {
   if (grid.storeys < 1 || grid.bays_x < 1 || grid.bays_y < 0) refuse("a grid needs a storey and a bay along x");
+  Frame& frame = model.frame;
+  const bool is_plane = frame.dimension() == 2;
+  if (is_plane != (grid.bays_y == 0)) refuse("a grid has bays along y in space, and in the plane none");
+  if (frame.nodes() > 0) refuse("a grid comes before all other nodes of its frame");
   const std::vector<double> width_x = spread(grid.bay_width_x, grid.bays_x, "bay_width_x");
-  const std::vector<double> width_y =
-      grid.bays_y > 0 ? spread(grid.bay_width_y, grid.bays_y, "bay_width_y") : std::vector<double>{};
-  const std::vector<double> x = lines(grid.origin.x(), width_x), y = lines(grid.origin.y(), width_y);
-  const std::vector<double> z = lines(grid.origin.z(), spread(grid.storey_height, grid.storeys, "storey_height"));
-  const std::vector<double> floor_mass = spread(grid.floor_mass, grid.storeys, "floor_mass", true);
+  const std::vector<double> width_y = is_plane ? std::vector<double>{} : spread(grid.bay_width_y, grid.bays_y, "bay_width_y");
+  const std::vector<double> x = lines(width_x), y = lines(width_y);
+  const std::vector<double> z = lines(spread(grid.storey_height, grid.storeys, "storey_height"));
+  const std::vector<double> floor_mass = grid.floor_mass.empty() ? std::vector<double>(grid.storeys, 0.0)
+                                                                 : spread(grid.floor_mass, grid.storeys, "floor_mass", true);
   const std::vector<double> share_x = shares(width_x), share_y = shares(width_y);
 
-  Frame frame(grid.bays_y == 0 ? 2 : 3);
   const auto at = [&](int storey, int i, int k) {
     const std::string plane = std::to_string(storey) + "." + std::to_string(i);
-    return grid.bays_y == 0 ? plane : plane + "." + std::to_string(k);
+    return is_plane ? plane : plane + "." + std::to_string(k);
   };
   const auto each = [&](int storey, auto&& act) {
     for (int k = 0; k <= grid.bays_y; ++k)
       for (int i = 0; i <= grid.bays_x; ++i) act(grid.node(storey, i, k), i, k);
   };
-  for (int storey = 0; storey <= grid.storeys; ++storey)
+  GridParts parts;
+  each(0, [&](int, int i, int k) { parts.weights.push_back(share_x[i] * share_y[k]); });
+  for (int storey = 0; storey <= grid.storeys; ++storey) {
+    FrameFloor floor{.label = std::to_string(storey), .nodes = {}, .elevation = z[storey] + grid.origin.z()};
     each(storey, [&](int, int i, int k) {
-      const int node = frame.add_node({x[i], y[k], z[storey]}, at(storey, i, k));
-      if (storey == 0) frame.fix(node);
-      else frame.add_mass(node, floor_mass[storey - 1] * share_x[i] * share_y[k]);
+      floor.nodes.push_back(frame.add_node(Vector3d(x[i], y[k], z[storey]) + grid.origin, at(storey, i, k)));
     });
+    if (storey == 0) {
+      parts.feet = floor.nodes;
+      continue;
+    }
+    for (std::size_t n = 0; n < floor.nodes.size(); ++n) frame.add_mass(floor.nodes[n], floor_mass[storey - 1] * parts.weights[n]);
+    model.floors.push_back(std::move(floor));
+  }
 
   const BeamOptions options{.mass = grid.mass};
   for (int storey = 1; storey <= grid.storeys; ++storey)
@@ -92,19 +103,17 @@ Frame make_frame(const GridFrame& grid) {
       if (i < grid.bays_x) member("beam x ", node, grid.node(storey, i + 1, k), grid.beam);
       if (k < grid.bays_y) member("beam y ", node, grid.node(storey, i, k + 1), grid.beam);
     });
-
-  for (int storey = 1; grid.rigid_floors && storey <= grid.storeys; ++storey) {
-    std::vector<int> nodes;
-    Vector3d centre(0, 0, z[storey]);
-    each(storey, [&](int node, int i, int k) {
-      nodes.push_back(node);
-      centre += share_x[i] * share_y[k] * Vector3d(x[i], y[k], 0);
-    });
-    if (grid.bays_y == 0) nodes.erase(nodes.begin());
-    else frame.fix(frame.add_node(centre, "floor " + std::to_string(storey)), {Dof::uz, Dof::rx, Dof::ry});
-    frame.tie_floor(grid.floor(storey), nodes);
-  }
-  return frame;
+  return parts;
 }
+
+FrameModel make_frame_model(const GridFrame& grid) {
+  FrameModel model{.frame = Frame(grid.bays_y == 0 ? 2 : 3)};
+  const GridParts parts = add_grid(model, grid);
+  for (const int foot : parts.feet) model.frame.fix(foot);
+  for (int floor = 0; grid.rigid_floors && floor < grid.storeys; ++floor) make_floor_rigid(model, floor, parts.weights);
+  return model;
+}
+
+Frame make_frame(const GridFrame& grid) { return make_frame_model(grid).frame; }
 
 }  // namespace pounding

@@ -84,6 +84,13 @@ Section i_section(double depth, double width, double flange, double web) {
   return s;
 }
 
+Material isotropic(double young, double density, double poisson) {
+  if (!(young > 0) || std::isinf(young)) throw std::invalid_argument("young must be positive and finite");
+  if (!(poisson >= 0 && poisson <= 0.5)) throw std::invalid_argument("poisson must lie in [0, 0.5]");
+  if (!(density >= 0) || std::isinf(density)) throw std::invalid_argument("density must be finite and not negative");
+  return {.young = young, .shear = young / (2 * (1 + poisson)), .density = density};
+}
+
 Section without_shear_deformation(Section section) {
   section.shear_area_y = section.shear_area_z = Section{}.shear_area_y;
   return section;

@@ -23,6 +23,9 @@ Section tube_section(double diameter, double thickness);
 /// middles of the flanges. Shear along z by Cowper's thin-walled factor, along y 5/6 of the flanges.
 Section i_section(double depth, double width, double flange, double web);
 
+/// A material by Young's modulus [Pa], density [kg/m^3] and Poisson's ratio in [0, 0.5], which concrete has unless it is given.
+Material isotropic(double young, double density = 0, double poisson = 0.2);
+
 /// The same without shear deformation (Euler-Bernoulli).
 Section without_shear_deformation(Section section);
 

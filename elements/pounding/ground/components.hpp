@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include <pounding/ground/ground_motion.hpp>
 
@@ -18,8 +19,15 @@ struct TravellingWave {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< horizontal, unit
 };
 
-/// Content of a `ground_motion:` section of the input.
+/// How the ground moves under a model: along x alone, or along several axes; at all places at once, or as a wave.
 struct GroundSection {
+  GroundSection() = default;
+  /// Along x.
+  GroundSection(GroundMotion motion) : components{std::move(motion), GroundMotion(), GroundMotion()} {}
+  GroundSection(const Harmonic& motion) : GroundSection(GroundMotion(motion)) {}
+  GroundSection(const Pulse& motion) : GroundSection(GroundMotion(motion)) {}
+  GroundSection(GroundComponents motions) : components(std::move(motions)) {}
+
   GroundComponents components;
   std::optional<TravellingWave> wave;
 };

@@ -1,23 +1,11 @@
 #include <pounding/input/frame_bays.hpp>
 
 #include <cstddef>
-#include <numeric>
 
 #include <fmt/format.h>
 
 namespace pounding {
 namespace {
-
-Bays bays_of(int count, const std::vector<double>& widths) {
-  Bays bays{count, {0.0}, std::vector<double>(count + 1, 0.0)};
-  const double whole = std::accumulate(widths.begin(), widths.end(), 0.0);
-  for (int i = 0; i < count; ++i) {
-    bays.at.push_back(bays.at.back() + widths[i]);
-    bays.share[i] += 0.5 * widths[i] / whole;
-    bays.share[i + 1] += 0.5 * widths[i] / whole;
-  }
-  return bays;
-}
 
 std::vector<double> read_widths(const Input& node, int count) {
   if (node.is_list() && node.items().size() != static_cast<std::size_t>(count))
@@ -28,21 +16,21 @@ std::vector<double> read_widths(const Input& node, int count) {
 
 }  // namespace
 
-std::array<Bays, 2> read_bays(const Input& grid, int dimension) {
+std::array<std::vector<double>, 2> read_bays(const Input& grid, int dimension) {
   const Input bays = grid.at("bays", dimension == 2 ? "3" : "[3, 2]");
   const Input width = grid.at("bay_width", "6 m");
   constexpr int most = 1000;
   if (dimension == 2) {
     const int count = static_cast<int>(bays.as_integer(1, most));
-    return {bays_of(count, read_widths(width, count)), Bays{}};
+    return {read_widths(width, count), {}};
   }
   if (!bays.is_list() || bays.items().size() != 2) bays.fail("takes the bays along x and along y in space; type bays: [3, 2]");
-  std::array<Bays, 2> both;
+  std::array<std::vector<double>, 2> both;
   if (width.is_map()) width.only_keys({"x", "y"});
   if (width.is_list()) width.fail("takes one width, or one for each direction in space; type bay_width: {x: 6 m, y: 5 m}");
   for (const int i : {0, 1}) {
     const int count = static_cast<int>(bays.items()[i].as_integer(1, most));
-    both[i] = bays_of(count, read_widths(width.is_map() ? width.at(i == 0 ? "x" : "y", "6 m") : width, count));
+    both[i] = read_widths(width.is_map() ? width.at(i == 0 ? "x" : "y", "6 m") : width, count);
   }
   return both;
 }

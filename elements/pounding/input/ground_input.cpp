@@ -190,13 +190,4 @@ GroundSection read_ground_section(const Input& section) {
   return ground;
 }
 
-void refuse_idle_components(const Input& section, int dimension, bool of_one) {
-  const std::optional<Input> components = section.find("components");
-  if (!components) return;
-  if (const auto y = components->find("y"); y && dimension < 3)
-    y->fail_at_key(fmt::format("{} in space; leave the motion along y out", of_one ? "the structure is not" : "no structure is"));
-  if (const auto z = components->find("z"); z && dimension < 2)
-    z->fail_at_key(fmt::format("{} up and down; leave the motion along z out", of_one ? "the structure does not move" : "no structure moves"));
-}
-
 }  // namespace pounding

@@ -23,8 +23,4 @@ GroundMotion read_ground_motion(const Input& section);
 ///     wave: {velocity: 500 m/s, direction: x | y | [cosine, sine]}
 GroundSection read_ground_section(const Input& section);
 
-/// Throws InputError at a component that structures of at most this dimension (Structure::dimension) cannot follow, which
-/// would say nothing; `of_one`: the section is that of one structure.
-void refuse_idle_components(const Input& section, int dimension, bool of_one);
-
 }  // namespace pounding

@@ -1,9 +1,9 @@
+#include <pounding/input/resolved.hpp>
+
 #include <cmath>
-#include <yaml-cpp/yaml.h>
 
 #include <fmt/format.h>
-
-#include <pounding/model/model.hpp>
+#include <yaml-cpp/yaml.h>
 
 namespace pounding {
 namespace {
@@ -147,7 +147,7 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
     emit(out, "sliding_velocity", link.sliding_velocity);
   }
   out << YAML::Key << "parameters" << YAML::Value << YAML::BeginMap;
-  for (const Value& value : link.parameters)
+  for (const laws::ResolvedValue& value : link.parameters)
     out << YAML::Key << value.name << YAML::Value << exact(value.value)
         << YAML::Comment(value.unit.empty() ? "-" : value.unit);
   out << YAML::EndMap << YAML::EndMap;

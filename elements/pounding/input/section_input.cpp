@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <pounding/input/names.hpp>
+#include <pounding/core/names.hpp>
 #include <pounding/frames/sections.hpp>
 
 namespace pounding {
@@ -82,15 +82,13 @@ Value named(const Input& node, std::string_view what, const std::map<std::string
 
 Material read_material(const Input& node) {
   node.only_keys({"E", "G", "poisson", "density"});
-  Material material;
-  material.young = node.at("E", "30 GPa").as_quantity(dimension::stress, bounds::positive);
+  const double young = node.at("E", "30 GPa").as_quantity(dimension::stress, bounds::positive);
   const auto shear = node.find("G"), poisson = node.find("poisson");
   if (shear && poisson) poisson->fail_at_key("G and poisson both set the shear modulus; keep one of them");
   constexpr Bounds of_poisson{.low = 0, .high = 0.5};
-  material.shear = shear ? shear->as_quantity(dimension::stress, bounds::positive)
-                         : material.young / (2 * (1 + (poisson ? poisson->as_number(of_poisson) : 0.2)));
-  material.density = node.quantity_or("density", dimension::density, 0, bounds::non_negative);
-  return material;
+  const double density = node.quantity_or("density", dimension::density, 0, bounds::non_negative);
+  if (shear) return {.young = young, .shear = shear->as_quantity(dimension::stress, bounds::positive), .density = density};
+  return poisson ? isotropic(young, density, poisson->as_number(of_poisson)) : isotropic(young, density);
 }
 
 Section read_section(const Input& node, int dimension) {

@@ -2,18 +2,109 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <pounding/input/frame_input.hpp>
 #include <pounding/input/ground_input.hpp>
+#include <pounding/structures/oscillators.hpp>
 
 namespace pounding {
 namespace {
 
-constexpr std::string_view damping_example = "damping: 5 %";
+void only_keys(const Input& body, std::initializer_list<std::string_view> own, bool moves = true, bool damped = true) {
+  std::vector<std::string_view> keys(own);
+  if (damped) keys.push_back("damping");
+  if (moves) keys.insert(keys.end(), {"initial_velocity", "initial_displacement"});
+  body.only_keys(keys);
+}
 
-// Modal damping fills the matrix.
-constexpr int max_for_modal_damping = 1500;
+Structure read_body(const Input& body) {
+  only_keys(body, {"mass"}, true, false);
+  return make_body({.mass = body.at("mass", "100 t").as_quantity(dimension::mass, bounds::positive)});
+}
+
+void read_yielding(const Input& body, Structure& s) {
+  const std::optional<Input> force = body.find("yield_force"), hardening = body.find("hardening");
+  if (hardening && !force)
+    hardening->fail_at_key("belongs to storeys that yield; type yield_force: 2 MN beside it, or leave it out");
+  if (!force) return;
+  const int storeys = s.size();
+  const auto forces = force->as_quantities(storeys, dimension::force, bounds::positive);
+  const auto ratios = hardening ? hardening->as_quantities(storeys, dimension::none, bounds::from_0_below_1)
+                                : std::vector<double>(storeys, 0.0);
+  let_storeys_yield(s, forces, ratios);
+}
+
+// The damping is read with that of every other structure.
+Structure read_oscillator(const Input& body) {
+  only_keys(body, {"mass", "period", "stiffness", "yield_force", "hardening"});
+  OscillatorOptions options{.mass = body.at("mass", "100 t").as_quantity(dimension::mass, bounds::positive)};
+  const std::optional<Input> period = body.find("period"), stiffness = body.find("stiffness");
+  if (period && stiffness) stiffness->fail_at_key("give the period or the stiffness, not both");
+  if (!period && !stiffness) body.fail("the stiffness is missing; type period: 0.8 s, or stiffness: 6.2 MN/m");
+  if (stiffness) options.stiffness = stiffness->as_quantity(dimension::stiffness, bounds::positive);
+  if (period) options.period = period->as_quantity(dimension::time, bounds::positive);
+  if (period && !std::isfinite(stiffness_of_period(options.mass, *options.period)))
+    period->fail("is so short that the stiffness m (2 pi/T)^2 is no number");
+  Structure s = make_oscillator(options);
+  read_yielding(body, s);
+  return s;
+}
+
+Structure read_shear_building(const Input& body) {
+  only_keys(body, {"storeys", "mass", "stiffness", "height", "yield_force", "hardening"});
+  ShearBuildingOptions options{.storeys = static_cast<int>(body.at("storeys", "5").as_integer(1, 1000))};
+  const int storeys = options.storeys;
+  options.mass = body.at("mass", "250 t").as_quantities(storeys, dimension::mass, bounds::positive);
+  options.stiffness = body.at("stiffness", "350 MN/m").as_quantities(storeys, dimension::stiffness, bounds::positive);
+  if (const auto height = body.find("height")) options.height = height->as_quantities(storeys, dimension::length, bounds::positive);
+  Structure s = make_shear_building(options);
+  read_yielding(body, s);
+  return s;
+}
+
+Structure read_wall(const Input& body) {
+  constexpr std::string_view bare = "a wall has no parameters; type wall: {}";
+  if (body.is_map())
+    for (const auto& [key, value] : body.entries()) value.fail_at_key(bare);
+  if (body.is_list() || (body.is_scalar() && !body.as_text().empty())) body.fail(bare);
+  return make_wall();
+}
+
+struct Kind {
+  std::string_view word;
+  Structure (*read)(const Input& body);
+};
+
+// What can stand under the name of a structure. A new kind of structure has its line here.
+constexpr Kind kinds[] = {{"body", read_body},
+                          {"oscillator", read_oscillator},
+                          {"shear_building", read_shear_building},
+                          {"frame", read_frame_structure},
+                          {"wall", read_wall}};
+
+const Kind& kind_of(const Input& place) {
+  std::vector<std::string_view> words, keys{"damping", "initial_velocity", "initial_displacement", "delay", "ground_motion"};
+  for (const Kind& kind : kinds) words.push_back(kind.word);
+  keys.insert(keys.end(), words.begin(), words.end());
+  if (place.is_scalar() && place.as_text() == "wall") place.fail("a wall is written as {wall: {}}");
+  place.only_keys(keys);
+  const Kind* chosen = nullptr;
+  for (const Kind& kind : kinds) {
+    if (!place.has(kind.word)) continue;
+    if (chosen)
+      place.find(kind.word)->fail_at_key(
+          fmt::format("a structure has one kind, and a {} is given too; keep one of the two", chosen->word));
+    chosen = &kind;
+  }
+  if (!chosen) place.fail(fmt::format("the kind of the structure is missing; it is one of {}", fmt::join(words, ", ")));
+  return *chosen;
+}
 
 // A key may stand under the kind's own word or beside it, not in both places.
 std::optional<Input> beside_or_inside(const Input& place, const Input& body, std::string_view key) {
@@ -23,177 +114,105 @@ std::optional<Input> beside_or_inside(const Input& place, const Input& body, std
   return inside ? inside : beside;
 }
 
-struct TwoFrequencies {
-  double first, second;
-  std::string note;
-};
-
-int count_of_modes(const Structure& s) { return static_cast<int>(split_by_mass(s.mass).dynamic.size()); }
-
-TwoFrequencies rayleigh_points(const Input& node, const Structure& s, const ModeSolver& solver) {
-  const int count = count_of_modes(s);
-  const std::optional<Input> chosen = node.find("modes"), periods = node.find("periods");
-  if (chosen && periods) periods->fail_at_key("give modes or periods, not both");
+RayleighDamping read_rayleigh(const Input& node, const Structure& s) {
+  node.only_keys({"ratio", "modes", "periods"});
+  RayleighDamping damping{.ratio = node.at("ratio", "5 %").as_number(bounds::from_0_below_1)};
+  const std::optional<Input> modes = node.find("modes"), periods = node.find("periods");
+  if (modes && periods) periods->fail_at_key("give modes or periods, not both");
   if (periods) {
     const std::vector<double> t = periods->as_quantities(2, dimension::time, bounds::positive);
-    return {2 * M_PI / t[0], 2 * M_PI / t[1], fmt::format("periods {:.6g} s and {:.6g} s", t[0], t[1])};
+    damping.periods = {t[0], t[1]};
   }
-  long long first = 1, second = std::min(2, count);
-  if (chosen) {
-    if (!chosen->is_list() || chosen->items().size() != 2) chosen->fail("takes two mode numbers; type modes: [1, 2]");
-    const std::vector<Input> items = chosen->items();
-    first = items[0].as_integer(1, count);
-    second = items[1].as_integer(1, count);
+  if (modes) {
+    if (!modes->is_list() || modes->items().size() != 2) modes->fail("takes two mode numbers; type modes: [1, 2]");
+    const std::vector<Input> items = modes->items();
+    const int count = count_of_modes(s);
+    damping.modes = {static_cast<int>(items[0].as_integer(1, count)), static_cast<int>(items[1].as_integer(1, count))};
   }
-  const long long highest = std::max(first, second);
-  const Eigen::VectorXd w = highest <= s.frequencies.size()
-                                ? s.frequencies
-                                : solver(s.mass, s.stiffness, static_cast<int>(highest)).frequencies;
-  return {w[first - 1], w[second - 1], fmt::format("modes {} and {}", first, second)};
+  return damping;
 }
 
-void read_damping(const Input& node, Structure& s, const ModeSolver& solver) {
-  const auto use_rayleigh = [&](double ratio, const TwoFrequencies& points) {
-    const Rayleigh factors = rayleigh_damping(ratio, points.first, points.second);
-    s.by_mass = factors.by_mass;
-    s.by_stiffness = factors.by_stiffness;
-    s.damping_note = fmt::format("Rayleigh, {:.4g} % in {}", 100 * ratio, points.note);
-  };
-  if (!node.is_map()) {
-    const double ratio = node.as_number(bounds::from_0_below_1);
-    if (count_of_modes(s) == 1 && s.size() == 1) {
-      s.damping.coeffRef(0, 0) += 2 * ratio * s.frequencies[0] * s.mass.coeff(0, 0);
-      s.damping_note = fmt::format("{:.4g} % of critical", 100 * ratio);
-      return;
-    }
-    if (count_of_modes(s) == 1) return use_rayleigh(ratio, {s.frequencies[0], s.frequencies[0], "its only mode"});
-    return use_rayleigh(ratio, {s.frequencies[0], s.frequencies[1], "modes 1 and 2"});
-  }
+Damping read_damping(const Input& node, const Structure& s) {
+  if (!node.is_map()) return node.as_number(bounds::from_0_below_1);
   node.only_keys({"rayleigh", "modal"});
   const std::optional<Input> rayleigh = node.find("rayleigh"), modal = node.find("modal");
   if (rayleigh.has_value() == modal.has_value())
     node.fail("takes one of rayleigh and modal; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
-  if (rayleigh) {
-    rayleigh->only_keys({"ratio", "modes", "periods"});
-    return use_rayleigh(rayleigh->at("ratio", "5 %").as_number(bounds::from_0_below_1),
-                        rayleigh_points(*rayleigh, s, solver));
-  }
+  if (rayleigh) return read_rayleigh(*rayleigh, s);
   modal->only_keys({"ratio"});
-  const double ratio = modal->at("ratio", "5 %").as_number(bounds::from_0_below_1);
-  const int count = count_of_modes(s);
-  if (count > max_for_modal_damping)
-    modal->fail_at_key(fmt::format("fills a matrix of {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}",
-                                   count));
-  // Unknowns without mass take no part in the dashpots, which M Phi shows.
-  const Eigenmodes all = dense_modes(s.mass, s.stiffness, count);
-  s.damping += SparseMatrix(modal_damping(Eigen::MatrixXd(s.mass), all, ratio).sparseView());
-  s.damping_note = fmt::format("modal, {:.4g} % in every mode", 100 * ratio);
+  return ModalDamping{modal->at("ratio", "5 %").as_number(bounds::from_0_below_1)};
 }
 
-// What yielded before the start would have to be known.
-void refuse_initial_yield(const Input& displacement, const Structure& s) {
-  for (std::size_t i = 0; i < s.yielding.size(); ++i) {
-    const double drift = s.initial_displacement[i] - (i > 0 ? s.initial_displacement[i - 1] : 0);
-    const double yield = s.yielding[i].yield_force / s.storey_stiffness[i];
-    if (std::abs(drift) > yield)
-      displacement.fail(fmt::format("strains storey {} by {}, and it yields at {}; take less, or an initial_velocity", i + 1,
-                                    format_quantity(drift, dimension::length), format_quantity(yield, dimension::length)));
-  }
+// Floors of a structure along x have one value each; a frame moves as a whole, and of a wall the model refuses any.
+OneOrEach read_initial_motion(const Input& node, const Structure& s, const Dimension& dimension) {
+  if (s.dimension > 1) return node.as_quantity(dimension);
+  return node.as_quantities(s.size(), dimension);
 }
 
-// Floors of a structure along x are its unknowns; a frame as a whole moves along x, with all its supports.
-Eigen::VectorXd initial_motion(const Input& node, const Structure& s, const Dimension& dimension) {
-  if (s.dimension > 1) {
-    Eigen::VectorXd whole = Eigen::VectorXd::Zero(s.size());
-    for (const Support& support : s.supports) whole += support.influence.col(0);
-    return node.as_quantity(dimension) * whole;
-  }
-  const std::vector<double> values = node.as_quantities(s.size(), dimension);
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), s.size());
-}
+// What the model refuses, at its place in the input.
+class StructureInput {
+ public:
+  StructureInput(const std::string& name, const Input& place) : name_(name), place_(place) {}
 
-void read_initial_motion(const Input& place, const Input& body, Structure& s) {
-  const auto velocity = beside_or_inside(place, body, "initial_velocity");
-  const auto displacement = beside_or_inside(place, body, "initial_displacement");
-  if (s.is_rigid() && velocity) velocity->fail_at_key("a wall moves with the ground; leave it out");
-  if (s.is_rigid() && displacement) displacement->fail_at_key("a wall moves with the ground; leave it out");
-  s.initial_velocity = s.initial_displacement = Eigen::VectorXd::Zero(s.size());
-  if (velocity) s.initial_velocity = initial_motion(*velocity, s, dimension::velocity);
-  if (!displacement) return;
-  if (s.dimension > 1)
-    displacement->fail_at_key("a frame starts from its place at rest; leave it out, or give an initial_velocity");
-  s.initial_displacement = initial_motion(*displacement, s, dimension::length);
-  refuse_initial_yield(*displacement, s);
-}
-
-void read_ground(const Input& place, const std::optional<TravellingWave>& wave, Structure& s) {
-  const std::optional<Input> delay = place.find("delay"), motion = place.find("ground_motion");
-  if (wave && !motion && s.supports_along) {
+  void read(Model& model) {
+    check_name();
+    const Kind& kind = kind_of(place_);
+    body_.emplace(*place_.find(kind.word));
+    Structure s = kind.read(*body_);
+    StructureOptions options;
+    damping_ = beside_or_inside(place_, *body_, "damping");
+    velocity_ = beside_or_inside(place_, *body_, "initial_velocity");
+    displacement_ = beside_or_inside(place_, *body_, "initial_displacement");
+    const std::optional<Input> delay = place_.find("delay"), motion = place_.find("ground_motion");
+    const bool is_damped = !s.is_rigid() && !s.is_free;
+    if (damping_) options.damping = is_damped ? read_damping(*damping_, s) : Damping(0);
+    if (velocity_) options.initial_velocity = read_initial_motion(*velocity_, s, dimension::velocity);
+    if (displacement_) options.initial_displacement = read_initial_motion(*displacement_, s, dimension::length);
+    if (motion) {
+      GroundSection ground = read_ground_section(*motion);
+      if (ground.wave) motion->fail("a wave belongs to the ground_motion of all structures; give this one a delay");
+      options.ground_motion = std::move(ground.components);
+    }
+    if (delay) options.delay = delay->as_quantity(dimension::time, bounds::non_negative);
     try {
-      s.supports = s.supports_along(wave->direction);
-    } catch (const std::invalid_argument& error) {
-      place.fail(error.what());
+      model.add(name_, std::move(s), options);
+    } catch (const ModelError& error) {
+      fail(error);
     }
   }
-  if (motion) {
-    const GroundSection ground = read_ground_section(*motion);
-    if (ground.wave) motion->fail("a wave belongs to the ground_motion of all structures; give this one a delay");
-    refuse_idle_components(*motion, s.dimension, true);
-    for (Support& support : s.supports)
-      if (!support.motion) support.motion = ground.components;
+
+ private:
+  void check_name() const {
+    try {
+      require_structure_name(name_);
+    } catch (const ModelError& error) {
+      place_.fail_at_key(error.what());
+    }
   }
-  if (delay)
-    for (Support& support : s.supports) support.delay += delay->as_quantity(dimension::time, bounds::non_negative);
-}
+
+  [[noreturn]] void fail(const ModelError& error) const {
+    const Input* at = &*body_;
+    switch (error.option()) {
+      case ModelOption::damping:
+        if (error.is_idle()) damping_->fail_at_key(error.what());
+        // The reading has let pass too many modes for modal damping, and what the solver of modes refuses.
+        if (damping_->is_map() && damping_->has("modal")) damping_->at("modal").fail_at_key(error.what());
+        break;
+      case ModelOption::initial_velocity: at = &*velocity_; break;
+      case ModelOption::initial_displacement: at = &*displacement_; break;
+      default: break;
+    }
+    if (error.is_idle()) at->fail_at_key(error.what());
+    at->fail(error.what());
+  }
+
+  const std::string& name_;
+  const Input& place_;
+  std::optional<Input> body_, damping_, velocity_, displacement_;
+};
 
 }  // namespace
 
-Structure read_structure(const std::string& name, const Input& place, const Kinds& kinds, const ModeSolver& modes,
-                         const std::optional<TravellingWave>& wave) {
-  std::vector<std::string_view> words, keys{"damping", "initial_velocity", "initial_displacement", "delay", "ground_motion"};
-  for (const StructureKind& kind : kinds.structures) words.push_back(kind.word);
-  keys.insert(keys.end(), words.begin(), words.end());
-  if (name.empty() || name.find_first_of("/.") != std::string::npos)
-    place.fail_at_key("a name must not be empty or contain \".\" or \"/\"; type a name such as left_building");
-  if (place.is_scalar() && place.as_text() == "wall") place.fail("a wall is written as {wall: {}}");
-  place.only_keys(keys);
-  const StructureKind* chosen = nullptr;
-  for (const StructureKind& kind : kinds.structures) {
-    if (!place.has(kind.word)) continue;
-    if (chosen)
-      place.find(kind.word)->fail_at_key(
-          fmt::format("a structure has one kind, and a {} is given too; keep one of the two", chosen->word));
-    chosen = &kind;
-  }
-  if (!chosen) place.fail(fmt::format("the kind of the structure is missing; it is one of {}", fmt::join(words, ", ")));
-
-  const Input body = *place.find(chosen->word);
-  Structure s = chosen->read(body);
-  s.name = name;
-  s.kind = chosen->word;
-  if (s.damping.size() == 0) s.damping.resize(s.size(), s.size());
-
-  if (!s.is_rigid() && count_of_modes(s) == 0)
-    body.fail("nothing in it has mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 kg/m^3 in a material");
-
-  const auto damping = beside_or_inside(place, body, "damping");
-  const bool takes_damping = !s.is_rigid() && !s.is_free;
-  if (damping && !takes_damping) damping->fail_at_key(fmt::format("a {} has no damping of its own; leave it out", s.kind));
-  if (takes_damping && !damping)
-    body.fail(fmt::format("damping is missing; type {}, or damping: 0 for none", damping_example));
-  if (takes_damping) {
-    try {
-      s.frequencies = modes(s.mass, s.stiffness, std::min(modes_of_a_structure, count_of_modes(s))).frequencies;
-    } catch (const std::invalid_argument& error) {
-      body.fail(error.what());
-    }
-    read_damping(*damping, s, modes);
-  } else if (!s.is_rigid()) {
-    s.frequencies = Eigen::VectorXd::Zero(1);
-  }
-  read_initial_motion(place, body, s);
-  read_ground(place, wave, s);
-  return s;
-}
+void read_structure(const std::string& name, const Input& place, Model& model) { StructureInput(name, place).read(model); }
 
 }  // namespace pounding

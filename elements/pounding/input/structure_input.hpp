@@ -3,13 +3,12 @@
 
 #include <string>
 
+#include <pounding/input/input.hpp>
 #include <pounding/model/model.hpp>
 
 namespace pounding {
 
-/// Reads one structure: its kind, damping, initial motion, the ground under it, where a wave may run. Throws InputError with
-/// the place.
-Structure read_structure(const std::string& name, const Input& place, const Kinds& kinds, const ModeSolver& modes,
-                         const std::optional<TravellingWave>& wave);
+/// Reads one structure, its kind and what stands beside it, and adds it to the model. Throws InputError with the place.
+void read_structure(const std::string& name, const Input& place, Model& model);
 
 }  // namespace pounding

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
@@ -87,6 +88,7 @@ std::vector<int> offsets(const Model& model) {
 }
 
 System assemble(const Model& model, bool with_links) {
+  if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() before it is assembled");
   const std::vector<int> first = offsets(model);
   const int n = total_size(model);
   const GroundPlan plan = ground_plan(model);

@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-struct Model;
+class Model;
 
 /// Which motions the ground makes, each component once, and which of them moves which support.
 struct GroundPlan {

@@ -1,30 +1,29 @@
 #pragma once
-/// What is simulated: structures beside each other, the links between them, the motion of the ground.
+/// What is simulated: structures beside each other, the links between them, the motion of the ground. Built by code or read from
+/// an input (input/read_model.hpp). SI units.
 
 #include <Eigen/Core>
 #include <array>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include <pounding/ground/components.hpp>
+#include <pounding/laws/by_name.hpp>
 #include <pounding/links/contact.hpp>
-#include <pounding/structures/damping.hpp>
-#include <pounding/input/input.hpp>
+#include <pounding/model/model_error.hpp>
 #include <pounding/model/scheme.hpp>
-#include <pounding/structures/structure.hpp>
 #include <pounding/model/system.hpp>
+#include <pounding/structures/one_or_each.hpp>
+#include <pounding/structures/structure.hpp>
+#include <pounding/structures/structure_damping.hpp>
 
 namespace pounding {
 
-/// A value that a report or resolved.yaml shows.
-struct Value {
-  std::string name;
-  double value = 0;
-  std::string unit;
-};
+class ContactLaw;
 
 /// One side of a link.
 struct LinkEnd {
@@ -43,24 +42,22 @@ struct Link {
   std::string law, formula;
   double reduced_mass = 0;  ///< that the damping was calibrated with [kg]
   bool reduced_mass_given = false;
-  std::vector<Value> parameters;  ///< of the law, calibrated damping included
+  std::vector<laws::ResolvedValue> parameters;  ///< of the law, calibrated damping included
   double friction = 0;            ///< Coulomb's coefficient
   double sliding_velocity = 0;    ///< of its regularisation, see Friction [m/s]
   std::unique_ptr<Contact> contact;
 };
 
-/// Lowest modes that are found of every structure.
-inline constexpr int modes_of_a_structure = 6;
-
 /// Below the first the rounding of the arithmetic is larger than the error; above the second an impact is not resolved.
 inline constexpr double min_tolerance = 1e-10, max_tolerance = 0.1;
 
-/// How a model is integrated in time: the section `analysis` of the input. PETSc options may change tolerance and scheme.
+/// How a model is integrated in time. PETSc options may change tolerance and scheme.
 struct AnalysisSettings {
-  double duration = 0;      ///< of the run, which starts at time 0 [s]
-  double tolerance = 1e-4;  ///< local error relative to the motion and to link forces [-], in [min_tolerance, max_tolerance]
-  double output_step = 0;   ///< spacing of the output times, the first being 0 [s]
-  Scheme scheme;            ///< scheme of the time stepping
+  double duration = 0;      ///< of the run, which starts at time 0 [s]; 0: until the ground is still
+  double tolerance = 1e-4;  ///< error relative to the motion and to link forces [-], in [min_tolerance, max_tolerance]
+  double output_step = 0;   ///< spacing of the output times, the first being 0 [s]; 0: the shortest sample of the ground motions,
+                            ///< without samples a thousandth of the duration
+  Scheme scheme{};          ///< scheme of the time stepping
   double max_step = 0;      ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
 };
 
@@ -69,54 +66,124 @@ struct CheckpointSettings {
   double every = 0;            ///< of run time [s]
   double every_simulated = 0;  ///< of simulated time [s]
 
-  /// Whether the input says anything.
+  /// Whether anything is asked for.
   bool asked() const { return every > 0 || every_simulated > 0; }
 };
 
-/// All that an input says, read and checked.
-struct Model {
+/// Where a link touches a structure, to be found on its surface. Made by a StructureHandle.
+struct ContactLocation {
+  int structure = 0;                  ///< from 0
+  std::optional<int> floor{};         ///< from 1 at the lowest
+  std::optional<double> elevation{};  ///< of a point of a column [m]
+  std::string node{};
+};
+
+/// A structure of a model. Alone it stands for a wall, or for the one floor of a structure.
+class StructureHandle {
+ public:
+  explicit StructureHandle(int number) : number_(number) {}
+  /// Its place in Model::structures.
+  int number() const noexcept { return number_; }
+  /// A floor, from 1 at the lowest.
+  ContactLocation floor(int number) const { return {.structure = number_, .floor = number}; }
+  /// A node of a frame.
+  ContactLocation node(std::string name) const { return {.structure = number_, .node = std::move(name)}; }
+  /// The column of a frame at an elevation above the common datum [m].
+  ContactLocation at(double elevation) const { return {.structure = number_, .elevation = elevation}; }
+  operator ContactLocation() const { return {.structure = number_}; }
+
+ private:
+  int number_;
+};
+
+/// What is said of a structure beside its kind.
+struct StructureOptions {
+  /// Of every structure but bodies and walls, unless it was made with its damping; 0 for none.
+  std::optional<Damping> damping{};
+  /// Of the floors of a structure along x, one for all or one each from the ground up; of a frame as a whole [m/s].
+  OneOrEach initial_velocity{};
+  OneOrEach initial_displacement{};  ///< of the floors; a frame starts from its place at rest [m]
+  double delay = 0;                  ///< the ground moves later here [s]
+  std::optional<GroundComponents> ground_motion{};  ///< of its own instead of the model's
+};
+
+/// Which floors of two structures a link joins, instead of one pair.
+enum class FacingFloors {
+  all,    ///< every floor, which must face one of the other structure up to the lower roof
+  level,  ///< those that are level with one of the other
+  any     ///< all up to the lower roof; those that face none hit the column there
+};
+
+/// What is said of a link beside its law.
+struct LinkOptions {
+  OneOrEach gap{};                       ///< >= 0 [m]; with `floors` one for all or one each from the ground up
+  std::optional<FacingFloors> floors{};  ///< links all of these; without it the two ends name one pair
+  /// "left.1-right.1" unless given; of several pairs the first is "name.1".
+  std::optional<std::string> name{};
+  /// Points along the common edge of floors in space, 1 to 100: two where the edges overlap, else one.
+  std::optional<int> points{};
+  std::optional<double> friction{};          ///< Coulomb's coefficient >= 0; needs a frame and a law with a force
+  std::optional<double> sliding_velocity{};  ///< of the friction's regularisation [m/s]; 5 mm/s
+  /// That the damping is calibrated with [kg]; that of the two ends' own masses unless the law or this says otherwise.
+  std::optional<double> reduced_mass{};
+};
+
+/// What source_text holds where a model was not read from a text.
+inline constexpr std::string_view built_by_code =
+    "# This model was built by a program and not read from a file; resolved.yaml tells what it was.\n";
+
+/// All that is simulated. Structures are added first, links between them afterwards; ground, analysis and the rest may be set at
+/// any time until the model is completed.
+class Model {
+ public:
   std::string title;
   GroundSection ground;
-  std::vector<Structure> structures;
-  std::vector<Link> links;
   AnalysisSettings analysis;
   CheckpointSettings checkpoint;
-  bool compare_no_pounding = false;
-  std::string source_text;  ///< the input as given
-  std::string source_file;  ///< as the user named it; relative paths in the input start from its folder
+  bool compare_no_pounding = false;  ///< whether a run also runs the structures without links, before
+  /// Finds what damping and first periods need. petsc::lowest_modes does so for frames of many thousand unknowns.
+  ModeSolver mode_solver = dense_modes;
+  std::string source_text{built_by_code};  ///< the input as given
+  std::string source_file;                 ///< as the user named it; relative paths in the input start from its folder
+
+  /// In the order they were added; made by add() and link(), to be read only.
+  std::vector<Structure> structures;
+  std::vector<Link> links;
+
+  /// Adds a structure under a name. Throws ModelError for a name that files cannot hold or that is taken, and for options that
+  /// are missing, given twice, out of range or without a meaning for this structure.
+  StructureHandle add(const std::string& name, Structure structure, const StructureOptions& options = {});
+
+  /// Links two structures, the left one first. Geometry is the truth where it is drawn: the sides that face each other follow from
+  /// where frames stand. Throws ModelError for ends, floors, gaps and laws that cannot be.
+  void link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options, const ContactLaw& law);
+
+  /// Fills in what was left out (duration, output step), lets the ground act on the structures and checks the whole. A run does
+  /// this by itself; whoever assembles a model calls it before. Afterwards nothing can be added; a second call does nothing.
+  /// Throws ModelError.
+  void complete();
+  bool is_complete() const noexcept { return is_complete_; }
+
+ private:
+  // What is said of the ground under one structure.
+  struct OwnGround {
+    double delay;
+    std::optional<GroundComponents> motion;
+  };
+  void require_open() const;
+  std::vector<Support> supports_on_ground(int structure) const;
+  void put_on_ground();
+  void check_ground() const;
+  void check_settings() const;
+
+  std::vector<OwnGround> own_ground_;
+  bool is_on_ground_ = false, is_complete_ = false;
 };
 
-/// How a structure of one kind is read: `body` is the node under the word. What stands beside the word for every kind
-/// (damping, initial motions, delay) is left to the reader of models.
-struct StructureKind {
-  std::string_view word;
-  Structure (*read)(const Input& body);
-};
+/// Throws ModelError for a name of a structure that files cannot hold.
+void require_structure_name(const std::string& name);
 
-/// What a link's law is.
-struct LinkLaw {
-  std::string law, formula;
-  double reduced_mass = 0;
-  bool reduced_mass_given = false;
-  std::vector<Value> parameters;
-  /// Makes a contact of this law; called once a link.
-  std::unique_ptr<Contact> contact;
-};
-
-/// What can stand in an input. The elements library fills it; the reader knows no concrete element.
-struct Kinds {
-  std::span<const StructureKind> structures;
-  /// Reads the law of a link; the keys that belong to the link itself are in `link_keys`. The masses are those of its two
-  /// ends, infinite for a wall [kg].
-  LinkLaw (*read_law)(const Input& link, std::span<const std::string_view> link_keys, double gap, double left_mass,
-                      double right_mass, int index);
-};
-
-/// Reads and checks a whole model; `modes` finds what Rayleigh damping and the first periods need. Throws InputError with
-/// file, line and column.
-Model read_model(const Input& input, const Kinds& kinds, const ModeSolver& modes = dense_modes);
-
-/// The equations of motion. The contacts and springs stay the model's; the springs start undeformed, whatever an earlier
+/// The equations of motion of a complete model. The contacts and springs stay the model's; the springs start undeformed, whatever an earlier
 /// run has left in them. `with_links` false leaves the links out.
 System assemble(const Model& model, bool with_links = true);
 
@@ -128,8 +195,5 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model);
 
 /// What a run is about, one line each: title, ground motions, links with their laws, gaps and masses.
 std::string describe(const Model& model);
-
-/// The model with every default and calibrated parameter filled in, SI, as YAML.
-std::string resolved_yaml(const Model& model);
 
 }  // namespace pounding

@@ -57,6 +57,9 @@ struct System {
   int size() const { return static_cast<int>(mass.rows()); }
   int contact_count() const { return static_cast<int>(contacts.size()); }
   int links() const { return static_cast<int>(gap_jacobian.cols()); }
+
+  /// Throws std::invalid_argument where the numbers of columns do not fit, or a friction has no contact that can take it.
+  void check() const;
 };
 
 }  // namespace pounding

@@ -8,9 +8,12 @@
 #include <utility>
 
 #include <pounding/structures/bilinear_spring.hpp>
+#include <pounding/structures/structure_damping.hpp>
 
 namespace pounding {
 namespace {
+
+constexpr const char* needs_yielding = "hardening belongs to storeys that yield; give the yield_force beside it";
 
 void require_positive(double value, const char* what) {
   if (!(value > 0) || std::isinf(value)) throw std::invalid_argument(std::string(what) + " must be positive and finite");
@@ -86,9 +89,9 @@ Structure make_stick(const std::vector<double>& masses, const std::vector<double
 
 }  // namespace
 
-Structure make_body(double mass) {
-  require_positive(mass, "mass");
-  Structure s = make_stick({mass}, {}, {});
+Structure make_body(const BodyOptions& options) {
+  require_positive(options.mass, "mass");
+  Structure s = make_stick({options.mass}, {}, {});
   s.kind = "body";
   s.damping_note = "none";
   s.is_free = true;
@@ -96,25 +99,45 @@ Structure make_body(double mass) {
   return s;
 }
 
-Structure make_oscillator(double mass, double stiffness, double damping_ratio) {
-  require_positive(mass, "mass");
+double stiffness_of_period(double mass, double period) {
+  const double w = 2 * M_PI / period;
+  return mass * w * w;
+}
+
+Structure make_oscillator(const OscillatorOptions& options) {
+  require_positive(options.mass, "mass");
+  if (options.period.has_value() == options.stiffness.has_value())
+    throw std::invalid_argument("an oscillator takes its period or its stiffness, one of the two");
+  if (options.period) require_positive(*options.period, "period");
+  const double stiffness = options.stiffness ? *options.stiffness : stiffness_of_period(options.mass, *options.period);
   require_positive(stiffness, "stiffness");
-  if (!(damping_ratio >= 0)) throw std::invalid_argument("damping must not be negative");
-  Structure s = make_stick({mass}, {stiffness}, {});
+  Structure s = make_stick({options.mass}, {stiffness}, {});
   s.kind = "oscillator";
-  if (damping_ratio > 0) s.damping.insert(0, 0) = 2 * damping_ratio * std::sqrt(stiffness * mass);
+  if (options.damping_ratio) {
+    set_frequencies(s);
+    set_damping(s, *options.damping_ratio);
+  }
+  if (options.yield_force) let_storeys_yield(s, {*options.yield_force}, {options.hardening});
+  else if (options.hardening != 0) throw std::invalid_argument(needs_yielding);
   return s;
 }
 
-Structure make_shear_building(const std::vector<double>& masses, const std::vector<double>& stiffnesses,
-                              const std::vector<double>& heights) {
-  if (masses.empty() || stiffnesses.size() != masses.size()) throw std::invalid_argument("one mass and one stiffness a storey");
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    require_positive(masses[i], "mass");
-    require_positive(stiffnesses[i], "stiffness");
-  }
+Structure make_shear_building(const ShearBuildingOptions& options) {
+  if (options.storeys < 1) throw std::invalid_argument("storeys must be at least 1");
+  const std::vector<double> masses = options.mass.of_each(options.storeys, "mass"),
+                            stiffnesses = options.stiffness.of_each(options.storeys, "stiffness");
+  for (const double mass : masses) require_positive(mass, "mass");
+  for (const double stiffness : stiffnesses) require_positive(stiffness, "stiffness");
+  std::vector<double> heights;
+  if (!options.height.empty()) heights = options.height.of_each(options.storeys, "height");
+  for (const double height : heights) require_positive(height, "height");
   Structure s = make_stick(masses, stiffnesses, heights);
   s.kind = "shear_building";
+  if (options.yield_force.empty() && !options.hardening.empty()) throw std::invalid_argument(needs_yielding);
+  if (!options.yield_force.empty())
+    let_storeys_yield(s, options.yield_force.of_each(options.storeys, "yield_force"),
+                      options.hardening.empty() ? std::vector<double>(options.storeys, 0.0)
+                                                : options.hardening.of_each(options.storeys, "hardening"));
   return s;
 }
 

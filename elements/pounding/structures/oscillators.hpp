@@ -1,22 +1,46 @@
 #pragma once
-/// The structures that an input can name, made from numbers. SI units.
+/// Structures along x from a few numbers: bodies, oscillators, shear buildings and walls. SI units.
 
+#include <optional>
 #include <vector>
 
-#include <pounding/model/model.hpp>
+#include <pounding/structures/one_or_each.hpp>
+#include <pounding/structures/structure.hpp>
 
 namespace pounding {
 
-/// A free mass [kg].
-Structure make_body(double mass);
+/// A free mass.
+struct BodyOptions {
+  double mass = 0;  ///< [kg]
+};
+/// A mass that nothing holds to the ground. Throws std::invalid_argument for a mass that is not positive and finite.
+Structure make_body(const BodyOptions& options);
 
-/// One mass on a spring and a dashpot: k = m (2 pi/T)^2, c = 2 ratio sqrt(k m). Mass [kg], stiffness [N/m].
-Structure make_oscillator(double mass, double stiffness, double damping_ratio);
+/// One mass on a spring and a dashpot.
+struct OscillatorOptions {
+  double mass = 0;                   ///< m [kg]
+  std::optional<double> period{};    ///< T [s]: k = m (2 pi/T)^2
+  std::optional<double> stiffness{}; ///< k [N/m], instead of the period
+  /// c = 2 ratio sqrt(k m), in [0, 1). Nothing where the damping is given to Model::add.
+  std::optional<double> damping_ratio{};
+  std::optional<double> yield_force{};  ///< [N]; the spring stays elastic without one
+  double hardening = 0;                 ///< of a spring that yields, see let_storeys_yield
+};
+/// Throws std::invalid_argument for what is missing, given twice or out of range.
+Structure make_oscillator(const OscillatorOptions& options);
+/// m (2 pi/T)^2 [N/m].
+double stiffness_of_period(double mass, double period);
 
-/// Storeys on each other, masses and storey stiffnesses from the ground up [kg], [N/m]; no damping yet.
-/// Heights [m] may be empty.
-Structure make_shear_building(const std::vector<double>& masses, const std::vector<double>& stiffnesses,
-                              const std::vector<double>& heights = {});
+/// Storeys on each other, each a mass on a spring. Every list goes from the ground up.
+struct ShearBuildingOptions {
+  int storeys = 0;
+  OneOrEach mass{}, stiffness{};  ///< [kg], [N/m]
+  OneOrEach height{};             ///< of each storey [m]; may be left out
+  OneOrEach yield_force{};        ///< [N]; the storeys stay elastic without one
+  OneOrEach hardening{};          ///< of storeys that yield, 0 unless given, see let_storeys_yield
+};
+/// No damping yet: it is given to Model::add. Throws std::invalid_argument for what is missing or out of range.
+Structure make_shear_building(const ShearBuildingOptions& options);
 
 /// Lets every storey of a structure yield bilinearly at the force given for it, from the ground up [N]; its stiffness after
 /// that is `hardening` in [0, 1) times the initial one. The damping stays that of the initial stiffness.
@@ -25,8 +49,5 @@ void let_storeys_yield(Structure& structure, const std::vector<double>& yield_fo
 
 /// Rigid, moves with the ground.
 Structure make_wall();
-
-/// What the reader of models may find, one line each.
-const Kinds& kinds();
 
 }  // namespace pounding

@@ -237,7 +237,7 @@ std::string SparseSolver::description() const {
                         matrices_.whole_groups() ? "each with whole structures of its own" : "one factor for all");
   text += fmt::format(", {}", package.empty() ? "nothing factored yet" : package);
   text += fmt::format(", {} factorizations, {} factors held in {:.1f} MB", factorizations_, factors(), memory());
-  if (iterations() > 0) text += fmt::format(", {} iterations of conjugate gradients off the ladder", iterations());
+  if (iterations() > 0) text += fmt::format(", {} iterations of conjugate gradients off the step levels", iterations());
   return text;
 }
 

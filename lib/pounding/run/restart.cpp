@@ -10,6 +10,7 @@
 #include <pounding/core/checksum.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/input/input.hpp>
+#include <pounding/input/resolved.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>
@@ -111,6 +112,9 @@ InterruptedRun read_interrupted_run(const std::string& file) {
 
 Input input_of(const InterruptedRun& run) {
   const std::string& file = run.checkpoint.model_file;
+  if (run.model_yaml == built_by_code)
+    throw InputError(fmt::format("{}: its model was built by a program; that program goes on with it, by run(model, {{.resume = \"{}\"}})",
+                                 run.file, run.file));
   return Input::read_text(run.model_yaml, file.empty() ? "model.yaml" : file);
 }
 
@@ -130,6 +134,10 @@ void check_same_run(const InterruptedRun& run, const Model& model, const std::ve
     throw InputError(fmt::format("{}: holds the run of another model, {} differs from line {} on; go on with the model in the "
                                  "file, or run the new one from the start",
                                  run.file, model.source_file, first_different_line(run.model_yaml, model.source_text)));
+  if (const std::string resolved = resolved_yaml(model); model.source_text == built_by_code && resolved != run.resolved_yaml)
+    throw InputError(fmt::format("{}: holds the run of another model, whose resolved.yaml differs from line {} on; go on with the "
+                                 "same model, or run the new one from the start",
+                                 run.file, first_different_line(run.resolved_yaml, resolved)));
   const Checkpoint now = checkpoint_of(model, options);
   if (now.ground != run.checkpoint.ground || resolved_yaml(model) != run.resolved_yaml)
     throw InputError(fmt::format("{}: the ground motion that {} reads is not the one that the run began with; put the earlier "

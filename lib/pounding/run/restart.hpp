@@ -9,7 +9,7 @@
 namespace pounding {
 
 class Input;
-struct Model;
+class Model;
 struct Results;
 
 /// A checkpoint, still without a state, for a run of this model with these PETSc options.
@@ -28,7 +28,8 @@ struct InterruptedRun {
 /// by another version of the program, holds no checkpoint, or whose run is done.
 InterruptedRun read_interrupted_run(const std::string& file);
 
-/// The input in the results file; messages name the file from which it was first read.
+/// The input in the results file; messages name the file from which it was first read. Throws InputError for the run of a model
+/// that was built by code.
 Input input_of(const InterruptedRun& run);
 
 /// Adds the PETSc options with which the run began ("-pounding_ts_rtol 1e-6") to `options`, the words of a command line, unless

@@ -8,6 +8,7 @@
 #include <fmt/chrono.h>
 
 #include <pounding/core/version.hpp>
+#include <pounding/input/resolved.hpp>
 #include <pounding/linear/make_solver.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
@@ -118,6 +119,7 @@ std::vector<StructureSummary> run_without_links(const Model& model, const RunOpt
 Outcome run(const Model& model, const RunOptions& options) {
   if (options.comm == MPI_COMM_NULL)
     throw std::logic_error("RunOptions::comm is null; make the options after PETSc has started");
+  if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() first");
   for (const Link& link : model.links)
     if (!link.contact->impacts().empty() || link.contact->phase() != ContactPhase::open)
       throw std::logic_error("this model has been run; read it again");

@@ -59,7 +59,12 @@ class FailedRun : public SolverError {
 ///   FailedRun         when the solve fails or is stopped, after the results so far and the reason were written
 ///   InputError        for a file that cannot be written, for PETSc options that are wrong or that nothing reads, and for a run
 ///                     that cannot be resumed (read_interrupted_run, check_same_run)
-///   std::logic_error  for a model that has been run, and for options made before PETSc's start
+///   std::logic_error  for a model that has been run or is not complete, and for options made before PETSc's start
 Outcome run(const Model& model, const RunOptions& options = {});
+/// Completes the model first; throws ModelError where that fails.
+inline Outcome run(Model& model, const RunOptions& options = {}) {
+  model.complete();
+  return run(std::as_const(model), options);
+}
 
 }  // namespace pounding

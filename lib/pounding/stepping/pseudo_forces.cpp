@@ -12,14 +12,14 @@ namespace {
 using Eigen::VectorXd;
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
-// Of the displacements that their neighbours ask for; steps this small are rounding.
+// Newton steps below this part of the displacements that the neighbours impose are round-off.
 constexpr double solved = 3e-14;
-// Where rounding is larger, of stiff members say, the steps stop shrinking at it.
+// Where round-off is larger, as with stiff members, the steps stop shrinking at it; below this part that is good enough.
 constexpr double nearly_solved = 1e-10;
-// With the factor at rest each step is to be this part of the one before, else the tangent is factored.
+// With the factor at rest each step must shrink to this part of the one before, else the tangent is factored.
 constexpr double slow = 0.2;
 constexpr int max_iterations = 60;
-// Of the time in which the motion goes round: for the change of a tangent by central differences.
+// Finite-difference step for the tangent's time derivative, as a fraction of 1/omega (Rayleigh quotient of v).
 constexpr double short_time = 1e-4;
 
 SparseMatrix block(const SparseMatrix& matrix, int first, const std::vector<int>& rows, const std::vector<int>& columns, int size) {
@@ -34,7 +34,7 @@ SparseMatrix block(const SparseMatrix& matrix, int first, const std::vector<int>
   return part;
 }
 
-/// Rows and columns of matrices whose entries are at the same places.
+/// A block of matrices that all have the same pattern of entries.
 class Extract {
  public:
   Extract() = default;
@@ -50,63 +50,63 @@ class Extract {
 
  private:
   SparseMatrix part_;
-  std::vector<int> from_;  // among the values of the whole
+  std::vector<int> from_;  // indices of its values among those of the whole
 };
 
 }  // namespace
 
-// One group; vectors count from its first unknown.
+// One group; vectors start at its first degree of freedom.
 struct PseudoForces::Part {
   int group, first, size;
   const ElasticForces& forces;
   SparseMatrix mass, stiffness;
-  std::vector<int> all, heavy, light;  // unknowns; with mass, without
-  SparseMatrix couplings;              // of the light ones to all, without signs
-  VectorXd diagonal;                   // of the stiffness at the light ones
-  Factor at_rest;                      // of the stiffness at the light ones
-  mutable Extract light_of_tangent, coupling_of_tangent;  // light to light, light to heavy
-  mutable Factor light_factor;                            // of a tangent
+  std::vector<int> all, dynamic, massless;  // degrees of freedom: all, with mass, without
+  SparseMatrix couplings;              // absolute stiffness between massless and all
+  VectorXd diagonal;                   // of the stiffness at massless ones
+  Factor at_rest;                      // of that part of the stiffness
+  mutable Extract massless_of_tangent, coupling_of_tangent;  // massless to massless, massless to dynamic
+  mutable Factor massless_factor;                            // of a tangent
 
   Part(const System& system, int number)
       : group(number), first(system.groups[number].first), size(system.groups[number].count),
         forces(*system.groups[number].elastic) {
     for (int i = 0; i < size; ++i) {
       all.push_back(i);
-      (system.mass.coeff(first + i, first + i) > 0 ? heavy : light).push_back(i);
+      (system.mass.coeff(first + i, first + i) > 0 ? dynamic : massless).push_back(i);
     }
     mass = block(system.mass, first, all, all, size);
     stiffness = block(system.stiffness, first, all, all, size);
-    if (light.empty()) return;
-    couplings = block(system.stiffness, first, light, all, size).cwiseAbs();
-    const SparseMatrix own = block(system.stiffness, first, light, light, size);
+    if (massless.empty()) return;
+    couplings = block(system.stiffness, first, massless, all, size).cwiseAbs();
+    const SparseMatrix own = block(system.stiffness, first, massless, massless, size);
     diagonal = own.diagonal();
     at_rest.compute(own);
     if (at_rest.info() != Eigen::Success || !(at_rest.vectorD().minCoeff() > 0))
       throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
     const SparseMatrix tangent = forces.tangent(VectorXd::Zero(size));
-    light_of_tangent = Extract(tangent, light, light);
-    coupling_of_tangent = Extract(tangent, light, heavy);
-    light_factor.analyzePattern(light_of_tangent(tangent));
+    massless_of_tangent = Extract(tangent, massless, massless);
+    coupling_of_tangent = Extract(tangent, massless, dynamic);
+    massless_factor.analyzePattern(massless_of_tangent(tangent));
   }
 
   VectorXd of(const VectorXd& whole) const { return whole.segment(first, size); }
 
-  // Moves the light unknowns to where no force is left on them; f becomes the forces there.
+  // Moves the massless degrees of freedom to static equilibrium; f becomes the forces there.
   bool settle(VectorXd& u, VectorXd& f) const {
     f = forces.force(u);
-    if (light.empty()) return true;
+    if (massless.empty()) return true;
     const double scale = std::sqrt((couplings * (u.cwiseAbs() + forces.at_rest().cwiseAbs())).cwiseAbs2().cwiseQuotient(diagonal).sum());
     double last = std::numeric_limits<double>::infinity();
-    bool turned = false;  // too far for the factor at rest
+    bool turned = false;  // so far that the factor at rest is of no use
     for (int iteration = 0; iteration < max_iterations; ++iteration) {
-      if (turned) light_factor.factorize(light_of_tangent(forces.tangent(u)));
-      const VectorXd step = (turned ? light_factor : at_rest).solve(-f(light));
+      if (turned) massless_factor.factorize(massless_of_tangent(forces.tangent(u)));
+      const VectorXd step = (turned ? massless_factor : at_rest).solve(-f(massless));
       const double length = std::sqrt(step.cwiseAbs2().dot(diagonal));
       if (!std::isfinite(length)) return false;
       if (length <= solved * scale || (length > 0.5 * last && length <= nearly_solved * scale)) return true;
       turned = turned || (length > slow * last && length > nearly_solved * scale);
       last = length;
-      u(light) += step;
+      u(massless) += step;
       f = forces.force(u);
     }
     return false;
@@ -114,22 +114,22 @@ struct PseudoForces::Part {
 
   void complete(VectorXd& u, VectorXd* v, VectorXd* a) const {
     VectorXd f;
-    if (light.empty()) return;
-    if (!settle(u, f)) u(light).setConstant(std::nan(""));
+    if (massless.empty()) return;
+    if (!settle(u, f)) u(massless).setConstant(std::nan(""));
     if (!v) return;
     const SparseMatrix tangent = forces.tangent(u);
-    light_factor.factorize(light_of_tangent(tangent));
+    massless_factor.factorize(massless_of_tangent(tangent));
     const SparseMatrix& coupling = coupling_of_tangent(tangent);
-    (*v)(light) = light_factor.solve(-(coupling * (*v)(heavy)));
+    (*v)(massless) = massless_factor.solve(-(coupling * (*v)(dynamic)));
     if (!a) return;
-    VectorXd pull = coupling * (*a)(heavy);
-    const double stiff = v->dot(stiffness * *v), heavy_part = v->dot(mass * *v);
-    if (stiff > 0 && heavy_part > 0) {
-      const double by = short_time * std::sqrt(heavy_part / stiff);
+    VectorXd pull = coupling * (*a)(dynamic);
+    const double stiff = v->dot(stiffness * *v), kinetic = v->dot(mass * *v);
+    if (stiff > 0 && kinetic > 0) {
+      const double by = short_time * std::sqrt(kinetic / stiff);
       const VectorXd change = (forces.tangent(u + by * *v) * *v - forces.tangent(u - by * *v) * *v) / (2 * by);
-      pull += change(light);
+      pull += change(massless);
     }
-    (*a)(light) = light_factor.solve(-pull);
+    (*a)(massless) = massless_factor.solve(-pull);
   }
 };
 
@@ -148,7 +148,7 @@ void PseudoForces::evaluate(std::span<const int> groups, const VectorXd& u, Vect
     VectorXd there = linear, f;
     const bool settled = part->settle(there, f);
     f -= part->stiffness * linear;
-    f(part->light).setZero();
+    f(part->massless).setZero();
     if (!settled) f.setConstant(std::nan(""));
     e.segment(part->first, part->size) = f;
   }
@@ -169,7 +169,7 @@ bool PseudoForces::corrects(const SparseMatrix& of_unknowns) const {
   for (int j = 0; j < of_unknowns.outerSize(); ++j)
     for (SparseMatrix::InnerIterator it(of_unknowns, j); it; ++it)
       for (const auto& part : parts_)
-        if (it.value() != 0 && std::binary_search(part->light.begin(), part->light.end(), it.row() - part->first)) return true;
+        if (it.value() != 0 && std::binary_search(part->massless.begin(), part->massless.end(), it.row() - part->first)) return true;
   return false;
 }
 

@@ -3,11 +3,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <string>
 
-#include <pounding/run/run.hpp>
+#include <pounding/elements.hpp>
 #include <pounding/petsc/environment.hpp>
-#include <pounding/structures/oscillators.hpp>
+#include <pounding/run/run.hpp>
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
@@ -19,12 +18,11 @@ int main(int argc, char** argv) {
   double restitution = 0;
   {
     const pounding::petsc::Environment environment;
-    const pounding::Model model = pounding::read_model(
-        pounding::Input::read_text("structures:\n  ball: {body: {mass: 60 t}, initial_velocity: 1 m/s}\n  wall: {wall: {}}\n"
-                                   "links: [{between: [ball, wall], gap: 10 mm, law: jankowski, stiffness: 2.75e9, "
-                                   "restitution: " + std::to_string(asked) + "}]\nanalysis: {duration: 0.2}\n",
-                                   "inline.yaml"),
-        pounding::kinds());
+    pounding::Model model;
+    const auto ball = model.add("ball", pounding::make_body({.mass = 60e3}), {.initial_velocity = 1});
+    const auto wall = model.add("wall", pounding::make_wall());
+    model.link(ball, wall, {.gap = 0.01}, pounding::laws::Jankowski{.stiffness = 2.75e9, .restitution = asked});
+    model.analysis.duration = 0.2;
     restitution = pounding::run(model).results.impacts.at(0).restitution;
   }
   std::printf("restitution %.5f\n", restitution);

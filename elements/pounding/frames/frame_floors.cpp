@@ -1,0 +1,160 @@
+#include <pounding/frames/frame_floors.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include <pounding/frames/frame_surface.hpp>
+
+namespace pounding {
+namespace {
+
+using Eigen::Vector3d;
+
+// The turn about z that fits the motions of the nodes best: sum m r x u / sum m r^2 about their centre. Nodes at one point
+// turn with the first.
+Row mean_turn(const FrameModel& model, const AssembledFrame& frame, const std::vector<int>& nodes,
+              const std::vector<double>& weights, const Vector3d& centre) {
+  Row turn(frame.size());
+  double inertia = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Vector3d r = model.frame.position(nodes[i]) - centre;
+    inertia += weights[i] * r.head<2>().squaredNorm();
+    turn += weights[i] * (r.x() * frame.motion(nodes[i], Dof::uy) - r.y() * frame.motion(nodes[i], Dof::ux));
+  }
+  if (inertia == 0) return frame.motion(nodes.front(), Dof::rz);
+  return turn / inertia;
+}
+
+std::vector<Row> floor_motion(const FrameModel& model, const AssembledFrame& frame, const FrameFloor& floor) {
+  if (frame.dimension == 2) return {frame.motion(floor.nodes.front(), Dof::ux)};
+  if (floor.master >= 0) {
+    const int m = floor.master;
+    return {frame.motion(m, Dof::ux), frame.motion(m, Dof::uy), frame.motion(m, Dof::rz)};
+  }
+  std::vector<double> weights;
+  for (const int node : floor.nodes) weights.push_back(mass_along_x(frame, {node}));
+  if (std::accumulate(weights.begin(), weights.end(), 0.0) == 0) weights.assign(weights.size(), 1.0);
+  const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
+  Row x(frame.size()), y(frame.size());
+  Vector3d centre(0, 0, 0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    x += weights[i] / whole * frame.motion(floor.nodes[i], Dof::ux);
+    y += weights[i] / whole * frame.motion(floor.nodes[i], Dof::uy);
+    centre += weights[i] / whole * model.frame.position(floor.nodes[i]);
+  }
+  return {x, y, mean_turn(model, frame, floor.nodes, weights, centre)};
+}
+
+double mean_height(const Frame& frame, const std::vector<int>& nodes) {
+  double sum = 0;
+  for (const int node : nodes) sum += frame.position(node).z();
+  return sum / static_cast<double>(nodes.size());
+}
+
+double lowest_support(const FrameModel& model) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const FrameSupport& support : model.supports)
+    for (const int node : support.nodes) lowest = std::min(lowest, model.frame.position(node).z());
+  return lowest;
+}
+
+// Forces along x, and y in space, on the upper ends of what joins the nodes above the cut to those below; not of members
+// that turn.
+std::vector<Row> shear_through(const FrameModel& model, const AssembledFrame& frame, const std::vector<bool>& above) {
+  const int directions = frame.dimension - 1;
+  std::vector<Eigen::VectorXd> sums(directions, Eigen::VectorXd::Zero(frame.size()));
+  for (int member = 0; model.geometry != FrameGeometry::corotational && member < model.frame.members(); ++member) {
+    const auto [start, end] = model.frame.ends(member);
+    if (above[start] == above[end]) continue;
+    const Beam& beam = model.frame.beam(member);
+    const Matrix12 forces = beam.end_force_matrix();
+    const int upper = above[start] ? 0 : 6;
+    for (const auto& [node, first] : {std::pair(start, 0), {end, 6}})
+      for (const Dof dof : dofs_of(frame.dimension)) {
+        const Vector3d by_motion =
+            beam.axes().transpose() * forces.block<3, 1>(upper, first + static_cast<int>(dof));
+        const Row motion = frame.motion(node, dof);
+        for (Row::InnerIterator it(motion); it; ++it)
+          for (int d = 0; d < directions; ++d) sums[d][it.index()] += by_motion[d] * it.value();
+      }
+  }
+  for (const FrameSpring& spring : model.frame.springs()) {
+    const int direction = static_cast<int>(spring.dof);
+    if (above[spring.start] == above[spring.end] || direction >= directions) continue;
+    const int upper = above[spring.start] ? spring.start : spring.end, lower = above[spring.start] ? spring.end : spring.start;
+    sums[direction] += spring.stiffness * (frame.motion(upper, spring.dof) - frame.motion(lower, spring.dof));
+  }
+  std::vector<Row> rows;
+  for (const Eigen::VectorXd& sum : sums) rows.push_back(sum.sparseView());
+  return rows;
+}
+
+// A storey without height, as on bearings, has its floor above and all other nodes at this height below.
+std::vector<bool> nodes_above(const Frame& frame, const FrameFloor& floor, double cut) {
+  constexpr double level = 1e-6;  // [m]
+  std::vector<bool> above;
+  for (int node = 0; node < frame.nodes(); ++node) {
+    const double height = frame.position(node).z() - cut;
+    const bool of_floor = node == floor.master || std::find(floor.nodes.begin(), floor.nodes.end(), node) != floor.nodes.end();
+    above.push_back(std::abs(height) < level ? of_floor : height > 0);
+  }
+  return above;
+}
+
+}  // namespace
+
+std::vector<std::vector<bool>> storey_cuts(const FrameModel& model) {
+  std::vector<std::vector<bool>> above;
+  double below = lowest_support(model);
+  for (const FrameFloor& of : model.floors) {
+    const double height = mean_height(model.frame, of.nodes);
+    above.push_back(nodes_above(model.frame, of, (below + height) / 2));
+    below = height;
+  }
+  return above;
+}
+
+Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& frame, const Eigen::MatrixX3d& enforced) {
+  const std::vector<std::vector<bool>> above = storey_cuts(model);
+  const int directions = frame.dimension - 1;
+  const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
+  Eigen::MatrixX3d shears = Eigen::MatrixX3d::Zero(static_cast<int>(above.size()) * directions, 3);
+  for (std::size_t floor = 0; floor < above.size(); ++floor) {
+    auto sum = shears.middleRows(static_cast<int>(floor) * directions, directions);
+    for (int member = 0; member < model.frame.members(); ++member) {
+      const auto [start, end] = model.frame.ends(member);
+      if (above[floor][start] == above[floor][end]) continue;
+      const Eigen::Matrix<double, 12, 3> forces = model.frame.enforced_end_forces(member, enforced);
+      const Eigen::Matrix3d in_space =
+          model.frame.beam(member).axes().transpose() * forces.middleRows<3>(above[floor][start] ? 0 : 6);
+      sum += in_space.topRows(directions);
+    }
+    for (const FrameSpring& spring : model.frame.springs()) {
+      const int direction = static_cast<int>(spring.dof);
+      if (above[floor][spring.start] == above[floor][spring.end] || direction >= directions) continue;
+      const double sign = above[floor][spring.start] ? 1 : -1;  // ux and uy come first
+      sum.row(direction) += sign * spring.stiffness * (enforced.row(spring.start * dofs + direction) - enforced.row(spring.end * dofs + direction));
+    }
+  }
+  return shears;
+}
+
+std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame) {
+  const std::vector<std::vector<bool>> above = storey_cuts(model);
+  std::vector<Floor> floors;
+  for (const FrameFloor& of : model.floors) {
+    Floor floor;
+    floor.label = of.label;
+    floor.mass = mass_along_x(frame, of.nodes);
+    floor.elevation = of.elevation;
+    floor.motion = floor_motion(model, frame, of);
+    floor.storey_shear = shear_through(model, frame, above[floors.size()]);
+    floors.push_back(std::move(floor));
+  }
+  return floors;
+}
+
+}  // namespace pounding

@@ -1,0 +1,215 @@
+/// From what is said of a link to its contacts: points, names, laws.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
+#include <pounding/model/contact_law.hpp>
+#include <pounding/model/facing.hpp>
+
+namespace pounding {
+namespace {
+
+// Where sliding does not say: slower than this, friction grows with the velocity [m/s].
+constexpr double usual_sliding = 5e-3;
+
+[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
+[[noreturn]] void refuse_idle(ModelOption option, const std::string& text) { throw ModelError(option, text).as_idle(); }
+
+std::string text_of(const PairEnd& end, const Structure& s) {
+  if (end.elevation) return fmt::format("{}@{:.6g}m", s.name, *end.elevation);
+  if (!end.node.empty()) return fmt::format("{}:{}", s.name, end.node);
+  return end.is_numbered && end.floor ? fmt::format("{}.{}", s.name, *end.floor + 1) : s.name;
+}
+
+// Where along the common edge of two floors the contact points lie.
+std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a, const Structure& b, Side side) {
+  const auto edge = [](const PairEnd& end, const Structure& s, Side own) -> std::optional<std::array<double, 2>> {
+    if (!end.floor || s.dimension < 3) return {};
+    return s.surface->edge(*end.floor, own);
+  };
+  const auto first = edge(pair.left, a, side), second = edge(pair.right, b, opposite(side));
+  if (!first && !second) {
+    if (points.value_or(1) > 1)
+      refuse_idle(ModelOption::points, "several points need floors of structures in space on both sides; leave it out");
+    return {0};
+  }
+  const std::array<double, 2> own = first.value_or(*second), other = second.value_or(*first);
+  double low = std::max(own[0], other[0]), high = std::min(own[1], other[1]);
+  if (low > high)
+    refuse(ModelOption::link, fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m; "
+                          "move one by its origin, or link nodes", a.name, b.name, own[0], own[1], other[0], other[1]));
+  const bool wide = first && second && high > low;
+  const int count = points.value_or(wide ? 2 : 1);
+  if (count > 1 && !wide) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
+  if (count == 1) return {0.5 * (low + high)};
+  std::vector<double> along;
+  for (int i = 0; i < count; ++i) along.push_back(low + (high - low) * i / (count - 1));
+  return along;
+}
+
+LinkEnd place_end(const PairEnd& end, const Structure& s, Side side, double along, ModelOption option) {
+  LinkEnd found;
+  found.structure = end.structure;
+  if (end.floor) found.floor = *end.floor;
+  try {
+    if (end.elevation) {
+      found.label = fmt::format("{:.6g} m up", *end.elevation);
+      found.point = s.surface->column(*end.elevation, side, along);
+    } else if (!end.node.empty()) {
+      found.label = "node " + end.node;
+      found.point = s.surface->node(end.node);
+    } else {
+      if (!s.is_rigid()) found.label = "floor " + s.floors[found.floor].label;
+      found.point = s.surface->floor(found.floor, side, along);
+    }
+  } catch (const std::invalid_argument& error) {
+    refuse(option, fmt::format("{}: {}", s.name, error.what()));
+  }
+  return found;
+}
+
+double displacement_along(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Row& row = end.point.motion[i];
+    if (row.nonZeros() == 0 || direction[i] == 0) continue;
+    sum += direction[i] * row.dot(s.initial_displacement);
+    if (s.at_rest.size() > 0) sum += direction[i] * row.dot(s.at_rest);
+  }
+  return sum;
+}
+
+// Points that have no mass of their own in the way of the contact could be given any velocity at once.
+void require_inertia(const LinkEnd& end, const Structure& s, Side side, ModelOption option) {
+  if (s.is_rigid()) return;
+  const int axis = side == Side::plus_x || side == Side::minus_x ? 0 : 1;
+  if (end.point.motion[axis].nonZeros() == 0)
+    refuse(option, fmt::format("{} of {} is held by its support and cannot be hit; name a floor, or a node that moves", end.label, s.name));
+  if (end.point.mass > 0) return;
+  refuse(option, fmt::format("{} of {} has no mass; give it one, or name a floor", end.label, s.name));
+}
+
+double reduced_mass(double left, double right) {
+  if (std::isinf(left)) return right;
+  if (std::isinf(right)) return left;
+  return left * right / (left + right);
+}
+
+// One link of several pairs, or of one that meets at several points.
+std::string name_of(const LinkOptions& options, const LinkPair& pair, const Structure& a, const Structure& b, int number, bool is_one) {
+  if (!options.name) return text_of(pair.left, a) + "-" + text_of(pair.right, b);
+  return is_one ? *options.name : fmt::format("{}.{}", *options.name, number + 1);
+}
+
+void check_name(const std::string& name, const LinkOptions& options, const std::vector<Link>& others) {
+  const bool is_given = options.name.has_value();
+  if (is_given && (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos))
+    refuse(ModelOption::link_name,
+           "a name must not be empty, \".\" or \"..\", or contain \"/\"; type a name such as third_floor");
+  for (const Link& other : others)
+    if (other.name == name)
+      refuse(is_given ? ModelOption::link_name : ModelOption::between,
+             fmt::format("a link \"{}\" exists already; give this one a name of its own, such as name: second", name));
+}
+
+void check_options(const LinkOptions& options, const ContactLaw& law) {
+  if (options.gap.empty()) refuse(ModelOption::gap, "the gap is missing; give it, as in {.gap = 0.02}");
+  if (options.points && (*options.points < 1 || *options.points > 100))
+    refuse(ModelOption::points, fmt::format("takes an integer from 1 to 100; {} was given", *options.points));
+  if (options.reduced_mass && !(*options.reduced_mass > 0 && std::isfinite(*options.reduced_mass)))
+    refuse(ModelOption::reduced_mass, "reduced_mass must be positive and finite");
+  if (options.reduced_mass && law.reduced_mass() > 0)
+    refuse(ModelOption::reduced_mass, "the reduced mass is given twice, by the law and by the link; keep one of the two");
+  if (options.sliding_velocity && !options.friction)
+    refuse_idle(ModelOption::sliding_velocity, "belongs to friction; type friction: 0.3 beside it, or leave it out");
+}
+
+std::vector<double> gaps_of(const LinkOptions& options, int count) {
+  try {
+    const std::vector<double> gaps = options.gap.of_each(count, "gap");
+    for (const double gap : gaps)
+      if (!(gap >= 0) || std::isinf(gap)) throw std::invalid_argument("gap must be finite and not negative");
+    return gaps;
+  } catch (const std::invalid_argument& error) {
+    refuse(ModelOption::gap, error.what());
+  }
+}
+
+void set_law(Link& link, const LinkOptions& options, const ContactLaw& law, double of_ends, int number) {
+  link.reduced_mass_given = options.reduced_mass.has_value() || law.reduced_mass() > 0;
+  link.reduced_mass = options.reduced_mass ? *options.reduced_mass : law.reduced_mass() > 0 ? law.reduced_mass() : of_ends;
+  try {
+    ContactLaw::Made made = law.make(link.reduced_mass, link.gap, number);
+    link.law = std::move(made.name);
+    link.formula = std::move(made.formula);
+    link.parameters = std::move(made.parameters);
+    link.contact = std::move(made.contact);
+  } catch (const std::invalid_argument& error) {
+    refuse(ModelOption::law, error.what());
+  }
+}
+
+void set_friction(Link& link, const LinkOptions& options, const Structure& a, const Structure& b) {
+  if (!options.friction) return;
+  link.friction = *options.friction;
+  link.sliding_velocity = options.sliding_velocity.value_or(usual_sliding);
+  if (!(link.friction >= 0) || std::isinf(link.friction)) refuse(ModelOption::friction, "friction must be finite and not negative");
+  if (!(link.sliding_velocity > 0) || std::isinf(link.sliding_velocity))
+    refuse(ModelOption::sliding_velocity, "sliding_velocity must be positive and finite");
+  const auto slides = [](const Structure& s) { return !s.is_rigid() && s.dimension > 1; };
+  if (!slides(a) && !slides(b))
+    refuse_idle(ModelOption::friction, "needs a frame: the others move along x only and cannot slide; leave it out");
+  if (link.contact->is_rigid())
+    refuse_idle(ModelOption::friction, "needs a law with a force; a stereomechanical contact gives velocities only");
+}
+
+void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
+  const double overlap =
+      displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
+  if (overlap > 0)
+    refuse(ModelOption::gap,
+           fmt::format("{} and {} overlap by {} at the start; a gap of {} or more keeps them apart", a.name, b.name,
+                       format_quantity(overlap, dimension::length), format_quantity(overlap + link.gap, dimension::length)));
+}
+
+}  // namespace
+
+void Model::link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options, const ContactLaw& law) {
+  require_open();
+  const std::vector<LinkPair> pairs = pairs_of(*this, left, right, options.floors);
+  const Structure &a = structures[left.structure], &b = structures[right.structure];
+  const Side side = facing_side(a, b);
+  check_options(options, law);
+  const int count = static_cast<int>(pairs.size());
+  const std::vector<double> gaps = gaps_of(options, count);
+  for (int i = 0; i < count; ++i) {
+    const std::vector<double> along = along_the_edge(options.points, pairs[i], a, b, side);
+    for (std::size_t k = 0; k < along.size(); ++k) {
+      Link link;
+      link.left = place_end(pairs[i].left, a, side, along[k], ModelOption::left);
+      link.right = place_end(pairs[i].right, b, opposite(side), along[k], ModelOption::right);
+      require_inertia(link.left, a, side, ModelOption::left);
+      require_inertia(link.right, b, side, ModelOption::right);
+      link.direction = outward(side);
+      link.gap = gaps[i];
+      link.name = name_of(options, pairs[i], a, b, i, count == 1);
+      if (along.size() > 1) link.name += fmt::format("#{}", k + 1);
+      check_name(link.name, options, links);
+      // Points that press together share the masses of their floors.
+      const double share = static_cast<double>(along.size());
+      set_law(link, options, law, reduced_mass(link.left.point.mass / share, link.right.point.mass / share),
+              static_cast<int>(links.size()));
+      set_friction(link, options, a, b);
+      refuse_overlap(link, a, b);
+      links.push_back(std::move(link));
+    }
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,77 @@
+#pragma once
+/// A contact law of any type, as a model takes it for a link.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <pounding/laws/all.hpp>
+#include <pounding/links/gap_link.hpp>
+
+namespace pounding {
+
+/// A law of the library, a law by name (laws::Settings), or a user's own struct of the form that laws/law.hpp describes. A model
+/// makes one contact a link of it and sets its reduced mass to that of the bodies at the link's ends, unless one is given.
+class ContactLaw {
+ public:
+  /// A contact, and what reports say of its law.
+  struct Made {
+    std::string name, formula;
+    std::vector<laws::ResolvedValue> parameters;  ///< calibrated damping included
+    std::unique_ptr<Contact> contact;
+  };
+
+  ContactLaw(const laws::AnyLaw& law);
+  ContactLaw(const laws::Settings& settings);
+  template <class Law>
+    requires requires(const Law& law) {
+      law.check();
+      law.name;
+    }
+  ContactLaw(const Law& law) {
+    if constexpr (requires { law.reduced_mass; }) reduced_mass_ = law.reduced_mass;
+    make_ = [law](double reduced_mass, double gap, int link) {
+      Law own = law;
+      if constexpr (requires { own.reduced_mass; }) own.reduced_mass = reduced_mass;
+      if constexpr (is_of_the_library<Law>(static_cast<laws::AnyLaw*>(nullptr))) return made(laws::AnyLaw(own), gap, link);
+      else return made_of_own(own, gap, link);
+    };
+  }
+
+  /// The reduced mass that the law was given by its user [kg]; 0 for none.
+  double reduced_mass() const noexcept { return reduced_mass_; }
+  /// A contact of this law with a gap [m] for the link with this number. Throws std::invalid_argument for what the law refuses.
+  Made make(double reduced_mass, double gap, int link) const { return make_(reduced_mass, gap, link); }
+
+ private:
+  template <class Law, class... L>
+  static constexpr bool is_of_the_library(std::variant<L...>*) {
+    return (std::is_same_v<Law, L> || ...);
+  }
+
+  static Made made(const laws::AnyLaw& law, double gap, int link);
+
+  template <class Law>
+  static Made made_of_own(const Law& law, double gap, int link) {
+    Made made{.name = std::string(Law::name), .formula = {}, .parameters = {}, .contact = nullptr};
+    law.check();
+    constexpr bool has_table = requires { Law::parameters; };
+    constexpr bool names_its_damping = requires {
+      Law::number;
+      Law::coefficient;
+    };
+    if constexpr (has_table && (!laws::has_damping<Law> || names_its_damping)) made.parameters = laws::by_name::describe(law, 1);
+    if constexpr (laws::instantaneous<Law>) made.contact = std::make_unique<RigidGapLink>(law.restitution, gap, link);
+    else made.contact = std::make_unique<GapLink<Law>>(law, gap, link);
+    return made;
+  }
+
+  double reduced_mass_ = 0;
+  std::function<Made(double, double, int)> make_;
+};
+
+}  // namespace pounding

@@ -1,0 +1,196 @@
+#include <pounding/model/facing.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace pounding {
+namespace {
+
+// Floors that differ by less than this part of their elevation are level.
+constexpr double level = 1e-6;
+
+[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
+
+bool is_level(double a, double b) { return std::abs(a - b) <= level * std::max({std::abs(a), std::abs(b), 1e-3}); }
+
+bool has_elevations(const Structure& s) {
+  return !s.floors.empty() && std::all_of(s.floors.begin(), s.floors.end(), [](const Floor& f) { return f.elevation.has_value(); });
+}
+
+// Structures without columns to hit, or without heights: floors are paired by their numbers.
+std::vector<LinkPair> floors_by_number(int a, int b, const Structure& left, const Structure& right) {
+  if (left.is_rigid() && right.is_rigid()) refuse(ModelOption::between, "both ends are walls; one of them must be able to move");
+  for (const Structure* s : {&left, &right})
+    if (!s->is_rigid() && s->floors.empty())
+      refuse(ModelOption::between, fmt::format("{0} has no floors; name a node, as in {{structure: {0}, node: NAME}}, and leave \"floors\" out", s->name));
+  const int floors_left = static_cast<int>(left.floors.size()), floors_right = static_cast<int>(right.floors.size());
+  const int count = left.is_rigid() ? floors_right : right.is_rigid() ? floors_left : std::min(floors_left, floors_right);
+  const bool placed = has_elevations(left) && has_elevations(right);
+  std::vector<LinkPair> pairs;
+  for (int i = 0; i < count; ++i) {
+    if (placed && !is_level(*left.floors[i].elevation, *right.floors[i].elevation))
+      refuse(ModelOption::between, fmt::format("floor {0} of {1} is {2:.6g} m up and floor {0} of {3} {4:.6g} m: they do not face each other; "
+                               "without \"floors: all\" a link names its two floors, as in [{1}.{0}, {3}.{0}]",
+                               i + 1, left.name, *left.floors[i].elevation, right.name, *right.floors[i].elevation));
+    LinkPair pair{{.structure = a, .is_numbered = true}, {.structure = b, .is_numbered = true}};
+    if (!left.is_rigid()) pair.left.floor = i;
+    if (!right.is_rigid()) pair.right.floor = i;
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+std::vector<LinkPair> facing_floors(FacingFloors choice, int a, int b, const Structure& left,
+                                const Structure& right) {
+  const bool sticks = left.dimension == 1 && right.dimension == 1 && choice == FacingFloors::all;
+  if (sticks || !has_elevations(left) || !has_elevations(right)) return floors_by_number(a, b, left, right);
+  const double lower_roof = std::min(*left.floors.back().elevation, *right.floors.back().elevation);
+  const auto facing = [](const Structure& other, double elevation) -> std::optional<int> {
+    for (std::size_t j = 0; j < other.floors.size(); ++j)
+      if (is_level(*other.floors[j].elevation, elevation)) return static_cast<int>(j);
+    return {};
+  };
+  struct Placed {
+    double elevation;
+    LinkPair pair;
+  };
+  std::vector<Placed> pairs;
+  const auto visit = [&](const Structure& s, const Structure& other, bool from_left) {
+    for (std::size_t i = 0; i < s.floors.size(); ++i) {
+      const double z = *s.floors[i].elevation;
+      const std::optional<int> partner = facing(other, z);
+      if (partner && !from_left) continue;  // found from the left
+      if (!partner && z > lower_roof * (1 + level)) continue;
+      if (!partner && choice == FacingFloors::level) continue;
+      if (!partner && choice == FacingFloors::all)
+        refuse(ModelOption::between, fmt::format("floor {} of {} is {:.6g} m up and faces no floor of {}; type floors: any to let it hit the column "
+                                 "there, or floors: level to link only those that face each other",
+                                 i + 1, s.name, z, other.name));
+      LinkPair pair{{.structure = a, .is_numbered = true}, {.structure = b, .is_numbered = true}};
+      PairEnd& own = from_left ? pair.left : pair.right;
+      PairEnd& met = from_left ? pair.right : pair.left;
+      own.floor = static_cast<int>(i);
+      if (partner)
+        met.floor = partner;
+      else
+        met.elevation = z;
+      pairs.push_back({z, pair});
+    }
+  };
+  visit(left, right, true);
+  visit(right, left, false);
+  if (pairs.empty())
+    refuse(ModelOption::between, fmt::format("no floor of {} is level with one of {}; type floors: any to let floors hit the columns", left.name,
+                             right.name));
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Placed& x, const Placed& y) { return x.elevation < y.elevation; });
+  std::vector<LinkPair> sorted;
+  for (Placed& placed : pairs) sorted.push_back(std::move(placed.pair));
+  return sorted;
+}
+
+// Without a choice of floors the structure must have one that can be meant.
+void complete(PairEnd& end, const Structure& s, ModelOption side) {
+  if (s.is_rigid()) {
+    if (end.elevation || !end.node.empty()) refuse(side, fmt::format("\"{}\" is a wall; type {}", s.name, s.name));
+    return;
+  }
+  if (end.floor || end.elevation || !end.node.empty()) return;
+  if (s.floors.size() == 1) {
+    end.floor = 0;
+    return;
+  }
+  if (s.floors.empty()) refuse(side, fmt::format("{0} has no floors; name a node, as in {{structure: {0}, node: NAME}}", s.name));
+  refuse(side, fmt::format("which of the {} floors of {}? Type {}.{}, or add floors: all", s.floors.size(), s.name, s.name,
+                         s.floors.size()));
+}
+
+void require_structure(const Model& model, int number, ModelOption side) {
+  if (number < 0 || number >= static_cast<int>(model.structures.size()))
+    refuse(side, fmt::format("there is no structure {} among {}; add() gives the one to link", number, model.structures.size()));
+}
+
+PairEnd end_of(const ContactLocation& location, const Structure& s, ModelOption side) {
+  PairEnd end{.structure = location.structure, .elevation = location.elevation, .node = location.node};
+  if (!location.floor) return end;
+  try {
+    require_floor(s, *location.floor, fmt::format("{}.{}", s.name, *location.floor));
+  } catch (const std::invalid_argument& error) {
+    refuse(side, error.what());
+  }
+  end.floor = *location.floor - 1;
+  end.is_numbered = true;
+  return end;
+}
+
+}  // namespace
+
+Side facing_side(const Structure& a, const Structure& b) {
+  const auto first = a.surface->plan(), second = b.surface->plan();
+  if (!first || !second) return Side::plus_x;
+  const auto [ax0, ax1, ay0, ay1] = *first;
+  const auto [bx0, bx1, by0, by1] = *second;
+  const double rounding = 1e-9 * std::max({1.0, std::abs(ax1), std::abs(bx1), std::abs(ay1), std::abs(by1)});
+  const auto beside = [&](double a0, double a1, double b0, double b1, Side plus, Side minus) -> std::optional<Side> {
+    // Where both have no width and stand at one place neither is beside the other.
+    if (a1 - a0 + b1 - b0 <= rounding && std::abs(b0 - a0) <= rounding) return {};
+    if (b0 >= a1 - rounding) return plus;
+    if (a0 >= b1 - rounding) return minus;
+    return {};
+  };
+  std::optional<Side> along_x = beside(ax0, ax1, bx0, bx1, Side::plus_x, Side::minus_x);
+  if (a.dimension < 3 && b.dimension < 3) return along_x.value_or(Side::plus_x);
+  std::optional<Side> along_y = beside(ay0, ay1, by0, by1, Side::plus_y, Side::minus_y);
+  // A frame whose end lies in the line of the other one's edge is apart from it the other way only.
+  const double apart_x = std::max(bx0 - ax1, ax0 - bx1), apart_y = std::max(by0 - ay1, ay0 - by1);
+  if (along_x && along_y && apart_x > rounding && apart_y <= rounding) along_y.reset();
+  if (along_x && along_y && apart_y > rounding && apart_x <= rounding) along_x.reset();
+  std::vector<Side> sides;
+  for (const auto& side : {along_x, along_y})
+    if (side) sides.push_back(*side);
+  if (sides.empty())
+    refuse(ModelOption::between, fmt::format("{0} and {1} stand on each other: {0} reaches from x = {2:.6g} m to {3:.6g} m and from y = {4:.6g} m "
+                             "to {5:.6g} m, {1} from x = {6:.6g} m to {7:.6g} m and from y = {8:.6g} m to {9:.6g} m; give one of "
+                             "them an origin, such as origin: [{10:.6g} m, 0 m]",
+                             a.name, b.name, ax0, ax1, ay0, ay1, bx0, bx1, by0, by1, ax1 + 0.1));
+  if (sides.size() > 1)
+    refuse(ModelOption::between, fmt::format("{} and {} stand apart along x and along y: no side of the one faces the other; "
+                             "move one by its origin", a.name, b.name));
+  return sides.front();
+}
+
+void require_floor(const Structure& s, int number, const std::string& text) {
+  const auto fail = [](const std::string& refusal) { throw std::invalid_argument(refusal); };
+  const int count = static_cast<int>(s.floors.size());
+  if (s.is_rigid()) fail(fmt::format("\"{}\" is a wall and has no floors; type {}", s.name, s.name));
+  if (count == 0) fail(fmt::format("{} has no floors; name a node, as in {{structure: {}, node: NAME}}", s.name, s.name));
+  if (count == 1 && number != 1)
+    fail(fmt::format("\"{}\" names no floor of {}, which has one; type {}", text, s.name, s.name));
+  if (number < 1 || number > count)
+    fail(fmt::format("\"{}\" names no floor of {}, which has the floors 1 to {}; type {}.{}", text, s.name, count, s.name, count));
+}
+
+std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, const ContactLocation& right,
+                               std::optional<FacingFloors> floors) {
+  require_structure(model, left.structure, ModelOption::left);
+  require_structure(model, right.structure, ModelOption::right);
+  const Structure &a = model.structures[left.structure], &b = model.structures[right.structure];
+  PairEnd first = end_of(left, a, ModelOption::left), second = end_of(right, b, ModelOption::right);
+  if (left.structure == right.structure)
+    refuse(ModelOption::between, fmt::format("\"{}\" cannot hit itself; name two structures, the left one first", a.name));
+  if (floors) {
+    const auto is_named = [](const PairEnd& end) { return end.floor || end.elevation || !end.node.empty(); };
+    if (is_named(first) || is_named(second))
+      throw ModelError(ModelOption::floors, "names all floors, but \"between\" names one; keep one of the two").as_idle();
+    return facing_floors(*floors, left.structure, right.structure, a, b);
+  }
+  complete(first, a, ModelOption::left);
+  complete(second, b, ModelOption::right);
+  if (a.is_rigid() && b.is_rigid()) refuse(ModelOption::between, "both ends are walls; one of them must be able to move");
+  return {{first, second}};
+}
+
+}  // namespace pounding

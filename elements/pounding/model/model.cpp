@@ -1,0 +1,226 @@
+#include <pounding/model/model.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
+#include <pounding/model/ground_plan.hpp>
+
+namespace pounding {
+namespace {
+
+// Histories are kept in memory.
+constexpr double max_outputs = 1e7;
+// Supports that a wave reaches within this way of each other move alike [m].
+constexpr double together = 1e-6;
+
+void require_free_name(const std::string& name, const std::vector<Structure>& others) {
+  for (const Structure& other : others)
+    if (other.name == name)
+      throw ModelError(ModelOption::name, fmt::format("a structure \"{}\" exists already; give this one another name", name));
+}
+
+void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver& modes) {
+  const bool is_damped = !s.damping_note.empty();
+  if (s.is_rigid() || s.is_free) {
+    if (damping)
+      throw ModelError(ModelOption::damping, fmt::format("a {} has no damping of its own; leave it out", s.kind)).as_idle();
+    return;
+  }
+  if (!damping && !is_damped) throw ModelError(ModelOption::structure, "damping is missing; type damping: 5 %, or damping: 0 for none");
+  if (damping && is_damped) throw ModelError(ModelOption::damping, "the structure was made with its damping; keep one of the two");
+  try {
+    if (s.frequencies.size() == 0) set_frequencies(s, modes);
+  } catch (const std::invalid_argument& error) {
+    throw ModelError(ModelOption::structure, error.what());
+  }
+  try {
+    if (damping) set_damping(s, *damping, modes);
+  } catch (const std::invalid_argument& error) {
+    throw ModelError(ModelOption::damping, error.what());
+  }
+}
+
+// What yielded before the start would have to be known.
+void refuse_initial_yield(const Structure& s) {
+  for (std::size_t i = 0; i < s.yielding.size(); ++i) {
+    const double drift = s.initial_displacement[i] - (i > 0 ? s.initial_displacement[i - 1] : 0);
+    const double yield = s.yielding[i].yield_force / s.storey_stiffness[i];
+    if (std::abs(drift) > yield)
+      throw ModelError(ModelOption::initial_displacement,
+                       fmt::format("strains storey {} by {}, and it yields at {}; take less, or an initial_velocity", i + 1,
+                                   format_quantity(drift, dimension::length), format_quantity(yield, dimension::length)));
+  }
+}
+
+// Floors of a structure along x are its unknowns; a frame as a whole moves along x, with all its supports.
+Eigen::VectorXd initial_motion(const OneOrEach& given, const Structure& s, ModelOption option, const char* what) {
+  if (given.empty()) return Eigen::VectorXd::Zero(s.size());
+  if (s.is_rigid()) throw ModelError(option, "a wall moves with the ground; leave it out").as_idle();
+  try {
+    if (s.dimension > 1) {
+      Eigen::VectorXd whole = Eigen::VectorXd::Zero(s.size());
+      for (const Support& support : s.supports) whole += support.influence.col(0);
+      return given.of_each(1, what).front() * whole;
+    }
+    const std::vector<double> values = given.of_each(s.size(), what);
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), s.size());
+  } catch (const std::invalid_argument& error) {
+    throw ModelError(option, error.what());
+  }
+}
+
+void set_initial_motion(Structure& s, const StructureOptions& options) {
+  s.initial_velocity = initial_motion(options.initial_velocity, s, ModelOption::initial_velocity, "initial_velocity");
+  if (!options.initial_displacement.empty() && s.dimension > 1 && !s.is_rigid())
+    throw ModelError(ModelOption::initial_displacement, "a frame starts from its place at rest; leave it out, or give an initial_velocity")
+        .as_idle();
+  s.initial_displacement =
+      initial_motion(options.initial_displacement, s, ModelOption::initial_displacement, "initial_displacement");
+  refuse_initial_yield(s);
+}
+
+bool is_still(const GroundComponents& ground) {
+  return std::all_of(ground.begin(), ground.end(), [](const GroundMotion& motion) { return motion.is_still(); });
+}
+
+// Components that structures of at most this dimension cannot follow would say nothing.
+void refuse_idle_components(const GroundComponents& ground, int dimension, int structure) {
+  const auto refuse = [&](int axis, const std::string& text) {
+    throw ModelError(ModelOption::ground_component, structure, text).along(axis).as_idle();
+  };
+  const bool of_one = structure >= 0;
+  if (!ground[1].is_still() && dimension < 3)
+    refuse(1, fmt::format("{} in space; leave the motion along y out", of_one ? "the structure is not" : "no structure is"));
+  if (!ground[2].is_still() && dimension < 2)
+    refuse(2, fmt::format("{} up and down; leave the motion along z out",
+                          of_one ? "the structure does not move" : "no structure moves"));
+}
+
+}  // namespace
+
+void require_structure_name(const std::string& name) {
+  if (name.empty() || name.find_first_of("/.") != std::string::npos)
+    throw ModelError(ModelOption::name, "a name must not be empty or contain \".\" or \"/\"; type a name such as left_building");
+}
+
+void Model::require_open() const {
+  if (is_on_ground_) throw std::logic_error("this model is complete; nothing can be added to it");
+}
+
+StructureHandle Model::add(const std::string& name, Structure s, const StructureOptions& options) {
+  require_open();
+  require_structure_name(name);
+  require_free_name(name, structures);
+  s.name = name;
+  if (s.damping.size() == 0) s.damping.resize(s.size(), s.size());
+  if (!s.is_rigid() && count_of_modes(s) == 0)
+    throw ModelError(ModelOption::structure,
+                     "nothing in it has mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 kg/m^3 in a material");
+  damp(s, options.damping, mode_solver);
+  set_initial_motion(s, options);
+  if (!(options.delay >= 0) || std::isinf(options.delay))
+    throw ModelError(ModelOption::delay, "delay must be finite and not negative");
+  structures.push_back(std::move(s));
+  own_ground_.push_back({options.delay, options.ground_motion});
+  return StructureHandle(static_cast<int>(structures.size()) - 1);
+}
+
+std::vector<Support> Model::supports_on_ground(int structure) const {
+  const Structure& s = structures[structure];
+  const OwnGround& own = own_ground_[structure];
+  std::vector<Support> supports;
+  if (ground.wave && !own.motion && s.supports_along) {
+    try {
+      supports = s.supports_along(ground.wave->direction);
+    } catch (const std::invalid_argument& error) {
+      throw ModelError(ModelOption::wave, structure, error.what());
+    }
+  } else {
+    supports = s.supports;
+  }
+  if (own.motion) {
+    refuse_idle_components(*own.motion, s.dimension, structure);
+    for (Support& support : supports)
+      if (!support.motion) support.motion = *own.motion;
+  }
+  for (Support& support : supports) support.delay += own.delay;
+  if (!is_still(ground.components)) return supports;
+  for (const Support& support : supports) {
+    if (support.motion || support.delay == 0) continue;
+    const std::string what = own.delay > 0 ? "" : fmt::format("support {} has a delay, and ", support.name);
+    throw ModelError(ModelOption::delay, structure,
+                     what + "nothing moves the ground here; give a ground_motion, or leave the delay out")
+        .as_idle();
+  }
+  return supports;
+}
+
+void Model::put_on_ground() {
+  if (is_on_ground_) return;
+  std::vector<std::vector<Support>> supports;
+  for (std::size_t i = 0; i < structures.size(); ++i) supports.push_back(supports_on_ground(static_cast<int>(i)));
+  for (std::size_t i = 0; i < structures.size(); ++i) structures[i].supports = std::move(supports[i]);
+  is_on_ground_ = true;
+}
+
+void Model::check_ground() const {
+  int dimension = 1;
+  for (const Structure& s : structures)
+    if (!s.is_rigid()) dimension = std::max(dimension, s.dimension);
+  refuse_idle_components(ground.components, dimension, -1);
+  if (!ground.wave) return;
+  // A wave that arrives everywhere at once would say nothing.
+  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  for (const Structure& s : structures)
+    for (const Support& support : s.supports) {
+      if (support.motion) continue;
+      const double along = support.position.dot(ground.wave->direction);
+      nearest = std::min(nearest, along);
+      farthest = std::max(farthest, along);
+    }
+  if (!(farthest - nearest > together))
+    throw ModelError(ModelOption::wave, "reaches all supports at once; give the frames an origin each, or leave it out").as_idle();
+}
+
+void Model::check_settings() const {
+  const auto refuse = [](const std::string& text) { throw ModelError(ModelOption::analysis, text); };
+  const auto is_time = [](double value) { return value >= 0 && std::isfinite(value); };
+  if (!is_time(analysis.duration) || !is_time(analysis.output_step) || !is_time(analysis.max_step))
+    refuse("duration, output_step and max_step must be finite and not negative");
+  if (!(analysis.tolerance >= min_tolerance && analysis.tolerance <= max_tolerance))
+    refuse(fmt::format("the tolerance lies in [{:g}, {:g}]; {:g} was given", min_tolerance, max_tolerance, analysis.tolerance));
+  if (analysis.duration > 0 && analysis.output_step > analysis.duration)
+    refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step, analysis.duration));
+  if (const double radius = analysis.scheme.spectral_radius; !(radius >= 0 && radius <= 1))
+    refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
+  if (!is_time(checkpoint.every) || !is_time(checkpoint.every_simulated))
+    throw ModelError(ModelOption::checkpoint, "every and every_simulated must be finite and not negative");
+}
+
+void Model::complete() {
+  if (is_complete_) return;
+  if (std::all_of(structures.begin(), structures.end(), [](const Structure& s) { return s.is_rigid(); }))
+    throw ModelError(ModelOption::structures, "no structure that can move; add a body, an oscillator, a shear_building or a frame");
+  check_settings();
+  put_on_ground();
+  check_ground();
+  const GroundPlan plan = ground_plan(*this);
+  if (analysis.duration == 0) analysis.duration = plan.duration();
+  if (analysis.duration == 0) throw ModelError(ModelOption::analysis, "the duration is missing; type analysis: {duration: 10 s}");
+  if (analysis.output_step == 0) {
+    const double sample = plan.sample_step();
+    analysis.output_step = sample > 0 ? std::min(sample, analysis.duration) : analysis.duration / 1000;
+  }
+  if (analysis.duration / analysis.output_step > max_outputs)
+    throw ModelError(ModelOption::analysis,
+                     fmt::format("{:.3g} output times are too many; type analysis: {{output_step: {:.3g}}}",
+                                 analysis.duration / analysis.output_step, analysis.duration / 1e4));
+  is_complete_ = true;
+}
+
+}  // namespace pounding

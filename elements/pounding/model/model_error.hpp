@@ -1,0 +1,71 @@
+#pragma once
+/// What is wrong with a model, and which of its options it concerns.
+
+#include <stdexcept>
+#include <string>
+
+namespace pounding {
+
+/// The option of a model, of a structure or of a link that an error is about.
+enum class ModelOption {
+  // of the model
+  analysis,
+  checkpoint,
+  structures,
+  wave,
+  ground_component,
+  // of a structure
+  structure,
+  name,
+  damping,
+  initial_displacement,
+  initial_velocity,
+  delay,
+  // of a link
+  link,
+  between,
+  left,
+  right,
+  floors,
+  gap,
+  link_name,
+  points,
+  friction,
+  sliding_velocity,
+  reduced_mass,
+  law
+};
+
+/// A model that cannot be. The text says what is wrong and what to give; a reader of inputs finds by the option where in its
+/// file that stands.
+class ModelError : public std::invalid_argument {
+ public:
+  ModelError(ModelOption option, const std::string& text) : std::invalid_argument(text), option_(option) {}
+  /// Of the structure with this number.
+  ModelError(ModelOption option, int structure, const std::string& text)
+      : std::invalid_argument(text), option_(option), structure_(structure) {}
+  /// An option that should not be there at all.
+  ModelError as_idle() const {
+    ModelError copy = *this;
+    copy.is_idle_ = true;
+    return copy;
+  }
+  /// A motion of the ground along this axis, 0 for x.
+  ModelError along(int axis) const {
+    ModelError copy = *this;
+    copy.axis_ = axis;
+    return copy;
+  }
+
+  ModelOption option() const noexcept { return option_; }
+  int structure() const noexcept { return structure_; }  ///< -1: of none, or of one that is not in the model yet
+  int axis() const noexcept { return axis_; }
+  bool is_idle() const noexcept { return is_idle_; }
+
+ private:
+  ModelOption option_;
+  int structure_ = -1, axis_ = 0;
+  bool is_idle_ = false;
+};
+
+}  // namespace pounding

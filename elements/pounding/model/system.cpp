@@ -1,0 +1,39 @@
+#include <pounding/model/system.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace pounding {
+
+void System::check() const {
+  const Eigen::Index ground_count = static_cast<Eigen::Index>(grounds.size());
+  const int frictions_from = contact_count() + static_cast<int>(springs.size());
+  if (load.cols() != ground_count) throw std::invalid_argument("System::load needs one column a ground motion");
+  if (gap_by_ground.size() > 0 && (gap_by_ground.rows() != links() || gap_by_ground.cols() != ground_count))
+    throw std::invalid_argument("System::gap_by_ground needs one row a link and one column a ground motion");
+  if (gravity_offset.size() > 0 && gravity_offset.size() != links())
+    throw std::invalid_argument("System::gravity_offset needs one value a link");
+  if (frictions_from > links()) throw std::invalid_argument("System::gap_jacobian needs one column a contact and a spring");
+  std::vector<bool> taken(static_cast<std::size_t>(links() - frictions_from), false);  // by column behind those of the springs
+  for (const Friction& friction : frictions) {
+    if (!(friction.coefficient >= 0 && std::isfinite(friction.coefficient)))
+      throw std::invalid_argument("the coefficient of a friction must not be negative");
+    if (!(friction.sliding > 0 && std::isfinite(friction.sliding)))
+      throw std::invalid_argument("the sliding velocity of a friction must be positive");
+    if (friction.contact < 0 || friction.contact >= contact_count())
+      throw std::invalid_argument("a friction belongs to a contact that does not exist");
+    if (contacts[friction.contact]->is_rigid())
+      throw std::invalid_argument("a rigid contact takes no friction: its force is not known while it strikes");
+    if (friction.count < 1 || friction.count > 2 || friction.first < frictions_from || friction.first + friction.count > links())
+      throw std::invalid_argument("a friction needs one or two columns of System::gap_jacobian behind those of the springs");
+    for (int i = friction.first; i < friction.first + friction.count; ++i) {
+      if (taken[i - frictions_from]) throw std::invalid_argument("two frictions share a column of System::gap_jacobian");
+      taken[i - frictions_from] = true;
+    }
+  }
+  if (std::find(taken.begin(), taken.end(), false) != taken.end())
+    throw std::invalid_argument("a column of System::gap_jacobian belongs to no contact, spring or friction");
+}
+
+}  // namespace pounding

@@ -1,0 +1,91 @@
+#include <pounding/structures/structure_damping.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/structures/massless.hpp>
+
+namespace pounding {
+namespace {
+
+struct TwoFrequencies {
+  double first, second;  // [rad/s]
+  std::string note;
+};
+
+void check_ratio(double ratio) {
+  if (!(ratio >= 0 && ratio < 1)) throw std::invalid_argument(fmt::format("the damping ratio must lie in [0, 1); {} was given", ratio));
+}
+
+TwoFrequencies points_of(const RayleighDamping& rayleigh, const Structure& s, const ModeSolver& solver) {
+  if (rayleigh.modes && rayleigh.periods) throw std::invalid_argument("give modes or periods of the damping, not both");
+  if (rayleigh.periods) {
+    const auto [t1, t2] = *rayleigh.periods;
+    if (!(t1 > 0 && t2 > 0)) throw std::invalid_argument("the periods of the damping must be positive");
+    return {2 * M_PI / t1, 2 * M_PI / t2, fmt::format("periods {:.6g} s and {:.6g} s", t1, t2)};
+  }
+  const int count = count_of_modes(s);
+  const auto [first, second] = rayleigh.modes.value_or(std::array{1, std::min(2, count)});
+  if (std::min(first, second) < 1 || std::max(first, second) > count)
+    throw std::invalid_argument(fmt::format("modes {} and {} of the damping: there are the modes 1 to {}", first, second, count));
+  const int highest = std::max(first, second);
+  const Eigen::VectorXd w =
+      highest <= s.frequencies.size() ? s.frequencies : solver(s.mass, s.stiffness, highest).frequencies;
+  return {w[first - 1], w[second - 1], fmt::format("modes {} and {}", first, second)};
+}
+
+void use_rayleigh(Structure& s, double ratio, const TwoFrequencies& points) {
+  const Rayleigh factors = rayleigh_damping(ratio, points.first, points.second);
+  s.by_mass = factors.by_mass;
+  s.by_stiffness = factors.by_stiffness;
+  s.damping_note = fmt::format("Rayleigh, {:.4g} % in {}", 100 * ratio, points.note);
+}
+
+void damp(Structure& s, double ratio, const ModeSolver&) {
+  check_ratio(ratio);
+  if (count_of_modes(s) == 1 && s.size() == 1) {
+    s.damping.coeffRef(0, 0) += 2 * ratio * s.frequencies[0] * s.mass.coeff(0, 0);
+    s.damping_note = fmt::format("{:.4g} % of critical", 100 * ratio);
+    return;
+  }
+  if (count_of_modes(s) == 1) return use_rayleigh(s, ratio, {s.frequencies[0], s.frequencies[0], "its only mode"});
+  use_rayleigh(s, ratio, {s.frequencies[0], s.frequencies[1], "modes 1 and 2"});
+}
+
+void damp(Structure& s, const RayleighDamping& rayleigh, const ModeSolver& solver) {
+  check_ratio(rayleigh.ratio);
+  use_rayleigh(s, rayleigh.ratio, points_of(rayleigh, s, solver));
+}
+
+void damp(Structure& s, const ModalDamping& modal, const ModeSolver&) {
+  check_ratio(modal.ratio);
+  const int count = count_of_modes(s);
+  if (count > max_for_modal_damping)
+    throw std::invalid_argument(
+        fmt::format("fills a matrix of {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}", count));
+  // Unknowns without mass take no part in the dashpots, which M Phi shows.
+  const Eigenmodes all = dense_modes(s.mass, s.stiffness, count);
+  s.damping += SparseMatrix(modal_damping(Eigen::MatrixXd(s.mass), all, modal.ratio).sparseView());
+  s.damping_note = fmt::format("modal, {:.4g} % in every mode", 100 * modal.ratio);
+}
+
+}  // namespace
+
+int count_of_modes(const Structure& s) { return static_cast<int>(split_by_mass(s.mass).dynamic.size()); }
+
+void set_frequencies(Structure& s, const ModeSolver& modes) {
+  s.frequencies = s.is_free ? Eigen::VectorXd(Eigen::VectorXd::Zero(1))
+                            : modes(s.mass, s.stiffness, std::min(modes_of_a_structure, count_of_modes(s))).frequencies;
+}
+
+void set_damping(Structure& s, const Damping& damping, const ModeSolver& modes) {
+  if (s.frequencies.size() == 0) throw std::logic_error("the frequencies of a structure come before its damping");
+  if (s.damping.size() == 0) s.damping.resize(s.size(), s.size());
+  std::visit([&](const auto& how) { damp(s, how, modes); }, damping.how());
+}
+
+}  // namespace pounding

@@ -1,0 +1,132 @@
+#include <pounding/stepping/dense_output.hpp>
+
+namespace pounding {
+
+DenseOutput::DenseOutput(const Equations& equations, const StepHistory& history)
+    : equations_(equations),
+      history_(history),
+      needs_whole_state_(equations.pseudo_forces.any() && equations.pseudo_forces.corrects(equations.system.outputs)) {}
+
+void DenseOutput::step_kept() {
+  states_.step_kept();
+  outputs_.step_kept();
+  has_outputs_middle_ = false;
+}
+
+void DenseOutput::forget() {
+  states_.forget();
+  outputs_.forget();
+  has_outputs_middle_ = false;
+}
+
+void DenseOutput::show(const Instant& instant, State& state) const {
+  state.time = instant.time;
+  equations_.solver.physical(instant.motion.col(Instant::u), state.u);
+  equations_.solver.physical(instant.motion.col(Instant::v), state.v);
+  equations_.solver.physical(instant.motion.col(Instant::a), state.a);
+  if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(state.u, state.v, state.a);
+  state.force = instant.force;
+}
+
+void DenseOutput::show(const Instant& instant, OutputQuantities& outputs) const {
+  outputs.time = instant.time;
+  if (needs_whole_state_) {
+    State whole;
+    show(instant, whole);
+    outputs.motion.resize(equations_.system.outputs.cols(), 3);
+    outputs.motion << equations_.system.outputs.transpose() * whole.u, equations_.system.outputs.transpose() * whole.v,
+        equations_.system.outputs.transpose() * whole.a;
+    return;
+  }
+  equations_.solver.observe(instant.motion.leftCols(3), outputs.motion);
+}
+
+template <class View>
+const View& DenseOutput::now_in(Views<View>& views) const {
+  if (!std::exchange(views.has_now, true)) show(history_.now(), views.now);
+  return views.now;
+}
+
+template <class View>
+const View& DenseOutput::begin_in(Views<View>& views) const {
+  if (!std::exchange(views.has_begin, true)) show(history_.begin(), views.begin);
+  return views.begin;
+}
+
+template <class View>
+const View& DenseOutput::end_minus_in(Views<View>& views) const {
+  if (!history_.changed_at_end()) return now_in(views);
+  if (!std::exchange(views.has_end_minus, true)) show(history_.kept().end, views.end_minus);
+  return views.end_minus;
+}
+
+template const State& DenseOutput::now_in(Views<State>&) const;
+template const State& DenseOutput::begin_in(Views<State>&) const;
+template const State& DenseOutput::end_minus_in(Views<State>&) const;
+template const OutputQuantities& DenseOutput::now_in(Views<OutputQuantities>&) const;
+template const OutputQuantities& DenseOutput::begin_in(Views<OutputQuantities>&) const;
+template const OutputQuantities& DenseOutput::end_minus_in(Views<OutputQuantities>&) const;
+
+void DenseOutput::interpolate(double time, Eigen::VectorXd& u_out, Eigen::VectorXd& v_out) const {
+  const State &x = begin(), &y = end_minus();
+  const double h = y.time - x.time;
+  if (!(h > 0)) {
+    u_out = now().u;
+    v_out = now().v;
+    return;
+  }
+  const Cubic cubic((time - x.time) / h, h);
+  u_out = cubic.begin * x.u + cubic.end * y.u + cubic.slope_begin * x.v + cubic.slope_end * y.v;
+  v_out = cubic.begin * x.v + cubic.end * y.v + cubic.slope_begin * x.a + cubic.slope_end * y.a;
+  if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(u_out, v_out);
+}
+
+void DenseOutput::interpolate_acceleration(double time, Eigen::VectorXd& out) const {
+  const State &x = begin(), &y = end_minus();
+  const double h = y.time - x.time;
+  if (!(h > 0)) {
+    out = now().a;
+    return;
+  }
+  const Parabola parabola((time - x.time) / h);
+  Eigen::VectorXd middle;
+  equations_.solver.recover(history_.kept().a_middle);
+  equations_.solver.physical(history_.kept().a_middle, middle);
+  if (equations_.pseudo_forces.any()) {
+    Eigen::VectorXd u_middle, v_middle;
+    interpolate(0.5 * (x.time + y.time), u_middle, v_middle);
+    equations_.pseudo_forces.complete(u_middle, v_middle, middle);
+  }
+  out = parabola.begin * x.a + parabola.middle * middle + parabola.end * y.a;
+}
+
+const Eigen::MatrixXd& DenseOutput::outputs_middle() const {
+  if (std::exchange(has_outputs_middle_, true)) return outputs_middle_;
+  if (needs_whole_state_) {
+    Eigen::VectorXd middle;
+    interpolate_acceleration(0.5 * (begin().time + end_minus().time), middle);
+    outputs_middle_ = equations_.system.outputs.transpose() * middle;
+  } else {
+    equations_.solver.recover(history_.kept().a_middle);
+    equations_.solver.observe(history_.kept().a_middle, outputs_middle_);
+  }
+  return outputs_middle_;
+}
+
+void DenseOutput::interpolate_outputs(double time, Eigen::MatrixXd& out) const {
+  const OutputQuantities &x = outputs_begin(), &y = outputs_end_minus();
+  const double h = y.time - x.time;
+  if (!(h > 0)) {
+    out = outputs().motion;
+    return;
+  }
+  const double s = (time - x.time) / h;
+  const Cubic cubic(s, h);
+  const Parabola parabola(s);
+  out.resize(x.motion.rows(), 3);
+  out.leftCols(2) = cubic.begin * x.motion.leftCols(2) + cubic.end * y.motion.leftCols(2) +
+                    cubic.slope_begin * x.motion.rightCols(2) + cubic.slope_end * y.motion.rightCols(2);
+  out.col(2) = parabola.begin * x.motion.col(2) + parabola.middle * outputs_middle() + parabola.end * y.motion.col(2);
+}
+
+}  // namespace pounding

@@ -1,0 +1,97 @@
+#pragma once
+/// States and output quantities of kept steps, at their ends and in between.
+
+#include <algorithm>
+#include <utility>
+
+#include <pounding/stepping/step_history.hpp>
+
+namespace pounding {
+
+/// Cubic Hermite interpolation: factors of values and slopes at the ends of a step of length h.
+struct Cubic {
+  double begin, end, slope_begin, slope_end;
+
+  /// At s in [0, 1].
+  Cubic(double position, double h) {
+    const double s = std::clamp(position, 0.0, 1.0), r = 1 - s;
+    begin = r * r * (1 + 2 * s);
+    end = s * s * (1 + 2 * r);
+    slope_begin = h * s * r * r;
+    slope_end = -h * s * s * r;
+  }
+};
+
+/// The parabola through values at both ends and the middle of a step.
+struct Parabola {
+  double begin, middle, end;
+
+  /// At s in [0, 1].
+  explicit Parabola(double position) {
+    const double s = std::clamp(position, 0.0, 1.0);
+    begin = (1 - s) * (1 - 2 * s);
+    middle = 4 * s * (1 - s);
+    end = s * (2 * s - 1);
+  }
+};
+
+/// Views of the instants that StepHistory holds, made when first asked for. end_minus is the end of the last kept step as the
+/// step saw it, before events; it is the same object as now where no event changed anything.
+class DenseOutput {
+ public:
+  /// Both must outlive it.
+  DenseOutput(const Equations& equations, const StepHistory& history);
+
+  const State& now() const { return now_in(states_); }
+  const State& begin() const { return begin_in(states_); }
+  const State& end_minus() const { return end_minus_in(states_); }
+  const OutputQuantities& outputs() const { return now_in(outputs_); }
+  const OutputQuantities& outputs_begin() const { return begin_in(outputs_); }
+  const OutputQuantities& outputs_end_minus() const { return end_minus_in(outputs_); }
+  /// Output accelerations at mid-step, from dynamic equilibrium: [quantity, 1].
+  const Eigen::MatrixXd& outputs_middle() const;
+
+  /// Inside the last kept step: displacement and velocity by the cubic, acceleration by the parabola.
+  void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
+  void interpolate_acceleration(double time, Eigen::VectorXd& a) const;
+  void interpolate_outputs(double time, Eigen::MatrixXd& motion) const;
+
+  /// A step was kept: the views of the present become those of its beginning.
+  void step_kept();
+  /// The present instant changed.
+  void now_changed() { states_.has_now = outputs_.has_now = false; }
+  /// All instants changed.
+  void forget();
+
+ private:
+  template <class View>
+  struct Views {
+    View now, begin, end_minus;
+    bool has_now = false, has_begin = false, has_end_minus = false;
+    void forget() { has_now = has_begin = has_end_minus = false; }
+    void step_kept() {
+      if (has_now) std::swap(begin, now);
+      has_begin = has_now;
+      has_now = has_end_minus = false;
+    }
+  };
+
+  void show(const Instant& instant, State& state) const;
+  void show(const Instant& instant, OutputQuantities& outputs) const;
+  template <class View>
+  const View& now_in(Views<View>& views) const;
+  template <class View>
+  const View& begin_in(Views<View>& views) const;
+  template <class View>
+  const View& end_minus_in(Views<View>& views) const;
+
+  const Equations& equations_;
+  const StepHistory& history_;
+  bool needs_whole_state_ = false;  // an output depends on massless degrees of freedom that pseudo-forces correct
+  mutable Views<State> states_;
+  mutable Views<OutputQuantities> outputs_;
+  mutable Eigen::MatrixXd outputs_middle_;
+  mutable bool has_outputs_middle_ = false;
+};
+
+}  // namespace pounding

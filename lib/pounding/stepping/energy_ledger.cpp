@@ -1,0 +1,77 @@
+#include <pounding/stepping/energy_ledger.hpp>
+
+namespace pounding {
+
+using enum Instant::Column;
+
+void EnergyLedger::add_step(const Equations& equations, const Instant& x, const Trial& kept, std::span<const LinkStep> links) {
+  const double h = kept.h;
+  const Instant& y = kept.end;
+  const int n = equations.solver.size();
+  const Eigen::MatrixXd& load = equations.solver.load();
+  const double *v0 = x.at(v), *v1 = y.at(v), *a0 = x.at(a), *a1 = y.at(a);
+  const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);
+  double input = 0, damping = 0;
+  for (int i = 0; i < n; ++i) {
+    const double vm = 0.5 * (v0[i] + v1[i]) + h / 8 * (a0[i] - a1[i]);
+    const double cvm = 0.5 * (cv0[i] + cv1[i]) + h / 8 * (ca0[i] - ca1[i]);
+    damping += simpson_sum(v0[i], cv0[i], vm, cvm, v1[i], cv1[i]);
+  }
+  for (Eigen::Index k = 0; k < load.cols(); ++k) {
+    const double* p = load.col(k).data();
+    const double begin = x.ground[k], middle = kept.ground_middle[k], end = y.ground[k];
+    if (k > 0 && begin == 0 && middle == 0 && end == 0) continue;
+    for (int i = 0; i < n; ++i) {
+      const double vm = 0.5 * (v0[i] + v1[i]) + h / 8 * (a0[i] - a1[i]);
+      input += p[i] * simpson_sum(begin, v0[i], middle, vm, end, v1[i]);
+    }
+  }
+  input_ -= h / 6 * input;
+  damping_ += h / 6 * damping;
+  if (equations.links.moved())
+    for (int i = 0; i < equations.links.size(); ++i)
+      on_ground_ += h / 6 * simpson_sum(links[i].force_begin, x.by_ground(i, v), links[i].force_middle,
+                                        kept.by_ground_middle(i, v), links[i].force_end, y.by_ground(i, v));
+  for (std::size_t k = 0; k < friction_.size(); ++k) {
+    const Friction& friction = equations.links.frictions()[k];
+    for (const LinkStep& step : links.subspan(friction.first, friction.count))
+      friction_[k] += h / 6 * simpson_sum(step.force_begin, step.motion_begin.rate, step.force_middle, step.motion_middle.rate,
+                                          step.force_end, step.motion_end.rate);
+  }
+}
+
+Energies EnergyLedger::energies(const Equations& equations, const Instant& now) const {
+  const StructureSolver& solver = equations.solver;
+  const Eigen::MatrixXd& x = now.motion;
+  momentum_.resize(solver.size());
+  solver.mass_times(x.col(v), momentum_);
+  std::vector<double> sums{input_, damping_, 0.5 * momentum_.dot(x.col(v)), 0.5 * x.col(u).dot(x.col(ku))};
+  solver.combine(sums);
+  Energies e;
+  e.input = given_ + on_ground_ + sums[0];
+  e.damping = sums[1];
+  e.kinetic = sums[2];
+  e.strain = sums[3];
+  if (equations.pseudo_forces.any()) {
+    Eigen::VectorXd whole;
+    solver.physical(x.col(u), whole);
+    e.strain += equations.pseudo_forces.energy(whole);
+  }
+  for (const Spring* spring : equations.system.springs) {
+    e.hysteretic += spring->lost();
+    e.strain += spring->stored_correction();
+  }
+  for (const Contact* contact : equations.system.contacts) e.impact += contact->work();
+  for (const double work : friction_) e.impact += work;
+  return e;
+}
+
+void EnergyLedger::archive(Archive& archive) {
+  archive(input_);
+  archive(damping_);
+  archive(on_ground_);
+  archive(friction_);
+  archive(given_);
+}
+
+}  // namespace pounding

@@ -1,0 +1,169 @@
+#include <pounding/stepping/equations.hpp>
+
+#include <Eigen/QR>
+#include <algorithm>
+
+namespace pounding {
+namespace {
+
+const System& checked(const System& system) {
+  system.check();
+  return system;
+}
+
+RigidContacts rigid_contacts(const System& system, const StructureSolver& solver) {
+  RigidContacts rigid;
+  if (std::none_of(system.contacts.begin(), system.contacts.end(), [](const Contact* c) { return c->is_rigid(); })) return rigid;
+  rigid.response = Eigen::MatrixXd::Zero(solver.size(), system.contact_count());
+  for (int i = 0; i < system.contact_count(); ++i) {
+    solver.add_forces(1, Eigen::VectorXd::Unit(system.links(), i), rigid.response.col(i));
+    solver.accelerate(rigid.response.col(i));
+    solver.recover(rigid.response.col(i));
+  }
+  solver.gather(rigid.response, rigid.flexibility);
+  return rigid;
+}
+
+}  // namespace
+
+Equations::Equations(const System& of_system, StructureSolver& of_solver, bool carries)
+    : system(checked(of_system)),
+      solver(of_solver),
+      links(of_system),
+      supports(of_system, of_solver),
+      pseudo_forces(of_system),
+      rigid(rigid_contacts(of_system, of_solver)),
+      width(carries ? 4 : 3) {
+  for (const StructureSolver::Segment& segment : solver.segments()) own_groups_.push_back(segment.group);
+}
+
+Instant Equations::zero_instant() const {
+  Instant x;
+  x.motion = Eigen::MatrixXd::Zero(solver.size(), Instant::columns);
+  x.force = Eigen::VectorXd::Zero(links.size());
+  x.relative = Eigen::MatrixXd::Zero(links.size(), width);
+  x.ground = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
+  if (links.moved()) x.by_ground = Eigen::MatrixXd::Zero(links.size(), 3);
+  if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
+  return x;
+}
+
+Trial Equations::zero_trial() const {
+  Trial trial;
+  trial.end = zero_instant();
+  trial.a_middle = Eigen::VectorXd::Zero(solver.size());
+  trial.force_middle = Eigen::VectorXd::Zero(links.size());
+  trial.middle.resize(static_cast<std::size_t>(links.size()));
+  trial.ground_middle = trial.end.ground;
+  trial.squares_u.assign(system.groups.size(), 0.0);
+  trial.squares_v.assign(system.groups.size(), 0.0);
+  return trial;
+}
+
+void Equations::multiply(Instant& x, int first, int count) const {
+  using enum Instant::Column;
+  solver.stiffness_times(x.motion.middleCols(first, count), x.motion.middleCols(ku + first, count));
+  const int damped = std::max(first, static_cast<int>(v)), left = first + count - damped;
+  if (left > 0)
+    solver.damping_times(x.motion.middleCols(damped, left), x.motion.middleCols(ku + damped, left),
+                         x.motion.middleCols(cv + damped - v, left));
+}
+
+void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) const {
+  solver.physical(displacement, whole_);
+  pseudo_forces.evaluate(own_groups_, whole_, whole_force_);
+  force.setZero(solver.size());
+  solver.add_physical_forces(whole_force_, force);
+}
+
+void Equations::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step,
+                        Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
+  std::vector<int> held;
+  bool any = false;
+  for (int i = 0; i < links.frictions_from(); ++i) {
+    force[i] = 0;
+    if (links.is_held(i))
+      held.push_back(i);
+    else if (links.is_active(i))
+      force[i] = links.law(i, motions[i]).force;
+    if (inside_step && i < links.contacts()) force[i] = links.contact(i).acting_force(force[i]);
+    any = any || force[i] != 0;
+  }
+  for (const Friction& friction : links.frictions()) {
+    Sliding rates{};
+    for (int j = 0; j < friction.count; ++j) rates[j] = motions[friction.first + j].rate;
+    const FrictionForce answer = friction_force(friction, {.force = force[friction.contact]}, rates);
+    for (int j = 0; j < friction.count; ++j) force[friction.first + j] = answer.force[j];
+  }
+  if (any) solver.add_forces(-1, force, r);
+  solver.accelerate(r);
+  if (held.empty()) return;
+  solver.gather(r, relative_);
+  const int count = static_cast<int>(held.size());
+  Eigen::VectorXd relative(count);
+  for (int i = 0; i < count; ++i) relative[i] = relative_(held[i], 0) + links.ground_part(by_ground, held[i], Instant::a);
+  const Eigen::MatrixXd g = rigid.flexibility(held, held);
+  const Eigen::VectorXd forces = g.completeOrthogonalDecomposition().solve(relative);
+  for (int i = 0; i < count; ++i) {
+    force[held[i]] = forces[i];
+    r -= forces[i] * rigid.response.col(held[i]);
+  }
+}
+
+void Equations::balance(Instant& x) const {
+  using enum Instant::Column;
+  solver.stiffness_times(x.motion.col(v), x.motion.col(kv));
+  solver.damping_times(x.motion.col(v), x.motion.col(kv), x.motion.col(cv));
+  gather(x);
+  supports.accelerations(x.time, x.ground);
+  if (links.moved()) supports.relative_motion(x.time, x.ground, x.by_ground);
+  const Eigen::VectorXd& push = supports.push(x.ground);
+  auto acceleration = x.motion.col(a);
+  acceleration = -push - x.motion.col(ku) - x.motion.col(cv);
+  if (pseudo_forces.any()) acceleration -= x.pseudo_force;
+  motions_.resize(static_cast<std::size_t>(links.size()));
+  for (int i = 0; i < links.size(); ++i) motions_[i] = links.motion(i, x);
+  balance(motions_, x.by_ground, false, x.force, acceleration);
+  solver.recover(acceleration);
+  x.motion.col(carried) = x.motion.col(a);
+  multiply(x, a, width - a);
+  gather(x);
+}
+
+void Equations::balance_middle(const Instant& x, Trial& trial) const {
+  using enum Instant::Column;
+  const double h = trial.h;
+  const Instant& y = trial.end;
+  for (int i = 0; i < links.size(); ++i) {
+    const double relative_displacement =
+        0.5 * (x.relative(i, u) + y.relative(i, u)) + h / 8 * (x.relative(i, v) - y.relative(i, v));
+    const double rate = 0.5 * (x.relative(i, v) + y.relative(i, v)) + h / 8 * (x.relative(i, a) - y.relative(i, a));
+    trial.middle[i] = {links.deformation(i, relative_displacement + links.ground_part(trial.by_ground_middle, i, u)),
+                       rate + links.ground_part(trial.by_ground_middle, i, v)};
+  }
+  const int n = solver.size();
+  const double *ku0 = x.at(ku), *ku1 = y.at(ku), *kv0 = x.at(kv), *kv1 = y.at(kv);
+  const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);
+  const double* push = supports.push(trial.ground_middle).data();
+  double* r = trial.a_middle.data();
+  for (int i = 0; i < n; ++i)
+    r[i] = -push[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) - h / 8 * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
+  if (pseudo_forces.any()) {
+    displacement_ = 0.5 * (x.motion.col(u) + y.motion.col(u)) + h / 8 * (x.motion.col(v) - y.motion.col(v));
+    pseudo_force(displacement_, force_);
+    trial.a_middle -= force_;
+  }
+  balance(trial.middle, trial.by_ground_middle, true, trial.force_middle, trial.a_middle);
+}
+
+void Equations::hold_end(const Instant& begin, Instant& end) const {
+  if (!links.moved()) return;
+  std::vector<int> held;
+  for (int i = 0; i < links.contacts(); ++i)
+    if (links.is_held(i)) held.push_back(i);
+  if (held.empty()) return;
+  solver.gather(end.motion.leftCols(2), relative_);
+  hold_contacts(links, rigid, begin, relative_, held, end);
+}
+
+}  // namespace pounding

@@ -1,0 +1,222 @@
+#include <pounding/stepping/error_norm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pounding {
+namespace {
+
+// Generalized-alpha is of order two: a local error of tolerance^(3/2) makes a global error in proportion to the tolerance.
+constexpr double local_share = 0.25;
+// The embedded scheme of ESDIRK4 is of order three; its error in one step is like the global error of the fourth.
+constexpr double embedded_share = 0.05;
+
+// A contact moves far less than the structures that it joins. No error is resolved below these parts of their motion.
+constexpr double min_contact_rate = 1e-3;
+constexpr double min_contact_penetration = 1e-4;
+
+double allowed_error(const Scheme& scheme, double tolerance) {
+  const double allowed =
+      scheme.kind == Scheme::Kind::esdirk4 ? embedded_share * tolerance : local_share * tolerance * std::sqrt(tolerance);
+  return std::max(allowed, rounding);
+}
+
+}  // namespace
+
+ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double tolerance)
+    : equations_(equations), allowed_(allowed_error(scheme, tolerance)) {
+  const System& system = equations.system;
+  const int links = equations.links.size(), groups = static_cast<int>(system.groups.size());
+  link_groups_.resize(static_cast<std::size_t>(links));
+  for (int i = 0; i < links; ++i)
+    for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
+      for (int k = 0; k < groups; ++k) {
+        const Group& group = system.groups[k];
+        std::vector<int>& joined = link_groups_[i];
+        if (it.row() >= group.first && it.row() < group.first + group.count &&
+            std::find(joined.begin(), joined.end(), k) == joined.end())
+          joined.push_back(k);
+      }
+  rest_size_.assign(system.groups.size(), 0.0);
+  for (int k = 0; k < groups; ++k) {
+    const Group& group = system.groups[k];
+    if (!group.elastic) continue;
+    const auto masses = Eigen::VectorXd(system.mass.diagonal()).segment(group.first, group.count).eval();
+    rest_size_[k] = std::sqrt(masses.dot(group.elastic->at_rest().cwiseAbs2()) / masses.sum());
+  }
+  scales_.displacement.assign(system.groups.size(), 0.0);
+  scales_.velocity.assign(system.groups.size(), 0.0);
+  rate_scale_.assign(static_cast<std::size_t>(links), 0.0);
+  penetration_scale_.assign(static_cast<std::size_t>(links), 0.0);
+  sums_.resize(4 * system.groups.size());
+}
+
+double ErrorNorm::ratio(Trial& trial, const StepError& error, const std::vector<int>& active) {
+  const LinkSet& links = equations_.links;
+  double worst = group_error(trial, error);
+  worst_link_ = -1;
+  if (!active.empty() && active.front() < links.contacts()) {
+    errors_.resize(error.u.size(), 2);
+    errors_.col(0) = error.u;
+    errors_.col(1) = error.v;
+    equations_.solver.gather(errors_, link_errors_);
+    for (const int i : active) {
+      if (i >= links.contacts()) break;
+      const double own = contact_error(i, trial);
+      if (own <= worst) continue;
+      worst = own;
+      worst_link_ = i;
+    }
+  }
+  return worst / allowed_;
+}
+
+// The largest relative error of all groups.
+double ErrorNorm::group_error(Trial& trial, const StepError& error) {
+  const StructureSolver& solver = equations_.solver;
+  const double* w = solver.weights().data();
+  const double *u1 = trial.end.at(Instant::u), *v1 = trial.end.at(Instant::v);
+  const double *error_u = error.u.data(), *error_v = error.v.data();
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  for (const StructureSolver::Segment& s : solver.segments()) {
+    double eu = 0, ev = 0, uu = 0, vv = 0;
+    for (int i = s.first; i < s.first + s.count; ++i) {
+      eu += w[i] * error_u[i] * error_u[i];
+      ev += w[i] * error_v[i] * error_v[i];
+      uu += w[i] * u1[i] * u1[i];
+      vv += w[i] * v1[i] * v1[i];
+    }
+    double* sums = sums_.data() + 4 * s.group;
+    sums[0] += eu, sums[1] += ev, sums[2] += uu, sums[3] += vv;
+  }
+  solver.combine(sums_);
+  double square = 0;
+  for (std::size_t k = 0; k < scales_.displacement.size(); ++k) {
+    const double* sums = sums_.data() + 4 * k;
+    const double mass = solver.group_masses()[k];
+    const double scale_u = scales_.displacement[k], scale_v = scales_.velocity[k];
+    trial.squares_u[k] = sums[2];
+    trial.squares_v[k] = sums[3];
+    square = std::max({square, sums[0] / std::max(scale_u * scale_u * mass, sums[2]),
+                       sums[1] / std::max(scale_v * scale_v * mass, sums[3])});
+    if (!std::isfinite(sums[0] + sums[1] + sums[2] + sums[3])) square = std::numeric_limits<double>::infinity();
+  }
+  return std::sqrt(square);
+}
+
+double ErrorNorm::contact_error(int contact, const Trial& trial) const {
+  const double part_d = std::max(min_contact_penetration, rounding / allowed_);
+  const double part_r = std::max(min_contact_rate, rounding / allowed_);
+  const LinkMotion end = equations_.links.motion(contact, trial.end);
+  double wide_d = 0, wide_r = 0;  // of the bodies that the link joins
+  for (const int k : link_groups_[contact]) {
+    const double mass = equations_.solver.group_masses()[k];
+    wide_d += std::max(scales_.displacement[k], std::sqrt(trial.squares_u[k] / mass));
+    wide_r += std::max(scales_.velocity[k], std::sqrt(trial.squares_v[k] / mass));
+  }
+  const double scale_d = std::max({penetration_scale_[contact], std::abs(end.penetration), part_d * wide_d});
+  const double scale_r = std::max({rate_scale_[contact], std::abs(end.rate), part_r * wide_r});
+  return std::max(std::abs(link_errors_(contact, 0)) / scale_d, std::abs(link_errors_(contact, 1)) / scale_r);
+}
+
+void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v) {
+  const StructureSolver& solver = equations_.solver;
+  const Eigen::VectorXd& w = solver.weights();
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  for (const StructureSolver::Segment& s : solver.segments())
+    for (int i = s.first; i < s.first + s.count; ++i) {
+      const double ui = x.at(Instant::u)[i], vi = x.at(Instant::v)[i];
+      sums_[4 * s.group + 2] += w[i] * ui * ui;
+      sums_[4 * s.group + 3] += w[i] * vi * vi;
+    }
+  solver.combine(sums_);
+  for (std::size_t k = 0; k < squares_u.size(); ++k) {
+    squares_u[k] = sums_[4 * k + 2];
+    squares_v[k] = sums_[4 * k + 3];
+  }
+}
+
+void ErrorNorm::grow(const std::vector<double>& squares_u, const std::vector<double>& squares_v) {
+  const auto raise = [](double& scale, double square, double mass) {
+    if (square > scale * scale * mass) scale = std::sqrt(square / mass);
+  };
+  for (std::size_t k = 0; k < scales_.displacement.size(); ++k) {
+    raise(scales_.displacement[k], squares_u[k], equations_.solver.group_masses()[k]);
+    raise(scales_.velocity[k], squares_v[k], equations_.solver.group_masses()[k]);
+  }
+}
+
+void ErrorNorm::start(const Instant& now) {
+  const std::vector<Group>& groups = equations_.system.groups;
+  std::vector<double> squares_u(groups.size()), squares_v(groups.size());
+  measure(now, squares_u, squares_v);
+  grow(squares_u, squares_v);
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    scales_.displacement[k] = std::max(scales_.displacement[k], groups[k].displacement_floor);
+    scales_.velocity[k] = std::max(scales_.velocity[k], groups[k].velocity_floor);
+  }
+}
+
+void ErrorNorm::learn(const Trial& kept) { grow(kept.squares_u, kept.squares_v); }
+
+void ErrorNorm::learn(int contact, const LinkMotion& end) {
+  rate_scale_[contact] = std::max(rate_scale_[contact], std::abs(end.rate));
+  penetration_scale_[contact] = std::max(penetration_scale_[contact], std::abs(end.penetration));
+}
+
+void ErrorNorm::begin_impact(int contact, double rate) {
+  rate_scale_[contact] = std::abs(rate);
+  penetration_scale_[contact] = 0;
+}
+
+double ErrorNorm::relative_size(const Eigen::VectorXd& change, const Eigen::VectorXd& displacement) const {
+  const StructureSolver& solver = equations_.solver;
+  const std::size_t groups = rest_size_.size();
+  std::vector<double> sums(2 * groups, 0.0);
+  const Eigen::VectorXd& w = solver.weights();
+  for (const StructureSolver::Segment& s : solver.segments())
+    for (int i = s.first; i < s.first + s.count; ++i) {
+      sums[2 * s.group] += w[i] * change[i] * change[i];
+      sums[2 * s.group + 1] += w[i] * displacement[i] * displacement[i];
+    }
+  solver.combine(sums);
+  double worst = 0;
+  for (std::size_t k = 0; k < groups; ++k) {
+    const double mass = solver.group_masses()[k];
+    const double size = std::max({scales_.displacement[k], rest_size_[k], std::sqrt(sums[2 * k + 1] / mass)});
+    const double ratio = std::sqrt(sums[2 * k] / mass) / size;
+    if (!(ratio <= worst)) worst = ratio;
+  }
+  return worst;
+}
+
+double ErrorNorm::product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const {
+  double sum = (equations_.solver.weights().array() * p.array() * q.array()).sum();
+  equations_.solver.combine({&sum, 1});
+  return sum;
+}
+
+void ErrorNorm::archive(Archive& archive) {
+  archive(scales_.displacement);
+  archive(scales_.velocity);
+  archive(rate_scale_);
+  archive(penetration_scale_);
+}
+
+void add_simpson_error(const Instant& begin, const Trial& t, double part, StepError& error) {
+  using enum Instant::Column;
+  const double h = t.h;
+  const double *u0 = begin.at(u), *v0 = begin.at(v), *a0 = begin.at(a);
+  const double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(a), *am = t.a_middle.data();
+  double *error_u = error.u.data(), *error_v = error.v.data();
+  const int n = static_cast<int>(error.u.size());
+  for (int i = 0; i < n; ++i) {
+    const double ev = part * (h / 6 * (a0[i] + 4 * am[i] + a1[i]) - (v1[i] - v0[i]));
+    const double eu = part * (h * h / 6 * (a0[i] + 2 * am[i]) - (u1[i] - u0[i] - h * v0[i]));
+    if (std::abs(ev) > std::abs(error_v[i])) error_v[i] = ev;
+    if (std::abs(eu) > std::abs(error_u[i])) error_u[i] = eu;
+  }
+}
+
+}  // namespace pounding

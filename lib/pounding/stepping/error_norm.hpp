@@ -1,0 +1,63 @@
+#pragma once
+/// The size of errors: scales of the motion by group and by link, and the verdict on a trial.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <pounding/model/scheme.hpp>
+#include <pounding/stepping/equations.hpp>
+
+namespace pounding {
+
+/// Compares the errors of a step with the motion: displacements and velocities of each group as root mean squares weighed by
+/// the masses, those of each contact that presses with the motion of its impact.
+class ErrorNorm {
+ public:
+  /// `equations` must outlive it. `tolerance`: of a whole run, relative.
+  ErrorNorm(const Equations& equations, const Scheme& scheme, double tolerance);
+
+  const MotionScales& scales() const { return scales_; }
+
+  /// Largest error of a trial over the error that is allowed in one step: good is at most 1. `active`: links that have a
+  /// force. Sets the sums of squares of the trial; see worst_link().
+  double ratio(Trial& trial, const StepError& error, const std::vector<int>& active);
+  /// The link whose error was the largest of all in the last ratio(); -1 if that was the error of a group.
+  int worst_link() const { return worst_link_; }
+
+  /// Scales of a motion to start from.
+  void start(const Instant& now);
+  /// Scales never shrink, but for those of a contact, which begin anew with each impact.
+  void learn(const Trial& kept);
+  void learn(int contact, const LinkMotion& end);
+  void begin_impact(int contact, double rate);
+
+  /// Size of a change of the displacement, relative to the displacement or its scale: the largest of all groups.
+  double relative_size(const Eigen::VectorXd& change, const Eigen::VectorXd& displacement) const;
+  /// Inner product weighed by the masses.
+  double product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const;
+
+  void archive(Archive& archive);
+
+ private:
+  void measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v);
+  void grow(const std::vector<double>& squares_u, const std::vector<double>& squares_v);
+  double group_error(Trial& trial, const StepError& error);
+  double contact_error(int contact, const Trial& trial) const;
+
+  const Equations& equations_;
+  double allowed_;  // relative error of one step
+  MotionScales scales_;
+  std::vector<double> rate_scale_, penetration_scale_;  // by link, of the present impact
+  std::vector<double> rest_size_;              // by group, of ElasticForces::at_rest()
+  std::vector<std::vector<int>> link_groups_;  // groups that a link joins
+  int worst_link_ = -1;
+  std::vector<double> sums_;  // by group: errors in u and v, u, v squared
+  Eigen::MatrixXd errors_, link_errors_;
+};
+
+/// Adds the error by Simpson's rule: the step's own velocities and displacements against the integral of the accelerations
+/// from dynamic equilibrium at its ends and its middle. It sees forces that are not smooth, such as a dashpot that grows
+/// with d^(1/4) from the touch. In each coordinate the larger of this error, times `part`, and the present one stays.
+void add_simpson_error(const Instant& begin, const Trial& trial, double part, StepError& error);
+
+}  // namespace pounding

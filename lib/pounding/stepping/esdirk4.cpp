@@ -1,0 +1,153 @@
+/// A trial step by ESDIRK4.
+
+#include <pounding/stepping/time_scheme.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace pounding {
+namespace {
+
+using enum Instant::Column;
+using esdirk4::shift, esdirk4::squared;
+constexpr int stage_count = esdirk4::stages;
+
+// Share of the error by Simpson's rule beside that of the embedded scheme, where a link presses.
+constexpr double simpson_part = 3;
+
+// r -= K and C times what the accelerations of `earlier` stages add to displacement and velocity. `products` has three columns
+// of n a stage: acceleration, K and C times it. One pass over them, with the number of stages known to the compiler.
+template <int earlier>
+void subtract_stages(int n, double h, const double* __restrict products, double* __restrict r) {
+  double by_k[earlier], by_c[earlier];
+  for (int j = 0; j < earlier; ++j) {
+    by_k[j] = h * h * squared[earlier][j];
+    by_c[j] = h * esdirk4::a[earlier][j];
+  }
+  for (int k = 0; k < n; ++k) {
+    double sum = r[k];
+    for (int j = 0; j < earlier; ++j) sum -= by_k[j] * products[(3 * j + 1) * n + k] + by_c[j] * products[(3 * j + 2) * n + k];
+    r[k] = sum;
+  }
+}
+
+constexpr std::array subtract{subtract_stages<1>, subtract_stages<2>, subtract_stages<3>, subtract_stages<4>, subtract_stages<5>};
+
+// The unknown of each of the five implicit stages is its acceleration, from dynamic equilibrium at t + c h.
+class Esdirk4Scheme final : public TimeScheme {
+ public:
+  Esdirk4Scheme(Equations& equations, StageSolver& stages)
+      : eq_(equations),
+        solver_(stages),
+        r_(Eigen::VectorXd::Zero(equations.solver.size())),
+        ground_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations.system.grounds.size()))),
+        stages_(Eigen::MatrixXd::Zero(equations.solver.size(), 3 * stage_count)) {}
+
+  EffectiveMatrix matrix(double h) const override { return {1, shift * h, shift * shift * h * h}; }
+
+  bool try_step(const Instant& x, double /*last_step*/, Trial& t, StepError& error) override {
+    const int n = eq_.solver.size();
+    std::copy_n(x.at(a), n, stages_.col(0).data());
+    std::copy_n(x.at(ka), n, stages_.col(1).data());
+    std::copy_n(x.at(ca), n, stages_.col(2).data());
+    link_accelerations_.resize(eq_.links.size(), stage_count);
+    if (eq_.links.size() > 0) link_accelerations_.col(0) = x.relative.col(a);
+    t.end.force = x.force;
+    for (int i = 1; i < stage_count; ++i)
+      if (!solve_stage(i, x, t)) return false;
+    finish(x, t, error);
+    return true;
+  }
+
+ private:
+  auto acceleration(int j) { return stages_.col(3 * j); }
+
+  bool solve_stage(int i, const Instant& x, Trial& t) {
+    const int n = eq_.solver.size();
+    const double h = t.h, ci = esdirk4::c[i];
+    const bool last = i + 1 == stage_count, middle = ci == 0.5;
+    if (!last && !middle) eq_.supports.accelerations(x.time + ci * h, ground_);
+    const Eigen::VectorXd& ground = last ? t.end.ground : middle ? t.ground_middle : ground_;
+    if (eq_.links.moved() && !last && !middle) eq_.supports.relative_motion(x.time + ci * h, ground, by_ground_);
+    const Eigen::MatrixXd& by_ground = last ? t.end.by_ground : middle ? t.by_ground_middle : by_ground_;
+    const double* push = eq_.supports.push(ground).data();
+    const double *ku0 = x.at(ku), *kv0 = x.at(kv), *cv0 = x.at(cv);
+    double* r = r_.data();
+    for (int k = 0; k < n; ++k) r[k] = -push[k] - ku0[k] - cv0[k] - ci * h * kv0[k];
+    subtract[i - 1](n, h, stages_.data(), r);
+    const Stage stage{shift * shift * h * h, shift * h, 1};
+    const auto free_motion = [&](int link, double g) {
+      double relative_displacement = x.relative(link, u) + ci * h * x.relative(link, v) + shift * shift * h * h * g;
+      double rate = x.relative(link, v) + shift * h * g;
+      for (int j = 0; j < i; ++j) {
+        relative_displacement += h * h * squared[i][j] * link_accelerations_(link, j);
+        rate += h * esdirk4::a[i][j] * link_accelerations_(link, j);
+      }
+      return FreeLink{{eq_.links.deformation(link, relative_displacement + eq_.links.ground_part(by_ground, link, u)),
+                       rate + eq_.links.ground_part(by_ground, link, v)},
+                      g + eq_.links.ground_part(by_ground, link, a)};
+    };
+    if (eq_.pseudo_forces.any()) {
+      free_displacement_ = x.motion.col(u) + ci * h * x.motion.col(v);
+      for (int j = 0; j < i; ++j) free_displacement_ += h * h * squared[i][j] * acceleration(j);
+      guess_ = acceleration(i - 1);
+      if (!solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, r_, t.end.force)) return false;
+    } else if (!solver_.solve(stage, free_motion, r_, t.end.force)) {
+      return false;
+    }
+    for (std::size_t k = 0; k < solver_.active().size(); ++k) link_accelerations_(solver_.active()[k], i) = solver_.link_acceleration(k);
+    std::copy_n(r, n, acceleration(i).data());
+    if (last) return true;
+    eq_.solver.stiffness_times(acceleration(i), stages_.col(3 * i + 1));
+    eq_.solver.damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
+    return true;
+  }
+
+  // The end of the step, its middle and its errors from the accelerations of all stages.
+  void finish(const Instant& x, Trial& t, StepError& error) {
+    const int n = eq_.solver.size();
+    const double h = t.h;
+    const double *u0 = x.at(u), *v0 = x.at(v);
+    double *u1 = t.end.at(u), *v1 = t.end.at(v);
+    double *error_u = error.u.data(), *error_v = error.v.data();
+    for (int k = 0; k < n; ++k) {
+      u1[k] = u0[k] + h * v0[k];
+      v1[k] = v0[k];
+      error_u[k] = error_v[k] = 0;
+    }
+    for (int j = 0; j < stage_count; ++j) {
+      const double* aj = stages_.col(3 * j).data();
+      const double by_u = h * h * squared[stage_count - 1][j], by_v = h * esdirk4::a[stage_count - 1][j];
+      const double error_by_u = h * h * esdirk4::error.displacement[j], error_by_v = h * esdirk4::error.velocity[j];
+      for (int k = 0; k < n; ++k) {
+        u1[k] += by_u * aj[k];
+        v1[k] += by_v * aj[k];
+        error_u[k] += error_by_u * aj[k];
+        error_v[k] += error_by_v * aj[k];
+      }
+    }
+    eq_.hold_end(x, t.end);
+    if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
+    std::copy_n(acceleration(stage_count - 1).data(), n, t.end.at(a));
+    eq_.multiply(t.end, u, 3);
+    eq_.gather(t.end);
+    eq_.balance_middle(x, t);
+    if (solver_.linked()) add_simpson_error(x, t, simpson_part, error);
+  }
+
+  Equations& eq_;
+  StageSolver& solver_;
+  Eigen::VectorXd r_, ground_;
+  Eigen::MatrixXd by_ground_;
+  Eigen::MatrixXd stages_;              // three columns a stage: acceleration, K and C times it
+  Eigen::MatrixXd link_accelerations_;  // closing, [link, stage]
+  Eigen::VectorXd guess_, free_displacement_;
+};
+
+}  // namespace
+
+std::unique_ptr<TimeScheme> make_esdirk4(Equations& equations, StageSolver& stages) {
+  return std::make_unique<Esdirk4Scheme>(equations, stages);
+}
+
+}  // namespace pounding

@@ -1,0 +1,48 @@
+#pragma once
+/// Event functions of the contacts and their round-off: which phases have ended at an instant.
+
+#include <pounding/stepping/link_set.hpp>
+#include <pounding/stepping/rigid_impacts.hpp>
+
+namespace pounding {
+
+/// Round-off of displacements and velocities, relative to their scales.
+inline constexpr double motion_noise = 1e-12;
+
+/// An event function is positive while the present phase of its contact lasts (Contact::event_functions). A phase has ended
+/// where one is negative by more than round-off.
+class EventFunctions {
+ public:
+  /// Event function 0 of an open contact: the touch.
+  static constexpr int touch = 0;
+
+  /// All arguments must outlive it. `max_step`: longest step of the run [s].
+  EventFunctions(const LinkSet& links, const RigidContacts& rigid, const MotionScales& scales, double max_step)
+      : links_(links), rigid_(rigid), scales_(scales), max_step_(max_step) {}
+
+  const LinkSet& links() const { return links_; }
+  const MotionScales& scales() const { return scales_; }
+
+  Contact::EventFunctions values(int link, const LinkMotion& motion, double force) const {
+    return links_.contact(link).event_functions(motion, force);
+  }
+  /// One value at an instant.
+  double value(const EventId& id, const Instant& x) const {
+    return values(id.link, links_.motion(id.link, x), x.force[id.link])[id.event];
+  }
+  /// Round-off of an event function for this motion of the link. Displacements of the ground at `now` count where they are
+  /// larger than those of the structures.
+  double noise(const EventId& id, const LinkMotion& motion, const Instant& now) const;
+  /// Whether `value` is negative by more than round-off.
+  bool has_ended(const EventId& id, double value, const LinkMotion& motion, const Instant& now) const {
+    return value < 0 && value < -noise(id, motion, now);
+  }
+
+ private:
+  const LinkSet& links_;
+  const RigidContacts& rigid_;
+  const MotionScales& scales_;
+  double max_step_;
+};
+
+}  // namespace pounding

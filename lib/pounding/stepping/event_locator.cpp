@@ -1,0 +1,222 @@
+#include <pounding/stepping/event_locator.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <pounding/core/error.hpp>
+
+namespace pounding {
+namespace {
+
+// An event function counts as zero at this part of its change over the trial.
+constexpr double zero_part = 1e-12;
+// Event functions this close to zero where another one is located end there too: one group of events.
+constexpr double grouped_part = 1e-9;
+// Shortest step, relative to the trial, on which a phase is looked for that seems to end where it begins.
+constexpr double shortest_look = 1e-9;
+// A corner of a spring this near an end of the trial, relative to its length, lies at that end.
+constexpr double corner_part = 1e-3;
+constexpr int max_corner_trials = 8;
+
+// A trial that was thrown away half solved must not be kept.
+constexpr const char* lost_trial =
+    "the link equations could not be solved while the instant of an impact was sought; try a smaller tolerance";
+
+// An event function that is negative at the end of the trial.
+struct EventBracket {
+  EventId id;
+  double from = 0;  // positive here [s after the beginning], unless at_begin is not
+  double at_begin = 0, at_end = 0;
+  double guess = 0;  // linear estimate of the zero [s after the beginning]
+};
+
+}  // namespace
+
+// One search; `trial` changes with every call of try_step.
+struct EventLocator::Search {
+  const EventFunctions& functions;
+  const LinkSet& links;
+  const Instant& now;
+  const Trial& trial;
+  const TryStep& try_step;
+
+  std::vector<EventBracket> brackets() const;
+  void look_for_inner_touch(int link) const;
+  std::optional<double> corner(int link) const;
+  void stop_at_corner(int link) const;
+  bool begins_inside(EventBracket& bracket, double longest) const;
+  bool solve(const EventBracket& bracket, double longest) const;
+  bool touches_now(const EventBracket& bracket) const;
+  void restore(double h, double end) const {
+    if (!try_step(h, end)) throw SolverError(lost_trial);
+  }
+  LinkMotion at_end(int link) const { return links.motion(link, trial.end); }
+};
+
+std::vector<EventBracket> EventLocator::Search::brackets() const {
+  std::vector<EventBracket> found;
+  for (int i = 0; i < links.contacts(); ++i) {
+    const LinkMotion begin = links.motion(i, now), end = at_end(i);
+    const Contact::EventFunctions at_begin = functions.values(i, begin, now.force[i]);
+    const Contact::EventFunctions at_end = functions.values(i, end, trial.end.force[i]);
+    for (int k = 0; k < Contact::max_event_functions; ++k) {
+      if (!functions.has_ended({i, k}, at_end[k], end, now)) continue;
+      const double guess = at_begin[k] <= 0 ? 0 : trial.h * at_begin[k] / (at_begin[k] - at_end[k]);
+      found.push_back({{i, k}, 0, at_begin[k], at_end[k], guess});
+    }
+  }
+  return found;
+}
+
+// Bodies that touch and part again within one trial: if they overlap between its ends, the trial is shortened to the time of
+// the smallest opening.
+void EventLocator::Search::look_for_inner_touch(int link) const {
+  if (links.contact(link).phase() != ContactPhase::open) return;
+  const LinkMotion begin = links.motion(link, now), end = at_end(link);
+  if (!(begin.rate > 0 && end.rate < 0 && begin.penetration <= 0 && end.penetration <= 0)) return;
+  const CubicPenetration between(begin, end, trial.h);
+  const double s = between.turn();
+  if (!(s > 0 && s < 1)) return;
+  const double reach = 0.25 * trial.h * std::min(begin.rate, -end.rate);  // the cubic may miss a little
+  if (between.at(s) < -reach) return;
+  const double whole = trial.h, end_time = trial.end.time;
+  const bool touches =
+      try_step(s * whole, std::nullopt) &&
+      functions.has_ended({link, EventFunctions::touch}, -at_end(link).penetration, at_end(link), now);
+  // The same trial again, with its exact end time: that may be a breakpoint of the ground motion.
+  if (!touches) restore(whole, end_time);
+}
+
+// Position in the trial, from 0 to 1, at which a spring begins to yield, or turns while it does: by the cubic through both ends.
+std::optional<double> EventLocator::Search::corner(int link) const {
+  const Spring& spring = links.spring(link);
+  const LinkMotion begin = links.motion(link, now), end = at_end(link);
+  const CubicPenetration between(begin, end, trial.h);
+  const auto yields = [&](double s) { return spring.evaluate({between.at(s), 0}).by_penetration != 0; };
+  const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
+  const auto onset = [&](double low, double high) {
+    while (high - low > 1e-6) (yields(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+    return high;
+  };
+  const auto inside = [](double s) { return s > corner_part && s < 1 - corner_part; };
+  if (yields(turn)) {
+    const double s = onset(0, turn);
+    if (inside(s)) return s;
+    if (inside(turn)) return turn;
+  } else if (turn < 1 && yields(1)) {
+    const double s = onset(turn, 1);
+    if (inside(s)) return s;
+  }
+  return std::nullopt;
+}
+
+// The force of a spring has corners; a step that ends at one keeps its order.
+void EventLocator::Search::stop_at_corner(int link) const {
+  const double whole = trial.h, end_time = trial.end.time;
+  for (int trials = 0; trials < max_corner_trials; ++trials) {
+    const std::optional<double> s = corner(link);
+    if (!s) return;
+    if (try_step(*s * trial.h, std::nullopt)) continue;
+    return restore(whole, end_time);
+  }
+}
+
+// Bodies that stand face to face and approach touch whatever the other contacts do, unless a velocity jumps.
+bool EventLocator::Search::touches_now(const EventBracket& bracket) const {
+  const Contact& contact = links.contact(bracket.id.link);
+  const LinkMotion here = links.motion(bracket.id.link, now);
+  return contact.phase() == ContactPhase::open && !contact.is_rigid() &&
+         bracket.at_begin <= functions.noise(bracket.id, here, now) &&
+         here.rate > motion_noise * functions.scales().max_velocity();
+}
+
+// By round-off a phase may begin on the wrong side of its event function and end properly later in the trial: bodies that
+// part and come back. Looks for a time at which the phase lasts. If there is none, the trial is lost.
+bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) const {
+  for (double h = longest / 2; h > shortest_look * longest; h /= 4) {
+    if (!try_step(h, std::nullopt)) continue;
+    const double value = functions.value(bracket.id, trial.end);
+    if (functions.has_ended(bracket.id, -value, at_end(bracket.id.link), now)) {  // clearly positive
+      bracket.from = h;
+      bracket.at_begin = value;
+      bracket.guess = 0.5 * (h + longest);
+      return try_step(longest, std::nullopt);
+    }
+  }
+  return false;
+}
+
+// Regula falsi of Anderson and Bjorck (1973) on the length of the step.
+bool EventLocator::Search::solve(const EventBracket& bracket, double longest) const {
+  const double noise = functions.noise(bracket.id, at_end(bracket.id.link), now), change = bracket.at_begin - bracket.at_end;
+  // Below the round-off, so that the located event is not taken for an end of the next phase.
+  const double zero = noise > 0 ? std::min(zero_part * change, 0.1 * noise) : zero_part * change;
+  double low = bracket.from, at_low = bracket.at_begin, high = longest, at_high = bracket.at_end;
+  double guess = bracket.guess;
+  enum { lower, upper } replaced = upper;
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
+    if (!try_step(guess, std::nullopt)) return false;
+    const double value = functions.value(bracket.id, trial.end);
+    if (std::abs(value) <= zero || high - low <= 1e-16 * longest) return true;
+    // The end that stays twice in a row is given a smaller value, so that the next guess moves towards it.
+    const auto reduction = [](double m) { return m > 0 ? m : 0.5; };
+    if (value < 0) {
+      if (replaced == upper) at_low *= reduction(1 - value / at_high);
+      high = guess;
+      at_high = value;
+      replaced = upper;
+    } else {
+      if (replaced == lower) at_high *= reduction(1 - value / at_low);
+      low = guess;
+      at_low = value;
+      replaced = lower;
+    }
+    // A bisection now and then, should the false position crawl.
+    guess = iteration % 8 == 7 ? 0.5 * (low + high) : low + (high - low) * at_low / (at_low - at_high);
+  }
+  return true;
+}
+
+std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
+  const Search search{functions_, links_, now, trial, try_step};
+  for (int i = links_.contacts(); i < links_.frictions_from(); ++i) search.stop_at_corner(i);
+  for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
+  std::vector<EventBracket> open = search.brackets();
+  if (open.empty()) return std::nullopt;
+  const std::vector<EventBracket> all = open;
+  for (;;) {
+    EventBracket first = *std::min_element(open.begin(), open.end(),
+                                           [](const EventBracket& a, const EventBracket& b) { return a.guess < b.guess; });
+    const double noise = functions_.noise(first.id, links_.motion(first.id.link, now), now), longest = trial.h;
+    const bool at_zero = first.at_begin <= noise;
+    const bool doubtful = at_zero || first.at_begin <= grouped_part * std::abs(first.at_end);
+    if (doubtful && !search.begins_inside(first, longest) && at_zero) {
+      LocatedEvents located{0, {first.id}};
+      if (!links_.contact(first.id.link).is_rigid())
+        for (const EventBracket& other : all)
+          if (other.id.link != first.id.link && search.touches_now(other)) located.events.push_back(other.id);
+      return located;
+    }
+    if (!search.solve(first, longest)) throw SolverError(lost_trial);
+    // Events that come still earlier than the one just located.
+    open.clear();
+    for (const EventBracket& bracket : search.brackets())
+      if (!(bracket.id.link == first.id.link && bracket.id.event == first.id.event) &&
+          std::abs(bracket.at_end) > grouped_part * (std::abs(bracket.at_begin) + std::abs(bracket.at_end)))
+        open.push_back(bracket);
+    if (!open.empty()) continue;
+    LocatedEvents located{trial.h, {first.id}};
+    for (const EventBracket& other : all) {
+      if (other.id.link == first.id.link) continue;
+      const double value = functions_.value(other.id, trial.end);
+      const double change = std::abs(other.at_begin) + std::abs(other.at_end);
+      const bool known = std::any_of(located.events.begin(), located.events.end(),
+                                     [&](const EventId& e) { return e.link == other.id.link; });
+      if (!known && value <= grouped_part * change) located.events.push_back(other.id);
+    }
+    return located;
+  }
+}
+
+}  // namespace pounding

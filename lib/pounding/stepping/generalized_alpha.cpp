@@ -1,0 +1,128 @@
+/// A trial step by generalized-alpha.
+
+#include <pounding/stepping/time_scheme.hpp>
+
+#include <algorithm>
+
+namespace pounding {
+namespace {
+
+using enum Instant::Column;
+
+// Balances inertia at t + (1 - alpha_m) h and all other forces at t + (1 - alpha_f) h, with alpha_m and alpha_f as weights of
+// the end of the step. The stage's unknown is the acceleration at the end.
+class GeneralizedAlphaScheme final : public TimeScheme {
+ public:
+  GeneralizedAlphaScheme(Equations& equations, StageSolver& stages, const GeneralizedAlpha& coefficients)
+      : eq_(equations),
+        stages_(stages),
+        k_(coefficients),
+        work_(Eigen::VectorXd::Zero(equations.solver.size())),
+        r_(work_),
+        ground_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations.system.grounds.size()))) {}
+
+  EffectiveMatrix matrix(double h) const override {
+    return {k_.alpha_m, k_.alpha_f * k_.gamma * h, k_.alpha_f * k_.beta * h * h};
+  }
+
+  bool try_step(const Instant& x, double last_step, Trial& t, StepError& error) override {
+    const int n = eq_.solver.size();
+    const double h = t.h;
+    const auto [alpha_m, alpha_f, beta, gamma] = k_;
+    const bool carries = eq_.width == 4;
+    // With a spectral radius below one the scheme carries the acceleration of (alpha_m - alpha_f) h earlier. That time changes
+    // with the step, and so must the acceleration, else each change of the step would cost an order.
+    const double part = carries && last_step > 0 ? h / last_step : 1;
+    const Instant::Column own = carries ? carried : a, k_own = carries ? k_carried : ka, c_own = carries ? c_carried : ca;
+
+    const double *u0 = x.at(u), *v0 = x.at(v), *a0 = x.at(a), *c0 = x.at(own);
+    const double *ku0 = x.at(ku), *kv0 = x.at(kv), *ka0 = x.at(ka), *kc0 = x.at(k_own);
+    const double *cv0 = x.at(cv), *ca0 = x.at(ca), *cc0 = x.at(c_own);
+    const double by_c_in_u = h * h * (0.5 - beta), by_c_in_v = h * (1 - gamma);
+    ground_ = alpha_f * t.end.ground + (1 - alpha_f) * x.ground;
+
+    double *work = work_.data(), *r = r_.data();
+    for (int i = 0; i < n; ++i) work[i] = a0[i] + part * (c0[i] - a0[i]);
+    eq_.solver.mass_times(work_, r_);
+    const double* push = eq_.supports.push(ground_).data();
+    for (int i = 0; i < n; ++i)
+      r[i] = (alpha_m - 1) * r[i] - push[i] - ku0[i] - cv0[i] -
+             alpha_f * (h * kv0[i] + by_c_in_u * (ka0[i] + part * (kc0[i] - ka0[i])) +
+                        by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
+    if (stages_.linked()) eq_.solver.add_forces(alpha_f - 1, x.force, r_);
+
+    t.end.force.setZero();
+    if (stages_.linked()) t.end.force = x.force;
+    const Stage stage{beta * h * h, gamma * h, alpha_f};
+    const auto free_motion = [&](int i, double g) {
+      const double sa = x.relative(i, a), s = carries ? sa + part * (x.relative(i, carried) - sa) : sa;
+      const double relative_displacement = x.relative(i, u) + h * x.relative(i, v) + by_c_in_u * s + beta * h * h * g;
+      FreeLink link{{eq_.links.deformation(i, relative_displacement + eq_.links.ground_part(t.end.by_ground, i, u)),
+                     x.relative(i, v) + by_c_in_v * s + gamma * h * g + eq_.links.ground_part(t.end.by_ground, i, v)},
+                    g};
+      if (eq_.links.moved()) {
+        // At the time that the scheme's acceleration belongs to.
+        const double begin = x.by_ground(i, a), end = t.end.by_ground(i, a);
+        link.acceleration += end + (alpha_m - alpha_f) * (begin - end);
+      }
+      return link;
+    };
+    if (eq_.pseudo_forces.any()) {
+      r_ -= (1 - alpha_f) * x.pseudo_force;
+      guess_ = x.motion.col(a) + part * (x.motion.col(own) - x.motion.col(a));
+      free_displacement_ = x.motion.col(u) + h * x.motion.col(v) + by_c_in_u * guess_;
+      if (!stages_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, r_, t.end.force)) return false;
+    } else if (!stages_.solve(stage, free_motion, r_, t.end.force)) {
+      return false;
+    }
+
+    double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(own);
+    for (int i = 0; i < n; ++i) {
+      const double s = a0[i] + part * (c0[i] - a0[i]), acceleration = r[i];
+      u1[i] = u0[i] + h * v0[i] + by_c_in_u * s + beta * h * h * acceleration;
+      v1[i] = v0[i] + by_c_in_v * s + gamma * h * acceleration;
+      a1[i] = acceleration;
+    }
+    eq_.hold_end(x, t.end);
+    if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
+    if (carries)
+      balance_end(t.end);
+    else
+      eq_.multiply(t.end, u, 3);
+    eq_.gather(t.end);
+    eq_.balance_middle(x, t);
+
+    error.u.setZero();
+    error.v.setZero();
+    add_simpson_error(x, t, 1, error);
+    return true;
+  }
+
+ private:
+  // The acceleration from dynamic equilibrium, with the link forces as the scheme found them, beside the one it carries.
+  void balance_end(Instant& end) {
+    eq_.multiply(end, u, 2);
+    auto balanced = end.motion.col(a);
+    const Eigen::VectorXd& push = eq_.supports.push(end.ground);
+    balanced = -push - end.motion.col(ku) - end.motion.col(cv);
+    if (eq_.pseudo_forces.any()) balanced -= end.pseudo_force;
+    if (stages_.linked()) eq_.solver.add_forces(-1, end.force, balanced);
+    eq_.solver.accelerate(balanced);
+    eq_.solver.recover(balanced);
+    eq_.multiply(end, a, 2);
+  }
+
+  Equations& eq_;
+  StageSolver& stages_;
+  GeneralizedAlpha k_;
+  Eigen::VectorXd work_, r_, ground_;
+  Eigen::VectorXd guess_, free_displacement_;
+};
+
+}  // namespace
+
+std::unique_ptr<TimeScheme> make_generalized_alpha(Equations& equations, StageSolver& stages, const GeneralizedAlpha& coefficients) {
+  return std::make_unique<GeneralizedAlphaScheme>(equations, stages, coefficients);
+}
+
+}  // namespace pounding

@@ -1,0 +1,72 @@
+#pragma once
+/// The links of a system by their column of B.
+
+#include <vector>
+
+#include <pounding/links/contact.hpp>
+#include <pounding/model/system.hpp>
+#include <pounding/stepping/step_state.hpp>
+#include <pounding/structures/spring.hpp>
+
+namespace pounding {
+
+/// Links in the order of the columns of B: contacts, then springs that yield, then the one or two directions of each
+/// friction. Motions add the part of ground and gravity to B^T u.
+class LinkSet {
+ public:
+  /// `system` has passed System::check() and must outlive it.
+  explicit LinkSet(const System& system)
+      : system_(system),
+        contacts_(system.contact_count()),
+        frictions_from_(contacts_ + static_cast<int>(system.springs.size())),
+        moved_(!system.gap_by_ground.isZero(0) || !system.gravity_offset.isZero(0)),
+        contact_of_friction_(static_cast<std::size_t>(system.links() - frictions_from_)) {
+    for (const Friction& friction : system.frictions)
+      for (int i = friction.first; i < friction.first + friction.count; ++i) contact_of_friction_[i - frictions_from_] = friction.contact;
+  }
+
+  int size() const { return system_.links(); }
+  int contacts() const { return contacts_; }
+  /// First link that is a direction of a friction; the springs end here.
+  int frictions_from() const { return frictions_from_; }
+  const std::vector<Friction>& frictions() const { return system_.frictions; }
+  Contact& contact(int link) const { return *system_.contacts[link]; }
+  Spring& spring(int link) const { return *system_.springs[link - contacts_]; }
+
+  /// Whether ground or gravity add to the relative motion.
+  bool moved() const { return moved_; }
+  /// One entry of Instant::by_ground, zero where it is empty.
+  double ground_part(const Eigen::MatrixXd& by_ground, int link, Instant::Column column) const {
+    return moved_ ? by_ground(link, column) : 0;
+  }
+
+  /// Penetration of a contact or elongation of a spring [m] for a relative displacement of its ends [m].
+  double deformation(int link, double relative_displacement) const {
+    return link < contacts_ ? system_.contacts[link]->penetration(relative_displacement) : relative_displacement;
+  }
+  LinkMotion motion(int link, const Instant& x) const {
+    const double relative_displacement = x.relative(link, Instant::u), rate = x.relative(link, Instant::v);
+    if (!moved_) return {deformation(link, relative_displacement), rate};
+    return {deformation(link, relative_displacement + x.by_ground(link, Instant::u)), rate + x.by_ground(link, Instant::v)};
+  }
+  /// Force and slopes of a contact or a spring.
+  laws::Response law(int link, const LinkMotion& motion) const {
+    return link < contacts_ ? system_.contacts[link]->evaluate(motion) : system_.springs[link - contacts_]->evaluate(motion);
+  }
+
+  /// Whether the link may have a force in its present phase: contacts that press, their frictions, all springs.
+  bool is_active(int link) const {
+    if (link >= frictions_from_) link = contact_of_friction_[link - frictions_from_];
+    return link >= contacts_ || presses(system_.contacts[link]->phase());
+  }
+  /// Whether a rigid contact rests: its rate stays zero by whatever force that needs.
+  bool is_held(int link) const { return link < contacts_ && system_.contacts[link]->phase() == ContactPhase::resting; }
+
+ private:
+  const System& system_;
+  int contacts_, frictions_from_;
+  bool moved_;
+  std::vector<int> contact_of_friction_;  // by link, from frictions_from_ on
+};
+
+}  // namespace pounding

@@ -1,0 +1,212 @@
+#include <pounding/stepping/link_solver.hpp>
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace pounding {
+namespace {
+
+// A force is the difference of terms of this size; its round-off follows them.
+double terms(const laws::Response& law, const LinkMotion& at) {
+  return std::abs(law.by_penetration * at.penetration) + std::abs(law.by_rate * at.rate);
+}
+
+constexpr double solved = 1e-14;  // relative to the terms of a force
+constexpr int max_doublings = 60;
+
+}  // namespace
+
+bool LinkSolver::solve(const CondensedLinks& links, Eigen::VectorXd& force) {
+  failed_ = -1;
+  return links.active.size() == 1 ? solve_one(links, 0, 0.0, force[0]) : solve_many(links, force);
+}
+
+// Newton's method inside a bracket: the force lies between zero and the answer of the law to the free motion; a spring that
+// softens goes beyond that. `others` is G F of the other links.
+bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, double& force) {
+  const int link = links.active[k];
+  const double flexibility = links.flexibility(k, k);
+  const double relief_u = links.weight * links.by_u * flexibility, relief_v = links.weight * links.by_v * flexibility;
+  if (links_.is_held(link)) {
+    force = (links.free_acceleration[k] / links.weight - others) / flexibility;
+    return true;
+  }
+  const double scale = others / flexibility;
+  const LinkMotion free{links.free[k].penetration - relief_u * scale, links.free[k].rate - relief_v * scale};
+  const auto residual_at = [&](double f) {
+    return links_.law(link, {free.penetration - relief_u * f, free.rate - relief_v * f}).force - f;
+  };
+  const double unrelieved = links_.law(link, free).force;
+  double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
+  if (low == high) {
+    force = low;
+    return true;
+  }
+  if (link >= links_.contacts()) {
+    double& far = unrelieved > 0 ? high : low;
+    for (int doubling = 0; doubling < max_doublings && residual_at(far) * unrelieved > 0; ++doubling) far *= 2;
+  }
+  double trial = std::clamp(force, low, high);
+  for (int iteration = 0; iteration < 200; ++iteration) {
+    ++iterations_;
+    const LinkMotion at{free.penetration - relief_u * trial, free.rate - relief_v * trial};
+    const laws::Response answer = links_.law(link, at);
+    const double residual = answer.force - trial;
+    if (std::abs(residual) <= solved * std::max({std::abs(trial), std::abs(answer.force), terms(answer, at)})) {
+      force = trial;
+      return true;
+    }
+    (residual > 0 ? low : high) = trial;
+    if (high - low <= 4e-16 * std::max(std::abs(low), std::abs(high))) {
+      force = trial;
+      return true;
+    }
+    const double slope = 1 + relief_u * answer.by_penetration + relief_v * answer.by_rate;
+    double next = trial + residual / slope;
+    if (!(slope > 0) || !(next > low && next < high)) next = 0.5 * (low + high);
+    if (next == trial) {
+      force = trial;
+      return true;
+    }
+    trial = next;
+  }
+  failed_ = link;
+  return false;
+}
+
+void LinkSolver::find_sliders(const CondensedLinks& links) {
+  sliders_.clear();
+  const auto index = [&](int link) {
+    return static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), link) - links.active.begin());
+  };
+  for (const Friction& friction : links_.frictions())
+    if (links_.is_active(friction.contact)) sliders_.push_back({&friction, index(friction.contact), index(friction.first)});
+}
+
+// Answer of a friction where the forces reduce the closing accelerations by `relief` times the weight.
+FrictionForce LinkSolver::slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const {
+  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  const auto rate = [&](int k) { return links.free[k].rate - by_v * relief[k]; };
+  const LinkMotion contact{links.free[slider.contact].penetration - by_u * relief[slider.contact], rate(slider.contact)};
+  Sliding rates{};
+  for (int j = 0; j < slider.friction->count; ++j) rates[j] = rate(slider.first + j);
+  return friction_force(*slider.friction, links_.law(links.active[slider.contact], contact), rates);
+}
+
+// One direction of a friction after the other by bisection, all other forces as they are.
+bool LinkSolver::solve_slider(const CondensedLinks& links, const Slider& slider, Eigen::VectorXd& forces) {
+  Eigen::VectorXd relief = links.flexibility * forces;
+  for (int j = 0; j < slider.friction->count; ++j) {
+    const int own = slider.first + j;
+    const Eigen::VectorXd others = relief - forces[own] * links.flexibility.col(own);
+    const auto residual_at = [&](double f) {
+      ++iterations_;
+      return slide(links, slider, others + f * links.flexibility.col(own)).force[j] - f;
+    };
+    const double unrelieved = residual_at(0);
+    double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
+    double& far = unrelieved > 0 ? high : low;
+    for (int doubling = 0; doubling < max_doublings && residual_at(far) * unrelieved > 0; ++doubling) far *= 2;
+    while (high - low > 4e-16 * std::max(std::abs(low), std::abs(high))) {
+      const double middle = 0.5 * (low + high);
+      if (middle == low || middle == high) break;
+      (residual_at(middle) > 0 ? low : high) = middle;
+    }
+    forces[own] = 0.5 * (low + high);
+    if (!std::isfinite(forces[own])) return false;
+    relief = others + forces[own] * links.flexibility.col(own);
+  }
+  return true;
+}
+
+// Norm of the differences between the answers of the laws and the forces x; sets residual_, terms_ and, if asked, slopes_.
+double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& x, bool with_slopes) {
+  const Eigen::MatrixXd& g = links.flexibility;
+  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  ++iterations_;
+  terms_ = x.norm();
+  relief_.noalias() = g * x;
+  for (int i = 0; i < plain_; ++i) {
+    if (links_.is_held(links.active[i])) {
+      residual_[i] = (links.free_acceleration[i] / links.weight - relief_[i]) / g(i, i);
+      if (with_slopes) slopes_.row(i) = g.row(i) / g(i, i);
+      continue;
+    }
+    const LinkMotion at{links.free[i].penetration - by_u * relief_[i], links.free[i].rate - by_v * relief_[i]};
+    const laws::Response answer = links_.law(links.active[i], at);
+    residual_[i] = answer.force - x[i];
+    terms_ = std::max(terms_, terms(answer, at));
+    if (!with_slopes) continue;
+    slopes_.row(i) = (by_u * answer.by_penetration + by_v * answer.by_rate) * g.row(i);
+    slopes_(i, i) += 1;
+  }
+  for (const Slider& slider : sliders_) {
+    const FrictionForce answer = slide(links, slider, relief_);
+    for (int j = 0; j < slider.friction->count; ++j) {
+      const int i = slider.first + j;
+      residual_[i] = answer.force[j] - x[i];
+      for (int k = 0; k < slider.friction->count; ++k) {
+        const int other = slider.first + k;
+        terms_ = std::max(terms_, std::abs(answer.by_sliding[j][k]) *
+                                      std::max(std::abs(links.free[other].rate), std::abs(by_v * relief_[other])));
+      }
+      if (!with_slopes) continue;
+      slopes_.row(i) = (by_u * answer.by_penetration[j] + by_v * answer.by_rate[j]) * g.row(slider.contact);
+      for (int k = 0; k < slider.friction->count; ++k) slopes_.row(i) += by_v * answer.by_sliding[j][k] * g.row(slider.first + k);
+      slopes_(i, i) += 1;
+    }
+  }
+  return residual_.norm();
+}
+
+// One pass of Gauss-Seidel with the bracketed scalar solve: slower than Newton's method, but it cannot fail on laws whose
+// force grows with penetration and rate.
+bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
+  const Eigen::MatrixXd& g = links.flexibility;
+  for (int i = 0; i < plain_; ++i) {
+    const double others = g.row(i).dot(x) - g(i, i) * x[i];
+    if (!solve_one(links, i, others, x[i])) return false;
+  }
+  for (const Slider& slider : sliders_)
+    if (!solve_slider(links, slider, x)) return false;
+  return true;
+}
+
+bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
+  const int count = static_cast<int>(links.active.size());
+  residual_.resize(count);
+  relief_.resize(count);
+  slopes_.resize(count, count);
+  plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
+                            links.active.begin());
+  if (!links_.frictions().empty()) find_sliders(links);
+  // Held contacts between the same bodies leave their shares open: the slopes are singular then.
+  const auto held = std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
+  Eigen::VectorXd trial(count);
+  for (int iteration = 0; iteration < 500; ++iteration) {
+    const double size = residual(links, f, true);
+    if (!std::isfinite(size)) return false;
+    if (size <= solved * terms_) return true;
+    const double here = terms_;
+    const Eigen::VectorXd direction = held > 1 ? Eigen::VectorXd(slopes_.completeOrthogonalDecomposition().solve(residual_))
+                                               : Eigen::VectorXd(slopes_.partialPivLu().solve(residual_));
+    double length = 1;
+    bool better = false;
+    for (int halving = 0; halving < 8 && !better; ++halving, length /= 2) {
+      trial = f + length * direction;
+      better = residual(links, trial, false) < size;
+    }
+    if (better)
+      f = trial;
+    else if (size <= 100 * solved * here)  // round-off: Newton's method cannot do better
+      return true;
+    else if (!sweep(links, f))
+      return false;
+  }
+  failed_ = links.active.front();
+  return false;
+}
+
+}  // namespace pounding

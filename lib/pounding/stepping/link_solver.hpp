@@ -1,0 +1,67 @@
+#pragma once
+/// The few nonlinear equations for the link forces of one stage, left over when the structures are condensed out.
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include <pounding/links/friction.hpp>
+#include <pounding/stepping/link_set.hpp>
+
+namespace pounding {
+
+/// The active links of one stage. Knows neither matrices of structures nor time: with the forces F [N],
+///
+///   penetration = free.penetration - weight by_u G F,     rate = free.rate - weight by_v G F,
+///   closing acceleration = free_acceleration - weight G F.
+struct CondensedLinks {
+  std::span<const int> active;               ///< links whose force is sought, in ascending order
+  std::span<const LinkMotion> free;          ///< their motion without these forces
+  const Eigen::VectorXd& free_acceleration;  ///< and their closing acceleration, B^T x0 [m/s^2]
+  const Eigen::MatrixXd& flexibility;        ///< G = B^T A^-1 B
+  double by_u = 0, by_v = 0;                 ///< displacement [s^2] and velocity [s] for a unit acceleration of the stage
+  double weight = 1;                         ///< weight of forces in the equations of the stage
+};
+
+/// Finds forces that are those of their laws at the motion that they leave. A held contact takes the force that leaves no
+/// closing acceleration.
+class LinkSolver {
+ public:
+  /// `links` must outlive it.
+  explicit LinkSolver(const LinkSet& links) : links_(links) {}
+
+  /// Newton's method with exact slopes, else Gauss-Seidel with bracketed scalar solves. `force` is a guess and becomes the
+  /// solution, one entry an active link. False if neither converges.
+  bool solve(const CondensedLinks& links, Eigen::VectorXd& force);
+  /// The link that the last failed solve gave up at; -1 if it could not tell.
+  int failed_link() const { return failed_; }
+  long iterations() const { return iterations_; }
+  void archive(Archive& archive) { archive(iterations_); }
+
+ private:
+  // An active friction; positions among the active links.
+  struct Slider {
+    const Friction* friction = nullptr;
+    int contact = 0, first = 0;
+  };
+
+  bool solve_one(const CondensedLinks& links, int k, double others, double& force);
+  bool solve_many(const CondensedLinks& links, Eigen::VectorXd& force);
+  double residual(const CondensedLinks& links, const Eigen::VectorXd& force, bool with_slopes);
+  bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
+  void find_sliders(const CondensedLinks& links);
+  FrictionForce slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const;
+  bool solve_slider(const CondensedLinks& links, const Slider& slider, Eigen::VectorXd& forces);
+
+  const LinkSet& links_;
+  int failed_ = -1;
+  long iterations_ = 0;
+  // Of the present solve_many().
+  std::vector<Slider> sliders_;
+  int plain_ = 0;      // active links before the first direction of a friction
+  double terms_ = 0;   // size of the terms of the last residual [N]
+  Eigen::VectorXd residual_, relief_;
+  Eigen::MatrixXd slopes_;
+};
+
+}  // namespace pounding

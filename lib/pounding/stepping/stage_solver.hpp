@@ -1,0 +1,119 @@
+#pragma once
+/// One stage of a step: the structures are solved once, then the few link forces, and this again where pseudo-forces act.
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <pounding/stepping/anderson.hpp>
+#include <pounding/stepping/equations.hpp>
+#include <pounding/stepping/error_norm.hpp>
+#include <pounding/stepping/link_solver.hpp>
+
+namespace pounding {
+
+/// How the acceleration x of a stage enters: u = free u + by_u x and v = free v + by_v x, while link forces and pseudo-forces
+/// count with `weight` in its equations A x = r.
+struct Stage {
+  double by_u = 0;  ///< [s^2]
+  double by_v = 0;  ///< [s]
+  double weight = 1;
+};
+
+/// A link in the motion that a stage has without the forces of active links.
+struct FreeLink {
+  LinkMotion motion;
+  double acceleration = 0;  ///< closing [m/s^2]
+};
+
+/// Solves the stages of one trial step, all with the same matrix A and the same active links.
+///
+/// `FreeMotion` is a function (link, g) -> FreeLink of the scheme, where g is the closing acceleration B^T A^-1 r of a link.
+class StageSolver {
+ public:
+  /// Both must outlive it.
+  StageSolver(Equations& equations, const ErrorNorm& norm) : equations_(equations), norm_(norm), links_(equations.links) {}
+
+  /// Chooses the active links and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility
+  /// G = B^T A^-1 B could not be found.
+  bool begin(const EffectiveMatrix& matrix, std::optional<int> level);
+
+  /// Links whose force is sought, in ascending order.
+  const std::vector<int>& active() const { return active_; }
+  /// Whether there are any.
+  bool linked() const { return !active_.empty(); }
+
+  /// `r`, the forces other than those of active links, becomes the acceleration of the stage. `force` of all links [N] is a
+  /// guess and becomes the solution. False if the equations could not be solved.
+  template <class FreeMotion>
+  bool solve(const Stage& stage, const FreeMotion& free_motion, Eigen::VectorXd& r, Eigen::VectorXd& force) {
+    if (!equations_.solver.solve(r)) return false;
+    if (active_.empty()) return true;
+    guess_ = force;
+    force.setZero();
+    equations_.solver.gather(r, gathered_);
+    free_.resize(active_.size());
+    free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      const FreeLink link = free_motion(active_[k], gathered_(active_[k], 0));
+      free_[k] = link.motion;
+      free_acceleration_[static_cast<Eigen::Index>(k)] = link.acceleration;
+    }
+    return condense(stage, force, r);
+  }
+
+  /// The same with pseudo-forces at the displacement of the stage, free_displacement + by_u x, which is found by fixed-point
+  /// iteration from x = guess.
+  template <class FreeMotion>
+  bool solve_with_pseudo_forces(const Stage& stage, const Eigen::VectorXd& free_displacement, const Eigen::VectorXd& guess,
+                                const FreeMotion& free_motion, Eigen::VectorXd& r, Eigen::VectorXd& force) {
+    const Eigen::VectorXd others = r;
+    Eigen::VectorXd displacement;
+    const auto map = [&](const Eigen::VectorXd& x, Eigen::VectorXd& image) {
+      displacement = free_displacement + stage.by_u * x;
+      equations_.pseudo_force(displacement, pseudo_force_);
+      image = others - stage.weight * pseudo_force_;
+      if (!solve(stage, free_motion, image, force)) return false;
+      ++repetitions_;
+      return true;
+    };
+    const auto size = [&](const Eigen::VectorXd& residual) { return norm_.relative_size(stage.by_u * residual, displacement); };
+    const auto product = [this](const Eigen::VectorXd& p, const Eigen::VectorXd& q) { return norm_.product(p, q); };
+    return solve_fixed_point(guess, r, map, size, product);
+  }
+
+  /// Closing acceleration of active link number k in the last stage that was solved [m/s^2], without that of the ground.
+  double link_acceleration(std::size_t k) const {
+    double relief = 0;
+    for (std::size_t l = 0; l < active_.size(); ++l) relief += flexibility_(k, l) * active_force_[l];
+    return gathered_(active_[k], 0) - relief;
+  }
+
+  /// The link at which a solve since begin() gave up; -1 for none.
+  int failed_link() const { return failed_link_; }
+  /// Iterations for link forces and pseudo-forces since the start of the run.
+  long iterations() const { return link_solver_.iterations() + repetitions_; }
+  void archive(Archive& archive) {
+    archive(link_solver_);
+    archive(repetitions_);
+  }
+
+ private:
+  bool condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x);
+
+  Equations& equations_;
+  const ErrorNorm& norm_;
+  const LinkSet& links_;
+  LinkSolver link_solver_{links_};
+  long repetitions_ = 0;
+  int failed_link_ = -1;
+  std::vector<int> active_;
+  Eigen::MatrixXd flexibility_;        // G of the active links
+  std::vector<LinkMotion> free_;       // of the active links
+  Eigen::VectorXd free_acceleration_, active_force_;
+  Eigen::MatrixXd gathered_;           // B^T x without the forces of active links
+  Eigen::VectorXd guess_, pseudo_force_;
+};
+
+}  // namespace pounding

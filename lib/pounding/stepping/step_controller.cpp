@@ -1,0 +1,127 @@
+#include <pounding/stepping/step_controller.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+
+namespace pounding {
+namespace {
+
+// Events one after the other without time passing: more than this is a fault, not a contact.
+constexpr int max_events_in_place = 10000;
+// Time passes in a step that is longer than this part of the time.
+constexpr double no_time = 1e-13;
+// The first step in contact, as part of the last one before it.
+constexpr double first_contact_part = 0.1;
+// A step may be stretched by this part to reach a breakpoint, rather than leave a sliver for the next one.
+constexpr double max_stretch = 1e-3;
+
+constexpr double safety = 0.9, safety_after_rejection = 0.5;
+constexpr double max_shrink = 0.1, max_growth = 10;
+
+}  // namespace
+
+StepSizePolicy::Verdict ErrorControl::judge(const Stepper& stepper, double step) {
+  const double error = stepper.error_ratio();
+  const bool accepted = error <= 1;
+  const double share = accepted ? safety : safety * safety_after_rejection;
+  const double factor = error > 0 ? share * std::pow(error, -1.0 / stepper.error_order()) : std::numeric_limits<double>::infinity();
+  return {accepted, std::min(step * std::clamp(factor, max_shrink, max_growth), max_step_)};
+}
+
+StepController::Aim StepController::aim(double wanted, double end, bool fixed) const {
+  const double target = std::min(stepper_.next_break(), end);
+  const double left = target - stepper_.time();
+  const double step = fixed ? wanted : stepper_.step_towards(wanted, left);
+  if (left > wanted * (1 + max_stretch) && left > step * (1 + 1e-9)) return {step, std::nullopt};
+  return {std::abs(left - step) <= 1e-9 * step ? step : left, target};
+}
+
+void StepController::give_up(double step, const std::string& reason) const {
+  const int link = stepper_.troublesome_link();
+  const std::vector<std::string>& names = stepper_.system().names;
+  std::string at;
+  if (link >= 0) at = link < static_cast<int>(names.size()) ? " at link " + names[link] : fmt::format(" at link {}", link + 1);
+  throw SolverError(
+      fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper_.time(), at, step, reason));
+}
+
+void StepController::check_length(double step) const {
+  const double shortest = 1e-14 * std::max(1.0, std::abs(stepper_.time())) * 1e-2;
+  if (!(step > shortest))
+    give_up(step, fmt::format("no step is short enough for the tolerance {:g}. Check the unit of the stiffness of the link, or "
+                              "type a larger analysis.tolerance",
+                              stepper_.options().tolerance));
+}
+
+void StepController::reject(double step, StepSizePolicy& policy) const {
+  if (const std::string reason = policy.on_reject(); !reason.empty()) give_up(step, reason);
+}
+
+void StepController::count_event_in_place(double step) {
+  if (++events_in_place_ > max_events_in_place)
+    give_up(step, "a contact opens and closes without end. Type another analysis.tolerance, or a gap that is not closed at rest");
+}
+
+double StepController::advance(double wanted, double end, StepSizePolicy& policy) {
+  const bool fixed = policy.fixed();
+  for (;;) {
+    const Aim goal = aim(wanted, end, fixed);
+    check_length(goal.step);
+    ++trials_;
+    if (!stepper_.try_step(goal.step, goal.end)) {
+      reject(goal.step, policy);
+      wanted = goal.step / 4;
+      continue;
+    }
+    const StepSizePolicy::Verdict verdict = policy.judge(stepper_, goal.step);
+    if (!verdict.accepted) {
+      reject(goal.step, policy);
+      wanted = std::min(verdict.next, goal.step / 2);
+      continue;
+    }
+    // A short step to a breakpoint says nothing against the longer one that was wanted.
+    const double good = goal.end ? std::max(verdict.next, wanted) : verdict.next;
+    const bool was_in_contact = stepper_.in_contact();
+    const std::optional<double> located = stepper_.locate_event();
+    if (located && *located == 0) {
+      count_event_in_place(goal.step);
+      stepper_.apply_event();
+      continue;
+    }
+    // A long trial may step over a whole contact and see nothing of it, and end inside it once it is shortened.
+    if (located && !fixed && !(stepper_.error_ratio() <= 1)) {
+      reject(*located, policy);
+      wanted = *located / 2;
+      continue;
+    }
+    if (located && *located < no_time * std::max(1.0, stepper_.time()))
+      count_event_in_place(*located);
+    else
+      events_in_place_ = 0;
+    stepper_.accept();
+    const double next = next_step(good, was_in_contact);
+    return fixed ? wanted : next;
+  }
+}
+
+double StepController::next_step(double good, bool was_in_contact) {
+  (was_in_contact ? step_in_contact_ : step_apart_) = good;
+  const bool in_contact = stepper_.in_contact();
+  const double remembered = in_contact ? step_in_contact_ : step_apart_;
+  if (remembered != 0) return remembered;
+  return in_contact ? good * first_contact_part : good;
+}
+
+void StepController::archive(Archive& archive) {
+  archive(step_apart_);
+  archive(step_in_contact_);
+  archive(events_in_place_);
+  stepper_.archive(archive);
+}
+
+}  // namespace pounding

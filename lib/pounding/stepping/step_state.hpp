@@ -1,0 +1,102 @@
+#pragma once
+/// The state of the integrator at one instant, and one trial step: data only.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <vector>
+
+#include <pounding/core/archive_eigen.hpp>
+#include <pounding/links/contact.hpp>
+
+namespace pounding {
+
+/// State of all degrees of freedom; those without mass are in static equilibrium (see PseudoForces).
+struct State {
+  double time = 0;
+  Eigen::VectorXd u, v;   ///< relative to the ground [m], [m/s]
+  Eigen::VectorXd a;      ///< relative to the ground, from dynamic equilibrium just after `time` [m/s^2]
+  Eigen::VectorXd force;  ///< of every link just after `time` [N]
+};
+
+/// The quantities that are reported, System::outputs^T times displacement, velocity and acceleration.
+struct OutputQuantities {
+  double time = 0;
+  Eigen::MatrixXd motion;  ///< [quantity, u v a]; a just after `time`
+};
+
+/// One event function of one contact.
+struct EventId {
+  int link = 0, event = 0;
+};
+
+/// Largest motion so far of each group, as the root mean square weighed by the masses. Errors and round-off are relative
+/// to it.
+struct MotionScales {
+  std::vector<double> displacement;  ///< [m]
+  std::vector<double> velocity;      ///< [m/s]
+
+  double max_displacement() const { return *std::max_element(displacement.begin(), displacement.end()); }
+  double max_velocity() const { return *std::max_element(velocity.begin(), velocity.end()); }
+};
+
+/// Motion, forces and ground at one instant, in the coordinates of the StructureSolver. An instant that ends a step holds
+/// left limits, the present state right limits.
+struct Instant {
+  /// Columns of `motion`: displacement, velocity, acceleration, the acceleration that generalized-alpha carries where it is
+  /// another one, and the products of these with K and C.
+  enum Column { u, v, a, carried, ku, kv, ka, k_carried, cv, ca, c_carried, columns };
+
+  double time = 0;
+  Eigen::VectorXd ground;        ///< accelerations of the grounds [m/s^2]
+  Eigen::MatrixXd motion;        ///< [coordinate, Column]
+  Eigen::VectorXd force;         ///< of every link [N]
+  Eigen::MatrixXd relative;      ///< B^T of the motion, [link, u v a carried]
+  Eigen::MatrixXd by_ground;     ///< part of the relative motion due to ground and gravity, [link, u v a]; empty for none
+  Eigen::VectorXd pseudo_force;  ///< see PseudoForces, [coordinate]; empty for none
+
+  const double* at(Column column) const { return motion.col(column).data(); }
+  double* at(Column column) { return motion.col(column).data(); }
+
+  void archive(Archive& archive) {
+    archive(time);
+    archive(ground);
+    archive(motion);
+    archive(force);
+    archive(relative);
+    archive(by_ground);
+    archive(pseudo_force);
+  }
+};
+
+/// One step, tried or kept.
+struct Trial {
+  double h = 0;  ///< length [s]
+  Instant end;
+  Eigen::VectorXd force_middle;       ///< of every link at mid-step [N]
+  mutable Eigen::VectorXd a_middle;   ///< mid-step accelerations; massless coordinates are filled in on demand
+  std::vector<LinkMotion> middle;     ///< of every link at mid-step
+  Eigen::VectorXd ground_middle;      ///< accelerations [m/s^2]
+  Eigen::MatrixXd by_ground_middle;   ///< as Instant::by_ground
+  double error = 0;                   ///< over the allowed one
+  std::vector<double> squares_u, squares_v;  ///< sums of m u^2 and m v^2 by group, at the end
+
+  void archive(Archive& archive) {
+    archive(h);
+    archive(end);
+    archive(a_middle);
+    archive(force_middle);
+    archive(middle);
+    archive(ground_middle);
+    archive(by_ground_middle);
+    archive(error);
+    archive(squares_u);
+    archive(squares_v);
+  }
+};
+
+/// Estimated errors of a trial in displacement and velocity [coordinate].
+struct StepError {
+  Eigen::VectorXd u, v;
+};
+
+}  // namespace pounding

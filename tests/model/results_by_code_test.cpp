@@ -1,0 +1,89 @@
+// The results file of a model that was built by code: what it says of its input, and how its run goes on.
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include <pounding/elements.hpp>
+#include <pounding/run/restart.hpp>
+#include <pounding/run/run.hpp>
+#include "support/same_runs.hpp"
+
+namespace pounding {
+namespace {
+
+class File {
+ public:
+  File() : path_(std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_by_code.h5")) {}
+  ~File() { std::filesystem::remove(path_); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+Model ball_on_wall(double speed = 1) {
+  Model model;
+  const auto ball = model.add("ball", make_body({.mass = 60e3}), {.initial_velocity = speed});
+  model.link(ball, model.add("wall", make_wall()), {.gap = 0.01}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
+  model.analysis.duration = 0.05;
+  return model;
+}
+
+// Leaves the file of a run that was stopped while the ball pressed.
+void stop_in_contact(const File& file) {
+  Model model = ball_on_wall();
+  RunOptions options{.output = file.path()};
+  options.stop = [&] { return presses(model.links[0].contact->phase()); };
+  EXPECT_THROW(run(model, options), FailedRun);
+}
+
+std::string refusal_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(ResultsByCode, SayThatAProgramBuiltTheModel) {
+  const File file;
+  stop_in_contact(file);
+  const InterruptedRun interrupted = read_interrupted_run(file.path());
+  EXPECT_EQ(interrupted.model_yaml, built_by_code);
+  EXPECT_NE(interrupted.resolved_yaml.find("name: ball-wall"), std::string::npos) << interrupted.resolved_yaml;
+  EXPECT_EQ(refusal_of([&] { input_of(interrupted); }),
+            file.path() + ": its model was built by a program; that program goes on with it, by run(model, {.resume = \"" + file.path() +
+                "\"})");
+}
+
+TEST(ResultsByCode, GoOnWithTheModelThatTheProgramBuildsAgain) {
+  const File file;
+  stop_in_contact(file);
+  Model whole = ball_on_wall(), continued = ball_on_wall();
+  const Outcome expected = run(whole);
+  test::expect_same_run(expected, run(continued, {.resume = file.path()}));
+  EXPECT_NEAR(expected.results.impacts.at(0).restitution, 0.65, 1e-4);
+}
+
+TEST(ResultsByCode, DoNotGoOnWithAnotherModel) {
+  const File file;
+  stop_in_contact(file);
+  Model other = ball_on_wall(2);
+  const std::string refusal = refusal_of([&] { run(other, {.resume = file.path()}); });
+  EXPECT_TRUE(refusal.starts_with(file.path() + ": holds the run of another model, whose resolved.yaml differs from line ")) << refusal;
+}
+
+TEST(ResultsByCode, NeedACompleteModel) {
+  const Model model = ball_on_wall();
+  EXPECT_THROW(run(model), std::logic_error);
+}
+
+}  // namespace
+}  // namespace pounding

@@ -1,0 +1,196 @@
+// Locating events on motions in closed form: the test plays the integrator, each trial is a formula.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <pounding/core/error.hpp>
+#include <pounding/laws/hertz.hpp>
+#include <pounding/links/gap_link.hpp>
+#include <pounding/stepping/event_locator.hpp>
+#include <pounding/structures/bilinear_spring.hpp>
+
+namespace pounding {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Relative displacement and rate of a link at a time after the beginning.
+using Path = std::function<LinkMotion(double)>;
+
+Path uniform(double at_begin, double rate) {
+  return [=](double t) { return LinkMotion{at_begin + rate * t, rate}; };
+}
+/// As uniform, but accelerated.
+Path thrown(double at_begin, double rate, double acceleration) {
+  return [=](double t) { return LinkMotion{at_begin + rate * t + 0.5 * acceleration * t * t, rate + acceleration * t}; };
+}
+
+struct Formulas {
+  std::vector<Path> paths;
+  std::vector<std::unique_ptr<Contact>> contacts;
+  std::vector<std::unique_ptr<Spring>> springs;
+  System system;
+  MotionScales scales{{0.1}, {1.0}};
+  RigidContacts rigid;
+  Instant now;
+  Trial trial;
+  int trials = 0;
+  double unsolved_below = 0;  // steps shorter than this fail
+
+  Contact& add(double gap, Path path) {
+    contacts.push_back(std::make_unique<GapLink<laws::Hertz>>(laws::Hertz{.stiffness = 1e9}, gap));
+    paths.push_back(std::move(path));
+    return *contacts.back();
+  }
+  void write(double t, Instant& x) const {
+    const int count = static_cast<int>(paths.size());
+    x.time = t;
+    x.force = Eigen::VectorXd::Zero(count);
+    x.relative.resize(count, 3);
+    for (int i = 0; i < count; ++i) {
+      const LinkMotion m = paths[i](t);
+      x.relative.row(i) << m.penetration, m.rate, 0;
+    }
+  }
+  bool try_step(double h, std::optional<double> end) {
+    ++trials;
+    if (h < unsolved_below) return false;
+    trial.h = h;
+    write(h, trial.end);
+    trial.end.time = end.value_or(h);
+    return true;
+  }
+  std::optional<LocatedEvents> locate(double h, std::optional<double> end = std::nullopt) {
+    system.gap_jacobian.resize(0, static_cast<int>(paths.size()));
+    for (const auto& contact : contacts) system.contacts.push_back(contact.get());
+    for (const auto& spring : springs) system.springs.push_back(spring.get());
+    const LinkSet links(system);
+    const EventFunctions functions(links, rigid, scales, 1.0);
+    const EventLocator locator(functions);
+    write(0, now);
+    try_step(h, end);
+    trials = 0;
+    return locator.locate(now, trial, [this](double length, std::optional<double> at) { return try_step(length, at); });
+  }
+};
+
+TEST(EventLocator, FindsATouchToTheLastDigits) {
+  Formulas f;
+  const double w = 2 * pi / 0.5;
+  f.add(0.02, [=](double t) { return LinkMotion{0.05 * std::sin(w * t), 0.05 * w * std::cos(w * t)}; });
+  const auto located = f.locate(0.1);
+  ASSERT_TRUE(located);
+  EXPECT_NEAR(located->step, std::asin(0.4) / w, 1e-13);
+  EXPECT_EQ(f.trial.h, located->step) << "the trial ends there";
+  ASSERT_EQ(located->events.size(), 1u);
+  EXPECT_EQ(located->events[0].link, 0);
+  EXPECT_LE(f.trials, 8);
+}
+
+TEST(EventLocator, FindsTheReversalAndTheSeparationOfAContact) {
+  Formulas f;
+  Contact& contact = f.add(0, thrown(1e-3, 0.1, -2.0));  // turns after 50 ms
+  contact.on_event(0, 0, {0, 0.1});
+  const auto turn = f.locate(0.09);
+  ASSERT_TRUE(turn);
+  EXPECT_NEAR(turn->step, 0.05, 1e-12);
+  Formulas g;
+  Contact& parting = g.add(0, thrown(1e-3, -0.1, 0));
+  parting.on_event(0, 0, {0, 0.1});
+  parting.on_event(0, 0, {0, 0});
+  const auto parted = g.locate(0.05);
+  ASSERT_TRUE(parted);
+  EXPECT_NEAR(parted->step, 0.01, 1e-12);
+}
+
+TEST(EventLocator, LeavesATrialWithoutAnEventAlone) {
+  Formulas f;
+  f.add(0.02, uniform(0, 0.1));
+  EXPECT_FALSE(f.locate(0.19));
+  EXPECT_EQ(f.trials, 0);
+  EXPECT_EQ(f.trial.h, 0.19);
+}
+
+TEST(EventLocator, TakesTheFirstOfSeveral) {
+  Formulas f;
+  f.add(0.02, uniform(0, 0.3));
+  f.add(0.02, uniform(0, 0.5));
+  // Seems to be the first by its values at the ends, but is late.
+  f.add(0.02, [](double t) { return LinkMotion{100 * t * t * t, 300 * t * t}; });
+  const auto located = f.locate(0.1);
+  ASSERT_TRUE(located);
+  EXPECT_NEAR(located->step, 0.04, 1e-12);
+  ASSERT_EQ(located->events.size(), 1u);
+  EXPECT_EQ(located->events[0].link, 1);
+}
+
+TEST(EventLocator, GroupsEventsThatOnlyRoundOffKeepsApart) {
+  Formulas f;
+  f.add(0.02, uniform(0, 0.5));
+  f.add(0.03, uniform(0.01 - 1e-13, 0.5));
+  f.add(0.02, uniform(-1e-4, 0.5));
+  const auto located = f.locate(0.1);
+  ASSERT_TRUE(located);
+  ASSERT_EQ(located->events.size(), 2u) << "the third comes 0.2 ms later";
+  EXPECT_EQ(located->events[0].link + located->events[1].link, 1);
+}
+
+// Apart at both ends of the trial, overlapping in between.
+TEST(EventLocator, SeesATouchAndARebound) {
+  Formulas f;
+  f.add(0.02, thrown(0, 0.5, -6.0));  // highest at 20.8 mm
+  const auto located = f.locate(0.2);
+  ASSERT_TRUE(located);
+  EXPECT_NEAR(located->step, (0.5 - std::sqrt(0.25 - 12 * 0.02)) / 6, 1e-11);
+  Formulas miss;
+  miss.add(0.021, thrown(0, 0.5, -6.0));
+  EXPECT_FALSE(miss.locate(0.2, std::nextafter(0.2, 1.0)));
+  EXPECT_EQ(miss.trial.h, 0.2);
+  EXPECT_EQ(miss.trial.end.time, std::nextafter(0.2, 1.0)) << "its exact end is kept";
+}
+
+TEST(EventLocator, AnswersZeroForBodiesThatCloseFaceToFace) {
+  Formulas f;
+  f.add(0.02, uniform(0.02, 0.3));
+  const auto located = f.locate(0.1);
+  ASSERT_TRUE(located);
+  EXPECT_EQ(located->step, 0);
+}
+
+// By round-off on the wrong side at the beginning, then apart, then the touch.
+TEST(EventLocator, WaitsForBodiesThatPartAndComeBack) {
+  Formulas f;
+  f.add(0.02, thrown(0.02 + 1e-15, -0.1, 4.0));  // back after 50 ms
+  const auto located = f.locate(0.08);
+  ASSERT_TRUE(located);
+  EXPECT_NEAR(located->step, 0.05, 1e-11);
+}
+
+TEST(EventLocator, ShortensATrialToTheCornerOfASpring) {
+  Formulas f;
+  f.springs.push_back(std::make_unique<BilinearSpring>(BilinearSpring::Parameters{1e6, 1e3, 0.1}));  // yields at 1 mm
+  f.paths.push_back(uniform(0, 0.02));
+  EXPECT_FALSE(f.locate(0.2)) << "a corner is no event";
+  EXPECT_NEAR(f.trial.h, 0.05, 1e-3 * 0.2);
+}
+
+TEST(EventLocator, FailsWithoutATrialThatCanBeKept) {
+  Formulas f;
+  f.add(0.02, uniform(0, 0.5));
+  f.unsolved_below = 0.09;
+  try {
+    f.locate(0.1);
+    FAIL();
+  } catch (const SolverError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "the link equations could not be solved while the instant of an impact was sought; try a smaller tolerance");
+  }
+}
+
+}  // namespace
+}  // namespace pounding

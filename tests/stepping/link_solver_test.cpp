@@ -1,0 +1,224 @@
+// The equations of the link forces by themselves: the test gives free motions and a flexibility, no structure is there.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include <pounding/laws/hertz.hpp>
+#include <pounding/links/gap_link.hpp>
+#include <pounding/stepping/link_solver.hpp>
+#include <pounding/structures/bilinear_spring.hpp>
+
+namespace pounding {
+namespace {
+
+struct Linear {
+  static constexpr std::string_view name = "linear";
+  static constexpr bool may_pull = true;
+  double stiffness = 1e6, damping = 0;
+
+  void check() const {}
+  laws::Response contact(double penetration, double rate, const laws::Impact&) const noexcept {
+    return {stiffness * penetration + damping * rate, stiffness, damping};
+  }
+};
+
+/// A thousand times stiffer beyond 1 mm: full Newton steps jump back and forth over the corner.
+struct Kinked {
+  static constexpr std::string_view name = "kinked";
+  static double force(double d) { return 1e3 * d + 1e9 * std::max(0.0, d - 1e-3); }
+
+  void check() const {}
+  laws::Response contact(double penetration, double, const laws::Impact&) const noexcept {
+    return {force(penetration), penetration > 1e-3 ? 1e3 + 1e9 : 1e3, 0};
+  }
+};
+
+struct Lost {
+  static constexpr std::string_view name = "lost";
+  static constexpr bool may_pull = true;
+  void check() const {}
+  laws::Response contact(double, double, const laws::Impact&) const noexcept { return {std::nan(""), 0, 0}; }
+};
+
+/// Links that press, what they are given, and the forces found.
+struct Few {
+  std::vector<std::unique_ptr<Contact>> contacts;
+  std::vector<std::unique_ptr<Spring>> springs;
+  System system;
+  std::unique_ptr<LinkSet> links;
+  std::unique_ptr<LinkSolver> solver;
+  std::vector<int> active;
+  std::vector<LinkMotion> free;
+  Eigen::VectorXd free_acceleration, force;
+  Eigen::MatrixXd flexibility;
+  double by_u = 1e-6, by_v = 2e-3, weight = 0.5;
+
+  template <class Law>
+  void press(const Law& law) {
+    contacts.push_back(std::make_unique<GapLink<Law>>(law, 0.0));
+    contacts.back()->on_event(0, 0, {0, 1});
+  }
+  void rest() {
+    contacts.push_back(std::make_unique<RigidGapLink>(0.5, 0.0));
+    contacts.back()->jumped(0, {}, true);
+  }
+  bool solve(double guess = 0) {
+    const int count = static_cast<int>(free.size());
+    system.gap_jacobian.resize(0, count);
+    system.contacts.clear();
+    for (const auto& contact : contacts) system.contacts.push_back(contact.get());
+    for (const auto& spring : springs) system.springs.push_back(spring.get());
+    system.check();
+    links = std::make_unique<LinkSet>(system);
+    solver = std::make_unique<LinkSolver>(*links);
+    active.clear();
+    for (int i = 0; i < count; ++i) active.push_back(i);
+    if (free_acceleration.size() == 0) free_acceleration = Eigen::VectorXd::Zero(count);
+    force = Eigen::VectorXd::Constant(count, guess);
+    return solver->solve({active, free, free_acceleration, flexibility, by_u, by_v, weight}, force);
+  }
+  /// Motion that the forces leave.
+  LinkMotion motion(int i) const {
+    const double relief = weight * flexibility.row(i).dot(force);
+    return {free[i].penetration - by_u * relief, free[i].rate - by_v * relief};
+  }
+};
+
+TEST(LinkSolver, GivesALinearLinkTheForceOfTheClosedForm) {
+  const double k = 1e6, c = 2e3, g = 0.4;
+  Few few;
+  few.press(Linear{k, c});
+  few.free = {{3e-3, -0.2}};
+  few.flexibility = Eigen::MatrixXd::Constant(1, 1, g);
+  const double expected = (k * 3e-3 + c * -0.2) / (1 + few.weight * g * (few.by_u * k + few.by_v * c));
+  for (const double guess : {0.0, 1.0, 1e9}) {
+    ASSERT_TRUE(few.solve(guess));
+    EXPECT_NEAR(few.force[0], expected, 1e-13 * expected);
+    EXPECT_EQ(few.solver->failed_link(), -1);
+  }
+}
+
+TEST(LinkSolver, SolvesLinksThatShareABodyTogether) {
+  Few few;
+  for (const double k : {1e6, 3e6, 2e7}) few.press(Linear{k, 1e-3 * k});
+  few.free = {{2e-3, 0.1}, {1e-3, 0.3}, {4e-3, -0.05}};
+  few.flexibility.resize(3, 3);
+  few.flexibility << 2, -1, 0, -1, 2, -1, 0, -1, 3;
+  ASSERT_TRUE(few.solve());
+  // k_i u_i + c_i v_i = F_i with the motion that the forces leave.
+  Eigen::Matrix3d a = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d b;
+  for (int i = 0; i < 3; ++i) {
+    const double k = dynamic_cast<GapLink<Linear>&>(*few.contacts[i]).evaluate({1, 0}).by_penetration, c = 1e-3 * k;
+    a.row(i) += few.weight * (few.by_u * k + few.by_v * c) * few.flexibility.row(i);
+    b[i] = k * few.free[i].penetration + c * few.free[i].rate;
+  }
+  const Eigen::Vector3d expected = a.partialPivLu().solve(b);
+  EXPECT_LT((few.force - expected).norm(), 1e-11 * expected.norm());
+}
+
+TEST(LinkSolver, LeavesEveryNonlinearLinkInBalanceFromAnyGuess) {
+  for (const double guess : {0.0, 1e-3, 1e5, 1e12})
+    for (const int count : {1, 2}) {
+      Few few;
+      for (int i = 0; i < count; ++i) few.press(laws::Hertz{.stiffness = 2.75e9});
+      few.free.assign(static_cast<std::size_t>(count), {5e-3, 0.4});
+      few.flexibility = Eigen::MatrixXd::Constant(count, count, 0.2);
+      few.flexibility.diagonal().array() += 1;
+      ASSERT_TRUE(few.solve(guess)) << guess << count;
+      for (int i = 0; i < count; ++i) {
+        EXPECT_GT(few.force[i], 0);
+        EXPECT_NEAR(few.contacts[i]->evaluate(few.motion(i)).force, few.force[i], 1e-11 * few.force[i]) << guess << count;
+      }
+      EXPECT_LT(few.solver->iterations(), 100);
+    }
+}
+
+// The corner lies on the way of every full step, so that the bracketed solve must take over.
+TEST(LinkSolver, FindsForcesOnBothSidesOfACorner) {
+  for (const double free : {0.9e-3, 1.0001e-3, 2e-3, 0.5}) {
+    Few few;
+    for (int i = 0; i < 3; ++i) few.press(Kinked{});
+    few.free.assign(3, {free, 0});
+    few.by_v = 0;
+    few.flexibility = 40 * Eigen::Matrix3d::Identity();
+    few.flexibility(0, 1) = few.flexibility(1, 0) = -15;
+    few.flexibility(1, 2) = few.flexibility(2, 1) = 12;
+    ASSERT_TRUE(few.solve(1e4)) << free;
+    // Round-off of a force of 1e9 N/m times 1 mm.
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(Kinked::force(few.motion(i).penetration), few.force[i], 1e-6) << free;
+  }
+}
+
+TEST(LinkSolver, LetsAHeldContactCloseNoFaster) {
+  Few few;
+  few.rest();
+  few.free = {{0, 0}};
+  few.free_acceleration = Eigen::VectorXd::Constant(1, 3.0);
+  few.flexibility = Eigen::MatrixXd::Constant(1, 1, 0.25);
+  ASSERT_TRUE(few.solve());
+  EXPECT_NEAR(few.free_acceleration[0] - few.weight * 0.25 * few.force[0], 0, 1e-14);
+  EXPECT_GT(few.force[0], 0);
+}
+
+// Two held contacts between the same two bodies: G is singular, only the sum of the forces is known.
+TEST(LinkSolver, SharesAForceAmongContactsThatHoldTheSameBodies) {
+  Few few;
+  few.rest();
+  few.rest();
+  few.free.assign(2, {0, 0});
+  few.free_acceleration = Eigen::VectorXd::Constant(2, 3.0);
+  few.flexibility = Eigen::MatrixXd::Constant(2, 2, 0.25);
+  ASSERT_TRUE(few.solve());
+  EXPECT_NEAR(few.weight * 0.25 * few.force.sum(), 3.0, 1e-12);
+  EXPECT_NEAR(few.force[0], few.force[1], 1e-12);
+}
+
+// A spring that yields answers less than its elastic force: the force lies beyond the answer to the free motion.
+TEST(LinkSolver, FollowsASpringThatYields) {
+  Few few;
+  few.springs.push_back(std::make_unique<BilinearSpring>(BilinearSpring::Parameters{1e6, 1e3, 0.1}));
+  few.free = {{5e-3, 0}};
+  few.by_u = 1e-6;
+  few.by_v = 0;
+  few.flexibility = Eigen::MatrixXd::Constant(1, 1, 0.8);
+  ASSERT_TRUE(few.solve());
+  // Excess force -(1 - a)(k d - Fy) at d = free - c f with c = weight by_u g.
+  const double c = few.weight * few.by_u * 0.8, expected = -0.9 * (1e6 * 5e-3 - 1e3) / (1 - 0.9 * 1e6 * c);
+  EXPECT_NEAR(few.force[0], expected, 1e-12 * std::abs(expected));
+  EXPECT_LT(expected, -0.9 * (1e6 * 5e-3 - 1e3)) << "beyond the answer to the free motion";
+}
+
+TEST(LinkSolver, FindsTheFrictionOfTheForceThatPresses) {
+  for (const double sliding : {1e-1, 1e-4}) {
+    Few few;
+    few.press(Linear{1e6, 0});
+    few.system.frictions = {{.contact = 0, .first = 1, .count = 2, .coefficient = 0.4, .sliding = sliding}};
+    few.free = {{3e-3, 0.1}, {0, 0.3}, {0, -0.1}};
+    few.flexibility = Eigen::MatrixXd::Identity(3, 3);
+    few.flexibility(0, 1) = few.flexibility(1, 0) = 0.3;
+    ASSERT_TRUE(few.solve());
+    const Eigen::Vector2d rates(few.motion(1).rate, few.motion(2).rate);
+    const Eigen::Vector2d expected = 0.4 * few.force[0] * rates / std::hypot(rates.norm(), sliding);
+    EXPECT_NEAR(few.force[0], 1e6 * few.motion(0).penetration, 1e-10 * few.force[0]);
+    EXPECT_LT((few.force.tail(2) - expected).norm(), 1e-8 * few.force[0]) << sliding;
+  }
+}
+
+TEST(LinkSolver, SaysThatALawWithoutAnAnswerFailed) {
+  Few few;
+  few.press(Lost{});
+  few.press(Linear{1e6, 0});
+  few.free.assign(2, {1e-3, 0});
+  few.flexibility = Eigen::Matrix2d::Identity();
+  EXPECT_FALSE(few.solve());
+}
+
+}  // namespace
+}  // namespace pounding

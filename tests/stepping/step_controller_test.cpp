@@ -1,0 +1,189 @@
+// The driver of steps without PETSc's TS, beside the TS; and what it does when steps are refused.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <pounding/core/error.hpp>
+#include <pounding/linear/modal_solver.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/stepping/step_controller.hpp>
+#include <pounding/stepping/ts_pounding.hpp>
+#include "support/direct.hpp"
+#include "support/runs.hpp"
+
+namespace pounding {
+namespace {
+
+using petsc::check;
+
+constexpr double longest = 0.02, duration = 3.0;
+
+struct Oscillators {
+  Model model;
+  System system;
+  ModalSolver solver;
+  Stepper stepper;
+
+  explicit Oscillators(const Scheme& scheme, double tolerance = 1e-5)
+      : model(test::model_of(test::two_oscillators("jankowski, stiffness: 2.75e9, restitution: 0.65", tolerance))),
+        system(assemble(model)),
+        solver(system),
+        stepper(system, solver, {.tolerance = tolerance, .scheme = scheme, .max_step = longest}) {}
+  void start() { stepper.start(0, Eigen::VectorXd::Zero(system.size()), Eigen::VectorXd::Zero(system.size())); }
+  std::span<const ImpactRow> impacts() const { return model.links[0].contact->impacts(); }
+};
+
+void solve_with_ts(Oscillators& run, double first, bool fixed) {
+  petsc::Handle<TS> ts;
+  petsc::Handle<Vec> u, v;
+  TSAdapt adapt = nullptr;
+  check(petsc::register_ts_pounding());
+  check(TSCreate(PETSC_COMM_SELF, ts.out()));
+  check(TSSetType(ts, petsc::ts_type));
+  check(VecCreateSeq(PETSC_COMM_SELF, run.system.size(), u.out()));
+  check(VecDuplicate(u, v.out()));
+  check(VecSet(u, 0));
+  check(VecSet(v, 0));
+  check(TS2SetSolution(ts, u, v));
+  check(TSSetMaxTime(ts, duration));
+  check(TSSetMaxSteps(ts, PETSC_MAX_INT));
+  check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_STEPOVER));
+  check(TSGetAdapt(ts, &adapt));
+  if (fixed)
+    check(TSAdaptSetType(adapt, TSADAPTNONE));
+  else
+    check(TSAdaptSetStepLimits(adapt, 1e-18, longest));
+  check(TSSetTimeStep(ts, first));
+  check(petsc::set_stepper(ts, &run.stepper));
+  check(TSSolve(ts, nullptr));
+}
+
+void expect_same_bits(const Oscillators& a, const Oscillators& b) {
+  EXPECT_EQ(a.stepper.time(), b.stepper.time());
+  EXPECT_EQ(a.stepper.state().u, b.stepper.state().u);
+  EXPECT_EQ(a.stepper.state().v, b.stepper.state().v);
+  EXPECT_EQ(a.stepper.state().a, b.stepper.state().a);
+  EXPECT_EQ(a.stepper.iterations(), b.stepper.iterations());
+  EXPECT_EQ(a.stepper.energies().input, b.stepper.energies().input);
+  ASSERT_GT(a.impacts().size(), 2u);
+  ASSERT_EQ(a.impacts().size(), b.impacts().size());
+  for (std::size_t i = 0; i < a.impacts().size(); ++i) EXPECT_EQ(a.impacts()[i].impulse, b.impacts()[i].impulse);
+}
+
+class DriverWithScheme : public testing::TestWithParam<test::NamedScheme> {};
+
+TEST_P(DriverWithScheme, MakesTheStepsThatPetscMakesWithBasicAdaptivity) {
+  Oscillators with_ts(GetParam().scheme), alone(GetParam().scheme);
+  solve_with_ts(with_ts, longest / 64, false);
+  alone.start();
+  StepController controller(alone.stepper);
+  ErrorControl policy(longest);
+  double h = longest / 64;
+  while (alone.stepper.time() < duration) h = controller.advance(h, duration, policy);
+  EXPECT_EQ(alone.stepper.time(), duration);
+  EXPECT_GT(policy.rejected(), 0);
+  EXPECT_GT(controller.trials(), policy.rejected());
+  expect_same_bits(with_ts, alone);
+}
+
+TEST_P(DriverWithScheme, MakesTheStepsThatPetscMakesWithoutAdaptivity) {
+  Oscillators with_ts(GetParam().scheme), alone(GetParam().scheme);
+  solve_with_ts(with_ts, 1e-3, true);
+  alone.start();
+  test::march_evenly(alone.stepper, duration, 1e-3);
+  expect_same_bits(with_ts, alone);
+}
+
+// What the controller remembers goes along with the state of the stepper.
+TEST_P(DriverWithScheme, GoesOnFromASavedStateWithTheSameBits) {
+  Oscillators whole(GetParam().scheme), halves(GetParam().scheme), rest(GetParam().scheme);
+  const auto march = [](StepController& controller, double h, double end) {
+    ErrorControl policy(longest);
+    while (controller.stepper().time() < end) h = controller.advance(h, duration, policy);
+    return h;
+  };
+  whole.start();
+  StepController uncut(whole.stepper);
+  march(uncut, longest / 64, duration);
+  halves.start();
+  StepController first(halves.stepper), second(rest.stepper);
+  double h = march(first, longest / 64, 1.3);
+  Archive saved;
+  first.archive(saved);
+  Archive read(saved.bytes());
+  second.archive(read);
+  read.expect_end();
+  march(second, h, duration);
+  expect_same_bits(whole, rest);
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, DriverWithScheme, testing::ValuesIn(test::schemes), [](const auto& param) { return param.param.name; });
+
+TEST(Driver, DoesNotPassTheEnd) {
+  Oscillators run({});
+  run.start();
+  StepController controller(run.stepper);
+  FixedSteps policy;
+  controller.advance(7e-3, 0.01, policy);
+  EXPECT_EQ(run.stepper.time(), 7e-3);
+  controller.advance(7e-3, 0.01, policy);
+  EXPECT_EQ(run.stepper.time(), 0.01);
+}
+
+TEST(Driver, RemembersTheStepsOfContactsApart) {
+  Oscillators run({});
+  run.start();
+  StepController controller(run.stepper);
+  ErrorControl policy(longest);
+  double h = longest / 64, before = 0;
+  while (!run.stepper.in_contact()) before = h, h = controller.advance(h, duration, policy);
+  EXPECT_LT(h, 0.2 * before) << "a first contact starts with short steps";
+  double pressed = h;
+  while (run.stepper.in_contact()) pressed = h, h = controller.advance(h, duration, policy);
+  EXPECT_GT(h, 2 * pressed) << "the steps before the contact return after it";
+}
+
+// Rejects everything.
+struct Impatient : StepSizePolicy {
+  int rejected = 0;
+  Verdict judge(const Stepper&, double step) override { return {false, 0.9 * step}; }
+  std::string on_reject() override { return ++rejected == 3 ? "three are enough" : ""; }
+};
+
+TEST(Driver, StopsWithTheReasonOfThePolicy) {
+  Oscillators run({});
+  run.start();
+  StepController controller(run.stepper);
+  Impatient policy;
+  try {
+    controller.advance(8e-3, duration, policy);
+    FAIL();
+  } catch (const SolverError& error) {
+    EXPECT_EQ(std::string(error.what()), "the solve stopped at t = 0 s with a step of 0.002 s: three are enough");
+  }
+  EXPECT_EQ(controller.trials(), 3);
+  EXPECT_EQ(run.stepper.time(), 0) << "nothing was kept";
+}
+
+struct Never : StepSizePolicy {
+  Verdict judge(const Stepper&, double step) override { return {false, step / 2}; }
+};
+
+TEST(Driver, StopsWhereNoStepIsShortEnough) {
+  Oscillators run({});
+  run.start();
+  StepController controller(run.stepper);
+  Never policy;
+  try {
+    controller.advance(1e-3, duration, policy);
+    FAIL();
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("no step is short enough for the tolerance 1e-05"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace pounding
