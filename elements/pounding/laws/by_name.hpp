@@ -80,7 +80,7 @@ inline std::string resolved_unit(std::string_view unit, double exponent) {
   std::string text(unit);
   for (const auto& [form, power] : forms)
     if (const auto at = text.find(form); at != std::string::npos)
-      return text.replace(at, form.size(), power == 1 ? "" : "^" + number_text(power));
+      return text.replace(at, form.size(), power == 1 ? std::string() : std::string("^").append(number_text(power)));
   return text;
 }
 
