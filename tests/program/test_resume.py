@@ -181,7 +181,7 @@ class Stopped(Resumed):
                                    "{record: record.csv, units: m/s^2}")
         self.write(text, "models/model.yaml")
         self.done("models/model.yaml", "-o", "whole.h5")
-        cut = self.pounding("run", "models/model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "1000")
+        cut = self.pounding("run", "models/model.yaml", "-q", "-o", "out.h5", "-pounding_ts_max_steps", "100")
         self.assertEqual(cut.returncode, 3, cut.stderr)
         self.done("--resume", "out.h5")
         self.same("whole.h5", "out.h5")

@@ -343,7 +343,7 @@ TEST(TouchAtRest, DoesNotBeginWhileTheBodiesPart) {
       "  b1: {oscillator: {mass: 1.0, period: 1.2, damping: 10 %}}\n  b2: {body: {mass: 1000.0}}\n  b3: {wall: {}}\nlinks:\n"
       "  - {between: [b2, b3], gap: 0, law: adams_impact, stiffness: 9e10, depth: 1.0, restitution: 0.05}\n"
       "  - {between: [b1, b2], gap: 0, law: bilinear_hertz, stiffness: 1.0, restitution: 1.0}\n"
-      "analysis: {duration: 0.01, tolerance: 1e-3}\n");
+      "analysis: {duration: 0.01, tolerance: 1e-3, integrator: generalized_alpha}\n");
   expect_sound(run, 1e-3);
 }
 
@@ -367,7 +367,7 @@ TEST(TouchAtRest, DoesNotSwitchWithTheRoundingOfItsForce) {
 TEST(JumpOfTheGround, LeavesTheAbsoluteAccelerationInBalance) {
   const Outcome run = run_text("ground_motion: {pulse: {shape: rectangle, amplitude: 2.0, start: 0.5, duration: 1}}\n"
                                "structures: {a: {oscillator: {mass: 2 kg, period: 0.4, damping: 5 %}}}\n"
-                               "analysis: {duration: 2, output_step: 0.01, tolerance: 1e-6}\n");
+                               "analysis: {duration: 2, output_step: 0.01, tolerance: 1e-6, integrator: generalized_alpha}\n");
   const StructureHistory& a = run.results.structures[0];
   const double w = 2 * M_PI / 0.4;
   for (std::size_t i = 0; i < run.results.time.size(); ++i)
@@ -385,7 +385,7 @@ TEST(GroundMotion, IsNotSteppedOver) {
 TEST(LinkHistory, RisesFromZeroAtTheTouch) {
   const Outcome run = run_text("structures:\n  a: {body: {mass: 100 t}, initial_velocity: 1 m/s}\n  w: {wall: {}}\n"
                                "links: [{between: [a, w], gap: 10 mm, law: kelvin_voigt_no_tension, stiffness: 93.5 MN/m, "
-                               "restitution: 0.5}]\nanalysis: {duration: 0.2, tolerance: 1e-6}\n");
+                               "restitution: 0.5}]\nanalysis: {duration: 0.2, tolerance: 1e-6, integrator: generalized_alpha}\n");
   const LinkHistory& link = run.results.links[0];
   double impulse = 0;
   for (std::size_t i = 1; i < link.time.size(); ++i)
