@@ -1,6 +1,7 @@
 # Installs into a fresh prefix, builds outside projects against it and runs them. Those of examples/hosts are run by
 # tests/program/test_hosts.py.
 #   cmake -DBUILD=... -DWORK=... -DSOURCE=... -DHOSTS=... [-DMPIEXEC=...] [-DMAN=ON] -P check.cmake
+cmake_policy(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 function(run)
@@ -39,6 +40,26 @@ execute_process(COMMAND sh -ec "
     c++ -std=c++20 -o by_pkg_config '${SOURCE}/whole/main.cpp' $(pkg-config --cflags --libs pounding)
     ./by_pkg_config"
   WORKING_DIRECTORY ${WORK} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+# The installed headers need nothing that is not installed, and the private ones are not among them.
+file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/pounding/*.hpp)
+foreach(header IN ITEMS pounding/lib.hpp pounding/elements.hpp pounding/links.hpp pounding/core/version.hpp)
+  if(NOT header IN_LIST headers)
+    message(FATAL_ERROR "${header} is not installed")
+  endif()
+endforeach()
+foreach(header IN ITEMS pounding/run/run_monitor.hpp pounding/run/ts_setup.hpp pounding/results/hdf5.hpp)
+  if(header IN_LIST headers)
+    message(FATAL_ERROR "${header} is private, and it is installed")
+  endif()
+endforeach()
+list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE includes)
+string(JOIN "" includes ${includes})
+file(WRITE ${WORK}/all_headers.cpp "${includes}")
+execute_process(COMMAND sh -ec "
+    export PKG_CONFIG_PATH=$(dirname $(find '${prefix}' -name pounding.pc))
+    c++ -std=c++20 -fsyntax-only all_headers.cpp $(pkg-config --cflags pounding)"
+  WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 
 # The installed program draws with the modules installed beside it.
 file(WRITE ${WORK}/python "#!/bin/sh\nprintf %s \"$PYTHONPATH\" > ${WORK}/path\n")
