@@ -11,6 +11,7 @@
 
 #include <pounding/laws/all.hpp>
 #include <pounding/links/gap_link.hpp>
+#include <pounding/links/rigid_gap_link.hpp>
 
 namespace pounding {
 

@@ -66,7 +66,7 @@ class QuietCholmod {
   QuietCholmod& operator=(const QuietCholmod&) = delete;
 
  private:
-  const std::string name = std::string("-") + prefix + "mat_cholmod_print";
+  const std::string name = fmt::format("-{}mat_cholmod_print", prefix);
   bool ours_ = false;
 };
 

@@ -163,7 +163,7 @@ void Equations::hold_end(const Instant& begin, Instant& end) const {
     if (links.is_held(i)) held.push_back(i);
   if (held.empty()) return;
   solver.gather(end.motion.leftCols(2), relative_);
-  hold_contacts(links, rigid, begin, relative_, held, end);
+  hold_contacts(rigid, begin, relative_, held, end);
 }
 
 }  // namespace pounding

@@ -88,7 +88,7 @@ double slowest_bounce(double press, double restitution, double displacement, dou
   return std::max(lowest / restitution, briefest / restitution);
 }
 
-void hold_contacts(const LinkSet& links, const RigidContacts& rigid, const Instant& begin, const Eigen::MatrixXd& relative,
+void hold_contacts(const RigidContacts& rigid, const Instant& begin, const Eigen::MatrixXd& relative,
                    const std::vector<int>& held, Instant& end) {
   using enum Instant::Column;
   Eigen::MatrixXd drift(static_cast<Eigen::Index>(held.size()), 2);
