@@ -11,6 +11,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <pounding/core/error.hpp>
 #include <pounding/input/collision.hpp>
 #include <pounding/laws/compiled.hpp>
 #include <pounding/core/units.hpp>
