@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include <pounding/stepping/anderson.hpp>
 
 namespace pounding {
