@@ -19,6 +19,6 @@ int main() {
   const Outcome outcome = run(model);
 
   const Summary& summary = outcome.summary;
-  std::printf("%.1f %.6f %.6f %d\n", summary.links[0].peak_force, summary.structures[0].peak_displacement[0],
+  std::printf("%.1f %.7f %.7f %d\n", summary.links[0].peak_force, summary.structures[0].peak_displacement[0],
               summary.structures[1].peak_displacement[0], summary.links[0].impacts);
 }

@@ -54,7 +54,7 @@ Outcome oscillators(const Case& c) {
   return run(model);
 }
 
-// Of concrete, with three bays.
+// A plane frame of concrete with three bays.
 GridFrame concrete(int storeys, const Section& column, const Section& beam) {
   return {.storeys = storeys,
           .bays_x = 3,

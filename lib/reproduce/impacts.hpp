@@ -17,7 +17,7 @@ struct Asking {
   double stiffness = 0;       ///< [N/m^n]
   double restitution = 1;     ///< asked; not used by laws without damping
 
-  /// As it is given to a link: what a law must have, at its typical values but for the stiffness.
+  /// For a link: the parameters that the law must have, at their typical values but for the stiffness.
   laws::Settings settings() const;
   laws::AnyLaw made(double reduced_mass) const;
   /// Impact of two free bodies without a run: reduced mass [kg], approach velocity [m/s].

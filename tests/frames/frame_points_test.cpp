@@ -43,7 +43,7 @@ TEST(PointOnMember, HasTheHeldEndForcesOfAFixedBeam) {
                   "rounding");
   const double l = 5, a = 1.7, b = l - a;
   const Beam beam({0, 0, 0}, {l, 0, 0}, slender, steel);
-  const Eigen::Matrix<double, 12, 3> held = beam.held_end_forces_at(a / l);
+  const Eigen::Matrix<double, 12, 3> held = beam.fixed_end_forces_at(a / l);
   const double near = a * b * b / (l * l), far = a * a * b / (l * l), start = b * b * (3 * a + b) / (l * l * l);
   // A force along +z; upward at the far end the moment about y turns z into x.
   Vector12 in_z, in_y, in_x;
@@ -161,7 +161,7 @@ TEST(PointOnMember, SumsToTheMemberLoad) {
   for (const Beam& beam : {Beam(from, to, deep, steel), Beam(from, to, deep, steel, hinged), Beam::truss(from, to, 0.1, steel)}) {
     Vector12 sum = Vector12::Zero();
     for (const auto& [at, weight] : {std::pair(-std::sqrt(0.6), 5.0 / 9), {0.0, 8.0 / 9}, {std::sqrt(0.6), 5.0 / 9}})
-      sum += beam.length() / 2 * weight * beam.held_end_forces_at((1 + at) / 2) * load;
+      sum += beam.length() / 2 * weight * beam.fixed_end_forces_at((1 + at) / 2) * load;
     EXPECT_LT(relative(beam.fixed_end_forces(load), sum), 1e-13);
   }
 }

@@ -198,6 +198,7 @@ TEST(ModelByCode, OfAFrameByItsNodesIsThatOfTheInput) {
   frame.set_name(frame.add_member(3, 2, section, concrete), "right");
   frame.add_mass(1, 10e3);
   frame.add_mass(2, 10e3);
+  for (const int node : {2, 3}) frame.add_mass(node, Dof::ry, 100);
   frame.add_load(1, Dof::uz, -1e4);
   frame.fix(0);
   frame.fix(3, {Dof::ux, Dof::uz});
@@ -218,7 +219,7 @@ TEST(ModelByCode, OfAFrameByItsNodesIsThatOfTheInput) {
             "      sections: {s: {rectangle: [0.4, 0.4]}}\n"
             "      nodes: {a: [0, 0], b: [0, 3], c: [6, 3], d: [6, 0]}\n"
             "      members: {left: {between: [a, b], section: s}, beam: {between: [b, c], section: s}, right: {between: [d, c], section: s}}\n"
-            "      masses: {b: 10 t, c: 10 t}\n"
+            "      masses: {b: 10 t, c: {ux: 10 t, uz: 10 t, ry: 100}, d: {ry: 100}}\n"
             "      loads: {b: {uz: -10 kN}}\n"
             "      springs: [{node: b, dof: ux, stiffness: 1e6}, {between: [b, c], dof: ux, stiffness: 2e6}]\n"
             "      supports: {a: fixed, d: {fix: pinned, delay: 0.02}}\n"

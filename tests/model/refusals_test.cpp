@@ -1,4 +1,4 @@
-// What a model built by code refuses, and what it says to give instead.
+// A model built by code says what it refuses, and what to give instead.
 
 #include <gtest/gtest.h>
 

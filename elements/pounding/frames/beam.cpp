@@ -259,7 +259,7 @@ Vector12 Beam::fixed_end_forces(const Vector3d& per_length) const {
   return follow_.transpose() * held;
 }
 
-Vector12 Beam::held_end_forces_of_weight() const {
+Vector12 Beam::fixed_end_forces_of_weight() const {
   if (options_.mass == BeamMass::lumped) return Vector12::Zero();
   return fixed_end_forces({0, 0, -material_.density * section_.area});
 }
@@ -282,6 +282,6 @@ Eigen::Matrix<double, 3, 12> Beam::shape_at(double along) const {
 Eigen::Matrix<double, 3, 12> Beam::motion_at(double along) const { return axes_.transpose() * shape_at(along) * to_local_; }
 
 // Betti: what a force does to the held ends is what the ends' displacements do to its point.
-Eigen::Matrix<double, 12, 3> Beam::held_end_forces_at(double along) const { return -shape_at(along).transpose() * axes_; }
+Eigen::Matrix<double, 12, 3> Beam::fixed_end_forces_at(double along) const { return -shape_at(along).transpose() * axes_; }
 
 }  // namespace pounding

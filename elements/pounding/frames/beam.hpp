@@ -16,7 +16,7 @@ namespace pounding {
 /// Translations [m] and rotations [rad] of a node, rotations by the right-hand rule (a positive ry turns z into x).
 enum class Dof : int { ux, uy, uz, rx, ry, rz };
 
-/// Of the twelve displacements of a member, those of its start node first, each in the order of Dof; Matrix6 in the plane.
+/// Over the twelve displacements of a member, those of its start node first, each in the order of Dof; Matrix6 in the plane.
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -52,7 +52,7 @@ struct BeamOptions {
   std::optional<Eigen::Vector3d> reference{};
   /// From the node to the end of the member, rigid, global axes [m].
   Eigen::Vector3d start_offset = Eigen::Vector3d::Zero(), end_offset = Eigen::Vector3d::Zero();
-  /// What an end does not transmit, in local axes: {Dof::ry, Dof::rz} is a ball joint without the twist.
+  /// Forces that an end does not transmit, in local axes: {Dof::ry, Dof::rz} is a ball joint without the twist.
   std::vector<Dof> start_releases{}, end_releases{};
   /// Tension > 0 [N]. Not 0 adds the geometric stiffness of this constant force: the P-Delta effect with the bow of the
   /// member itself, without that of rigid offsets and without the change of its torsional stiffness.
@@ -64,7 +64,7 @@ struct BeamOptions {
 /// phi = 12 EI/(G As L^2), zero for an infinite shear area; Przemieniecki, Theory of Matrix Structural Analysis, 1968.
 Matrix12 beam_stiffness(const Section& section, const Material& material, double length);
 Matrix12 beam_mass(const Section& section, const Material& material, double length);
-/// Of a unit tensile force [1/m, 1, m].
+/// Geometric stiffness of a unit tensile force [1/m, 1, m].
 Matrix12 beam_geometric_stiffness(const Section& section, const Material& material, double length);
 
 /// The rows and columns ux, uz, ry of both ends.
@@ -86,7 +86,7 @@ class Beam {
   static Beam truss(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, double area,
                     const Material& material);
 
-  /// What it was made of.
+  /// Kind, section, material and options that the member was made with.
   bool is_truss() const { return is_truss_; }
   const Section& section() const { return section_; }
   const Material& material() const { return material_; }
@@ -98,7 +98,7 @@ class Beam {
   /// Between the ends of the offsets [m].
   double length() const { return length_; }
   const Eigen::Matrix3d& axes() const { return axes_; }
-  /// Of the part between the offsets [kg].
+  /// Mass of the part between the offsets [kg].
   double total_mass() const { return material_.density * section_.area * length_; }
 
   /// With the geometric stiffness of the axial force and the releases condensed.
@@ -113,13 +113,13 @@ class Beam {
 
   /// Forces and moments on the two ends, local axes, of a load per length (global axes [N/m]) with the nodes held.
   Vector12 fixed_end_forces(const Eigen::Vector3d& per_length) const;
-  /// The same of its own weight per unit of gravity [kg], [kg m]: of a consistent mass; a lumped one hangs at the nodes.
-  Vector12 held_end_forces_of_weight() const;
+  /// Fixed-end forces of its own weight per unit of gravity [kg], [kg m], for a consistent mass; a lumped one hangs at the nodes.
+  Vector12 fixed_end_forces_of_weight() const;
   /// Displacements of the point of the axis at `along` in [0, 1], global axes, from those of the nodes, the member
   /// without load between its ends.
   Eigen::Matrix<double, 3, 12> motion_at(double along) const;
   /// Forces and moments on the two ends, local axes, of a unit force along global x, y, z at that point, the nodes held.
-  Eigen::Matrix<double, 12, 3> held_end_forces_at(double along) const;
+  Eigen::Matrix<double, 12, 3> fixed_end_forces_at(double along) const;
   /// Forces on the nodes, global axes, that are equivalent to forces on the ends, local axes.
   Vector12 at_nodes(const Vector12& on_ends) const { return to_local_.transpose() * on_ends; }
 

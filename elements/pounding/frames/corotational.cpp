@@ -75,7 +75,7 @@ CorotationalFrame::CorotationalFrame(const AssembledFrame& assembled, const std:
         const int* const end = linear_.innerIndexPtr() + linear_.outerIndexPtr()[b.col() + 1];
         member.places.push_back(static_cast<int>(std::lower_bound(column, end, a.col()) - linear_.innerIndexPtr()));
       }
-  // What the members leave but for rounding.
+  // The stiffness that the members leave, without its rounding.
   rest_.prune([&](int i, int j, double value) { return std::abs(value) > 1e-12 * std::sqrt(linear_.coeff(i, i) * linear_.coeff(j, j)); });
   for (int j = 0; j < size(); ++j)
     if (rest_.coeff(j, j) < -1e-9 * turning.coeff(j, j))

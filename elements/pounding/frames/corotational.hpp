@@ -93,7 +93,7 @@ struct CorotationalMember {
 /// All members of a frame.
 std::vector<CorotationalMember> corotational_members(const Frame& frame);
 
-/// The same frame with some or all of its members corotational; everything else (springs, other members) stays linear, and
+/// A linear frame with some or all of its members corotational; everything else (springs, other members) stays linear, and
 /// constraints stay linear in the displacements: those with an arm hold for small turns of their master, with an error of
 /// the square of the turn. Unknowns are those of the assembled frame. Every function is pure.
 class CorotationalFrame {
@@ -105,7 +105,7 @@ class CorotationalFrame {
   };
   /// When an equilibrium counts as found, and when to give up.
   struct StaticOptions {
-    /// Of the residual against the load, each row over the root of its stiffness so that forces and moments compare.
+    /// Norm of the residual against the load, each row over the root of its stiffness so that forces and moments compare.
     double tolerance = 1e-9;
     int iterations = 30;    ///< of Newton's method, before a step is called failed
     int most_points = 2000; ///< on a path by arc length
@@ -124,7 +124,7 @@ class CorotationalFrame {
   /// Symmetric, its entries always at the same places; at q = 0 the linear stiffness K.
   Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& q) const;
 
-  /// What these have beyond the linear frame; exactly zero at q = 0.
+  /// Energy, forces and tangent beyond those of the linear frame; exactly zero at q = 0.
   double excess_energy(const Eigen::VectorXd& q) const;          ///< energy(q) - q.K q/2
   Eigen::VectorXd excess_force(const Eigen::VectorXd& q) const;  ///< force(q) - K q
   Eigen::SparseMatrix<double> excess_tangent(const Eigen::VectorXd& q) const;  ///< tangent(q) - K

@@ -21,6 +21,7 @@ inline Eigen::Matrix3d cross(const Eigen::Vector3d& v) {
 struct RotationMap {
   double first, first_slope, second, second_slope;
 
+  /// The matrix of the map.
   Eigen::Matrix3d matrix(const Eigen::Vector3d& t) const {
     const Eigen::Matrix3d c = cross(t);
     return Eigen::Matrix3d::Identity() + first * c + second * c * c;

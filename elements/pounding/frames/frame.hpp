@@ -17,7 +17,7 @@ namespace pounding {
 
 /// "ux", "uy" ...
 const char* name(Dof dof);
-/// Those that a node of such a frame has, in the order of its unknowns.
+/// Degrees of freedom of a node in the plane (2) or in space (3), in the order of its unknowns.
 std::span<const Dof> dofs_of(int dimension);
 
 /// A spring between two nodes, on the same displacement of both.
@@ -36,7 +36,7 @@ struct AssembledFrame {
   /// T, all displacements of all nodes = T q; one row a node and degree of freedom. Those of supports are empty, and
   /// those of rotations that nothing but trusses meet.
   Eigen::SparseMatrix<double, Eigen::RowMajor> transform;
-  /// What displacements of the supports add: all displacements of all nodes = T q + supported * (all displacements).
+  /// Part that displacements of the supports add: all displacements of all nodes = T q + supported * (all displacements).
   Eigen::SparseMatrix<double, Eigen::RowMajor> supported;
   /// n x 3, for ground motion along x, y, z: 1 at the unknowns that are translations in this direction, else 0.
   Eigen::MatrixX3d influence;
@@ -67,7 +67,7 @@ class Frame {
   /// 2: plane frame in x and z; 3: in space.
   explicit Frame(int dimension);
 
-  /// What has been added so far.
+  /// Nodes and members that have been added so far.
   int dimension() const { return dimension_; }
   int nodes() const { return static_cast<int>(positions_.size()); }
   int members() const { return static_cast<int>(members_.size()); }
@@ -75,7 +75,7 @@ class Frame {
   /// The nodes that a member joins.
   std::array<int, 2> ends(int member) const;
   const Beam& beam(int member) const { return of(member).beam; }
-  /// Those between two nodes, in the order they were added.
+  /// Springs between two nodes, in the order they were added.
   const std::vector<FrameSpring>& springs() const { return between_; }
   /// Sum of the masses along x that were added at each node [kg], without those of members.
   std::vector<double> masses_along_x() const;
@@ -83,7 +83,7 @@ class Frame {
   std::vector<int> grounded_nodes() const;
   /// Whether a load was added, at a node or on a member.
   bool is_loaded() const { return is_loaded_; }
-  /// As in messages: the name that was given, or the number.
+  /// Name in messages: the one that was given, or the number.
   std::string node_name(int node) const;
   std::string member_name(int member) const;
 
@@ -128,7 +128,7 @@ class Frame {
   // Constraints hold exactly: the displacements of `node` are replaced by those of `master`, which may follow another
   // node in turn. A displacement can follow only once and be fixed or follow, not both.
 
-  /// The same displacement.
+  /// Both nodes share these displacements.
   void tie(int master, int node, const std::vector<Dof>& dofs);
   /// All displacements of a rigid body.
   void tie_rigidly(int master, int node);
@@ -143,7 +143,7 @@ class Frame {
   /// without inertia, a dashpot at an unknown without mass, a moment where only trusses meet.
   AssembledFrame assemble(bool gravity = false) const;
 
-  // What follows is asked of the frame that `assembled` was made of, unchanged since; q are its unknowns.
+  // All functions below are asked of the frame that `assembled` was made of, unchanged since; q are its unknowns.
 
   /// Displacements at rest under load_at_rest: K q = load. Throws std::invalid_argument for a stiffness that is singular
   /// or not positive, with a node and its displacement that give way.
@@ -172,7 +172,7 @@ class Frame {
   /// and the point moves by what bends the member with its nodes held on top of `motion`.
   PointOnMember point_on_member(int member, double along, const AssembledFrame& assembled) const;
 
-  /// What the motion of some supports does to the frame.
+  /// Response of the frame to a motion of some of its supports.
   struct SupportMotion {
     Eigen::MatrixX3d influence;  ///< n x 3: where the unknowns go statically
     Eigen::MatrixX3d load;       ///< n x 3 [kg]: mass * influence, and what couples the unknowns to the supports

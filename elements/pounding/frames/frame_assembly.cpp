@@ -93,7 +93,7 @@ void Frame::trace(AssembledFrame& frame) const {
   frame.supported.setFromTriplets(by_supports.begin(), by_supports.end());
 }
 
-// Of all displacements: the entries at the nodes and the members' matrices.
+// A matrix over all displacements, from the entries at the nodes and the members' matrices.
 SparseMatrix Frame::gathered(const Entries& nodal, Matrix12 (Beam::*of_member)() const) const {
   Entries entries = nodal;
   for (const Member& member : members_) {

@@ -38,7 +38,7 @@ enum class FrameGeometry {
 struct FrameModel {
   Frame frame{2};
   std::vector<FrameFloor> floors{};  ///< from the ground up
-  /// Those with a delay or a motion of their own. All other nodes that the ground holds, by a fixed displacement or a spring,
+  /// Supports with a delay or a motion of their own. All other nodes that the ground holds, by a fixed displacement or a spring,
   /// move together; they may be given here too, without a name, as the first.
   std::vector<FrameSupport> supports{};
   std::optional<std::vector<int>> reported_nodes{};  ///< all of a frame of at most 100 nodes where nothing is said
@@ -64,7 +64,7 @@ struct FrameModel {
 /// Throws std::invalid_argument for a floor that is not level, and as Frame::tie_floor does.
 void make_floor_rigid(FrameModel& model, int floor, const std::vector<double>& weights = {});
 
-/// What add_grid leaves to its caller.
+/// Parts of a grid that add_grid leaves to its caller.
 struct GridParts {
   std::vector<int> feet;        ///< nodes on the ground, to be held
   std::vector<double> weights;  ///< of the nodes of every floor: their shares of its mass

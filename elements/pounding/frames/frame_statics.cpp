@@ -74,7 +74,7 @@ void Frame::add_p_delta(bool gravity) {
   refuse("the axial forces of P-Delta do not settle: under its own loads the frame is about to buckle");
 }
 
-// Those rows of a matrix, one a displacement, that belong to the nodes of a member, in the order of Vector12.
+// Rows of a matrix, one a displacement, that belong to the nodes of a member, in the order of Vector12.
 SparseMatrix<double, Eigen::RowMajor> Frame::member_motion(int member, const SparseMatrix<double, Eigen::RowMajor>& of_all) const {
   const Member& m = of(member);
   Entries entries;
@@ -108,7 +108,7 @@ Eigen::Matrix<double, 12, 3> Frame::enforced_end_forces(int member, const Eigen:
 Vector12 Frame::fixed_end_forces(int member, bool gravity) const {
   const Member& m = of(member);
   Vector12 held = m.beam.fixed_end_forces(m.load);
-  if (gravity) held += standard_gravity * m.beam.held_end_forces_of_weight();
+  if (gravity) held += standard_gravity * m.beam.fixed_end_forces_of_weight();
   return held;
 }
 
@@ -129,7 +129,7 @@ Frame::PointOnMember Frame::point_on_member(int member, double along, const Asse
   SparseMatrix<double, Eigen::RowMajor> every(assembled.transform.rows(), assembled.transform.rows());
   every.setIdentity();
   point.supported = at_point(every);
-  point.fixed_ends = beam.held_end_forces_at(along);
+  point.fixed_ends = beam.fixed_end_forces_at(along);
   return point;
 }
 

@@ -23,7 +23,7 @@ constexpr int max_reported = 100;
 
 bool turns(const FrameModel& model) { return model.geometry == FrameGeometry::corotational; }
 
-// What the caller left to be filled in: the supports that move together, and the nodes that are reported.
+// Fills in what the caller left out: the supports that move together, and the nodes that are reported.
 void complete(FrameModel& model) {
   std::vector<bool> in_a_group(model.frame.nodes(), false);
   for (const FrameSupport& support : model.supports)
@@ -47,7 +47,7 @@ void complete(FrameModel& model) {
   }
 }
 
-// What the reports take from a support itself.
+// The part of the reports that follows from the motion of a support itself.
 void report_enforced(const FrameModel& model, const AssembledFrame& frame, const MemberReport& members, Support& support) {
   const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
   support.nodes.resize(static_cast<int>(model.reported_nodes->size()) * dofs, 3);
@@ -86,7 +86,7 @@ std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame
   return supports;
 }
 
-// Those that a wave along this direction reaches at one time stay together.
+// Supports that a wave along this direction reaches at one time stay together.
 std::vector<FrameSupport> apart_along(const FrameModel& model, const Vector3d& direction) {
   constexpr double together = 1e-6;  // [m]
   std::vector<FrameSupport> apart;

@@ -26,7 +26,7 @@ Section i_section(double depth, double width, double flange, double web);
 /// A material by Young's modulus [Pa], density [kg/m^3] and Poisson's ratio in [0, 0.5], which concrete has unless it is given.
 Material isotropic(double young, double density = 0, double poisson = 0.2);
 
-/// The same without shear deformation (Euler-Bernoulli).
+/// A section without its shear deformation (Euler-Bernoulli).
 Section without_shear_deformation(Section section);
 
 /// Both inertias times a factor > 0, as for cracked concrete; area, torsion and shear areas stay.

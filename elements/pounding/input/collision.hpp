@@ -17,7 +17,7 @@ struct CollisionInput {
   std::string_view before_names = {};  ///< what stands before a name when it is typed, "--" on a command line
 };
 
-/// The same in SI, and which of its values are only typical ones.
+/// A collision in SI units, and which of its values are only typical ones.
 struct Collision {
   const laws::Entry& law;
   laws::Settings settings;

@@ -16,7 +16,7 @@
 namespace pounding {
 namespace {
 
-// What stands at the nodes of a frame, its supports, floors and reports.
+// Reads masses, loads, springs, supports, ties, floors and reports of a frame.
 class Reader {
  public:
   explicit Reader(const Input& body) : body_(body), parts_(body) {}
@@ -162,7 +162,7 @@ class Reader {
     add_floor_place(node, node.find("rigid"));
   }
 
-  // Of the floor that was added last; floors in space are rigid unless the input says otherwise.
+  // Notes the place of the floor that was added last. Floors in space are rigid unless the input says otherwise.
   void add_floor_place(const Input& place, const std::optional<Input>& rigid) {
     const bool of_grid = floor_places_.size() < grid_floors_;
     floor_places_.push_back({place, rigid ? rigid->as_bool() : parts_.dimension() == 3,

@@ -15,13 +15,13 @@
 
 namespace pounding {
 
-/// What holds or loads a displacement, by whether it is a translation.
+/// Dimensions of what holds or loads a displacement: other ones for translations than for rotations.
 const Dimension& of_mass(Dof dof);
 const Dimension& of_load(Dof dof);
 const Dimension& of_spring(Dof dof);
 const Dimension& of_dashpot(Dof dof);
 
-/// What a support is asked to hold.
+/// A support as the input asks for it.
 struct SupportWish {
   std::vector<Dof> fixed;
   std::vector<std::pair<Dof, double>> springs, dashpots;  ///< [N/m], [N m]; [N s/m], [N m s]
@@ -40,7 +40,7 @@ class FrameParser {
 
   /// A displacement by its name such as ux, among those of a node of this frame.
   Dof dof(const Input& item) const;
-  /// The same where the name is the key of a value.
+  /// A displacement whose name is the key of a value.
   Dof dof_at_key(const std::string& key, const Input& value) const;
   /// A list of them.
   std::vector<Dof> dofs(const Input& list) const;

@@ -13,7 +13,7 @@
 
 namespace pounding {
 
-/// What the call returns; what it refuses is reported at this place of the input.
+/// Returns what the call returns; its std::invalid_argument is reported at this place of the input.
 template <class Act>
 auto placed(const Input& place, Act&& act) {
   try {
@@ -30,11 +30,11 @@ class FramePartsInput {
   /// `body` is the whole input of the frame and outlives this.
   explicit FramePartsInput(const Input& body);
 
-  /// What was read, for the rest of the input to be added.
+  /// The frame so far; the rest of the input is added by the caller.
   FrameInput frame;
 
-  const FrameParser& words() const { return words_; }
-  int dimension() const { return dimension_; }
+  const FrameParser& words() const { return words_; }       ///< reads single words of this frame
+  int dimension() const { return dimension_; }  ///< 2 in the plane, 3 in space
   /// Place of the foot of the frame [m].
   const Eigen::Vector3d& origin() const { return origin_; }
   /// Nodes on the ground of the grid, and the shares of the nodes of each of its floors.

@@ -18,7 +18,7 @@ namespace pounding {
 /// variable POUNDING_RECORDS names. Throws InputError with the place of what is wrong.
 GroundMotion read_ground_motion(const Input& section);
 
-/// The same along x, or `components: {x: ..., y: ..., z: ...}` with such a section each; and, besides,
+/// Reads a motion along x, or `components: {x: ..., y: ..., z: ...}` with such a section each; and, besides,
 ///
 ///     wave: {velocity: 500 m/s, direction: x | y | [cosine, sine]}
 GroundSection read_ground_section(const Input& section);

@@ -46,7 +46,7 @@ class Input {
  public:
   /// The whole file. Throws for a missing file, bad YAML, a key given twice, an empty file and more than one document.
   static Input read_file(const std::string& path);
-  /// The same from memory; `name` stands for the file in messages, and its folder is where relative paths start.
+  /// A text in memory; `name` stands for the file in messages, and its folder is where relative paths start.
   static Input read_text(std::string text, std::string name);
 
   Input(const Input&) = default;
@@ -72,7 +72,7 @@ class Input {
   /// The last part of path().
   const std::string& key() const noexcept { return key_; }
 
-  /// What the node is in YAML.
+  /// The kind of the node in YAML.
   bool is_map() const { return node_.IsMap(); }
   bool is_list() const { return node_.IsSequence(); }
   bool is_scalar() const { return node_.IsScalar(); }
@@ -118,7 +118,7 @@ class Input {
 
   /// Throws InputError with this node's place in front.
   [[noreturn]] void fail(std::string_view message) const;
-  /// The same at the place of the node's key, for a key that should not be there.
+  /// Throws InputError at the place of the node's key, for a key that should not be there.
   [[noreturn]] void fail_at_key(std::string_view message) const;
 
  private:

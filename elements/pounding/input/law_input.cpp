@@ -20,7 +20,7 @@ laws::Settings read_law(const Input& link, std::span<const std::string_view> lin
   const laws::Entry& entry = laws::find_law(settings.law);
 
   std::vector<std::string_view> keys(link_keys.begin(), link_keys.end());
-  keys.insert(keys.end(), {"law", "formula", "restitution", "impact_velocity"});
+  keys.insert(keys.end(), {"law", "formula", "restitution", "impact_velocity", "reduced_mass"});
   for (const laws::ParameterInfo& parameter : entry.parameters) keys.push_back(parameter.name);
   link.only_keys(keys);
 

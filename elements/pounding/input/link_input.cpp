@@ -19,7 +19,7 @@
 namespace pounding {
 namespace {
 
-constexpr std::string_view keys[] = {"between", "floors", "gap", "name", "points", "friction", "sliding_velocity", "reduced_mass"};
+constexpr std::string_view keys[] = {"between", "floors", "gap", "name", "points", "friction", "sliding_velocity"};
 
 int structure_named(const std::string& name, const Input& node, const Model& model) {
   std::vector<std::string_view> names;

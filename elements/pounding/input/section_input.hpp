@@ -17,7 +17,7 @@ Material read_material(const Input& node);
 /// stiffness: 0.5 both inertias by this factor. In space inertia_z and torsion must be given. Throws InputError.
 Section read_section(const Input& node, int dimension);
 
-/// What `materials:`, `sections:` and `material:` of a frame name.
+/// The materials and sections that `materials:`, `sections:` and `material:` of a frame name.
 class SectionLibrary {
  public:
   SectionLibrary(const Input& frame, int dimension);
@@ -25,7 +25,7 @@ class SectionLibrary {
   /// The node holds a name or a map.
   Section section(const Input& node) const;
   Material material(const Input& node) const;
-  /// That of all members without one; `member` is the place of the error when there is none.
+  /// The material of all members without one; `member` is the place of the error when there is none.
   Material default_material(const Input& member) const;
 
  private:

@@ -81,7 +81,7 @@ struct Kind {
   Structure (*read)(const Input& body);
 };
 
-// What can stand under the name of a structure. A new kind of structure has its line here.
+// The words that can stand under the name of a structure. A new kind of structure has its line here.
 constexpr Kind kinds[] = {{"body", read_body},
                           {"oscillator", read_oscillator},
                           {"shear_building", read_shear_building},
@@ -149,7 +149,7 @@ OneOrEach read_initial_motion(const Input& node, const Structure& s, const Dimen
   return node.as_quantities(s.size(), dimension);
 }
 
-// What the model refuses, at its place in the input.
+// Reads one structure; what the model refuses is reported at its place in the input.
 class StructureInput {
  public:
   StructureInput(const std::string& name, const Input& place) : name_(name), place_(place) {}

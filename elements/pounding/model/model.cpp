@@ -45,7 +45,7 @@ void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver&
   }
 }
 
-// What yielded before the start would have to be known.
+// The slip of a storey that yielded before the start is not known.
 void refuse_initial_yield(const Structure& s) {
   for (std::size_t i = 0; i < s.yielding.size(); ++i) {
     const double drift = s.initial_displacement[i] - (i > 0 ? s.initial_displacement[i - 1] : 0);

@@ -1,5 +1,5 @@
 #pragma once
-/// What is simulated: structures beside each other, the links between them, the motion of the ground. Built by code or read from
+/// A model: structures beside each other, the links between them, the motion of the ground. Built by code or read from
 /// an input (input/read_model.hpp). SI units.
 
 #include <Eigen/Core>
@@ -96,11 +96,11 @@ class StructureHandle {
   int number_;
 };
 
-/// What is said of a structure beside its kind.
+/// Options of a structure of any kind.
 struct StructureOptions {
-  /// Of every structure but bodies and walls, unless it was made with its damping; 0 for none.
+  /// Needed by every structure but bodies and walls, unless it was made with its damping; 0 for none.
   std::optional<Damping> damping{};
-  /// Of the floors of a structure along x, one for all or one each from the ground up; of a frame as a whole [m/s].
+  /// Along x [m/s]: of the floors, one for all or one each from the ground up; of a frame as a whole.
   OneOrEach initial_velocity{};
   OneOrEach initial_displacement{};  ///< of the floors; a frame starts from its place at rest [m]
   double delay = 0;                  ///< the ground moves later here [s]
@@ -110,11 +110,11 @@ struct StructureOptions {
 /// Which floors of two structures a link joins, instead of one pair.
 enum class FacingFloors {
   all,    ///< every floor, which must face one of the other structure up to the lower roof
-  level,  ///< those that are level with one of the other
+  level,  ///< floors that are level with one of the other structure
   any     ///< all up to the lower roof; those that face none hit the column there
 };
 
-/// What is said of a link beside its law.
+/// Options of a link beside its law.
 struct LinkOptions {
   OneOrEach gap{};                       ///< >= 0 [m]; with `floors` one for all or one each from the ground up
   std::optional<FacingFloors> floors{};  ///< links all of these; without it the two ends name one pair
@@ -128,7 +128,7 @@ struct LinkOptions {
   std::optional<double> reduced_mass{};
 };
 
-/// What source_text holds where a model was not read from a text.
+/// The source_text of a model that was not read from a text.
 inline constexpr std::string_view built_by_code =
     "# This model was built by a program and not read from a file; resolved.yaml tells what it was.\n";
 
@@ -144,7 +144,7 @@ class Model {
   /// Finds what damping and first periods need. petsc::lowest_modes does so for frames of many thousand unknowns.
   ModeSolver mode_solver = dense_modes;
   std::string source_text{built_by_code};  ///< the input as given
-  std::string source_file;                 ///< as the user named it; relative paths in the input start from its folder
+  std::string source_file;                 ///< the file as the user named it; relative paths in the input start from its folder
 
   /// In the order they were added; made by add() and link(), to be read only.
   std::vector<Structure> structures;
@@ -165,7 +165,7 @@ class Model {
   bool is_complete() const noexcept { return is_complete_; }
 
  private:
-  // What is said of the ground under one structure.
+  // Options of the ground under one structure.
   struct OwnGround {
     double delay;
     std::optional<GroundComponents> motion;
@@ -193,7 +193,7 @@ std::vector<int> offsets(const Model& model);
 /// Initial displacements and velocities of the assembled system.
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model);
 
-/// What a run is about, one line each: title, ground motions, links with their laws, gaps and masses.
+/// A model in a few lines, one each: title, ground motions, links with their laws, gaps and masses.
 std::string describe(const Model& model);
 
 }  // namespace pounding

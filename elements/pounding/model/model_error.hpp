@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong with a model, and which of its options it concerns.
+/// The error of a wrong model, which knows the option that it concerns.
 
 #include <stdexcept>
 #include <string>
@@ -41,7 +41,7 @@ enum class ModelOption {
 class ModelError : public std::invalid_argument {
  public:
   ModelError(ModelOption option, const std::string& text) : std::invalid_argument(text), option_(option) {}
-  /// Of the structure with this number.
+  /// An option of the structure with this number.
   ModelError(ModelOption option, int structure, const std::string& text)
       : std::invalid_argument(text), option_(option), structure_(structure) {}
   /// An option that should not be there at all.
@@ -57,10 +57,10 @@ class ModelError : public std::invalid_argument {
     return copy;
   }
 
-  ModelOption option() const noexcept { return option_; }
+  ModelOption option() const noexcept { return option_; }  ///< that is wrong
   int structure() const noexcept { return structure_; }  ///< -1: of none, or of one that is not in the model yet
-  int axis() const noexcept { return axis_; }
-  bool is_idle() const noexcept { return is_idle_; }
+  int axis() const noexcept { return axis_; }  ///< of a motion of the ground, 0 for x
+  bool is_idle() const noexcept { return is_idle_; }  ///< whether the option should not be there
 
  private:
   ModelOption option_;

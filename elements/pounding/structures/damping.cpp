@@ -14,14 +14,14 @@
 namespace pounding {
 namespace {
 
-// Of its diagonal, a pivot of a singular matrix.
+// A pivot below this part of its diagonal entry is that of a singular matrix.
 constexpr double no_pivot = 1e-12;
 // Rounding of the quotient and of the entries of K itself, of the sum of magnitudes |phi|^T |K| |phi|.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 // Components that differ by less count as equally large: those of a symmetric structure do but for rounding.
 constexpr double equally_large = 1 - 1e-6;
 
-// Of K over the unknowns without mass.
+// Factors K over the unknowns without mass.
 void factor(Eigen::SimplicialLDLT<SparseMatrix>& ldlt, const SparseMatrix& k, const std::vector<int>& unknowns) {
   if (unknowns.empty()) return;
   ldlt.compute(k);

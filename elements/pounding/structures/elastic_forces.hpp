@@ -13,7 +13,7 @@ class ElasticForces {
  public:
   virtual ~ElasticForces() = default;
 
-  /// What u counts from: rounding of the forces goes with the whole displacements.
+  /// Displacements at the reference state [m]; round-off of the forces scales with at_rest() + u.
   virtual const Eigen::VectorXd& at_rest() const = 0;
   virtual double energy(const Eigen::VectorXd& u) const = 0;          ///< [J]
   virtual Eigen::VectorXd force(const Eigen::VectorXd& u) const = 0;  ///< [N], [N m]

@@ -21,7 +21,7 @@ namespace pounding {
 /// How the unknowns of a structure make one quantity: their factors.
 using Row = Eigen::SparseVector<double>;
 
-/// What makes a storey yield, on top of its stiffness.
+/// A nonlinear spring in a storey, in parallel to its stiffness: what makes it yield.
 struct YieldingStorey {
   double yield_force = 0;  ///< [N]
   double hardening = 0;    ///< stiffness after the yield over that before it
@@ -34,7 +34,7 @@ struct YieldingStorey {
 
 /// Supports that the ground moves alike.
 struct Support {
-  std::string name;                                     ///< for messages; empty where the structure has one only
+  std::string name;                                     ///< for messages; empty where the structure has one support only
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< where a travelling wave arrives [m]
   double delay = 0;                                     ///< the ground moves later here [s]
   std::optional<GroundComponents> motion;               ///< of its own instead of the model's
@@ -42,7 +42,7 @@ struct Support {
   Eigen::MatrixX3d influence;
   Eigen::MatrixX3d load;  ///< n x 3 [kg]: mass times influence, and what couples the unknowns to the support
 
-  // What such a motion does while the unknowns rest; empty in a structure with one support, which all is relative to.
+  // Response to such a motion while the unknowns rest; empty in a structure with one support, which all is relative to.
   Eigen::MatrixX3d enforced;  ///< displacements of the nodes, see ContactPoint::supported
   Eigen::MatrixX3d nodes;     ///< rows of NodeReport, node by node
   Eigen::MatrixX3d shears;    ///< storey shears, floor by floor [N/m]
@@ -64,11 +64,11 @@ struct Floor {
 struct ContactPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
   std::array<Row, 3> motion;  ///< displacements along x, y, z
-  /// The same by what supports enforce (Support::enforced): of a point on a member that ends at one. Else empty.
+  /// Displacements by what supports enforce (Support::enforced), of a point on a member that ends at one. Else empty.
   std::array<Row, 3> supported;
   double mass = 0;            ///< that the damping of a link is calibrated with: of the floor or of the node [kg]
   int member = -1;            ///< that is met between its ends
-  /// Of a unit force along x, y, z at the point: forces on the ends of the member, local axes, its nodes held.
+  /// Forces on the ends of the member by a unit force along x, y, z at the point, local axes, its nodes held.
   Eigen::Matrix<double, 12, 3> fixed_ends = Eigen::Matrix<double, 12, 3>::Zero();
 };
 
@@ -146,7 +146,7 @@ struct Structure {
   std::shared_ptr<const Surface> surface;
   NodeReport nodes;
   MemberReport members;
-  /// Of members that turn, to be added to what the rows above say: storey shears floor by floor, and end forces member by
+  /// Forces of members that turn, to be added to the rows above: storey shears floor by floor, and end forces member by
   /// member with what their own loads add; by q + at_rest. Empty for none.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> storey_shears, end_forces;
   Geometry geometry;

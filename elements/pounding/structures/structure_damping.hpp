@@ -22,7 +22,7 @@ struct RayleighDamping {
   std::optional<std::array<double, 2>> periods{};  ///< [s]
 };
 
-/// The same ratio in every mode.
+/// One ratio in every mode.
 struct ModalDamping {
   double ratio = 0;  ///< in [0, 1)
 };
@@ -34,7 +34,7 @@ class Damping {
   Damping(double ratio) : how_(ratio) {}
   Damping(RayleighDamping rayleigh) : how_(rayleigh) {}
   Damping(ModalDamping modal) : how_(modal) {}
-  const std::variant<double, RayleighDamping, ModalDamping>& how() const noexcept { return how_; }
+  const std::variant<double, RayleighDamping, ModalDamping>& how() const noexcept { return how_; }  ///< as given
 
  private:
   std::variant<double, RayleighDamping, ModalDamping> how_;
