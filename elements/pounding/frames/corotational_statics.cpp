@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Where this stalls the path cannot be followed with steps that still differ from rounding.
+// If this stalls, the path cannot be followed with steps that still differ from rounding.
 constexpr double shortest_arc = 1e-6;  // of the first
 constexpr int few_iterations = 4;      // after which the next step is longer
 

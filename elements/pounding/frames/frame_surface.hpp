@@ -1,5 +1,5 @@
 #pragma once
-/// Where a frame can be touched.
+/// Points at which a frame can be touched.
 
 #include <array>
 #include <memory>

@@ -14,7 +14,7 @@ namespace pounding {
 /// with the place.
 laws::Settings read_law(const Input& link, std::span<const std::string_view> link_keys);
 
-/// Where in the link stands what its law refuses. The laws know no places: it is the first of the link's keys that the text names.
+/// Location in the link of what its law refuses. The laws know no locations: it is the first of the link's keys that the text names.
 Input place_of_law(const std::string& refusal, const Input& link);
 
 }  // namespace pounding

@@ -66,7 +66,7 @@ FacingFloors read_floors(const Input& node) {
   return choice == "all" ? FacingFloors::all : choice == "level" ? FacingFloors::level : FacingFloors::any;
 }
 
-// Where the option stands that the model has refused.
+// Location of the option that the model has refused.
 Input place_of(const ModelError& error, const Input& link, const Input& between) {
   const auto at = [&](const char* key) { return link.find(key).value_or(link); };
   switch (error.option()) {

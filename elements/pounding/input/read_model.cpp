@@ -50,7 +50,7 @@ Input component(const Input& motion, int axis) {
   return motion.at("components").at(names[axis]);
 }
 
-// Where the input says what the complete model has been refused for.
+// Location in the input of what the complete model was refused for.
 Input place_of(const ModelError& error, const Input& input) {
   const Input structures = input.at("structures");
   const auto motion = input.find("ground_motion");

@@ -15,7 +15,7 @@
 namespace pounding {
 namespace {
 
-// Where sliding does not say: slower than this, friction grows with the velocity [m/s].
+// Default sliding velocity: slower than this, friction grows with the velocity [m/s].
 constexpr double usual_sliding = 5e-3;
 
 [[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
@@ -27,7 +27,7 @@ std::string text_of(const PairEnd& end, const Structure& s) {
   return end.is_numbered && end.floor ? fmt::format("{}.{}", s.name, *end.floor + 1) : s.name;
 }
 
-// Where along the common edge of two floors the contact points lie.
+// Positions of the contact points along the common edge of two floors.
 std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a, const Structure& b, Side side) {
   const auto edge = [](const PairEnd& end, const Structure& s, Side own) -> std::optional<std::array<double, 2>> {
     if (!end.floor || s.dimension < 3) return {};

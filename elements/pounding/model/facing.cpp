@@ -135,7 +135,7 @@ Side facing_side(const Structure& a, const Structure& b) {
   const auto [bx0, bx1, by0, by1] = *second;
   const double rounding = 1e-9 * std::max({1.0, std::abs(ax1), std::abs(bx1), std::abs(ay1), std::abs(by1)});
   const auto beside = [&](double a0, double a1, double b0, double b1, Side plus, Side minus) -> std::optional<Side> {
-    // Where both have no width and stand at one place neither is beside the other.
+    // Two without width at one place: neither is beside the other.
     if (a1 - a0 + b1 - b0 <= rounding && std::abs(b0 - a0) <= rounding) return {};
     if (b0 >= a1 - rounding) return plus;
     if (a0 >= b1 - rounding) return minus;

@@ -77,7 +77,7 @@ enum class Side { plus_x, minus_x, plus_y, minus_y };
 Eigen::Vector3d outward(Side side);
 Side opposite(Side side);
 
-/// Where a structure can be touched. Made by the kind of structure; floors count from 0 at the lowest. What is asked for
+/// Points at which a structure can be touched. Made by the kind of structure; floors count from 0 at the lowest. What is asked for
 /// and does not exist throws std::invalid_argument with what there is.
 class Surface {
  public:

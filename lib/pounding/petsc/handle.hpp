@@ -39,7 +39,7 @@ class Handle {
   /// The object, still owned here; null when there is none.
   T get() const { return object_; }
   operator T() const { return object_; }
-  /// Where PETSc's creating functions put a new object; an earlier one is destroyed.
+  /// Address for PETSc's creating functions; an earlier one is destroyed.
   T* out() {
     reset();
     return &object_;

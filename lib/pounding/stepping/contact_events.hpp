@@ -1,5 +1,5 @@
 #pragma once
-/// What happens at an instant where phases of contacts end.
+/// Events of contacts at one instant: ends of phases, impacts of rigid bodies.
 
 #include <vector>
 

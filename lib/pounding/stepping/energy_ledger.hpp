@@ -1,5 +1,5 @@
 #pragma once
-/// Where the energy of a run has gone.
+/// Energy balance of a run.
 
 #include <span>
 #include <vector>

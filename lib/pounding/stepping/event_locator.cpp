@@ -83,7 +83,7 @@ void EventLocator::Search::look_for_inner_touch(int link) const {
   const bool touches =
       try_step(s * whole, std::nullopt) &&
       functions.has_ended({link, EventFunctions::touch}, -at_end(link).penetration, at_end(link), now);
-  // The same trial again, with its exact end time: that may be a breakpoint of the ground motion.
+  // The trial again with its exact end time: that may be a breakpoint of the ground motion.
   if (!touches) restore(whole, end_time);
 }
 

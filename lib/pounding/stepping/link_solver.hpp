@@ -56,7 +56,7 @@ class LinkSolver {
   const LinkSet& links_;
   int failed_ = -1;
   long iterations_ = 0;
-  // Of the present solve_many().
+  // Work of the present solve_many().
   std::vector<Slider> sliders_;
   int plain_ = 0;      // active links before the first direction of a friction
   double terms_ = 0;   // size of the terms of the last residual [N]

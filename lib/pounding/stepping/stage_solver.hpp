@@ -63,7 +63,7 @@ class StageSolver {
     return condense(stage, force, r);
   }
 
-  /// The same with pseudo-forces at the displacement of the stage, free_displacement + by_u x, which is found by fixed-point
+  /// Solves the stage with pseudo-forces at the displacement of the stage, free_displacement + by_u x, which is found by fixed-point
   /// iteration from x = guess.
   template <class FreeMotion>
   bool solve_with_pseudo_forces(const Stage& stage, const Eigen::VectorXd& free_displacement, const Eigen::VectorXd& guess,

@@ -33,7 +33,7 @@ class StepHistory {
   void keep_trial();
   /// The present instant becomes both ends of the last kept step: it is as if that step had led here.
   void collapse();
-  /// The same with a length of zero and an acceleration that was constant.
+  /// Restarts with a last step of zero length and constant acceleration.
   void restart();
 
   void archive(Archive& archive);

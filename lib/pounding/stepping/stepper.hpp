@@ -63,7 +63,7 @@ class Stepper {
   /// Applies the events at the present state, without a step: after locate_event() returned zero.
   void apply_event();
 
-  /// Of the present state [s].
+  /// Time of the present state [s].
   double time() const { return history_.now().time; }
   /// The next breakpoint (corner or jump) of any ground motion [s]; infinity for none.
   double next_break() const { return equations_.supports.next_break(); }

@@ -53,7 +53,7 @@ def draw_forces(axes: Axes, run: RunData) -> None:
 
 
 def draw_energies(axes: Axes, run: RunData) -> None:
-    """Where the energy is: dissipated and stored parts stacked, below the line of the input."""
+    """Energy by kind: dissipated and stored parts stacked, below the line of the input."""
     energy = run.energy
     parts = [("damping", "damping", SKY), ("hysteretic", "yielding", ORANGE), ("impact", "impact", VERMILION),
              ("strain", "strain", GREEN), ("kinetic", "kinetic", PURPLE)]
