@@ -54,6 +54,11 @@ def installed_headers() -> list[Path]:
     return sorted(found) + [ROOT / "elements/c/pounding.h"]
 
 
+def headers_at(place: Path) -> list[Path]:
+    """The installed headers in a folder, or the one header."""
+    return sorted(set(place.glob("*.hpp")).intersection(installed_headers())) if place.is_dir() else [place]
+
+
 def declarations(path: Path) -> tuple[str, list[Item]]:
     """The comment of a header and what it declares. What is private or has a namespace `detail` is left out."""
     reader = _Reader(path.read_text(), path.suffix == ".h")

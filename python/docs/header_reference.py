@@ -1,4 +1,4 @@
-"""`.. headers:: PATH ...` shows what headers declare, with their comments; a folder stands for the headers in it."""
+"""`.. headers:: PATH ...` shows what headers declare, with their comments; a folder stands for the installed headers in it."""
 import re
 
 from docutils.statemachine import StringList
@@ -6,7 +6,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.util.nodes import nested_parse_with_titles
 from docutils import nodes
 
-from declarations import ROOT, Item, declarations
+from declarations import ROOT, Item, declarations, headers_at
 from pages import rst
 
 
@@ -16,8 +16,7 @@ class Headers(SphinxDirective):
     def run(self):
         paths = []
         for word in self.arguments[0].split():
-            place = ROOT / word
-            paths += sorted(place.glob("*.hpp")) if place.is_dir() else [place]
+            paths += headers_at(ROOT / word)
         rows = []
         known: list[Item] = []
         for path in paths:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python/docs"))
-from declarations import installed_headers  # noqa: E402
+from declarations import headers_at, installed_headers  # noqa: E402
 
 PARTS = ("elements", "lib")
 #: Top folders whose files the pages name, and files that only a build makes.
@@ -74,7 +74,7 @@ class Pages(unittest.TestCase):
         for page in (ROOT / "python/docs/reference").glob("*.rst"):
             for places in re.findall(r"(?m)^\.\. headers:: (.*\n(?:   .*\n)*)", page.read_text()):
                 for place in map(ROOT.joinpath, places.split()):
-                    shown += place.glob("*.hpp") if place.is_dir() else [place]
+                    shown += headers_at(place)
         self.assertEqual(sorted(shown), sorted(installed_headers()))
 
     def test_TheArchitectureListsEveryModuleInTheirOrder(self):

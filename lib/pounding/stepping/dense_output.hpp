@@ -42,9 +42,11 @@ class DenseOutput {
   /// Both must outlive it.
   DenseOutput(const Equations& equations, const StepHistory& history);
 
+  /// State at the present instant, at the beginning of the last kept step, and at its end before events; see Stepper::state().
   const State& now() const { return now_in(states_); }
   const State& begin() const { return begin_in(states_); }
   const State& end_minus() const { return end_minus_in(states_); }
+  /// Output quantities at the same three instants.
   const OutputQuantities& outputs() const { return now_in(outputs_); }
   const OutputQuantities& outputs_begin() const { return begin_in(outputs_); }
   const OutputQuantities& outputs_end_minus() const { return end_minus_in(outputs_); }

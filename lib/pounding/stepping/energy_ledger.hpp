@@ -41,6 +41,7 @@ class EnergyLedger {
   /// Work that each friction has dissipated [J].
   const std::vector<double>& friction() const { return friction_; }
 
+  /// Writes the sums, or reads them back.
   void archive(Archive& archive);
 
  private:

@@ -16,6 +16,7 @@ class ErrorNorm {
   /// `equations` must outlive it. `tolerance`: of a whole run, relative.
   ErrorNorm(const Equations& equations, const Scheme& scheme, double tolerance);
 
+  /// Scales that errors are relative to.
   const MotionScales& scales() const { return scales_; }
 
   /// Largest error of a trial over the error that is allowed in one step: good is at most 1. `active`: links that have a
@@ -36,6 +37,7 @@ class ErrorNorm {
   /// Inner product weighed by the masses.
   double product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const;
 
+  /// Writes the scales, or reads them back.
   void archive(Archive& archive);
 
  private:

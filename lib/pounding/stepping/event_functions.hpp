@@ -20,9 +20,11 @@ class EventFunctions {
   EventFunctions(const LinkSet& links, const RigidContacts& rigid, const MotionScales& scales, double max_step)
       : links_(links), rigid_(rigid), scales_(scales), max_step_(max_step) {}
 
+  /// The links and the scales that it was made with.
   const LinkSet& links() const { return links_; }
   const MotionScales& scales() const { return scales_; }
 
+  /// All event functions of a contact for this motion and force [N].
   Contact::EventFunctions values(int link, const LinkMotion& motion, double force) const {
     return links_.contact(link).event_functions(motion, force);
   }

@@ -9,6 +9,7 @@
 
 namespace pounding {
 
+/// Events that end a trial, and where.
 struct LocatedEvents {
   double step = 0;  ///< from the beginning to the events [s]; zero if they are there already
   std::vector<EventId> events;

@@ -25,6 +25,7 @@ class LinkSet {
       for (int i = friction.first; i < friction.first + friction.count; ++i) contact_of_friction_[i - frictions_from_] = friction.contact;
   }
 
+  /// Number of links, and of contacts among them.
   int size() const { return system_.links(); }
   int contacts() const { return contacts_; }
   /// First link that is a direction of a friction; the springs end here.

@@ -29,6 +29,7 @@ struct Strikes {
   int parting = 0;              ///< of the first `parting` contacts, those that already part are brought to rest
 };
 
+/// Outcome of the impacts of rigid contacts at one instant, by contact.
 struct RigidBounce {
   Eigen::VectorXd impulse;  ///< [N s]
   Eigen::VectorXd work;     ///< taken from the bodies [J]

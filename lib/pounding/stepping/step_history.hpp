@@ -16,6 +16,7 @@ class StepHistory {
   StepHistory(const StepHistory&) = delete;
   StepHistory& operator=(const StepHistory&) = delete;
 
+  /// The present trial step.
   Trial& trial() { return *trial_; }
   const Trial& trial() const { return *trial_; }
   /// The last kept step; its length is zero before the first one.
@@ -36,6 +37,7 @@ class StepHistory {
   /// Restarts with a last step of zero length and constant acceleration.
   void restart();
 
+  /// Writes the instants and the last kept step, or reads them back.
   void archive(Archive& archive);
 
  private:

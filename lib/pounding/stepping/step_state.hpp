@@ -35,6 +35,7 @@ struct MotionScales {
   std::vector<double> displacement;  ///< [m]
   std::vector<double> velocity;      ///< [m/s]
 
+  /// Largest scale of all groups [m], [m/s].
   double max_displacement() const { return *std::max_element(displacement.begin(), displacement.end()); }
   double max_velocity() const { return *std::max_element(velocity.begin(), velocity.end()); }
 };
@@ -54,9 +55,11 @@ struct Instant {
   Eigen::MatrixXd by_ground;     ///< part of the relative motion due to ground and gravity, [link, u v a]; empty for none
   Eigen::VectorXd pseudo_force;  ///< see PseudoForces, [coordinate]; empty for none
 
+  /// One column of `motion`.
   const double* at(Column column) const { return motion.col(column).data(); }
   double* at(Column column) { return motion.col(column).data(); }
 
+  /// Writes all members, or reads them back.
   void archive(Archive& archive) {
     archive(time);
     archive(ground);
@@ -80,6 +83,7 @@ struct Trial {
   double error = 0;                   ///< over the allowed one
   std::vector<double> squares_u, squares_v;  ///< sums of m u^2 and m v^2 by group, at the end
 
+  /// Writes all members, or reads them back.
   void archive(Archive& archive) {
     archive(h);
     archive(end);

@@ -21,6 +21,7 @@
 
 namespace pounding {
 
+/// Accuracy and scheme of the steps.
 struct StepperOptions {
   double tolerance = 1e-4;  ///< relative, on displacements and forces; between 0 and 1
   Scheme scheme = {};

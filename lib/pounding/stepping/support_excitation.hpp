@@ -15,6 +15,7 @@ namespace pounding {
 /// Sums and differences of a motion carry this much round-off, relative to the motion.
 inline constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
+/// Ground motions as a step needs them: forces of their accelerations, the relative motion that they add to links, breakpoints.
 class SupportExcitation {
  public:
   SupportExcitation(const System& system, const StructureSolver& solver)
@@ -75,6 +76,7 @@ class SupportExcitation {
       for (double t = motion.next_break(time); t <= same; t = motion.next_break(t)) next_break_ = std::max(next_break_, t);
   }
 
+  /// Writes the next breakpoint, or reads it back.
   void archive(Archive& archive) {
     archive(first_break_);
     archive(next_break_);
