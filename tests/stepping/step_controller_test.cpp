@@ -162,7 +162,7 @@ TEST(Driver, StopsWithTheReasonOfThePolicy) {
     controller.advance(8e-3, duration, policy);
     FAIL();
   } catch (const SolverError& error) {
-    EXPECT_EQ(std::string(error.what()), "the solve stopped at t = 0 s with a step of 0.002 s: three are enough");
+    EXPECT_EQ(std::string(error.what()), "the solve stopped at t = 0 s with a step of 0.00195 s: three are enough");
   }
   EXPECT_EQ(controller.trials(), 3);
   EXPECT_EQ(run.stepper.time(), 0) << "nothing was kept";

@@ -9,6 +9,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/vectors.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 
 namespace pounding {
@@ -60,12 +61,7 @@ void refuse_idle_options() {
 petsc::Handle<Vec> make_vector(const Eigen::VectorXd& all, MPI_Comm comm) {
   petsc::Handle<Vec> made;
   check(VecCreateMPI(comm, PETSC_DECIDE, static_cast<PetscInt>(all.size()), made.out()));
-  PetscInt first = 0, end = 0;
-  PetscScalar* values = nullptr;
-  check(VecGetOwnershipRange(made, &first, &end));
-  check(VecGetArray(made, &values));
-  std::copy_n(all.data() + first, end - first, values);
-  check(VecRestoreArray(made, &values));
+  check(petsc::scatter(all, made));
   return made;
 }
 

@@ -173,14 +173,14 @@ void Stepper::apply_located(bool in_place) {
 }
 
 void Stepper::archive(Archive& archive) {
-  archive(history_);
+  history_.archive(archive);
   archive(link_steps_);
-  archive(ledger_);
+  ledger_.archive(archive);
   archive(started_);
-  archive(norm_);
-  archive(stages_);
-  archive(contact_events_);
-  archive(equations_.supports);
+  norm_.archive(archive);
+  stages_.archive(archive);
+  contact_events_.archive(archive);
+  equations_.supports.archive(archive);
   for (Contact* contact : equations_.system.contacts) contact->archive(archive);
   for (Spring* spring : equations_.system.springs) spring->archive(archive);
   output_.forget();

@@ -2,15 +2,14 @@
 
 #include <petsc/private/tsimpl.h>
 
-#include <algorithm>
 #include <exception>
 #include <optional>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/vectors.hpp>
 #include <pounding/petsc/version.hpp>
 #include <pounding/stepping/step_controller.hpp>
 
@@ -54,45 +53,11 @@ class AdaptPolicy final : public StepSizePolicy {
   PetscInt rejected_ = 0;  // since the last kept step
 };
 
-// All entries of a vector, on every process.
-PetscErrorCode copy(Vec from, Eigen::VectorXd& to) {
-  const PetscScalar* values = nullptr;
-  const PetscInt* ranges = nullptr;
-  PetscMPIInt processes = 0;
-  PetscFunctionBegin;
-  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(from));
-  PetscCallMPI(MPI_Comm_size(comm, &processes));
-  PetscCall(VecGetOwnershipRanges(from, &ranges));
-  std::vector<PetscMPIInt> counts(processes), first(processes);
-  for (int p = 0; p < processes; ++p) {
-    first[p] = static_cast<PetscMPIInt>(ranges[p]);
-    counts[p] = static_cast<PetscMPIInt>(ranges[p + 1] - ranges[p]);
-  }
-  PetscInt own = 0;
-  PetscCall(VecGetLocalSize(from, &own));
-  PetscCall(VecGetArrayRead(from, &values));
-  PetscCallMPI(MPI_Allgatherv(values, static_cast<PetscMPIInt>(own), MPIU_SCALAR, to.data(), counts.data(), first.data(), MPIU_SCALAR,
-                              comm));
-  PetscCall(VecRestoreArrayRead(from, &values));
-  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-}
-
-PetscErrorCode copy(const Eigen::VectorXd& from, Vec to) {
-  PetscScalar* values = nullptr;
-  PetscFunctionBegin;
-  PetscInt first = 0, end = 0;
-  PetscCall(VecGetOwnershipRange(to, &first, &end));
-  PetscCall(VecGetArrayWrite(to, &values));
-  std::copy_n(from.data() + first, end - first, values);
-  PetscCall(VecRestoreArrayWrite(to, &values));
-  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-}
-
 PetscErrorCode write_vectors(TS ts) {
   PetscFunctionBegin;
   const State& state = data_of(ts).stepper()->state();
-  PetscCall(copy(state.u, ts->vec_sol));
-  PetscCall(copy(state.v, ts->vec_dot));
+  PetscCall(scatter(state.u, ts->vec_sol));
+  PetscCall(scatter(state.v, ts->vec_dot));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
@@ -120,8 +85,8 @@ PetscErrorCode step(TS ts) {
   try {
     if (ts->steprestart) {
       Eigen::VectorXd u(data.stepper()->system().size()), v(data.stepper()->system().size());
-      PetscCall(copy(ts->vec_sol, u));
-      PetscCall(copy(ts->vec_dot, v));
+      PetscCall(gather(ts->vec_sol, u));
+      PetscCall(gather(ts->vec_dot, v));
       data.stepper()->start(ts->ptime, u, v);
     }
     if (ts->event || data.keeps_step) {
@@ -165,7 +130,7 @@ PetscErrorCode interpolate(TS ts, PetscReal time, Vec to) {
   PetscFunctionBegin;
   Eigen::VectorXd u, v;
   data_of(ts).stepper()->interpolate(time, u, v);
-  PetscCall(copy(u, to));
+  PetscCall(scatter(u, to));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
 
