@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <pounding/links/gap_link.hpp>
+#include <pounding/links/rigid_gap_link.hpp>
 
 namespace pounding {
 namespace {

@@ -11,6 +11,7 @@
 
 #include <pounding/links/friction.hpp>
 #include <pounding/links/gap_link.hpp>
+#include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/stepping/stepper.hpp>
 #include "support/direct.hpp"

@@ -11,6 +11,7 @@
 
 #include <pounding/laws/hertz.hpp>
 #include <pounding/links/gap_link.hpp>
+#include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/link_solver.hpp>
 #include <pounding/structures/bilinear_spring.hpp>
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <pounding/links/gap_link.hpp>
+#include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/event_functions.hpp>
 #include <pounding/stepping/rigid_impacts.hpp>
 
