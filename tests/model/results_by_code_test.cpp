@@ -31,7 +31,8 @@ Model ball_on_wall(double speed = 1) {
   Model model;
   const auto ball = model.add("ball", make_body({.mass = 60e3}), {.initial_velocity = speed});
   model.link(ball, model.add("wall", make_wall()), {.gap = 0.01}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
-  model.analysis.duration = 0.2;
+  // So many steps that `stop` is asked while the ball presses.
+  model.analysis = {.duration = 0.2, .tolerance = 1e-8, .scheme = {.kind = Scheme::Kind::generalized_alpha}};
   return model;
 }
 

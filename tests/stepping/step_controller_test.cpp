@@ -9,6 +9,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/handle.hpp>
 #include <pounding/stepping/step_controller.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 #include "support/direct.hpp"
