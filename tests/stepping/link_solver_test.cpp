@@ -102,6 +102,7 @@ TEST(LinkSolver, GivesALinearLinkTheForceOfTheClosedForm) {
     ASSERT_TRUE(few.solve(guess));
     EXPECT_NEAR(few.force[0], expected, 1e-13 * expected);
     EXPECT_EQ(few.solver->failed_link(), -1);
+    EXPECT_LE(few.solver->iterations(), 3) << "Newton's method with the exact slope";
   }
 }
 

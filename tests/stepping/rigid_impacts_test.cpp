@@ -94,7 +94,6 @@ TEST(PlasticImpulses, NeverPull) {
   EXPECT_EQ(f[1], 0);
 }
 
-// A contact that is pressed first and parts when another one takes over.
 TEST(PlasticImpulses, SatisfyTheConditionsOfTheLeast) {
   MatrixXd g(3, 3);
   g << 2, 1.5, -0.3, 1.5, 2, 0.4, -0.3, 0.4, 1;
@@ -106,6 +105,14 @@ TEST(PlasticImpulses, SatisfyTheConditionsOfTheLeast) {
       EXPECT_NEAR(f[i] * left[i], 0, 1e-13) << "a contact that parts takes no impulse";
     }
   }
+}
+
+// The first contact closes fastest and is pressed first, but the other two together make it part.
+TEST(PlasticImpulses, LetAContactGoThatOthersRelieve) {
+  MatrixXd g(3, 3);
+  g << 1.02, 0.7, 0.7, 0.7, 1, 0, 0.7, 0, 1;
+  const VectorXd f = plastic_impulses(g, Eigen::Vector3d(1.3, 1.2, 1.2), 1e-12);
+  EXPECT_LT((f - Eigen::Vector3d(0, 1.2, 1.2)).norm(), 1e-14);
 }
 
 TEST(PlasticImpulses, ShareWhatTwoContactsOfTheSameBodiesTake) {

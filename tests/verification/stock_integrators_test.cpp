@@ -35,7 +35,7 @@ constexpr const char* subject = "The engine beside PETSc's own integrators";
 
 laws::AnyLaw law_of(const Link& link) {
   laws::Settings settings{.law = link.law, .formula = link.formula, .reduced_mass = link.reduced_mass};
-  for (const Value& p : link.parameters) {
+  for (const laws::ResolvedValue& p : link.parameters) {
     if (p.name == "restitution") settings.restitution = p.value;
     if (p.name == "stiffness") settings.values.emplace(p.name, p.value);
   }

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -27,6 +28,17 @@ struct Data {
 };
 
 Data& data_of(TS ts) { return *static_cast<Data*>(ts->data); }
+MPI_Comm comm_of(TS ts) { return PetscObjectComm(reinterpret_cast<PetscObject>(ts)); }
+
+// Keeps exceptions out of PETSc: `body` returns PETSc's code, or throws what becomes one.
+template <class Body>
+PetscErrorCode guarded(const Body& body) {
+  try {
+    return body();
+  } catch (const std::exception& error) {
+    return fail(error.what());
+  }
+}
 
 // The TSAdapt of a TS as a policy.
 class AdaptPolicy final : public StepSizePolicy {
@@ -79,10 +91,8 @@ PetscErrorCode advance(TS ts) {
 PetscErrorCode step(TS ts) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
-  PetscCheck(data.controller, PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ORDER,
-             "Call set_stepper() before TSSolve()");
-  std::string failure;
-  try {
+  PetscCheck(data.controller, comm_of(ts), PETSC_ERR_ORDER, "Call set_stepper() before TSSolve()");
+  PetscFunctionReturn(guarded([&]() -> PetscErrorCode {
     if (ts->steprestart) {
       Eigen::VectorXd u(data.stepper()->system().size()), v(data.stepper()->system().size());
       PetscCall(gather(ts->vec_sol, u));
@@ -93,30 +103,21 @@ PetscErrorCode step(TS ts) {
       data.snapshot.rewind_for_writing();
       data.controller->archive(data.snapshot);
     }
-    PetscCall(advance(ts));
-  } catch (const std::exception& error) {
-    failure = error.what();
-  }
-  if (!failure.empty()) PetscFunctionReturn(fail(failure));
-  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+    return advance(ts);
+  }));
 }
 
 // Back to the beginning of the last step, contacts included.
 PetscErrorCode roll_back(TS ts) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
-  PetscCheck(!data.snapshot.bytes().empty(), PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ORDER,
+  PetscCheck(!data.snapshot.bytes().empty(), comm_of(ts), PETSC_ERR_ORDER,
              "Call set_rollback() before TSSolve() to keep the beginning of every step");
-  std::string failure;
-  try {
+  PetscFunctionReturn(guarded([&] {
     data.snapshot.rewind_for_reading();
     data.controller->archive(data.snapshot);
-  } catch (const std::exception& error) {
-    failure = error.what();
-  }
-  if (!failure.empty()) PetscFunctionReturn(fail(failure));
-  PetscCall(write_vectors(ts));
-  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+    return write_vectors(ts);
+  }));
 }
 
 PetscErrorCode evaluate_error(TS ts, NormType, PetscInt* order, PetscReal* ratio) {
@@ -136,12 +137,12 @@ PetscErrorCode interpolate(TS ts, PetscReal time, Vec to) {
 
 PetscErrorCode set_up(TS ts) {
   PetscFunctionBegin;
-  PetscCheck(ts->vec_sol && ts->vec_dot, PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ORDER,
+  PetscCheck(ts->vec_sol && ts->vec_dot, comm_of(ts), PETSC_ERR_ORDER,
              "Call TS2SetSolution() first");
   PetscInt size = 0;
   PetscCall(VecGetSize(ts->vec_sol, &size));
   const Stepper* stepper = data_of(ts).stepper();
-  PetscCheck(!stepper || size == stepper->system().size(), PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ARG_SIZ,
+  PetscCheck(!stepper || size == stepper->system().size(), comm_of(ts), PETSC_ERR_ARG_SIZ,
              "The solution has %d entries, the system of the stepper %d", static_cast<int>(size), stepper->system().size());
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
 }
@@ -165,7 +166,7 @@ PetscErrorCode set_from_options(TS ts, OptionItems PetscOptionsObject) {
   options.scheme.spectral_radius = radius;
   options.solver = static_cast<SolverKind>(base);
   PetscCheck(!radius_given || options.scheme.kind == Scheme::Kind::generalized_alpha,
-             PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ARG_INCOMP,
+             comm_of(ts), PETSC_ERR_ARG_INCOMP,
              "-ts_pounding_radius belongs to -ts_pounding_scheme generalized_alpha");
   PetscCall(set_solver_options(ts, options));
   PetscOptionsHeadEnd();
@@ -225,7 +226,7 @@ PetscErrorCode register_ts_pounding() {
 PetscErrorCode set_solver_options(TS ts, const SolverOptions& options) {
   PetscFunctionBegin;
   PetscCheck(options.scheme.spectral_radius >= 0 && options.scheme.spectral_radius <= 1,
-             PetscObjectComm(reinterpret_cast<PetscObject>(ts)), PETSC_ERR_ARG_OUTOFRANGE,
+             comm_of(ts), PETSC_ERR_ARG_OUTOFRANGE,
              "The spectral radius must lie in [0, 1], not %g", options.scheme.spectral_radius);
   data_of(ts).options = options;
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
@@ -262,22 +263,17 @@ PetscErrorCode archive(TS ts, Archive& state) {
   PetscBool plain = PETSC_FALSE;
   PetscCall(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(ts->adapt), &plain, TSADAPTBASIC, TSADAPTNONE, ""));
   if (!plain) PetscFunctionReturn(fail("only the adapt types basic and none can go on from a saved state"));
-  std::string failure;
-  try {
+  PetscFunctionReturn(guarded([&] {
     state(ts->ptime);
     state(ts->time_step);
     state(ts->steps);
     state(ts->reject);
     state(ts->adapt->timestepjustdecreased);
     data_of(ts).controller->archive(state);
-  } catch (const std::exception& error) {
-    failure = error.what();
-  }
-  if (!failure.empty()) PetscFunctionReturn(fail(failure));
-  if (!state.reading()) PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
-  PetscCall(write_vectors(ts));
-  ts->steprestart = PETSC_FALSE;
-  PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+    if (!state.reading()) return static_cast<PetscErrorCode>(POUNDING_PETSC_SUCCESS);
+    ts->steprestart = PETSC_FALSE;
+    return write_vectors(ts);
+  }));
 }
 
 }  // namespace pounding::petsc
