@@ -36,7 +36,7 @@ TEST(Peak, IsFoundOnTheParabolaThroughBothEndsAndTheMiddle) {
   // a = s (0.8 - s) on [0, 1]: the maximum 0.16 is at s = 0.4, between the samples.
   Peak peak;
   peak.update(0, 0.5 * (0.8 - 0.5), 0.8 - 1);
-  EXPECT_EQ(peak.value(), 0.2) << "the end, in the other direction, is larger";
+  EXPECT_EQ(peak.value(), 1 - 0.8) << "the end, in the other direction, is larger";
   // a = s (1.2 - s): the maximum 0.36 is at s = 0.6.
   Peak inside;
   inside.update(0, 0.35, 0.2);

@@ -394,11 +394,12 @@ TEST(StockAlpha2, ComesNearTheEngineWithItsStepWhereTheForceJumps) {
             observed_order("kelvin_voigt_no_tension, stiffness: 9.35e7, restitution: 0.65"), 1, 0.3);
 }
 
-constexpr double tolerance = 1e-8, allowed = 10 * tolerance;
+// ESDIRK4 may exceed its tolerance by a tenth with Jankowski's dashpot, which grows like d^(1/4) from the touch.
+constexpr double tolerance = 5e-9, allowed = 1e-7;
 
 void expect_the_same_impacts(const std::string& problem, const std::string& law, const std::string& yaml) {
   test::Book book(subject, "PETSc's TSRK (5dp, 1e-11) with PETSc's events, " + problem,
-                  "the engine's tolerance 1e-8, ten times as much for what impacts make of the errors before them: "
+                  "twice what impacts make of the engine's tolerance 5e-9: "
                   "where the bodies stand apart by 1e-8 of the peak at the start, no speed or force of these impacts "
                   "moves by more than 1e-7");
   const Outcome engine = test::run_text(yaml);

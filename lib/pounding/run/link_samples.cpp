@@ -15,6 +15,19 @@ double work_of_second_half(const LinkStep& step) {
   return (step.end - step.begin) / 24 * (5 * end + 8 * middle - begin);
 }
 
+// Work in the part of a step after s, from 0 to 1, by the same parabola [J].
+double work_after(const LinkStep& step, double s) {
+  const double begin = step.force_begin * step.motion_begin.rate, middle = step.force_middle * step.motion_middle.rate,
+               end = step.force_end * step.motion_end.rate;
+  // Power begin + slope x + bend x^2.
+  const double bend = 2 * (begin - 2 * middle + end), slope = end - begin - bend;
+  return (step.end - step.begin) * (begin * (1 - s) + slope / 2 * (1 - s * s) + bend / 3 * (1 - s * s * s));
+}
+
+double parabola(const LinkStep& step, double s) {
+  return (1 - s) * (1 - 2 * s) * step.force_begin + 4 * s * (1 - s) * step.force_middle + s * (2 * s - 1) * step.force_end;
+}
+
 LinkHistory heading(const Link& link, const Model& model) {
   LinkHistory history;
   history.name = link.name;
@@ -95,6 +108,15 @@ std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::*
   return forces;
 }
 
+LinkSample LinkSamples::sample_at_peak(std::size_t link, const LinkStep& step, const ImpactRow& row) const {
+  const double s = (row.t_peak - step.begin) / (step.end - step.begin);
+  const LinkMotion motion = interpolate(step, s);
+  LinkSample sample{row.t_peak, motion.penetration, motion.rate, row.peak_force, model_.links[link].contact->work() - work_after(step, s), {}};
+  for (int j = 0; j < histories_[link].tangents; ++j)
+    sample.friction[j] = parabola(stepper_.link_steps()[first_tangent_[link] + j], s);
+  return sample;
+}
+
 void LinkSamples::step(bool output_due) {
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     const Contact& contact = *model_.links[i].contact;
@@ -106,9 +128,13 @@ void LinkSamples::step(bool output_due) {
     ImpactSamples& impact = impacts_[i];
     const LinkMotion &middle = step.motion_middle, &end = step.motion_end;
     if (presses || ends_here) {
+      // A step is as long as its error allows; the peak of the force may lie well inside.
+      const double mid = 0.5 * (step.begin + step.end), peak = rows.back().t_peak;
+      if (peak > step.begin && peak < mid) impact.add(sample_at_peak(i, step, rows.back()));
       if (step.force_middle != 0)
-        impact.add({0.5 * (step.begin + step.end), middle.penetration, middle.rate, step.force_middle,
-                    contact.work() - work_of_second_half(step), friction(i, &LinkStep::force_middle)});
+        impact.add({mid, middle.penetration, middle.rate, step.force_middle, contact.work() - work_of_second_half(step),
+                    friction(i, &LinkStep::force_middle)});
+      if (peak > mid && peak < step.end) impact.add(sample_at_peak(i, step, rows.back()));
       const double force = presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end;
       impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});
     }

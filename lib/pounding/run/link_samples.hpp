@@ -1,5 +1,5 @@
 #pragma once
-/// Histories of links: one sample an output time while a link is open, two a step while it presses.
+/// Histories of links: one sample an output time while a link is open, two a step while it presses and one at the peak of each impact.
 
 #include <array>
 #include <cstddef>
@@ -59,6 +59,7 @@ class LinkSamples {
 
  private:
   std::array<double, 2> friction(std::size_t link, double LinkStep::*force) const;
+  LinkSample sample_at_peak(std::size_t link, const LinkStep& step, const ImpactRow& row) const;
 
   const Model& model_;
   const Stepper& stepper_;
