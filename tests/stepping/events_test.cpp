@@ -397,21 +397,24 @@ TEST(LinkHistory, RisesFromZeroAtTheTouch) {
   EXPECT_NEAR(impulse, run.results.impacts[0].impulse, 1e-4 * impulse);
 }
 
-// Steps are as long as their error allows: between their ends and middles the force may be larger.
-TEST(LinkHistory, HoldsThePeakOfEachImpact) {
+// Steps are as long as their error allows; the samples follow the force inside of them.
+TEST(LinkHistory, FollowsTheForceInsideLongSteps) {
   const Outcome run = run_text("structures:\n  a: {body: {mass: 100 t}, initial_velocity: 1 m/s}\n  w: {wall: {}}\n"
                                "links: [{between: [a, w], gap: 10 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
                                "analysis: {duration: 0.2, tolerance: 1e-3}\n");
   const LinkHistory& link = run.results.links[0];
   const ImpactRow& impact = run.results.impacts.at(0);
-  const std::size_t peak = std::max_element(link.force.begin(), link.force.end()) - link.force.begin();
-  EXPECT_EQ(link.force[peak], impact.peak_force);
-  EXPECT_EQ(link.time[peak], impact.t_peak);
   EXPECT_TRUE(std::is_sorted(link.time.begin(), link.time.end()));
+  EXPECT_NEAR(*std::max_element(link.force.begin(), link.force.end()), impact.peak_force, 2e-4 * impact.peak_force);
   const laws::HertzDamped law{.stiffness = 2.75e9, .restitution = 0.65};
-  const double force = law.respond(link.penetration[peak], link.velocity[peak], laws::touch(law, impact.v_approach)).force;
-  EXPECT_NEAR(force, impact.peak_force, 1e-9 * force);
-  EXPECT_TRUE(std::is_sorted(link.energy.begin() + 1, link.energy.begin() + static_cast<std::ptrdiff_t>(peak))) << "while it closes";
+  const laws::Impact touched = laws::touch(law, impact.v_approach);
+  int pressed = 0;
+  for (std::size_t i = 0; i < link.time.size(); ++i) {
+    if (link.force[i] == 0) continue;
+    ++pressed;
+    EXPECT_NEAR(law.respond(link.penetration[i], link.velocity[i], touched).force, link.force[i], 1e-9 * impact.peak_force) << i;
+  }
+  EXPECT_GT(pressed, 3 * run.summary.solver.steps / 2) << "steps are long here";
 }
 
 }  // namespace

@@ -8,6 +8,10 @@
 namespace pounding {
 namespace {
 
+// Samples are dense enough for a straight line between them to miss the force by no more than this part of the peak force.
+constexpr double max_chord_error = 1e-4;
+constexpr int max_depth = 5;  // halvings of half a step
+
 // Work in the second half of a step: the integral of the parabola through the power at both ends and the middle [J].
 double work_of_second_half(const LinkStep& step) {
   const double begin = step.force_begin * step.motion_begin.rate, middle = step.force_middle * step.motion_middle.rate,
@@ -108,13 +112,20 @@ std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::*
   return forces;
 }
 
-LinkSample LinkSamples::sample_at_peak(std::size_t link, const LinkStep& step, const ImpactRow& row) const {
-  const double s = (row.t_peak - step.begin) / (step.end - step.begin);
-  const LinkMotion motion = interpolate(step, s);
-  LinkSample sample{row.t_peak, motion.penetration, motion.rate, row.peak_force, model_.links[link].contact->work() - work_after(step, s), {}};
+// Between s and e, parts of a step from 0 to 1 with these forces at them: samples wherever a straight line would miss the force.
+void LinkSamples::add_between(std::size_t link, const LinkStep& step, double s, double force_s, double e, double force_e, int depth) {
+  const Contact& contact = *model_.links[link].contact;
+  const double mid = 0.5 * (s + e);
+  const LinkMotion motion = interpolate(step, mid);
+  const double force = contact.acting_force(contact.evaluate(motion).force);
+  if (std::abs(force - 0.5 * (force_s + force_e)) <= max_chord_error * contact.impacts().back().peak_force) return;
+  if (depth > 1) add_between(link, step, s, force_s, mid, force, depth - 1);
+  LinkSample sample{step.begin + mid * (step.end - step.begin), motion.penetration, motion.rate, force,
+                    contact.work() - work_after(step, mid), {}};
   for (int j = 0; j < histories_[link].tangents; ++j)
-    sample.friction[j] = parabola(stepper_.link_steps()[first_tangent_[link] + j], s);
-  return sample;
+    sample.friction[j] = parabola(stepper_.link_steps()[first_tangent_[link] + j], mid);
+  impacts_[link].add(sample);
+  if (depth > 1) add_between(link, step, mid, force, e, force_e, depth - 1);
 }
 
 void LinkSamples::step(bool output_due) {
@@ -128,13 +139,14 @@ void LinkSamples::step(bool output_due) {
     ImpactSamples& impact = impacts_[i];
     const LinkMotion &middle = step.motion_middle, &end = step.motion_end;
     if (presses || ends_here) {
-      // A step is as long as its error allows; the peak of the force may lie well inside.
-      const double mid = 0.5 * (step.begin + step.end), peak = rows.back().t_peak;
-      if (peak > step.begin && peak < mid) impact.add(sample_at_peak(i, step, rows.back()));
-      if (step.force_middle != 0)
-        impact.add({mid, middle.penetration, middle.rate, step.force_middle, contact.work() - work_of_second_half(step),
-                    friction(i, &LinkStep::force_middle)});
-      if (peak > mid && peak < step.end) impact.add(sample_at_peak(i, step, rows.back()));
+      if (step.force_middle != 0) {
+        // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
+        const bool known = contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
+        if (known) add_between(i, step, 0, step.force_begin, 0.5, step.force_middle, max_depth);
+        impact.add({0.5 * (step.begin + step.end), middle.penetration, middle.rate, step.force_middle,
+                    contact.work() - work_of_second_half(step), friction(i, &LinkStep::force_middle)});
+        if (known) add_between(i, step, 0.5, step.force_middle, 1, step.force_end, max_depth);
+      }
       const double force = presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end;
       impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});
     }

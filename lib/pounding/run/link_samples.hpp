@@ -1,5 +1,5 @@
 #pragma once
-/// Histories of links: one sample an output time while a link is open, two a step while it presses and one at the peak of each impact.
+/// Histories of links: one sample an output time while a link is open; while it presses two a step, and more where the force bends.
 
 #include <array>
 #include <cstddef>
@@ -59,7 +59,7 @@ class LinkSamples {
 
  private:
   std::array<double, 2> friction(std::size_t link, double LinkStep::*force) const;
-  LinkSample sample_at_peak(std::size_t link, const LinkStep& step, const ImpactRow& row) const;
+  void add_between(std::size_t link, const LinkStep& step, double s, double force_s, double e, double force_e, int depth);
 
   const Model& model_;
   const Stepper& stepper_;
