@@ -81,7 +81,7 @@ TEST(LinksByCode, SayWhatIsWrong) {
             "needs a frame: the others move along x only and cannot slide; leave it out");
   EXPECT_EQ(refused_link({.gap = 0.01, .sliding_velocity = 0.3}), "belongs to friction; type friction: 0.3 beside it, or leave it out");
   EXPECT_EQ(refused_link({.gap = 0.01}, laws::Hertz{.stiffness = -1}), "stiffness is -1, but must be finite and positive");
-  EXPECT_EQ(refused_link({.gap = 0.01}, laws::Settings{.law = "hertz_damp"}), "unknown law \"hertz_damp\". Did you mean \"hertz_damped\"?");
+  EXPECT_EQ(refused_link({.gap = 0.01}, laws::Settings{.law = "hertz_damp", .formula = {}}), "unknown law \"hertz_damp\". Did you mean \"hertz_damped\"?");
   EXPECT_EQ(refused_link({.gap = 0.01, .reduced_mass = 1e4}, laws::Jankowski{.stiffness = 1e9, .restitution = 0.5, .reduced_mass = 1e4}),
             "the reduced mass is given twice, by the law and by the link; keep one of the two");
 }
