@@ -1,5 +1,5 @@
 #pragma once
-/// Columns of the histories that grow beside the output times, and how to cut them to a length.
+/// Forces of links inside a step; columns of the histories that grow beside the output times, and how to cut them to a length.
 
 #include <array>
 #include <cstddef>
@@ -8,8 +8,15 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/results/results.hpp>
+#include <pounding/stepping/dense_output.hpp>
 
 namespace pounding {
+
+/// Force of a link inside its last kept step, s from 0 to 1 [N]: the parabola through both ends and the middle.
+inline double force_inside(const LinkStep& step, double s) {
+  const Parabola parabola(s);
+  return parabola.begin * step.force_begin + parabola.middle * step.force_middle + parabola.end * step.force_end;
+}
 
 inline std::array<std::vector<double>*, 5> columns(LinkHistory& h) {
   return {&h.time, &h.penetration, &h.velocity, &h.force, &h.energy};

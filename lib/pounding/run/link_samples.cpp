@@ -28,10 +28,6 @@ double work_after(const LinkStep& step, double s) {
   return (step.end - step.begin) * (begin * (1 - s) + slope / 2 * (1 - s * s) + bend / 3 * (1 - s * s * s));
 }
 
-double parabola(const LinkStep& step, double s) {
-  return (1 - s) * (1 - 2 * s) * step.force_begin + 4 * s * (1 - s) * step.force_middle + s * (2 * s - 1) * step.force_end;
-}
-
 LinkHistory heading(const Link& link, const Model& model) {
   LinkHistory history;
   history.name = link.name;
@@ -123,7 +119,7 @@ void LinkSamples::add_between(std::size_t link, const LinkStep& step, double s, 
   LinkSample sample{step.begin + mid * (step.end - step.begin), motion.penetration, motion.rate, force,
                     contact.work() - work_after(step, mid), {}};
   for (int j = 0; j < histories_[link].tangents; ++j)
-    sample.friction[j] = parabola(stepper_.link_steps()[first_tangent_[link] + j], mid);
+    sample.friction[j] = force_inside(stepper_.link_steps()[first_tangent_[link] + j], mid);
   impacts_[link].add(sample);
   if (depth > 1) add_between(link, step, mid, force, e, force_e, depth - 1);
 }

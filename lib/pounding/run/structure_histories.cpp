@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <pounding/run/histories.hpp>
+
 namespace pounding {
 namespace {
 
@@ -17,12 +19,6 @@ double spring_force(const LinkStep& step, double time, double deformation) {
   const double u1 = early ? step.motion_middle.penetration : step.motion_end.penetration;
   const double f0 = early ? step.force_begin : step.force_middle, f1 = early ? step.force_middle : step.force_end;
   return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
-}
-
-// Force of a contact at an instant of the last kept step [N]: the parabola through both ends and the middle.
-double link_force(const LinkStep& step, double time) {
-  const double s = std::clamp((time - step.begin) / (step.end - step.begin), 0.0, 1.0);
-  return (1 - s) * (1 - 2 * s) * step.force_begin + 4 * s * (1 - s) * step.force_middle + s * (2 * s - 1) * step.force_end;
 }
 
 StructureHistory heading(const Structure& s) {
@@ -176,8 +172,9 @@ void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const Out
       const auto found = std::find(s.members.members.begin(), s.members.members.end(), end->point.member);
       if (found == s.members.members.end()) continue;
       const std::size_t m = found - s.members.members.begin();
+      const LinkStep& step = stepper_.link_steps()[i];
       const double force =
-          at.inside ? link_force(stepper_.link_steps()[i], at.time) : stepper_.link_forces()[static_cast<int>(i)];
+          at.inside ? force_inside(step, (at.time - step.begin) / (step.end - step.begin)) : stepper_.link_forces()[static_cast<int>(i)];
       if (force == 0) continue;
       const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * force * link.direction);
       for (std::size_t j = 0; j < components; ++j)
