@@ -15,13 +15,13 @@
 namespace pounding::program {
 namespace {
 
-struct Arguments {
+struct CalibrateArguments {
   CollisionInput collision;
   std::vector<std::string> parameters;  // NAME=VALUE
   bool json = false, cyclic = false;
 };
 
-CollisionInput collision_words(const Arguments& words) {
+CollisionInput collision_words(const CalibrateArguments& words) {
   CollisionInput collision = words.collision;
   collision.before_names = "--";
   for (const std::string& text : words.parameters) {
@@ -158,7 +158,7 @@ void print_json(const Collision& c, const std::vector<CyclicRow>& rows) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-  const auto words = std::make_shared<Arguments>();
+  const auto words = std::make_shared<CalibrateArguments>();
   CLI::App* command =
       app.add_subcommand("calibrate", "Damping of a law for a restitution, by every formula, and what each really gives");
   command->add_option("--law", words->collision.law, "Contact law (see pounding laws)")->required();

@@ -20,14 +20,14 @@
 namespace pounding::program {
 namespace {
 
-struct Arguments {
+struct RecordArguments {
   std::string file, units, channel, csv;
   std::string damping = "5 %";
   std::string periods = "0.02:4:50";
   bool json = false;
 };
 
-Record read(const Arguments& words) {
+Record read(const RecordArguments& words) {
   return read_record(find_record(words.file, {}), {.units = words.units, .channel = words.channel});
 }
 
@@ -113,7 +113,7 @@ void write_csv(const std::vector<SpectrumPoint>& points, const std::string& path
   if (!file) throw InputError(fmt::format("{}: cannot be written", path));
 }
 
-void print_spectrum(const Arguments& words) {
+void print_spectrum(const RecordArguments& words) {
   const double damping = read_damping(words.damping);
   const std::vector<double> periods = read_periods(words.periods);
   const Record record = read(words);
@@ -131,7 +131,7 @@ void print_spectrum(const Arguments& words) {
 }  // namespace
 
 void add_record(CLI::App& app) {
-  const auto words = std::make_shared<Arguments>();
+  const auto words = std::make_shared<RecordArguments>();
   CLI::App* const record = app.add_subcommand("record", "Look at an accelerogram");
   record->require_subcommand(1);
 

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using reproduce::Item, reproduce::ItemMaker, reproduce::Verdict;
 
-struct Arguments {
+struct ReproduceArguments {
   std::vector<std::string> only;
   std::string directory = "reproduction";
   bool json = false;
@@ -99,7 +99,7 @@ std::vector<Item> compute_and_draw(const std::vector<const ItemMaker*>& makers, 
   return items;
 }
 
-void reproduce_paper(const Arguments& words) {
+void reproduce_paper(const ReproduceArguments& words) {
   const std::vector<const ItemMaker*> makers = chosen(words.only);
   const fs::path directory = words.directory;
   std::error_code error;
@@ -115,7 +115,7 @@ void reproduce_paper(const Arguments& words) {
 }  // namespace
 
 void add_reproduce(CLI::App& app) {
-  const auto words = std::make_shared<Arguments>();
+  const auto words = std::make_shared<ReproduceArguments>();
   CLI::App* command = app.add_subcommand(
       "reproduce", "Recompute Naderpour, Barros & Khatami 2015, with a verdict on each equation, table and figure");
   std::string names;

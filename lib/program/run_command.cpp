@@ -23,7 +23,7 @@
 namespace pounding::program {
 namespace {
 
-struct Arguments {
+struct RunArguments {
   std::string model, output, picture, resume;
   bool json = false, plot = false, quiet = false;
 };
@@ -102,7 +102,7 @@ struct Task {
   InterruptedRun earlier;
 };
 
-void run_task(const Arguments& words, const Task& task) {
+void run_task(const RunArguments& words, const Task& task) {
   const auto& [model_file, options, earlier] = task;
   const bool resume = !words.resume.empty();
   const petsc::Ranks ranks(PETSC_COMM_WORLD);
@@ -155,7 +155,7 @@ void run_task(const Arguments& words, const Task& task) {
   if (!words.json && !words.quiet) std::printf("picture      %s\n", picture.c_str());
 }
 
-void run_model(const Arguments& words, const CLI::App& command) {
+void run_model(const RunArguments& words, const CLI::App& command) {
   auto [model_file, options] = rest_of(command);
   const bool resume = !words.resume.empty();
   if (model_file.empty() && !resume) throw InputError("MODEL is required; type pounding run MODEL.yaml");
@@ -171,7 +171,7 @@ void run_model(const Arguments& words, const CLI::App& command) {
 }  // namespace
 
 void add_run(CLI::App& app) {
-  const auto words = std::make_shared<Arguments>();
+  const auto words = std::make_shared<RunArguments>();
   CLI::App* run_command = app.add_subcommand("run", "Run MODEL, an input file (YAML), through time");
   run_command->add_option("--resume", words->resume,
                           "Results file of a run that was killed, stopped or cut: goes on in it with the model that it holds; "
@@ -186,7 +186,7 @@ void add_run(CLI::App& app) {
                       "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_scheme generalized_alpha  -pounding_ts_view  -pounding_ts_monitor");
   run_command->callback([words, run_command] { run_model(*words, *run_command); });
 
-  const auto check_words = std::make_shared<Arguments>();
+  const auto check_words = std::make_shared<RunArguments>();
   CLI::App* check_command = app.add_subcommand("check", "Read and check a model without running it");
   check_command->add_option("MODEL", check_words->model, "Input file (YAML)")->required();
   check_command->add_flag("--json", check_words->json, "Print one JSON object");
