@@ -12,6 +12,16 @@
 
 namespace pounding {
 
+class Archive;
+
+/// A class that says which of its members make its state.
+template <class T>
+concept Archived = requires(T& value, Archive& archive) { value.archive(archive); };
+
+/// A value whose bytes are its state. A class that is archived by members may hold references, whose bytes mean nothing later.
+template <class T>
+concept PlainBytes = std::is_trivially_copyable_v<T> && !Archived<T>;
+
 /// `archive(x)` appends x when writing and replaces it when reading, with the same bits. The bytes are those of this machine:
 /// they are read on the same kind of machine, by the same version of the program.
 class Archive {
@@ -40,19 +50,17 @@ class Archive {
   }
 
   /// Values, lists and texts, with their sizes. Throws std::runtime_error for bytes that end early.
-  template <class T>
-    requires std::is_trivially_copyable_v<T>
+  template <PlainBytes T>
   void operator()(T& value) {
     raw(&value, sizeof(T));
   }
-  template <class T>
-    requires std::is_trivially_copyable_v<T>
+  template <PlainBytes T>
   void operator()(std::vector<T>& values) {
     values.resize(count(values.size()));
     raw(values.data(), sizeof(T) * values.size());
   }
   template <class T>
-    requires(!std::is_trivially_copyable_v<T>)
+    requires(!PlainBytes<T>)
   void operator()(std::vector<T>& values) {
     values.resize(count(values.size()));
     for (T& value : values) (*this)(value);
@@ -62,11 +70,8 @@ class Archive {
     raw(text.data(), text.size());
   }
   /// A class with a member `void archive(Archive&)`.
-  template <class T>
-    requires requires(T& value, Archive& archive) { value.archive(archive); }
-  void operator()(T& value)
-    requires(!std::is_trivially_copyable_v<T>)
-  {
+  template <Archived T>
+  void operator()(T& value) {
     value.archive(*this);
   }
   /// A type of another library: `archive_value(Archive&, T&)` in this namespace, as in archive_eigen.hpp.

@@ -1,0 +1,49 @@
+#include <pounding/core/archive.hpp>
+
+#include <type_traits>
+
+#include <gtest/gtest.h>
+
+namespace pounding {
+namespace {
+
+// Counts events of an engine that it points to; only the count is its state.
+struct Counter {
+  const double* engine;
+  int count;
+  void archive(Archive& archive) { archive(count); }
+};
+
+TEST(Archive, AsksAClassForItsStateThoughItsBytesCouldBeCopied) {
+  static_assert(std::is_trivially_copyable_v<Counter>);
+  const double first = 1, second = 2;
+  Counter written{&first, 7}, read{&second, 0};
+  Archive archive;
+  archive(written);
+  EXPECT_EQ(archive.bytes().size(), sizeof(int));
+  archive.rewind_for_reading();
+  archive(read);
+  EXPECT_EQ(read.count, 7);
+  EXPECT_EQ(read.engine, &second);
+}
+
+TEST(Archive, AsksTheMembersOfAList) {
+  const double first = 1, second = 2;
+  std::vector<Counter> written{{&first, 3}, {&first, 4}}, read{{&second, 0}, {&second, 0}};
+  Archive archive;
+  archive(written);
+  archive.rewind_for_reading();
+  archive(read);
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[1].count, 4);
+  EXPECT_EQ(read[1].engine, &second);
+}
+
+TEST(Archive, RefusesBytesThatEndEarly) {
+  Archive short_one{std::vector<std::byte>(3)};
+  int value = 0;
+  EXPECT_THROW(short_one(value), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace pounding
