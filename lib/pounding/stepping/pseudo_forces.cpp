@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <pounding/structures/massless.hpp>
+
 namespace pounding {
 namespace {
 
@@ -22,25 +24,13 @@ constexpr int max_iterations = 60;
 // Finite-difference step for the tangent's time derivative, as a fraction of 1/omega (Rayleigh quotient of v).
 constexpr double short_time = 1e-4;
 
-SparseMatrix block(const SparseMatrix& matrix, int first, const std::vector<int>& rows, const std::vector<int>& columns, int size) {
-  std::vector<int> to(size, -1);
-  for (std::size_t i = 0; i < rows.size(); ++i) to[rows[i]] = static_cast<int>(i);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    for (SparseMatrix::InnerIterator it(matrix, first + columns[j]); it; ++it)
-      if (const int row = to[it.row() - first]; row >= 0) entries.emplace_back(row, static_cast<int>(j), it.value());
-  SparseMatrix part(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
-  part.setFromTriplets(entries.begin(), entries.end());
-  return part;
-}
-
 /// A block of matrices that all have the same pattern of entries.
 class Extract {
  public:
   Extract() = default;
   Extract(SparseMatrix whole, const std::vector<int>& rows, const std::vector<int>& columns) {
     std::iota(whole.valuePtr(), whole.valuePtr() + whole.nonZeros(), 0.0);
-    part_ = block(whole, 0, rows, columns, static_cast<int>(whole.rows()));
+    part_ = submatrix(whole, rows, columns);
     from_.assign(part_.valuePtr(), part_.valuePtr() + part_.nonZeros());
   }
   const SparseMatrix& operator()(const SparseMatrix& whole) {
@@ -69,16 +59,14 @@ struct PseudoForces::Part {
 
   Part(const System& system, int number)
       : group(number), first(system.groups[number].first), size(system.groups[number].count),
-        forces(*system.groups[number].elastic) {
-    for (int i = 0; i < size; ++i) {
-      all.push_back(i);
-      (system.mass.coeff(first + i, first + i) > 0 ? dynamic : massless).push_back(i);
-    }
-    mass = block(system.mass, first, all, all, size);
-    stiffness = block(system.stiffness, first, all, all, size);
+        forces(*system.groups[number].elastic), all(size),
+        dynamic(split_by_mass(system.mass, first, size).dynamic), massless(split_by_mass(system.mass, first, size).massless) {
+    std::iota(all.begin(), all.end(), 0);
+    mass = submatrix(system.mass, all, all, first);
+    stiffness = submatrix(system.stiffness, all, all, first);
     if (massless.empty()) return;
-    couplings = block(system.stiffness, first, massless, all, size).cwiseAbs();
-    const SparseMatrix own = block(system.stiffness, first, massless, massless, size);
+    couplings = submatrix(system.stiffness, massless, all, first).cwiseAbs();
+    const SparseMatrix own = submatrix(system.stiffness, massless, massless, first);
     diagonal = own.diagonal();
     at_rest.compute(own);
     if (at_rest.info() != Eigen::Success || !(at_rest.vectorD().minCoeff() > 0))
