@@ -74,10 +74,11 @@ Input place_of(const ModelError& error, const Input& input) {
 
 }  // namespace
 
-Model read_model(const Input& input, const ModeSolver& modes) {
+Model read_model(const Input& input, const ModeSolver& modes, double stiffness_factor) {
   input.only_keys({"title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare"});
   Model model;
   model.mode_solver = modes;
+  model.stiffness_factor = stiffness_factor;
   model.source_text = input.text();
   model.source_file = input.file();
   if (const auto title = input.find("title")) model.title = title->as_text();
