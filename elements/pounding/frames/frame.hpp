@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -228,22 +229,54 @@ class Frame {
   std::map<int, Row> follows_;                                  // displacement -> displacements of its master
 };
 
+/// Cross-sections of the columns or the beams of a grid: one for all, one for each storey from the ground up, or, for each storey,
+/// one for each line.
+class GridSections {
+ public:
+  GridSections() = default;
+  GridSections(const Section& all) : sections_{{all}} {}
+  GridSections(const std::vector<Section>& by_storey) {
+    for (const Section& section : by_storey) sections_.push_back({section});
+  }
+  GridSections(std::vector<std::vector<Section>> by_storey_and_line) : sections_(std::move(by_storey_and_line)) {}
+
+  /// That of a storey, from 1, on a line, from 0.
+  const Section& at(int storey, int line) const;
+  /// Throws std::invalid_argument for lists that are neither one long nor as long as there are storeys and lines.
+  void check(int storeys, int lines, const std::string& name) const;
+
+ private:
+  std::vector<std::vector<Section>> sections_{{Section{}}};  // [storey or 1][line or 1]
+};
+
+/// A member of a grid that differs from the others.
+struct GridMember {
+  std::optional<Section> section{};
+  std::optional<Material> material{};
+  std::optional<BeamOptions> options{};  ///< releases, offsets and kind of mass
+  Eigen::Vector3d load = Eigen::Vector3d::Zero();  ///< static, per length, global axes [N/m]
+  /// Equal parts with nodes between them, which a contact may hit: "column 2.1/1" from the lower or first end on.
+  int parts = 1;
+};
+
 /// A regular frame: columns on a grid, beams along x and y at every floor, all feet fixed. SI units.
 /// Lists hold one value for all, or one each: storeys and floors from the ground up, bays from the origin on.
-/// In messages its nodes are "S.I", in space "S.I.K", its members "column S.I", "beam x S.I" and "beam y S.I.K" with the
-/// numbers of their upper or first node, and the masters of rigid floors in space "floor S".
+/// Its nodes are named "S.I", in space "S.I.K", its members "column S.I", "beam x S.I" and "beam y S.I.K" with the
+/// numbers of their upper or first node, and the masters of rigid floors in space "floor S". Lines of columns are counted along x, then
+/// along y; lines of beams along x are those of their first columns, and so are those along y.
 struct GridFrame {
   int storeys = 1;
   int bays_x = 1;
   int bays_y = 0;  ///< 0: plane frame
   std::vector<double> storey_height{}, bay_width_x{}, bay_width_y{};  ///< [m]
-  Section column, beam;  ///< local z of beams points upwards, local y of columns along global y
+  GridSections column, beam;  ///< local z of beams points upwards, local y of columns along global y
   Material material;
   BeamMass mass = BeamMass::lumped;  ///< of the members, when the material has a density
   /// [kg] a floor, shared by the nodes as their half bays on each side of the width; acts in every translation.
   std::vector<double> floor_mass{};
   bool rigid_floors = false;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< foot of the first column
+  std::map<std::string, GridMember> members{};       ///< those that differ, by their names
 
   /// Storey 0 is the ground, i counts columns along x, k along y; all from 0. Throws std::invalid_argument outside the grid.
   int node(int storey, int i, int k = 0) const;

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <string>
 
+#include <pounding/core/names.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 
 namespace pounding {
@@ -42,6 +44,36 @@ std::vector<double> shares(const std::vector<double>& widths) {
   return share;
 }
 
+// A member of the grid, in parts where it is cut.
+void add_member(Frame& frame, const std::string& name, int from, int to, const Section& usual, const GridFrame& grid) {
+  const auto found = grid.members.find(name);
+  const GridMember own = found == grid.members.end() ? GridMember{} : found->second;
+  const BeamOptions options = own.options.value_or(BeamOptions{.mass = grid.mass});
+  const Section& section = own.section ? *own.section : usual;
+  const Material& material = own.material ? *own.material : grid.material;
+  if (own.parts < 1 || own.parts > 100) refuse(name + ": parts from 1 to 100");
+  const Vector3d start = frame.position(from) + options.start_offset, end = frame.position(to) + options.end_offset;
+  int first = from;
+  for (int part = 1; part <= own.parts; ++part) {
+    const bool is_last = part == own.parts;
+    const std::string of_part = own.parts == 1 ? name : name + "/" + std::to_string(part);
+    const int last = is_last ? to : frame.add_node(start + (end - start) * part / own.parts, of_part);
+    BeamOptions here = options;
+    if (part > 1) {
+      here.start_releases.clear();
+      here.start_offset.setZero();
+    }
+    if (!is_last) {
+      here.end_releases.clear();
+      here.end_offset.setZero();
+    }
+    const int member = frame.add_member(first, last, section, material, here);
+    frame.set_name(member, of_part);
+    if (!own.load.isZero()) frame.add_member_load(member, own.load);
+    first = last;
+  }
+}
+
 }  // namespace
 
 int GridFrame::node(int storey, int i, int k) const {
@@ -53,7 +85,23 @@ int GridFrame::node(int storey, int i, int k) const {
 int GridFrame::floor(int storey) const {
   const int first = node(storey, 0);
   if (storey == 0) refuse("the ground is no floor");
-  return bays_y == 0 ? first : node(storeys, bays_x, bays_y) + storey;
+  if (bays_y == 0) return first;
+  int between = 0;
+  for (const auto& [name, member] : members) between += member.parts - 1;
+  return node(storeys, bays_x, bays_y) + between + storey;
+}
+
+const Section& GridSections::at(int storey, int line) const {
+  const std::vector<Section>& of_storey = sections_[sections_.size() == 1 ? 0 : storey - 1];
+  return of_storey[of_storey.size() == 1 ? 0 : line];
+}
+
+void GridSections::check(int storeys, int lines, const std::string& name) const {
+  if (sections_.size() != 1 && static_cast<int>(sections_.size()) != storeys)
+    refuse(name + ": one section, or " + std::to_string(storeys) + " from the ground up");
+  for (const std::vector<Section>& of_storey : sections_)
+    if (of_storey.size() != 1 && static_cast<int>(of_storey.size()) != lines)
+      refuse(name + ": one section in a storey, or " + std::to_string(lines) + " from the first line on");
 }
 
 GridParts add_grid(FrameModel& model, const GridFrame& grid) {
@@ -93,16 +141,24 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
     model.floors.push_back(std::move(floor));
   }
 
-  const BeamOptions options{.mass = grid.mass};
+  const int lines_of_columns = (grid.bays_x + 1) * (grid.bays_y + 1);
+  grid.column.check(grid.storeys, lines_of_columns, "columns");
+  grid.beam.check(grid.storeys, is_plane ? grid.bays_x : lines_of_columns, "beams");
+  std::set<std::string> known;
   for (int storey = 1; storey <= grid.storeys; ++storey)
     each(storey, [&](int node, int i, int k) {
+      const int line = k * (grid.bays_x + 1) + i;
       const auto member = [&](const char* kind, int from, int to, const Section& section) {
-        frame.set_name(frame.add_member(from, to, section, grid.material, options), kind + at(storey, i, k));
+        const std::string name = kind + at(storey, i, k);
+        add_member(frame, name, from, to, section, grid);
+        known.insert(name);
       };
-      member("column ", grid.node(storey - 1, i, k), node, grid.column);
-      if (i < grid.bays_x) member("beam x ", node, grid.node(storey, i + 1, k), grid.beam);
-      if (k < grid.bays_y) member("beam y ", node, grid.node(storey, i, k + 1), grid.beam);
+      member("column ", grid.node(storey - 1, i, k), node, grid.column.at(storey, line));
+      if (i < grid.bays_x) member("beam x ", node, grid.node(storey, i + 1, k), grid.beam.at(storey, line));
+      if (k < grid.bays_y) member("beam y ", node, grid.node(storey, i, k + 1), grid.beam.at(storey, line));
     });
+  for (const auto& [name, member] : grid.members)
+    if (!known.contains(name)) refuse(unknown_name("member", name, {known.begin(), known.end()}));
   return parts;
 }
 
