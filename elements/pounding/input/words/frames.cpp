@@ -39,7 +39,7 @@ constexpr Word frame_words[] = {
      .otherwise = "the feet of a grid are fixed",
      .meaning = "Supports by the names of their nodes; feet are all nodes of a grid on the ground. fixed holds every displacement, "
                 "pinned the translations, roller uz.",
-     .example = "{a: fixed, b: {fix: [uz], springs: {ux: 20 MN/m}}}"},
+     .example = "{a: fixed, d: {fix: [uz, ry], springs: {ux: 20 MN/m}}}"},
     {.key = "floors", .form = Form::list, .inside = &floor, .otherwise = "those of the grid",
      .meaning = "Floors from the ground up, beside or instead of those of a grid.", .example = "[{nodes: [b, c], elevation: 3 m}]"},
     {.key = "masses", .takes = Takes::quantity, .form = Form::named, .inside = &node_masses, .dimension = dimension::mass,

@@ -75,7 +75,7 @@ constexpr Word member_words[] = {
     {.key = "offsets", .inside = &offsets, .otherwise = "the ends are at the nodes",
      .meaning = "Rigid arms from the nodes to the ends of the member, in global axes.", .example = "{start: [0, 0.3 m]}"},
     {.key = "load", .takes = Takes::quantity, .form = Form::list, .least = 2, .most = 3, .dimension = dimension::stiffness,
-     .otherwise = "no load",
+     .noun = "a force per length", .otherwise = "no load",
      .meaning = "Force per length that acts before and during the motion, in global axes: [x, z] in the plane, [x, y, z] in "
                 "space; z is up.",
      .example = "[0, -10 kN/m]"},

@@ -17,7 +17,7 @@ constexpr std::array<Word, 6> by_displacement(const Dimension& of_translation, c
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool turns = i >= 3;
     words[i] = {.key = displacements[i], .takes = Takes::quantity, .dimension = turns ? of_rotation : of_translation,
-                .bounds = bounds, .meaning = meanings[i], .example = examples[turns]};
+                .unit = of_rotation == turning_damping && turns ? "N m s" : std::string_view{}, .bounds = bounds, .meaning = meanings[i], .example = examples[turns]};
   }
   return words;
 }
@@ -53,7 +53,7 @@ constexpr Word spring_words[] = {
      .bounds = bounds::non_negative, .need = Need::at_least_one, .meaning = "Stiffness, of a rotation a moment per radian.",
      .example = "1 MN/m"},
     {.key = "damping", .takes = Takes::quantity, .dimension = dimension::damping, .turning = turning_damping,
-     .bounds = bounds::non_negative, .need = Need::at_least_one, .meaning = "Force of the dashpot over its velocity.",
+     .unit = "N s/m or N m s", .bounds = bounds::non_negative, .need = Need::at_least_one, .meaning = "Force of the dashpot over its velocity.",
      .example = "100 kN s/m"}};
 
 constexpr Word tie_words[] = {

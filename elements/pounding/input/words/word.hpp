@@ -55,7 +55,7 @@ struct Word {
   Bounds bounds{};          ///< of a quantity in SI, of an integer
   std::span<const std::string_view> choices{};
   std::span<const std::string_view> instead{};  ///< texts that stand in the place of the whole value: `nodes: all`
-  std::string_view noun{};                      ///< what the choices name, where it is not the key
+  std::string_view noun{};  ///< what the choices name, where it is not the key; a quantity, where its dimension does not name it
   Need need = Need::optional;
   std::string_view otherwise{};  ///< value when the key is left out: as it would be typed, or in words; "" for none
   std::string_view since = "0.1.0";
