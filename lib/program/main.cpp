@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   add_run(app);
   add_modes(app);
   add_sensitivity(app);
+  add_words(app);
   add_laws(app);
   add_calibrate(app);
   add_record(app);
