@@ -41,8 +41,10 @@ def show_parts(app, docname, source):
     commands = COMMANDS.search(source[0])
     run = MODEL.search(commands[0])
     # The model that is run comes first, then those that the text compares it with.
-    files = sorted((path for path in folder.iterdir() if path.suffix in LANGUAGES), key=lambda path: (not run or path.name != run[1], path.name))
-    listings = "".join(f"```{{literalinclude}} {path.name}\n:language: {LANGUAGES[path.suffix]}\n:caption: {path.name}\n```\n\n" for path in files)
+    files = sorted((path for path in folder.iterdir() if path.suffix in LANGUAGES),
+                   key=lambda path: (not run or path.name != run[1], path.name))
+    listings = "".join(f"```{{literalinclude}} {path.name}\n:language: {LANGUAGES[path.suffix]}\n:caption: {path.name}\n```\n\n"
+                       for path in files)
     shown = ""
     if run:
         place = Path(app.doctreedir) / "lessons" / page[1]
@@ -50,7 +52,9 @@ def show_parts(app, docname, source):
         names = [name.replace("--plot", "run") for name in pictures(commands[0])]
         shown = "\n" + "".join(f"![{NAMES.get(name, name).capitalize()}]({os.path.relpath(path, folder)})\n\n"
                                for name, path in zip(names, draw(folder / run[1], names, place)))
-    source[0] = source[0][:commands.start()] + listings + commands[0] + shown + source[0][commands.end():]
+    # Every number gets a line of its own.
+    rest = re.sub(r"(?m)^(?=Expect\b)", "\n", source[0][commands.end():])
+    source[0] = source[0][:commands.start()] + listings + commands[0] + shown + rest
 
 
 def setup(app):
