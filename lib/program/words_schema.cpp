@@ -79,6 +79,17 @@ std::vector<Json> alternatives_of(const words::Word& word) {
     case Form::one_or_each:
     case Form::one_or_list: all.push_back(list_schema(word)); return all;
     case Form::list: return {list_schema(word)};
+    case Form::by_storey: {
+      const Json of_line{{"type", "array"}, {"items", any_of(all)}, {"minItems", 1}};
+      std::vector<Json> of_storey = all;
+      of_storey.push_back(of_line);
+      all.push_back(Json{{"type", "array"}, {"items", any_of(of_storey)}, {"minItems", 1}});
+      all.push_back(Json{{"type", "object"},
+                         {"patternProperties", {{"^[1-9][0-9]*(-[1-9][0-9]*)?$", any_of(of_storey)}}},
+                         {"additionalProperties", false},
+                         {"minProperties", 1}});
+      return all;
+    }
     case Form::named: return {Json{{"type", "object"}, {"additionalProperties", any_of(all)}}};
     case Form::named_lists: return {Json{{"type", "object"}, {"additionalProperties", list_schema(word)}}};
   }
@@ -153,7 +164,7 @@ std::string name_of(words::Takes takes) {
 }
 
 std::string name_of(words::Form form) {
-  constexpr const char* names[] = {"one", "one or each", "one or list", "list", "named", "named lists"};
+  constexpr const char* names[] = {"one", "one or each", "one or list", "list", "named", "named lists", "by storey"};
   return names[static_cast<std::size_t>(form)];
 }
 

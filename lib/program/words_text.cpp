@@ -69,6 +69,8 @@ std::string taken_text(const words::Word& word) {
     }
     case Form::one_or_list: return instead + or_map(word) + ", or " + list_of(word);
     case Form::list: return instead + list_of(word);
+    case Form::by_storey:
+      return or_map(word) + "; or a list of them from the ground up, or a map from storeys such as 1-3; each may be a list by line";
     case Form::named: return instead + "a map of names, each " + or_map(word);
     case Form::named_lists: return instead + "a map of names, each " + list_of(word);
   }

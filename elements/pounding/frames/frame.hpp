@@ -249,14 +249,26 @@ class GridSections {
   std::vector<std::vector<Section>> sections_{{Section{}}};  // [storey or 1][line or 1]
 };
 
+/// A member that may be cut into equal parts, with nodes between them: there it can bow, and a contact can hit it.
+struct CutMember {
+  Section section;
+  Material material;
+  BeamOptions options{};  ///< releases and offsets are those of the two outer ends
+  Eigen::Vector3d load = Eigen::Vector3d::Zero();  ///< static, per length, global axes [N/m]
+  int parts = 1;                                   ///< 1 to 100
+};
+
+/// Adds the parts of a member and the nodes between them, and returns the members. Several parts are named "name/1", "name/2" ... from
+/// the start on, and each node as the part that ends there. Throws std::invalid_argument as Frame::add_member does.
+std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end, const CutMember& member);
+
 /// A member of a grid that differs from the others.
 struct GridMember {
   std::optional<Section> section{};
   std::optional<Material> material{};
   std::optional<BeamOptions> options{};  ///< releases, offsets and kind of mass
   Eigen::Vector3d load = Eigen::Vector3d::Zero();  ///< static, per length, global axes [N/m]
-  /// Equal parts with nodes between them, which a contact may hit: "column 2.1/1" from the lower or first end on.
-  int parts = 1;
+  int parts = 1;                                   ///< see CutMember
 };
 
 /// A regular frame: columns on a grid, beams along x and y at every floor, all feet fixed. SI units.
@@ -283,6 +295,10 @@ struct GridFrame {
   /// The master of a rigid floor, storey >= 1: in space a node of its own at the centre of the floor's mass, in a plane
   /// frame the floor's first node.
   int floor(int storey) const;
+  /// What the name of a node is made of: "2.1", in space "2.1.0".
+  std::string place(int storey, int i, int k = 0) const;
+  /// The names of its members, in the order in which they are made.
+  std::vector<std::string> member_names() const;
 };
 
 /// Throws std::invalid_argument for a grid that cannot be, in the name of its member.

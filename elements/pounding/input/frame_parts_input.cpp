@@ -1,5 +1,7 @@
 #include <pounding/input/frame_parts_input.hpp>
 
+#include <algorithm>
+
 #include <pounding/core/names.hpp>
 #include <pounding/input/frame_bays.hpp>
 
@@ -18,7 +20,13 @@ FramePartsInput::FramePartsInput(const Input& body) : body_(body), words_(body),
   if (const auto nodes = body_.find("nodes"))
     for (const auto& [name, node] : nodes->entries()) read_node(name, node);
   if (const auto members = body_.find("members"))
-    for (const auto& [name, node] : members->entries()) read_member(name, node);
+    for (const auto& [name, node] : members->entries())
+      if (!is_of_grid(name)) read_member(name, node);
+}
+
+// Names of the user's members have no dot.
+bool FramePartsInput::is_of_grid(const std::string& name) const {
+  return body_.has("grid") && name.find('.') != std::string::npos;
 }
 
 std::vector<std::string> FramePartsInput::node_names() const {
@@ -72,19 +80,44 @@ void FramePartsInput::read_grid(const Input& node) {
   grid.bay_width_x = along_x;
   grid.bay_width_y = along_y;
   grid.storey_height = node.at("storey_height").as_quantities(grid.storeys);
-  grid.column = library_.section(node.at("columns"));
-  grid.beam = library_.section(node.at("beams"));
+  const int lines_of_columns = (grid.bays_x + 1) * (grid.bays_y + 1);
+  grid.column = library_.sections_of_grid(node.at("columns"), grid.storeys, lines_of_columns);
+  grid.beam = library_.sections_of_grid(node.at("beams"), grid.storeys, dimension_ == 2 ? grid.bays_x : lines_of_columns);
   grid.material = library_.default_material(node);
   grid.mass = mass_kind_;
   if (const auto mass = node.find("floor_mass"))
     grid.floor_mass = mass->as_quantities(grid.storeys);
   grid.origin = origin_;
+  if (const auto members = body_.find("members")) read_members_of_grid(*members, grid);
   grid_ = placed(node, [&] { return add_grid(frame.model, grid); });
   const Frame& made = frame.model.frame;
   for (int i = 0; i < made.nodes(); ++i) nodes_.emplace(made.node_name(i), i);
   for (int i = 0; i < made.members(); ++i) members_.emplace(made.member_name(i), i);
   frame.node_places.assign(made.nodes(), node);
   frame.member_places.assign(made.members(), node);
+}
+
+// What the input says of members of the grid by their names.
+void FramePartsInput::read_members_of_grid(const Input& members, GridFrame& grid) const {
+  const std::vector<std::string> known = grid.member_names();
+  for (const auto& [name, node] : members.entries()) {
+    if (!is_of_grid(name)) continue;
+    if (std::find(known.begin(), known.end(), name) == known.end()) node.fail_at_key(unknown_name("member", name, known));
+    node.only_keys();
+    for (const std::string_view key : {"between", "truss"})
+      if (const auto found = node.find(key))
+        found->fail_at_key("belongs to a member of its own; one of the grid keeps its nodes and stays a beam");
+    GridMember& own = grid.members[name];
+    if (const auto section = node.find("section")) own.section = library_.section(*section);
+    if (const auto material = node.find("material")) own.material = library_.material(*material);
+    own.options = read_beam_options(node);
+    if (const auto load = node.find("load")) own.load = read_load(*load);
+    if (const auto parts = node.find("parts")) own.parts = static_cast<int>(parts->as_integer());
+  }
+}
+
+Vector3d FramePartsInput::read_load(const Input& load) const {
+  return words_.vector(load, dimension_ == 2 ? "[0, -10 kN/m]" : "[0, 0, -10 kN/m]");
 }
 
 void FramePartsInput::check_name(const std::string& name, const Input& place) const {
@@ -108,7 +141,7 @@ void FramePartsInput::name_member(int member, const std::string& name, const Inp
 
 void FramePartsInput::add_truss(const std::string& name, const Input& node, const Input& truss, int start, int end,
                                 const Material& material) {
-  for (const std::string_view key : {"section", "releases", "offsets", "load", "reference"})
+  for (const std::string_view key : {"section", "releases", "offsets", "load", "parts", "reference"})
     if (const auto found = node.find(key)) found->fail_at_key("belongs to a beam; a truss takes its area only");
   const double area = truss.as_quantity();
   name_member(placed(node, [&] { return frame.model.frame.add_truss(start, end, area, material); }), name, node);
@@ -146,15 +179,22 @@ void FramePartsInput::read_member(const std::string& name, const Input& node) {
   if (const auto truss = node.find("truss")) return add_truss(name, node, *truss, start, end, material);
   const auto section = node.find("section");
   if (!section) node.fail("the section is missing; type section: {rectangle: [0.4 m, 0.6 m]}, or truss: 20 cm^2");
-  const BeamOptions options = read_beam_options(node);
-  const int member = placed(node, [&] {
-    return frame.model.frame.add_member(start, end, library_.section(*section), material, options);
-  });
-  name_member(member, name, node);
+  Frame& made = frame.model.frame;
+  const int nodes = made.nodes();
+  const auto parts = node.find("parts");
+  const CutMember beam{.section = library_.section(*section),
+                       .material = material,
+                       .options = read_beam_options(node),
+                       .parts = parts ? static_cast<int>(parts->as_integer()) : 1};
+  const std::vector<int> members = placed(node, [&] { return add_member_in_parts(made, name, start, end, beam); });
+  for (const int member : members) name_member(member, made.member_name(member), node);
+  for (int added = nodes; added < made.nodes(); ++added) {
+    nodes_.emplace(made.node_name(added), added);
+    frame.node_places.push_back(node);
+  }
   if (const auto load = node.find("load")) {
-    const std::string_view example = dimension_ == 2 ? "[0, -10 kN/m]" : "[0, 0, -10 kN/m]";
-    const Vector3d per_length = words_.vector(*load, example);
-    placed(*load, [&] { frame.model.frame.add_member_load(member, per_length); });
+    const Vector3d per_length = read_load(*load);
+    for (const int member : members) placed(*load, [&] { made.add_member_load(member, per_length); });
   }
 }
 

@@ -26,6 +26,12 @@ std::string allowed_text(const Dimension& dimension, const Bounds& allowed) {
   return fmt::format("{}{} such as \"{}\"", quantity_name(dimension), allowed.text(), quantity_example(dimension));
 }
 
+// Whether the key of a map is a name that the user has chosen, and not a word.
+bool names_values(words::Form form, std::string_view key) {
+  if (form == words::Form::by_storey) return !key.empty() && key.front() >= '0' && key.front() <= '9';
+  return form == words::Form::named || form == words::Form::named_lists;
+}
+
 }  // namespace
 
 Input Input::read_file(const std::string& path) {
@@ -68,8 +74,7 @@ std::filesystem::path Input::directory() const { return std::filesystem::path(so
 Input Input::child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const {
   const YAML::Mark mark = key_node.Mark();
   Input made(source_, value, joined(path_, key), std::string(key), Place{mark.line + 1, mark.column + 1});
-  const bool is_map_of_names =
-      word_ && part_ == Part::value && (word_->form == words::Form::named || word_->form == words::Form::named_lists);
+  const bool is_map_of_names = word_ && part_ == Part::value && names_values(word_->form, key);
   if (is_map_of_names) {
     made.word_ = word_;
     made.section_ = section_;

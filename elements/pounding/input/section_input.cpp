@@ -1,9 +1,11 @@
 #include <pounding/input/section_input.hpp>
 
 #include <array>
+#include <charconv>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -69,6 +71,29 @@ Value named(const Input& node, std::string_view what, const std::map<std::string
   return found->second;
 }
 
+// Storeys that a key such as "4" or "1-3" names.
+std::pair<int, int> storeys_of(const std::string& key, const Input& place, int storeys) {
+  int first = 0, last = 0;
+  const char *begin = key.data(), *end = begin + key.size();
+  const auto [dash, bad_first] = std::from_chars(begin, end, first);
+  bool is_range = bad_first == std::errc{};
+  if (is_range && dash == end) last = first;
+  else if (is_range && *dash == '-') {
+    const auto [after, bad_last] = std::from_chars(dash + 1, end, last);
+    is_range = bad_last == std::errc{} && after == end;
+  } else is_range = false;
+  if (!is_range) place.fail_at_key(fmt::format("\"{}\" is no storey; type one such as 4, or several such as 1-3", key));
+  if (first < 1 || last < first || last > storeys)
+    place.fail_at_key(fmt::format("\"{}\" is outside: the storeys go from 1 at the ground to {}", key, storeys));
+  return {first, last};
+}
+
+bool is_by_storey(const Input& node) {
+  if (!node.is_map()) return false;
+  const auto entries = node.entries();
+  return !entries.empty() && entries.front().first.find_first_of("0123456789") == 0;
+}
+
 }  // namespace
 
 Material read_material(const Input& node) {
@@ -119,6 +144,40 @@ SectionLibrary::SectionLibrary(const Input& frame, int dimension) : dimension_(d
 
 Section SectionLibrary::section(const Input& node) const {
   return node.is_map() ? read_section(node, dimension_) : named(node, "section", sections_);
+}
+
+std::vector<Section> SectionLibrary::of_storey(const Input& node, int lines) const {
+  if (!node.is_list()) return {section(node)};
+  const std::vector<Input> items = node.items();
+  if (static_cast<int>(items.size()) != lines)
+    node.fail(fmt::format("takes one section for the storey, or a list of {} by line; a list of {} was read", lines, items.size()));
+  std::vector<Section> sections;
+  for (const Input& item : items) sections.push_back(section(item));
+  return sections;
+}
+
+GridSections SectionLibrary::sections_of_grid(const Input& node, int storeys, int lines) const {
+  std::vector<std::vector<Section>> rows;
+  if (node.is_list()) {
+    const std::vector<Input> items = node.items();
+    if (static_cast<int>(items.size()) != storeys)
+      node.fail(fmt::format("takes one section or a list of {} from the ground up; a list of {} was read", storeys, items.size()));
+    for (const Input& item : items) rows.push_back(of_storey(item, lines));
+    return rows;
+  }
+  if (!is_by_storey(node)) return section(node);
+  rows.resize(storeys);
+  for (const auto& [key, each] : node.entries()) {
+    const auto [first, last] = storeys_of(key, each, storeys);
+    for (int storey = first; storey <= last; ++storey) {
+      if (!rows[storey - 1].empty()) each.fail_at_key(fmt::format("storey {} is given twice; keep it once", storey));
+      rows[storey - 1] = of_storey(each, lines);
+    }
+  }
+  for (int storey = 1; storey <= storeys; ++storey)
+    if (rows[storey - 1].empty())
+      node.fail(fmt::format("storey {} is missing; the keys name every storey from 1 to {} once, as in {{1-3: C60, 4-5: C50}}", storey, storeys));
+  return rows;
 }
 
 Material SectionLibrary::material(const Input& node) const {

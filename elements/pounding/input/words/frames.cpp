@@ -83,10 +83,14 @@ constexpr Word grid_words[] = {
      .dimension = dimension::length, .bounds = bounds::positive, .need = Need::required,
      .meaning = "Width of a bay: one for all bays, or a list from the left; in space also one or a list for each direction.",
      .example = "6 m"},
-    {.key = "columns", .takes = Takes::text, .inside = &cross_section, .need = Need::required,
-     .meaning = "Section of all columns: a name from sections, or a map.", .example = "{rectangle: [0.4 m, 0.4 m]}"},
-    {.key = "beams", .takes = Takes::text, .inside = &cross_section, .need = Need::required,
-     .meaning = "Section of all beams: a name from sections, or a map.", .example = "{rectangle: [0.3 m, 0.5 m]}"},
+    {.key = "columns", .takes = Takes::text, .form = Form::by_storey, .inside = &cross_section, .need = Need::required,
+     .meaning = "Section of the columns: a name from sections, or a map. It may change with the storey, {1-3: C60, 4-5: C50}, and with "
+                "the line of columns, {1-5: [C50, C60, C60, C50]} from the left (in space along x, then along y).",
+     .example = "{rectangle: [0.4 m, 0.4 m]}"},
+    {.key = "beams", .takes = Takes::text, .form = Form::by_storey, .inside = &cross_section, .need = Need::required,
+     .meaning = "Section of the beams: a name from sections, or a map. It may change with the storey whose floor they carry, and with the "
+                "bay from the left; in space with the line of columns at their first end.",
+     .example = "{rectangle: [0.3 m, 0.5 m]}"},
     {.key = "floor_mass", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::mass,
      .bounds = bounds::non_negative, .otherwise = "0 t",
      .meaning = "Mass of a floor beside that of its members: one for all floors, or a list from the ground up. The nodes of the "

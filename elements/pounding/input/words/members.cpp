@@ -62,12 +62,13 @@ constexpr Word tube_words[] = {
      .need = Need::required, .meaning = "Thickness of the wall.", .example = "10 mm"}};
 
 constexpr Word member_words[] = {
-    {.key = "between", .takes = Takes::text, .form = Form::list, .least = 2, .most = 2, .need = Need::required,
+    {.key = "between", .takes = Takes::text, .form = Form::list, .least = 2, .most = 2,
+     .otherwise = "the two of the grid, where the name is that of one of its members",
      .meaning = "Start node and end node. Local x goes from start to end.", .example = "[a, b]"},
-    {.key = "section", .takes = Takes::text, .inside = &cross_section, .need = Need::exactly_one,
-     .meaning = "Cross-section of a beam: a name from sections, or a map.", .example = "{rectangle: [0.4 m, 0.6 m]}"},
+    {.key = "section", .takes = Takes::text, .inside = &cross_section, .otherwise = "that of the grid, for one of its members",
+     .meaning = "Cross-section of a beam: a name from sections, or a map. A member has a section or is a truss.", .example = "{rectangle: [0.4 m, 0.6 m]}"},
     {.key = "truss", .takes = Takes::quantity, .dimension = dimension::area, .bounds = bounds::positive,
-     .need = Need::exactly_one, .meaning = "Area of a member that carries axial force only.", .example = "20 cm^2"},
+     .otherwise = "a beam", .meaning = "Area of a member that carries axial force only.", .example = "20 cm^2"},
     {.key = "material", .takes = Takes::text, .inside = &material, .otherwise = "that of the frame",
      .meaning = "Material: a name from materials, or a map.", .example = "{E: 210 GPa}"},
     {.key = "releases", .inside = &releases, .otherwise = "both ends transmit everything",
@@ -79,6 +80,10 @@ constexpr Word member_words[] = {
      .meaning = "Force per length that acts before and during the motion, in global axes: [x, z] in the plane, [x, y, z] in "
                 "space; z is up.",
      .example = "[0, -10 kN/m]"},
+    {.key = "parts", .takes = Takes::integer, .bounds = {.low = 1, .high = 100}, .otherwise = "1", .since = "0.2.0",
+     .meaning = "Equal parts into which the member is cut, with nodes between them: it bows there, and a contact can hit the nodes. The "
+                "parts of c1 are c1/1, c1/2 ... from the start on, the nodes between them likewise.",
+     .example = "3"},
     {.key = "reference", .takes = Takes::quantity, .form = Form::list, .least = 3, .most = 3,
      .otherwise = "[0, 0, 1]; of vertical members [-1, 0, 0]",
      .meaning = "Vector to which local z leans, in space: local y is reference x local x.", .example = "[0, 1, 0]"}};

@@ -29,7 +29,8 @@ enum class Form : unsigned char {
   one_or_list,  ///< one value, or a list
   list,         ///< a list of values
   named,        ///< a map from names of the user's choice to values
-  named_lists   ///< a map from names of the user's choice to lists
+  named_lists,  ///< a map from names of the user's choice to lists
+  by_storey     ///< one value, a list from the ground up, or a map from storeys ("4", "1-3"); in both each may be a list by line
 };
 
 /// Necessity of a key in its section.
