@@ -107,6 +107,7 @@ inline std::string around(const Section& s) {
       {&words::tie, in_frame({{"ties", "[@]"}})},
       {&words::report, in_frame({{"report", "@"}})},
       {&words::link, two_in_space + "links: [@]"},
+      {&words::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
       {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
   return models.at(&s);
 }
@@ -124,7 +125,7 @@ inline const std::map<const Section*, Keys> beside = {
     {&words::shear_building, {{"damping", "5 %"}}},
     {&words::frame, bent},
     {&words::cross_section, {{"rectangle", "[0.4 m, 0.6 m]"}}},
-    {&words::member, {{"section", rectangle}}},
+    {&words::member, {{"between", "[a, b]"}, {"section", rectangle}}},
     {&words::support, {{"fix", "[uz]"}, {"springs", "{ux: 20 MN/m}"}}},
     {&words::support_springs, {{"uz", "20 MN/m"}, {"ux", "20 MN/m"}}},
     {&words::link, {{"law", "hertz_damped"}, {"stiffness", "2.75e9"}, {"restitution", "0.65"}}}};
@@ -132,6 +133,10 @@ inline const std::map<const Section*, Keys> beside = {
 /// Keys beside one word; an empty value takes the key out.
 inline const std::map<std::string, Keys> beside_word = {
     {"model.links", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
+    {"members.truss", {{"section", ""}}},
+    {"stiffness.area", {{"length", "9 m"}}},
+    {"stiffness.length", {{"area", "3 m^2"}}},
+    {"stiffness.velocity", {{"penetration", "5 mm"}}},
     {"analysis.spectral_radius", {{"integrator", "generalized_alpha"}}},
     {"ground_motion.channel", {{"record", "knet.txt"}, {"pulse", ""}}},
     {"ground_motion.units", {{"record", "plain.csv"}, {"pulse", ""}}},

@@ -6,13 +6,15 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/stiffness_input.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding {
 
-laws::Settings read_law(const Input& node) {
-  laws::Settings settings;
+LawInput read_law(const Input& node) {
+  LawInput read;
+  laws::Settings& settings = read.settings;
   const Input law_node = node.at("law");
   settings.law = law_node.as_choice();
   const laws::Entry& entry = laws::find_law(settings.law);
@@ -34,12 +36,16 @@ laws::Settings read_law(const Input& node) {
     settings.formula = formula->as_choice(fmt::format("formula of {}", settings.law), formulas);
   }
   // A unit such as "N/m^n" depends on the exponent that the link chose.
-  for (const laws::ParameterInfo& parameter : entry.parameters)
-    if (const auto value = link.find(parameter.name))
-      settings.values.emplace(
-          std::string(parameter.name),
-          value->as_quantity(parse_unit_dimension(laws::resolved_unit(parameter.unit, exponent)), bounds::any));
-  return settings;
+  for (const laws::ParameterInfo& parameter : entry.parameters) {
+    const auto value = link.find(parameter.name);
+    if (!value) continue;
+    if (parameter.name == "stiffness") read.stiffness = read_stiffness_estimate(*value);
+    if (parameter.name == "stiffness" && read.stiffness) continue;
+    settings.values.emplace(
+        std::string(parameter.name),
+        value->as_quantity(parse_unit_dimension(laws::resolved_unit(parameter.unit, exponent)), bounds::any));
+  }
+  return read;
 }
 
 Input place_of_law(const std::string& refusal, const Input& node) {

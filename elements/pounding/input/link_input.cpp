@@ -115,7 +115,9 @@ void read_link(const Input& node, Model& model) {
     facing_side(model.structures[left.structure], model.structures[right.structure]);
     LinkOptions options = read_options(node, static_cast<int>(count));
     options.floors = floors;
-    model.link(left, right, options, read_law(node));
+    const LawInput law = read_law(node);
+    options.stiffness = law.stiffness;
+    model.link(left, right, options, law.settings);
   } catch (const ModelError& error) {
     fail(error, node, between);
   }

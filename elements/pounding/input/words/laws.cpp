@@ -13,6 +13,8 @@
 namespace pounding::words {
 namespace {
 
+constexpr std::string_view estimated[] = {"auto"};
+
 /// The words of one law, with the texts that they point to.
 struct OfLaw {
   std::deque<std::string> texts;
@@ -60,11 +62,14 @@ struct OfLaw {
     const std::string unit = laws::resolved_unit(parameter.unit, exponent == law.parameters.end() ? 1.5 : exponent->typical);
     const std::string_view typical = kept(fmt::format("{:g}{}{}", parameter.typical, unit.empty() ? "" : " ", unit));
     const bool is_optional = parameter.need == laws::Need::optional;
+    const bool may_be_estimated = parameter.name == "stiffness";
     return {.key = parameter.name,
             .takes = Takes::quantity,
+            .inside = may_be_estimated ? &stiffness : nullptr,
             .dimension = parse_unit_dimension(unit),
             .unit = parameter.unit,
             .bounds = parameter.name == "exponent" ? bounds::positive : bounds::any,
+            .instead = may_be_estimated ? std::span<const std::string_view>(estimated) : std::span<const std::string_view>(),
             .need = is_optional                                  ? Need::optional
                     : parameter.need == laws::Need::required     ? Need::required
                                                                  : Need::exactly_one,

@@ -65,11 +65,42 @@ constexpr Word link_end_words[] = {
     {.key = "elevation", .takes = Takes::quantity, .dimension = dimension::length,
      .meaning = "Elevation above the common datum: the column of a frame there.", .example = "10.5 m"}};
 
+constexpr Word stiffness_words[] = {
+    {.key = "E", .takes = Takes::quantity, .dimension = dimension::stress, .bounds = bounds::positive, .otherwise = "30 GPa",
+     .since = "0.2.0", .meaning = "Young's modulus of both bodies.", .example = "30 GPa"},
+    {.key = "poisson", .takes = Takes::quantity, .bounds = {.low = 0, .high = 0.5}, .otherwise = "0.2", .since = "0.2.0",
+     .meaning = "Poisson's ratio of both bodies, for a stiffness of Hertz.", .example = "0.2"},
+    {.key = "density", .takes = Takes::quantity, .dimension = dimension::density, .bounds = bounds::positive,
+     .otherwise = "2500 kg/m^3", .since = "0.2.0",
+     .meaning = "Density of the balls that have the masses of the two ends, where no radius is given.", .example = "2500 kg/m^3"},
+    {.key = "radius", .takes = Takes::quantity, .form = Form::one_or_list, .least = 2, .most = 2, .dimension = dimension::length,
+     .bounds = bounds::positive, .otherwise = "that of a ball with the mass of the end; a wall is flat", .since = "0.2.0",
+     .meaning = "Radius of the bodies at the contact, for a stiffness of Hertz: one for both, or [left, right].", .example = "2 m"},
+    {.key = "area", .takes = Takes::quantity, .form = Form::one_or_list, .least = 2, .most = 2, .dimension = dimension::area,
+     .bounds = bounds::positive, .otherwise = "none: a stiffness of Hertz", .since = "0.2.0",
+     .meaning = "Section of the slabs that meet end to end, with length: one for both, or [left, right].", .example = "3 m^2"},
+    {.key = "length", .takes = Takes::quantity, .form = Form::one_or_list, .least = 2, .most = 2, .dimension = dimension::length,
+     .bounds = bounds::non_negative, .otherwise = "none: a stiffness of Hertz", .since = "0.2.0",
+     .meaning = "Length of the slabs from the contact to the centre of mass of the floor: one for both, or [left, right]. A slab "
+                "without length does not yield.",
+     .example = "9 m"},
+    {.key = "penetration", .takes = Takes::quantity, .dimension = dimension::length, .bounds = bounds::positive,
+     .otherwise = "none: a stiffness of Hertz", .since = "0.2.0",
+     .meaning = "Penetration that an elastic impact of the two ends at this velocity shall have.", .example = "5 mm"},
+    {.key = "velocity", .takes = Takes::quantity, .dimension = dimension::velocity, .bounds = bounds::positive,
+     .otherwise = "0.5 m/s", .since = "0.2.0", .meaning = "Velocity of approach of that impact.", .example = "0.5 m/s"}};
+
 }  // namespace
 
 constinit const Section link{.name = "links", .place = "links[]",
                              .meaning = "One link; the parameters of its law stand beside these keys.", .words = link_words};
 constinit const Section link_end{.name = "between", .place = "links[].between[]", .meaning = "One end of a link.",
                                  .words = link_end_words};
+
+constinit const Section stiffness{
+    .name = "stiffness", .place = "links[].stiffness",
+    .meaning = "An estimate of the stiffness of a contact: of Hertz for two balls of the masses that meet (auto is that for concrete), or "
+               "for two radii; of two slabs, with area and length; or from a penetration. The report says what was found.",
+    .words = stiffness_words};
 
 }  // namespace pounding::words

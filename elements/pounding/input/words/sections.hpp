@@ -23,8 +23,8 @@ extern const Section frame, grid, bay_width, floor, report;
 extern const Section material, cross_section, i_section, tube, member, releases, offsets;
 extern const Section support, support_springs, support_dashpots, node_masses, node_loads, spring, tie;
 
-/// Links without the parameters of their laws, and one of the two ends: links.cpp.
-extern const Section link, link_end;
+/// Links without the parameters of their laws, one of the two ends, and estimates of the stiffness: links.cpp.
+extern const Section link, link_end, stiffness;
 
 /// Keys of a link that has this law: those of `link`, and the parameters of the law in the order of its table.
 const Section& link_with(const laws::Entry& law);
