@@ -12,7 +12,7 @@ from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
 from pounding.pictures.loops import draw_loops
 from pounding.pictures.model_picture import model_figure
-from pounding.pictures.panels import label_time
+from pounding.pictures.panels import label_time, legend_below
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
 from pounding.pictures.style import STYLE, BadRequest, Picture, head
@@ -42,7 +42,7 @@ def figure(run: RunData, picture: str = "run", title: str | None = None, size: t
             label_time(axes, run)
         if size[0] < NARROW and axes.get_legend():
             axes.get_legend().remove()
-            made.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+            legend_below(made, *axes.get_legend_handles_labels(), most=3)
         if title == "":
             axes.set_title("")
         head(made, run.title if title is None else title)

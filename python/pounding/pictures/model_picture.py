@@ -14,6 +14,7 @@ from matplotlib.lines import Line2D
 from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, label_axes, project
 from pounding.results import RunData
 from pounding.pictures.geometry import floor_heights
+from pounding.pictures.panels import legend_below
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import MM, STYLE, Picture, head, structure_colour
 
@@ -34,7 +35,8 @@ def model_figure(run: RunData, title: str | None = None, size: tuple[float, floa
         for letter, (view, panel) in zip("abcd", axes.items()):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(axes) > 1 else "")
             draw_model(panel, scene, view)
-        figure.legend(handles=list(_legend(run)), loc="outside lower center", ncols=4)
+        handles = list(_legend(run))
+        legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 4)
         head(figure, run.title if title is None else title)
         return figure
 

@@ -14,6 +14,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from pounding.errors import InputError
+from pounding.outputs import tell
 
 #: Okabe and Ito's colours, which colour-blind readers can tell apart.
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
@@ -78,11 +79,12 @@ def structure_colour(number: int) -> str:
 
 
 def write_picture(figure: Figure, path: str | PathLike[str]) -> int:
-    """Writes .png, .pdf or .svg. Returns 0, or 2 after a message."""
+    """Writes .png, .pdf or .svg and says so. Returns 0, or 2 after a message."""
     try:
         with rc_context(STYLE):
             figure.savefig(path)
     except (OSError, ValueError) as error:
         print(f"cannot write {path}: {error}", file=sys.stderr)
         return 2
+    tell("picture", path)
     return 0
