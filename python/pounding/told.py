@@ -41,8 +41,9 @@ def structure(one: Any) -> list[str]:
     heights = one.elevations[np.isfinite(one.elevations)]
     height = f", {heights.max():.4g} m high" if heights.size else ""
     beside = [counted(len(part.names), word) for part, word in ((one.nodes, "node"), (one.members, "member")) if part is not None]
+    moved = "; ".join(f"along {axis} {_motion(motion)}" for axis, motion in one.along.items())
     return [f"{one.name}: {one.kind or 'structure'} {place}, {counted(len(one.floors), 'floor')}{height}",
-            "; ".join(f"along {axis}: {_motion(motion)}" for axis, motion in one.along.items()) or "moves with the ground",
+            "moves with the ground" if one.is_wall else f"largest at the output times: {moved}",
             f"histories of {counted(len(one.floors), 'floor')}{''.join(f', {part}' for part in beside)}, directions {', '.join(one.along)}"]
 
 

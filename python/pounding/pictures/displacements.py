@@ -98,11 +98,14 @@ def _is_known(run: RunData, name: str, place: Place) -> bool:
 
 def _height(run: RunData, link: Link) -> float:
     """Height of a link [m]; where there is none, the number of its floors."""
-    if link.position is not None:
+    has_place = any(run.structures[name].geometry is not None for name in (link.left, link.right))
+    if has_place and link.position is not None:
         return float(link.position[2])
-    heights = [run.structures[name].elevations[place - 1] for name, place in _ends(run, link) if isinstance(place, int) and place > 0]
-    known = [float(height) for height in heights if np.isfinite(height)]
-    return known[0] if known else float(link.left_floor + link.right_floor)
+    for name, place in _ends(run, link):
+        elevations = run.structures[name].elevations
+        if isinstance(place, int) and 0 < place <= elevations.size and np.isfinite(elevations[place - 1]):
+            return float(elevations[place - 1])
+    return float(max(link.left_floor, link.right_floor))
 
 
 def _label(structure: Structure, place: Place) -> str:

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.transforms import Transform
 
 from pounding.pictures.panels import legend_beside, link_styles, say
 from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, MM, VERMILION, engineering, largest
@@ -68,20 +69,26 @@ def draw_restitution(axes: Axes, run: RunData) -> None:
     for link, style in link_styles(run):
         impacts = moving[moving["link"] == link.name]
         for inside, marker in ((impacts["restitution"] <= HIGHEST, "o"), (impacts["restitution"] > HIGHEST, "^")):
-            axes.plot(impacts["v_approach"][inside], np.minimum(impacts["restitution"][inside], HIGHEST), linestyle="none",
+            [marks] = axes.plot(impacts["v_approach"][inside], np.minimum(impacts["restitution"][inside], HIGHEST), linestyle="none",
                       marker=marker, markersize=3.5, markerfacecolor="none", markeredgewidth=0.9, color=style["color"],
                       zorder=style["zorder"], clip_on=False)
+            marks.set_in_layout(False)
     for value in asked_restitutions(run):
         axes.axhline(value, color="0.25", linewidth=0.8, linestyle=(0, (5, 3)), zorder=1.5)
-        axes.annotate(f"asked {value:.4g}", (1, value), (-2, 2), xycoords=axes.get_yaxis_transform(), textcoords="offset points",
-                      ha="right", va="bottom", fontsize=7, color="0.25")
+        _note(axes, f"asked {value:.4g}", (1, value), axes.get_yaxis_transform(), "bottom")
     highest = moving["restitution"].max()
     if highest > HIGHEST:
         above = int((moving["restitution"] > HIGHEST).sum())
-        axes.annotate(f"{above} above {HIGHEST:g}, up to {highest:.3g}", (1, 1), (-2, -3), xycoords="axes fraction",
-                      textcoords="offset points", ha="right", va="top", fontsize=7, color="0.25")
+        _note(axes, f"{above} above {HIGHEST:g}, up to {highest:.3g}", (1, 1), axes.transAxes, "top")
     axes.set_xlim(0, 1.05 * moving["v_approach"].max() or 1)
     axes.set_ylim(min(0, moving["restitution"].min()), min(HIGHEST, max(1, 1.05 * highest)))
+
+
+def _note(axes: Axes, words: str, place: tuple[float, float], coordinates: Transform, side: str) -> None:
+    """Words inside a panel, at its right edge, that take no room from the layout."""
+    note = axes.annotate(words, place, (-2, 2 if side == "bottom" else -3), xycoords=coordinates, textcoords="offset points", ha="right",
+                         va=side, fontsize=7, color="0.25")
+    note.set_in_layout(False)
 
 
 def asked_restitutions(run: RunData) -> list[float]:

@@ -69,6 +69,6 @@ def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], 
     renderer: Any = FigureCanvasAgg(figure).get_renderer()
     for columns in range(min(most, len(handles)), 0, -1):
         legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
-        if columns == 1 or legend.get_window_extent(renderer).width <= 0.98 * figure.bbox.width:
+        if columns == 1 or legend.get_window_extent(renderer).width <= 0.94 * figure.bbox.width:
             return
         legend.remove()

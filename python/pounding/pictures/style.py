@@ -32,6 +32,8 @@ STYLE: dict[Any, Any] = {
     "pdf.fonttype": 42,
 }
 MM = 1e3
+#: Below this width of a figure a legend stands under the axes, not beside them, and one panel is enough [in].
+NARROW = 4.5
 FORCE_UNITS = ((1e6, "MN"), (1e3, "kN"), (1.0, "N"))
 IMPULSE_UNITS = ((1e6, "MN s"), (1e3, "kN s"), (1.0, "N s"))
 ENERGY_UNITS = ((1e6, "MJ"), (1e3, "kJ"), (1.0, "J"))
