@@ -12,7 +12,7 @@ from test_models import TWO_OSCILLATORS, two_oscillators
 class Printing(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.results = pounding.run(TWO_OSCILLATORS, tolerance=1e-4)
+        cls.results = pounding.run(TWO_OSCILLATORS)
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "frames.h5"
             frame_samples.write(path, 3)
@@ -53,7 +53,7 @@ class Printing(unittest.TestCase):
         self.assert_told(structure.members, "members", "start N", "N m")
         self.assert_told(structure.geometry, "nodes", "z 0 to 16 m")
         link = self.results.links["left-right"]
-        self.assert_told(link, "left-right: jankowski, gap 20 mm, left", "largest force 7.178e+06 N", "samples from 0 to 3 s")
+        self.assert_told(link, "left-right: jankowski, gap 20 mm, left", "largest force 7.178e+06 N", "to 3 s")
 
     def test_models_modes_and_films(self):
         self.assert_told(two_oscillators(), "2 structures, 1 link, ground motion harmonic", "left (oscillator)", "jankowski, gap 20 mm")
