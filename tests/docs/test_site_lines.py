@@ -18,7 +18,7 @@ LESSONS = sorted((ROOT / "examples").rglob("*.md"))
 PACKAGE = ROOT / "python/pounding"
 #: Words in commands that stand for something, and something to put there.
 STAND_INS = {"MODEL.yaml": "examples/02_two_oscillators/model.yaml", "OUT.h5": "out.h5", "OTHER.h5": "other.h5", "FILE.gif": "film.gif",
-             "FILE": "record.csv", "DIR": "paper", "N": "3", "NAME": "hertz", "L": "hertz_damped", "K": "2"}
+             "FILE": "record.at2", "DIR": "paper", "N": "3", "NAME": "hertz", "L": "hertz_damped", "K": "2"}
 #: Commands that need a Python, a host or a folder of their own, and the test that runs them.
 ELSEWHERE = {"cmake": "program.cpp_lessons and program.hosts", "cc": "program.hosts", "build-lesson/": "program.cpp_lessons",
              "build/": "program.hosts", "./": "program.hosts", "env/bin/python3": "program.hosts", "python3": "install.wheel"}
@@ -70,8 +70,9 @@ class CommandsOfLessons(Lines):
 class CommandsInSentences(Lines):
     def setUp(self):
         super().setUp()
-        times = (f"{0.02 * i:.2f}, {0.1 * (-1) ** i}" for i in range(200))
-        (self.folder / "record.csv").write_text("# units: g\n" + "\n".join(times) + "\n")
+        values = " ".join(f"{0.1 * (-1) ** i:.7E}" for i in range(200))
+        (self.folder / "record.at2").write_text("PEER NGA STRONG MOTION DATABASE RECORD\nA pulse\nACCELERATION TIME SERIES IN UNITS OF G\n"
+                                                f"NPTS= 200, DT= .0200 SEC\n{values}\n")
         self.done(part("POUNDING_PROGRAM"), "run", STAND_INS["MODEL.yaml"], "-q", "-o", "out.h5")
 
     def test_AreRun(self):
@@ -81,8 +82,8 @@ class CommandsInSentences(Lines):
             for chosen in choices(command):
                 words = [STAND_INS.get(word, word) for word in shlex.split(chosen)[1:]]
                 if words[0] == "reproduce":
-                    words += ["--only", "table_2", "-o", "paper"] if "--only" not in words else []
-                    words = ["table_2" if word == "hertz" else word for word in words]
+                    words += ["--only", "table2", "-o", "paper"] if "--only" not in words else []
+                    words = ["table2" if word == "hertz" else word for word in words]
                 if "--resume" in words:  # only a run that is cut can go on
                     self.done_or_failed("run", STAND_INS["MODEL.yaml"], "-q", "-o", "out.h5", "-pounding_ts_max_steps", "100")
                     words += ["out.h5"] if words[-1] == "--resume" else []
@@ -128,10 +129,11 @@ class CallsInSentences(Lines):
         if "..." not in code and "=," not in code and "=)" not in code:
             if code.startswith("record(") and not records():
                 return
-            if code.startswith("pounding.from_opensees") and not importlib.util.find_spec("openseespy"):
+            if code.startswith("pounding.from_opensees"):  # needs a model in OpenSees, as in tests/python/test_opensees.py
                 self.assertTrue(callable(self.names["pounding"].from_opensees))
                 return
-            eval(code, self.names)
+            model = self.folder / STAND_INS["MODEL.yaml"]
+            eval(code, self.names | ({"FILE": model} if code.startswith("Model") else {}))
             return
         function = eval(code[:code.index("(")], self.names)
         known = inspect.signature(function).parameters
@@ -160,7 +162,7 @@ class ProgramsInComments(Lines):
                         head = "from pounding import *\nimport pounding\n"
                         self.done(sys.executable, "-c", head + block, PYTHONPATH=part("POUNDING_PACKAGE"), PYTHONDONTWRITEBYTECODE="1")
                         count += 1
-        self.assertGreaterEqual(count, 2)
+        self.assertGreaterEqual(count, 1)
 
     @staticmethod
     def programs(docstring):
