@@ -30,7 +30,8 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
     for name, link in run.links.items():
         tables[f"links/{name}"] = pandas.DataFrame({key: getattr(link, key) for key in LINK_UNITS}, _index(link.time))
     for name, structure in run.structures.items():
-        columns = {(key, floor, direction): getattr(motion, key)[:, i]
+        columns: dict[tuple[str, ...], np.ndarray] = {
+            (key, floor, direction): getattr(motion, key)[:, i]
                    for direction, motion in structure.along.items() for key in UNITS
                    for i, floor in enumerate(structure.floors) if i < getattr(motion, key).shape[1]}
         tables[f"structures/{name}"] = _table(run.time, columns, ["quantity", "floor", "direction"])

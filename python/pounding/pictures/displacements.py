@@ -70,7 +70,8 @@ def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
 def _places(run: RunData, names: list[str], chosen: dict[str, Place]) -> tuple[dict[str, Place], list[Link]]:
     """Where each structure is drawn, and the links that join two of these places: of each pair of neighbours the highest one
     that fits what is decided. A structure without such a link is drawn at its top; a wall has the place 0."""
-    places: dict[str, Place] = {name: 0 for name in names if run.structures[name].is_wall} | chosen
+    places: dict[str, Place] = {name: 0 for name in names if run.structures[name].is_wall}
+    places.update(chosen)
     facing: list[Link] = []
     pairs: dict[tuple[str, str], list[Link]] = {}
     for link in run.links.values():

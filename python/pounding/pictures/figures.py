@@ -40,7 +40,8 @@ def figure(run: RunData, picture: str = "run", title: str | None = None, size: t
             label_time(axes, run)
         if size[0] < NARROW and axes.get_legend():
             axes.get_legend().remove()
-            legend_below(made, *axes.get_legend_handles_labels(), most=3)
+            handles, labels = axes.get_legend_handles_labels()
+            legend_below(made, handles, labels, 3)
         if title == "":
             axes.set_title("")
         head(made, run.title if title is None else title)

@@ -66,7 +66,8 @@ def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], 
     """Under all panels, in as many columns, up to `most`, as the width of the figure holds."""
     if not handles:
         return
-    renderer: Any = FigureCanvasAgg(figure).get_renderer()
+    canvas: Any = FigureCanvasAgg(figure)
+    renderer = canvas.get_renderer()
     for columns in range(min(most, len(handles)), 0, -1):
         legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
         if columns == 1 or legend.get_window_extent(renderer).width <= 0.94 * figure.bbox.width:
