@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/bare_numbers.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/structure_input.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/model/plausible.hpp>
 
 namespace pounding {
 namespace {
@@ -75,7 +77,7 @@ Input place_of(const ModelError& error, const Input& input) {
 }  // namespace
 
 Model read_model(const Input& input, const ModeSolver& modes) {
-  input.only_keys({"title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare"});
+  input.only_keys({"title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare", "accept"});
   Model model;
   model.mode_solver = modes;
   model.source_text = input.text();
@@ -95,6 +97,9 @@ Model read_model(const Input& input, const ModeSolver& modes) {
     compare->as_choice("comparison", {"no_pounding"});
     model.compare_no_pounding = true;
   }
+  if (const auto accept = input.find("accept"))
+    for (const Input& name : accept->items()) model.accept.push_back(name.as_choice("warning", doubt_names));
+  model.read_doubts = bare_accelerations(input);
   try {
     model.complete();
   } catch (const ModelError& error) {
