@@ -1,7 +1,9 @@
 #include <pounding/input/law_input.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,14 +12,35 @@
 #include <pounding/laws/all.hpp>
 
 namespace pounding {
+namespace {
+
+const laws::Entry& entry_of(const Input& law) {
+  try {
+    return laws::find_law(law.as_text());
+  } catch (const std::invalid_argument& error) {
+    law.fail(error.what());
+  }
+}
+
+double read_restitution(const Input& node) {
+  const double value = node.as_quantity(dimension::none);
+  const auto refuse = [&](const std::string& why) {
+    node.fail(fmt::format("takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; {}", why));
+  };
+  if (value == 0) refuse("0 would leave the bodies together after each impact, which no law here does: type a small one such as 0.05");
+  if (value > 1 && value <= 100 && value == std::floor(value)) refuse(fmt::format("did you mean \"{:g} %\"?", value));
+  if (value > 1) refuse(fmt::format("\"{}\" would gain energy at each impact; 1 loses none", node.as_text()));
+  if (value < 0) refuse(fmt::format("\"{}\" is outside", node.as_text()));
+  return value;
+}
+
+}  // namespace
 
 laws::Settings read_law(const Input& link, std::span<const std::string_view> link_keys) {
-  std::vector<std::string_view> names;
-  for (const laws::Entry& entry : laws::catalogue()) names.push_back(entry.name);
   laws::Settings settings;
   const Input law_node = link.at("law", "hertz_damped");
-  settings.law = law_node.as_choice("law", names);
-  const laws::Entry& entry = laws::find_law(settings.law);
+  settings.law = law_node.as_text();
+  const laws::Entry& entry = entry_of(law_node);
 
   std::vector<std::string_view> keys(link_keys.begin(), link_keys.end());
   keys.insert(keys.end(), {"law", "formula", "restitution", "impact_velocity", "reduced_mass"});
@@ -32,7 +55,7 @@ laws::Settings read_law(const Input& link, std::span<const std::string_view> lin
                                 parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
 
   if (const auto restitution = link.find("restitution"))
-    settings.restitution = restitution->as_quantity(dimension::none, bounds::above_0_to_1);
+    settings.restitution = read_restitution(*restitution);
   if (const auto velocity = link.find("impact_velocity"))
     settings.impact_velocity = velocity->as_quantity(dimension::velocity, bounds::positive);
   if (const auto formula = link.find("formula")) {

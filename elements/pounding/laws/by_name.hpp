@@ -180,6 +180,27 @@ void set(L& law, std::string_view name, double value) {
   throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + suggestion(name, known));
 }
 
+/// The end of the message about a law that is not in the catalogue: the one that was probably meant, how to type a damping formula
+/// that stands in its place, or all laws. A formula is known by its name or by its first author's.
+inline std::string law_suggestion(std::string_view read, std::span<const Entry> catalogue) {
+  const std::vector<std::string_view> laws = names(catalogue);
+  if (!nearest_name(read, laws).empty()) return suggestion(read, laws);
+  std::vector<std::string_view> formulas;
+  for (const Entry& entry : catalogue)
+    for (const Formula& formula : entry.formulas)
+      if (formula.name != "exact") formulas.push_back(formula.name);
+  std::string_view meant = nearest_name(read, formulas);
+  for (const std::string_view formula : formulas)
+    if (meant.empty() && formula.size() > read.size() && formula[read.size()] == '_' && edit_distance(read, formula.substr(0, read.size())) == 0)
+      meant = formula;
+  if (meant.empty()) return suggestion(read, laws);
+  std::string with;
+  for (const Entry& entry : catalogue)
+    if (std::ranges::find(entry.formulas, meant, &Formula::name) != entry.formulas.end())
+      with += (with.empty() ? "" : " or ") + std::string(entry.name);
+  return " \"" + std::string(meant) + "\" is a formula for the damping of a law; type law: " + with + ", formula: " + std::string(meant) + ".";
+}
+
 /// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <class L>
 L make(const Settings& s) {
@@ -227,7 +248,7 @@ L make(const Settings& s) {
 template <class Any, std::size_t I = 0>
 Any make_any(const Settings& s) {
   if constexpr (I == std::variant_size_v<Any>) {
-    throw std::invalid_argument("unknown law \"" + s.law + "\"." + suggestion(s.law, names(List<Any>::entries)));
+    throw std::invalid_argument("unknown law \"" + s.law + "\"." + law_suggestion(s.law, List<Any>::entries));
   } else {
     using L = std::variant_alternative_t<I, Any>;
     if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));
