@@ -219,6 +219,17 @@ std::optional<std::string_view> leading_number(std::string_view text, double& va
   return std::string_view(end, static_cast<std::size_t>(text.data() + text.size() - end));
 }
 
+/// "1.5 mm" of "1,5 mm"; of "93,500 kN/m", which may be thousands, "93500 kN/m or 93.500 kN/m".
+std::string without_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  std::string with_point(text), thousands(text);
+  with_point[comma] = '.';
+  std::erase(thousands, ',');
+  std::size_t digits = 0;
+  while (comma + 1 + digits < text.size() && is_digit(text[comma + 1 + digits])) ++digits;
+  return digits == 3 ? thousands + " or " + with_point : with_point;
+}
+
 std::string power_text(std::string_view base, double exponent) {
   return exponent == 1 ? std::string(base) : fmt::format("{}^{:g}", base, exponent);
 }
@@ -265,7 +276,7 @@ double parse_quantity(std::string_view text, const Dimension& expected) {
   double value = 0;
   const auto rest = leading_number(quantity, value);
   if (!rest) throw InputError(fmt::format("{}\"{}\" is not a finite number", takes, text));
-  if (rest->starts_with(',')) throw InputError(fmt::format("{}\"{}\" needs a decimal point, not a comma", takes, text));
+  if (rest->starts_with(',')) throw InputError(fmt::format("{}\"{}\" needs a decimal point, not a comma; type {}", takes, text, without_comma(quantity)));
   const std::string_view unit_read = trimmed(*rest);
   if (unit_read.empty()) return value;
 
