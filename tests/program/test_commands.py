@@ -10,7 +10,7 @@ import unittest
 import h5py
 from support import LONG, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
 
-SUMMARY_KEYS = ["status", "links", "structures", "energy", "solver"]
+SUMMARY_KEYS = ["status", "links", "structures", "energy", "solver", "warnings"]
 LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost"]
 STRUCTURE_KEYS = ["peak_displacement", "peak_drift", "peak_acceleration"]
 ENERGY_KEYS = ["input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"]
@@ -36,7 +36,11 @@ class ExitCodes(ProgramTest):
 
     def test_two_for_words_that_are_none_of_ours(self):
         self.refused(2, "A subcommand is required")
-        self.refused(2, "A subcommand is required", "walk")
+        self.refused(2, 'unknown command "walk". Allowed: run, check, modes, laws,', "walk")
+        self.refused(2, 'unknown command "chek". Did you mean "check"?', "chek", "model.yaml")
+        self.refused(2, 'unknown command "Plot". Did you mean "plot"?', "Plot")
+        self.refused(2, 'unknown command "record spectra". Did you mean "spectrum"?', "record", "spectra", "FILE")
+        self.refused(2, 'unknown command "model.yaml". To run this model type pounding run model.yaml', "model.yaml")
         self.refused(2, "MODEL is required", "run")
         self.refused(2, 'unknown option "--jsom"', "run", self.write(OSCILLATORS), "--jsom")
         self.refused(2, "The following argument was not expected: second.yaml", "check", "model.yaml", "second.yaml")
@@ -108,7 +112,7 @@ analysis: {duration: 0.1}
     def test_compares_with_the_same_structures_apart(self):
         alone = self.summary(self.write(OSCILLATORS[:OSCILLATORS.index("links:")] + "analysis: {duration: 3.0}\n"))
         summary = self.summary(self.write(OSCILLATORS + "compare: no_pounding\n"))
-        self.assertEqual(list(summary), SUMMARY_KEYS + ["no_pounding"])
+        self.assertEqual(list(summary), SUMMARY_KEYS[:-1] + ["no_pounding", "warnings"])
         for name, structure in alone["structures"].items():
             without = summary["no_pounding"]["structures"][name]["peak_displacement"][0]
             self.assertTrue(math.isclose(without, structure["peak_displacement"][0], rel_tol=1e-3))
@@ -165,7 +169,7 @@ class Check(ProgramTest):
 
     def test_says_ok_in_json(self):
         done = self.pounding("check", self.write(LONG), "--json")
-        self.assertEqual(json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1})
+        self.assertEqual(json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1, "warnings": []})
 
     def test_writes_nothing(self):
         self.pounding("check", self.write(LONG))
