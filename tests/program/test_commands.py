@@ -160,6 +160,30 @@ class Words(ProgramTest):
         self.assertRaises(BlockingIOError, os.read, master, 1)
 
 
+class Warnings(ProgramTest):
+    DOUBTFUL = OSCILLATORS.replace("gap: 20 mm", "gap: 20").replace("duration: 3.0}\n", "duration: 3.0, tolerance: 0.05}\n")
+    TEXTS = ["link left-right: the gap is 20 m, above 2 m; a bare length is in m, type its unit, as in 20 mm, and look at the origins (where it is meant: accept: [gap])",
+             "analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; 1e-4 is usual (where it is meant: accept: [tolerance])"]
+
+    def test_are_told_by_run_and_check(self):
+        self.write(self.DOUBTFUL)
+        for command in ("run", "check"):
+            done = self.pounding(command, "model.yaml", "--json")
+            self.assertEqual(json.loads(done.stdout)["warnings"], self.TEXTS)
+            self.assertEqual(done.stderr, "".join(f"pounding: warning: {text}\n" for text in self.TEXTS))
+            self.assertEqual(self.pounding(command, "model.yaml").stderr, done.stderr)
+
+    def test_are_silenced_by_name(self):
+        self.write(self.DOUBTFUL + "accept: [gap]\n")
+        self.assertEqual(self.pounding("check", "model.yaml").stderr, f"pounding: warning: {self.TEXTS[1]}\n")
+        self.write(self.DOUBTFUL + "accept: [gap, tolerance]\n")
+        self.assertEqual(self.summary("model.yaml")["warnings"], [])
+
+    def test_structures_have_a_line_each(self):
+        for command in ("run", "check"):
+            self.assertIn("structure left: oscillator, 1 floor, 100 t, period 800 ms\n", self.pounding(command, self.write(OSCILLATORS)).stdout)
+
+
 class Check(ProgramTest):
     def test_shows_the_model_with_every_default(self):
         done = self.pounding("check", self.write(OSCILLATORS))
