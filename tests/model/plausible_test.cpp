@@ -104,7 +104,7 @@ TEST(Describe, HasALineAStructure) {
   EXPECT_NE(text.find("structure a: frame, 2 floors, 120 t, first periods "), std::string::npos) << text;
   EXPECT_NE(text.find("structure w: wall\n"), std::string::npos) << text;
   EXPECT_NE(text.find("structure ball: body, 3 t\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("structure o: oscillator, 1 floor, 100 t, period 800 ms\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("structure o: oscillator, 1 floor, 100 t, period 0.8 s\n"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ class Warnings(ProgramTest):
 
     def test_structures_have_a_line_each(self):
         for command in ("run", "check"):
-            self.assertIn("structure left: oscillator, 1 floor, 100 t, period 800 ms\n", self.pounding(command, self.write(OSCILLATORS)).stdout)
+            self.assertIn("structure left: oscillator, 1 floor, 100 t, period 0.8 s\n", self.pounding(command, self.write(OSCILLATORS)).stdout)
 
 
 class Check(ProgramTest):

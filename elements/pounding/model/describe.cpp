@@ -16,7 +16,7 @@ std::string describe(const Structure& s) {
   if (!s.is_free) text += fmt::format(", {} floor{}", s.floors.size(), s.floors.size() == 1 ? "" : "s");
   text += ", " + format_quantity(s.total_mass()[0], dimension::mass, 6);
   if (s.is_free) return text;
-  const auto period = [&](int mode) { return format_quantity(2 * M_PI / s.frequencies[mode], dimension::time); };
+  const auto period = [&](int mode) { return fmt::format("{:.4g} s", 2 * M_PI / s.frequencies[mode]); };
   return text + (s.frequencies.size() > 1 ? fmt::format(", first periods {} and {}", period(0), period(1)) : ", period " + period(0));
 }
 

@@ -150,7 +150,7 @@ Side facing_side(const Structure& a, const Structure& b) {
   };
   std::optional<Side> along_x = beside(ax0, ax1, bx0, bx1, Side::plus_x, Side::minus_x);
   // Plane frames may reach over each other at other heights: their ends tell whether they overlap.
-  if (a.dimension < 3 && b.dimension < 3) return left_first(along_x.value_or(Side::plus_x));
+  if (a.dimension < 3 || b.dimension < 3) return left_first(along_x.value_or(Side::plus_x));
   std::optional<Side> along_y = beside(ay0, ay1, by0, by1, Side::plus_y, Side::minus_y);
   // A frame whose end lies in the line of the other one's edge is apart from it the other way only.
   const double apart_x = std::max(bx0 - ax1, ax0 - bx1), apart_y = std::max(by0 - ay1, ay0 - by1);

@@ -1,0 +1,121 @@
+// What contradicts the drawing of frames: another gap, overlaps, the wrong side, ends that pass each other.
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "support/refusals.hpp"
+
+namespace pounding {
+namespace {
+
+using test::refused;
+
+// Options of a grid: its origin, the height of a storey, the bays.
+std::string grid(const std::string& name, const std::string& origin, const std::string& height = "3 m", const std::string& bays = "1") {
+  return "  " + name + ": {frame: {origin: [" + origin + "], material: {E: 30 GPa, density: 2500 kg/m^3}, mass: consistent,\n    grid: {storeys: 2, bays: " + bays +
+         ", storey_height: " + height + ", bay_width: 6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t}}, damping: 5 %}\n";
+}
+
+std::string mast(const std::string& name, const std::string& x, const std::string& height = "3 m") {
+  return "  " + name + ": {frame: {material: {E: 30 GPa}, nodes: {foot: [" + x + ", 0], top: [" + x + ", " + height +
+         "]}, members: {c: {between: [foot, top], section: {circle: 0.4}}},\n    supports: {foot: fixed}, masses: {top: 5 t}, floors: [{nodes: [top]}]}, damping: 5 %}\n";
+}
+
+// Two grids of 6 m, the second at this origin.
+std::string pair(const std::string& origin, const std::string& height = "3 m") { return grid("a", "0") + grid("b", origin, height); }
+std::string in_space(const std::string& origin, const std::string& height = "3 m") {
+  return grid("a", "0, 0", "3 m", "[1, 1]") + grid("b", origin, height, "[1, 1]");
+}
+std::string masts() { return mast("a", "0") + mast("b", "2 m"); }
+
+std::string linked(const std::string& structures, const std::string& link) {
+  return "structures:\n" + structures + "links:\n  - {" + link + ", law: hertz, stiffness: 2.75e9}\nanalysis: {duration: 1}\n";
+}
+
+TEST(DrawingInput, AGapIsTheOneThatIsDrawn) {
+  refused(linked(pair("982 m"), "between: [a, b], floors: all, gap: 20 mm"), "@");
+  refused(linked(pair("6.02 m"), "between: [a, b], floors: all, gap: 200 mm"), "@");
+  refused(linked(pair("6.02 m"), "between: [a, b], floors: all, gap: 0"), "@");
+  refused(linked(pair("6.02 m"), "between: [a, b], floors: all, gap: 20.2 mm"), "@");
+  refused(linked(pair("6.02 m"), "between: [a, b], floors: all, gap: [20 mm, 30 mm]"), "@");
+  refused(linked(pair("6.02 m"), "between: [a, b], floors: all, gap: 20"), "@");
+  refused(linked(pair("6.02 m"), "between: [a, b], floors: all, gap: 2 cm, name: joint, points: 1").replace(0, 0, "title: a\n"), "@");
+  refused(linked(pair("6 m"), "between: [a.1, b.1], gap: 20 mm"), "@");
+  refused(linked(in_space("6.05 m, 0"), "between: [a, b], floors: all, gap: 20 mm"), "@");
+  refused(linked(in_space("0, 6.05 m"), "between: [a, b], floors: all, gap: 20 mm"), "@");
+  refused(linked(in_space("0, -6.05 m"), "between: [a, b], floors: all, gap: 20 mm"), "@");
+  refused(linked(masts(), "between: [a, b], gap: 20 mm"), "@");
+  refused(linked(masts(), "between: [{structure: a, node: top}, {structure: b, node: top}], gap: 1 m"), "@");
+  refused(linked(pair("6.02 m", "2 m"), "between: [a.1, {structure: b, elevation: 3 m}], gap: 50 mm"), "@");
+  refused(linked(pair("6.02 m", "2 m"), "between: [a, b], floors: any, gap: 50 mm"), "@");
+  refused(linked(pair("6.02 m") + grid("c", "12.02 m"), "between: [b, c], floors: all, gap: 20 mm"), "@");
+}
+
+TEST(DrawingInput, FramesDoNotOverlap) {
+  refused(linked(pair("5.9 m"), "between: [a, b], floors: all, gap: 20 mm"), "@");
+  refused(linked(pair("5.9 m"), "between: [a, b], floors: all"), "@");
+  refused(linked(pair("0"), "between: [a, b], floors: all, gap: 20 mm"), "@");
+  refused(linked(pair("5.999 m"), "between: [a.1, b.1], gap: 0"), "@");
+  refused(linked(pair("5.999 m"), "between: [{structure: a, node: 1.1}, {structure: b, node: 1.0}], gap: 0"), "@");
+  refused(linked(pair("5.9 m", "2 m"), "between: [{structure: a, elevation: 2 m}, b.1]"), "@");
+  refused(linked(in_space("5 m, 0"), "between: [a, b], floors: all, gap: 20 mm"), "@");
+  refused(linked(in_space("0, 0"), "between: [a, b], floors: all"), "@");
+}
+
+TEST(DrawingInput, TheFirstOneStandsOnTheLeft) {
+  refused(linked(pair("6.02 m"), "between: [b, a], floors: all, gap: 20 mm"), "@");
+  refused(linked(pair("6.02 m"), "between: [b, a], floors: all"), "@");
+  refused(linked(pair("6.02 m"), "between: [b.1, a.1], gap: 20 mm"), "@");
+  refused(linked(in_space("6.02 m, 0"), "between: [b, a], floors: all, gap: 20 mm"), "@");
+  refused(linked(masts(), "between: [b, a]"), "@");
+  refused(linked(masts(), "between: [{structure: b, node: top}, {structure: a, node: top}]"), "@");
+  EXPECT_NO_THROW(test::model_of(linked(in_space("0, 6.02 m"), "between: [a, b], floors: all")));
+  EXPECT_NO_THROW(test::model_of(linked(in_space("0, 6.02 m"), "between: [b, a], floors: all")));
+}
+
+TEST(DrawingInput, EndsFaceEachOther) {
+  refused(linked(pair("6.02 m"), "between: [a.1, b.2], gap: 20 mm"), "@");
+  refused(linked(pair("6.02 m", "2.2 m"), "between: [a.1, b.1], gap: 20 mm"), "@");
+  refused(linked(pair("6.02 m", "2.2 m"), "between: [a.1, b.1]"), "@");
+  refused(linked(pair("6.02 m"), "between: [a.1, {structure: b, node: 2.0}]"), "@");
+  refused(linked(pair("6.02 m"), "between: [{structure: a, node: 2.1}, b.1]"), "@");
+  refused(linked(pair("6.02 m"), "between: [{structure: a, elevation: 1 m}, b.1]"), "@");
+  refused(linked(mast("a", "0") + mast("b", "2 m", "9 m"), "between: [a, b]"), "@");
+  refused(linked(in_space("6.02 m, 0"), "between: [{structure: a, node: 1.1.0}, {structure: b, node: 1.0.1}]"), "@");
+  refused(linked(in_space("6.02 m, 3 m"), "between: [{structure: a, node: 1.1.0}, {structure: b, node: 1.0.0}]"), "@");
+  refused(linked(in_space("6.02 m, 3 m"), "between: [a.1, {structure: b, node: 1.0.1}]"), "@");
+  refused(linked(in_space("6.02 m, 6.02 m"), "between: [a, b], floors: all"), "@");
+  refused(linked(in_space("6.02 m, 0", "2.5 m"), "between: [a, b], floors: all"), "@");
+  EXPECT_NO_THROW(test::model_of(linked(pair("6.02 m", "2.6 m"), "between: [a.1, b.1]")));
+  EXPECT_NO_THROW(test::model_of(linked(in_space("6.02 m, 3 m"), "between: [a, b], floors: all")));
+}
+
+// A floor in space is hit where the node or the column stands.
+TEST(DrawingInput, AFloorIsHitWhereTheOtherEndStands) {
+  const auto across = [](const std::string& structures, const std::string& link) {
+    const Model model = test::model_of(linked(structures, link));
+    const Link& first = model.links.at(0);
+    EXPECT_EQ(first.left.point.position.y(), first.right.point.position.y());
+    return first.left.point.position.y();
+  };
+  EXPECT_EQ(across(in_space("6.02 m, 0"), "between: [a.1, {structure: b, node: 1.0.1}]"), 6);
+  EXPECT_EQ(across(in_space("6.02 m, 4 m"), "between: [a.1, {structure: b, node: 1.0.0}]"), 4);
+  EXPECT_EQ(across(in_space("6.02 m, 4 m", "2 m"), "between: [a.1, {structure: b, elevation: 3 m}]"), 4);
+  EXPECT_EQ(across(in_space("6.02 m, -2 m", "2 m"), "between: [{structure: a, elevation: 2 m}, b.1]"), 0);
+}
+
+TEST(DrawingInput, WithoutADrawingTheGapIsGiven) {
+  const std::string oscillator = "  o: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n";
+  const std::string building = "  s: {shear_building: {storeys: 2, mass: 100 t, stiffness: 1 GN/m, height: 3 m}, damping: 5 %}\n";
+  refused(linked(grid("a", "0") + "  w: {wall: {}}\n", "between: [a, w], floors: all"), "@");
+  refused(linked("  w: {wall: {}}\n" + grid("a", "0"), "between: [w, a.1]"), "@");
+  refused(linked(grid("a", "0") + oscillator, "between: [a.1, o]"), "@");
+  refused(linked("  ball: {body: {mass: 1 t}}\n" + grid("a", "0"), "between: [ball, a.1]"), "@");
+  refused(linked(building + grid("a", "0"), "between: [s, a], floors: all"), "@");
+  refused(linked(building + oscillator, "between: [s.1, o]"), "@");
+}
+
+}  // namespace
+}  // namespace pounding
