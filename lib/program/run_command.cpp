@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <pounding/run/implausible.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
-#include <pounding/model/plausible.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
@@ -48,9 +48,7 @@ void print_warnings(const std::vector<std::string>& warnings) {
 
 // Warnings that only the answers give.
 std::vector<std::string> warnings_after(const Model& model, const Summary& summary) {
-  std::vector<double> penetrations;
-  for (const LinkSummary& link : summary.links) penetrations.push_back(link.peak_penetration);
-  std::vector<std::string> warnings = implausible(model, penetrations);
+  std::vector<std::string> warnings = implausible(model, summary);
   if (std::string text = warning(summary, model.analysis.tolerance); !text.empty()) warnings.push_back(std::move(text));
   return warnings;
 }

@@ -17,12 +17,12 @@
 
 #include <fmt/format.h>
 
+#include <pounding/run/implausible.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/modes.hpp>
-#include <pounding/model/plausible.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/launch.hpp>
@@ -156,20 +156,11 @@ std::vector<std::byte> image_for_all(const Results& results) {
   return ranks.gather(ranks.is_root() ? results_image(results) : std::vector<std::byte>{}).front();
 }
 
-std::vector<std::string> implausible_in(const Model& model, const Summary& summary) {
-  std::vector<std::string> warnings = implausible(model);
-  std::vector<double> penetrations;
-  for (const LinkSummary& link : summary.links) penetrations.push_back(link.peak_penetration);
-  for (std::string& text : implausible(model, penetrations)) warnings.push_back(std::move(text));
-  return warnings;
-}
-
 Ran ran(const Model& model, const Outcome& outcome, std::string failure) {
-  return {.image = image_for_all(outcome.results),
-          .warning = failure.empty() ? warning(outcome.summary, model.analysis.tolerance) : "",
-          .implausible = implausible_in(model, outcome.summary),
-          .failure = failure,
-          .resumable = outcome.results.checkpoint.has_value()};
+  std::vector<std::string> doubts = implausible(model);
+  for (std::string& text : implausible(model, outcome.summary)) doubts.push_back(std::move(text));
+  return {.image = image_for_all(outcome.results), .warning = failure.empty() ? warning(outcome.summary, model.analysis.tolerance) : "",
+          .implausible = std::move(doubts), .failure = failure, .resumable = outcome.results.checkpoint.has_value()};
 }
 
 Ran run_alike(const Model& model, const RunOptions& options) {
