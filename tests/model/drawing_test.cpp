@@ -51,6 +51,21 @@ TEST(DrawnGap, IsNoneWhereRoundingParts) {
   EXPECT_FALSE(std::signbit(Pair(6 - 1e-15).gap()));
 }
 
+// Under their weight equal frames move sideways by the rounding of their displacements at rest.
+TEST(DrawnGap, OfZeroHoldsUnderGravity) {
+  const auto heavy = [](double origin) {
+    FrameModel model{.frame = Frame(2)};
+    const GridParts parts = add_grid(model, grid(origin));
+    for (const int foot : parts.feet) model.frame.fix(foot);
+    model.gravity = true;
+    return make_structure(model);
+  };
+  Model model;
+  const StructureHandle left = model.add("left", heavy(0.1), {.damping = 0.05}), right = model.add("right", heavy(6.1), {.damping = 0.05});
+  EXPECT_NO_THROW(model.link(left, right, {.floors = FacingFloors::all}, laws::Hertz{.stiffness = 1e9}));
+  EXPECT_EQ(model.links.at(1).gap, 0);
+}
+
 TEST(DrawnGap, IsTheGivenOneWhereTheyDifferByRounding) {
   EXPECT_EQ(Pair(6.02).gap({.gap = 0.0201, .floors = FacingFloors::all}), 0.0201);
   EXPECT_EQ(Pair(6.333).gap({.gap = 1.0 / 3, .floors = FacingFloors::all}), 1.0 / 3) << "a thousandth";

@@ -19,6 +19,8 @@ namespace {
 
 // Default sliding velocity: slower than this, friction grows with the velocity [m/s].
 constexpr double usual_sliding = 5e-3;
+// What rests at a gap of zero overlaps by the rounding of its displacements at rest, and by no more than this [m].
+constexpr double touching = 1e-12;
 
 [[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
 [[noreturn]] void refuse_idle(ModelOption option, const std::string& text) { throw ModelError(option, text).as_idle(); }
@@ -188,7 +190,7 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
 void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
   const double overlap =
       displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
-  if (!(overlap > 0)) return;
+  if (!(overlap > touching)) return;
   const std::string by = format_quantity(overlap, dimension::length);
   const std::string apart = are_drawn(a, b) ? fmt::format("they lean towards each other under their loads: move {} away by {} or more with its origin",
                                                           b.name, by)
