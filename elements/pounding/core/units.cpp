@@ -77,6 +77,7 @@ std::string without_comma(std::string_view text) {
   std::erase(thousands, ',');
   std::size_t digits = 0;
   while (comma + 1 + digits < text.size() && is_digit(text[comma + 1 + digits])) ++digits;
+  if (text.find(',', comma + 1) != std::string_view::npos) return thousands;
   return digits == 3 ? thousands + " or " + with_point : with_point;
 }
 

@@ -31,7 +31,7 @@ std::string Frame::spring_against(const VectorXd& displacements) const {
   for (const auto& [at, stiffness] : ground_springs_)
     if (std::abs(displacements[at]) > 1e-3 * largest[turns(at)]) stiffest[turns(at)] = std::max(stiffest[turns(at)], stiffness);
   if (stiffest[0] > 0) return format_quantity(stiffest[0], dimension::stiffness);
-  return stiffest[1] > 0 ? format_quantity(stiffest[1], dimension::energy) : "";
+  return stiffest[1] > 0 ? fmt::format("{:.4g} N m", stiffest[1]) : "";
 }
 
 // Names the node that a mode moves most; a rotation only where no node moves.
@@ -54,7 +54,7 @@ void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFr
   if (!buckles || pressed == members_.end() || !(pressed->beam.axial_force() < 0)) {
     if (const std::string spring = spring_against(frame.transform * mode); !spring.empty())
       refuse(fmt::format("{}a spring of {} alone holds the frame against this displacement, so weak beside the members that it is lost in their "
-                         "rounding; type its unit, as in springs: {{ux: 20 MN/m}}, or fix the displacement", where, spring));
+                         "rounding; type its unit, as in springs: {{ux: 20 MN/m, ry: 100 MN m}}, or fix the displacement", where, spring));
     refuse(where + "nothing holds the frame against this displacement; fix it, brace it or connect it");
   }
   const int member = static_cast<int>(pressed - members_.begin());

@@ -80,9 +80,11 @@ inline std::string law_suggestion(std::string_view read, std::span<const Entry> 
     for (const Formula& formula : entry.formulas)
       if (formula.name != "exact") formulas.push_back(formula.name);
   std::string_view meant = nearest_name(read, formulas);
-  for (const std::string_view formula : formulas)
-    if (meant.empty() && formula.size() > read.size() && formula[read.size()] == '_' && edit_distance(read, formula.substr(0, read.size())) == 0)
-      meant = formula;
+  if (meant.empty())  // the shortest that begins so: of ye_2009 and ye_2009_linear the first
+    for (const std::string_view formula : formulas)
+      if (formula.size() > read.size() && formula[read.size()] == '_' && edit_distance(read, formula.substr(0, read.size())) == 0 &&
+          (meant.empty() || formula.size() < meant.size()))
+        meant = formula;
   if (meant.empty()) return suggestion(read, laws);
   std::string with;
   for (const Entry& entry : catalogue)

@@ -50,7 +50,9 @@ inline constexpr std::array other_words{
     OtherWord{"coefficient_of_restitution", "restitution"}, OtherWord{"k", "stiffness"}, OtherWord{"mu", "friction"},
     OtherWord{"n", "exponent"}, OtherWord{"m", "mass"}, OtherWord{"T", "period"}, OtherWord{"zeta", "damping"}, OtherWord{"xi", "damping"},
     OtherWord{"rho", "density"}, OtherWord{"nu", "poisson"}, OtherWord{"young", "E"}, OtherWord{"percent", "%"}, OtherWord{"pct", "%"},
-    OtherWord{"meter", "m"}, OtherWord{"meters", "m"}, OtherWord{"metre", "m"}, OtherWord{"metres", "m"}, OtherWord{"sec", "s"},
+    OtherWord{"meter", "m"}, OtherWord{"meters", "m"}, OtherWord{"metre", "m"}, OtherWord{"metres", "m"},
+    OtherWord{"millimetre", "mm"}, OtherWord{"millimetres", "mm"}, OtherWord{"inch", "in"}, OtherWord{"inches", "in"}, OtherWord{"feet", "ft"},
+    OtherWord{"sec", "s"},
     OtherWord{"second", "s"}, OtherWord{"seconds", "s"}, OtherWord{"ton", "t"}, OtherWord{"tons", "t"}, OtherWord{"tonne", "t"},
     OtherWord{"tonnes", "t"}, OtherWord{"newton", "N"}};
 
