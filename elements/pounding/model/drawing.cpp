@@ -15,10 +15,10 @@ namespace {
 constexpr double reach = 0.5;
 // A gap may differ from the distance drawn by this part of itself.
 constexpr double relative_rounding = 1e-3;
-// Distances are rounded to this, so that 18.02 m less 18 m is 20 mm [m].
-constexpr double nanometre = 1e-9;
+// Distances are rounded to nanometres, so that 18.02 m less 18 m is 20 mm to the last bit [1/m].
+constexpr double nanometres = 1e9;
 
-std::string metres(double length) { return format_quantity(std::abs(length) < nanometre ? 0 : length, dimension::length, 6); }
+std::string metres(double length) { return format_quantity(std::abs(length) * nanometres < 1 ? 0 : length, dimension::length, 6); }
 
 // "floor 3 of left", "node b of left", "the column of left 10.5 m up".
 std::string text_of(const LinkEnd& end, const Structure& s) {
@@ -70,7 +70,7 @@ double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, 
   require_facing(ends, 2);
   // A plane frame has no place across its plane.
   if (ends.a.dimension == 3 && ends.b.dimension == 3) require_facing(ends, along_x ? 1 : 0);
-  if (!asked) return std::max(0.0, std::round(drawn / nanometre) * nanometre);
+  if (!asked) return std::max(0.0, std::round(drawn * nanometres) / nanometres);
   if (std::abs(*asked - drawn) > std::max(drawn_rounding, relative_rounding * *asked))
     throw ModelError(ModelOption::gap,
                      fmt::format("is {}, but {} are drawn {} apart; leave the gap out to take this distance, or {}", metres(*asked),
