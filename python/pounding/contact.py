@@ -206,7 +206,7 @@ class Laws(Mapping[str, LawKind]):
 
     def __getitem__(self, name: str) -> LawKind:
         if name not in self._kinds:
-            raise InputError(f'unknown law "{name}".' + core.hint(str(name), list(self._kinds)))
+            raise InputError(f'unknown law "{name}".' + core.law_hint(str(name)))
         return self._kinds[name]
 
     def __contains__(self, name: object) -> bool:

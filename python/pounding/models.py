@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import os
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
@@ -12,11 +13,12 @@ from typing import Any
 
 from pounding import told, yaml_text
 from pounding._native import core
+from pounding.errors import ImplausibleWarning
 from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
 
 #: The parts of an input, in the order of the examples.
-PARTS = ("title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare")
+PARTS = ("title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare", "accept")
 
 
 class Model(told.Told, lines=told.model):
@@ -35,7 +37,7 @@ class Model(told.Told, lines=told.model):
     def __init__(self, structures: Mapping[str, Any], links: Sequence[Mapping[str, Any]] = (), *,
                  ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
                  title: str | None = None, compare: str | None = None,
-                 checkpoint: Mapping[str, Any] | None = None) -> None:
+                 checkpoint: Mapping[str, Any] | None = None, accept: Sequence[str] | None = None) -> None:
         self.structures = structures
         self.links = links
         self.ground_motion = ground_motion
@@ -43,6 +45,7 @@ class Model(told.Told, lines=told.model):
         self.title = title
         self.compare = compare
         self.checkpoint = checkpoint
+        self.accept = accept
         self._file = ""
         self._text = ""
         self._parts_of_text: dict[str, Any] | None = None
@@ -108,8 +111,9 @@ class Model(told.Told, lines=told.model):
 class Checked:
     """A model that holds what it must."""
 
-    description: str  #: ground motions and links, one line each
+    description: str  #: ground motions, structures and links, one line each
     resolved: str  #: YAML with every default and calibrated parameter, SI
+    warnings: tuple[str, ...] = ()  #: of numbers far from those of buildings, without those that the model accepts
 
     def __str__(self) -> str:
         """The output of `pounding check`."""
@@ -122,5 +126,9 @@ def as_model(model: Model | str | PathLike[str]) -> Model:
 
 
 def check(model: Model | str | PathLike[str]) -> Checked:
-    """Reads a model, or an input file, without running it. Raises InputError with the place of what is wrong."""
-    return Checked(*core.check(as_model(model)._source()))
+    """Reads a model, or an input file, without running it. Raises InputError with the place of what is wrong; warns of what is
+    hardly meant (ImplausibleWarning)."""
+    description, resolved, doubts = core.check(as_model(model)._source())
+    for doubt in doubts:
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
+    return Checked(description, resolved, tuple(doubts))

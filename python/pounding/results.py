@@ -165,6 +165,8 @@ class RunData(told.Told, lines=told.run):
         """The results in the file `path`. Raises OSError when it cannot be opened, NotResults when it is something else."""
         if not Path(path).is_file():
             raise FileNotFoundError(f"there is no file {path}")
+        if not h5py.is_hdf5(path):
+            raise NotResults(_no_results(Path(path)))
         with h5py.File(path) as file:
             return cls(**_contents(file, str(path)), source=Path(path))
 
@@ -205,6 +207,14 @@ def _contents(file: h5py.File, name: str) -> dict[str, Any]:
         }
     except KeyError as error:
         raise NotResults(f"{name} is not a results file of pounding: {error.args[0]}") from error
+
+
+def _no_results(path: Path) -> str:
+    """How to get results where a file is none."""
+    if path.suffix.lower() not in (".yaml", ".yml"):
+        return f"{path} is not a results file of pounding, such as pounding run MODEL.yaml -o OUT.h5 writes"
+    results = path.with_suffix(".h5")
+    return f"{path} is an input file; type pounding run {path} -o {results}, and name {results} here"
 
 
 def _with_text(rows: np.ndarray) -> np.ndarray:

@@ -71,6 +71,15 @@ class PlotCommand(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("no picture: cannot read none.h5: there is no file none.h5", done.stderr)
 
+    def test_an_input_file_is_told_from_results(self):
+        (self.directory / "model.yaml").write_text("title: a\n")
+        for command in ("plot", "animate", "export"):
+            done = subprocess.run([PROGRAM, command, "model.yaml"], cwd=self.directory, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("model.yaml is an input file; type pounding run model.yaml -o model.h5, and name model.h5 here\n", done.stderr)
+        (self.directory / "picture.png").write_bytes(b"PNG")
+        self.assertIn("picture.png is not a results file of pounding", self.plot("picture.png").stderr)
+
     def test_missing_python_says_what_to_install(self):
         done = self.plot(self.results, python="/no/python")
         self.assertEqual(done.returncode, 2)

@@ -68,7 +68,9 @@ class SameAsTheProgram(RunTest):
     def test_summary_and_file_are_those_of_the_command(self):
         done = self.program("run", TWO_OSCILLATORS, "--json", "-o", self.folder / "program.h5")
         results = pounding.run(TWO_OSCILLATORS, output=self.folder / "python.h5")
-        self.assertEqual(without_times(results.summary), without_times(json.loads(done.stdout)))
+        printed = without_times(json.loads(done.stdout))
+        self.assertEqual(printed.pop("warnings"), [])
+        self.assertEqual(without_times(results.summary), printed)
         self.assert_same_file(self.folder / "program.h5", self.folder / "python.h5")
         results.save(self.folder / "saved.h5")
         self.assert_same_file(self.folder / "program.h5", self.folder / "saved.h5")
@@ -128,7 +130,9 @@ class SameAsTheProgram(RunTest):
         done = self.program("run", TWO_OSCILLATORS, "--json", "-pounding_ts_rtol", "1e-3", "-pounding_ts_pounding_scheme", "generalized_alpha")
         with self.assertWarns(pounding.AccuracyWarning):
             by_option = pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3, "ts_pounding_scheme": "generalized_alpha"})
-        self.assertEqual(without_times(by_option.summary), without_times(json.loads(done.stdout)))
+        printed = without_times(json.loads(done.stdout))
+        self.assertIn("the energies do not close", printed.pop("warnings")[0])
+        self.assertEqual(without_times(by_option.summary), printed)
         # Options of one run are gone in the next.
         again = pounding.run(two_oscillators(), tolerance=1e-3)
         self.assertEqual(without_times(again.summary), without_times(rough.summary))
@@ -188,6 +192,28 @@ class Failures(RunTest):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             pounding.run(two_oscillators())
+
+    def test_what_is_implausible_warns_as_in_the_program(self):
+        model = two_oscillators()
+        model.structures["left"]["oscillator"]["mass"] = 100
+        model.links[0]["stiffness"] = "1e4 N/m^1.5"
+        (self.folder / "model.yaml").write_text(model.to_yaml())
+        done = self.program("run", "model.yaml", "--json")
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            pounding.run(model)
+        texts = [str(each.message) for each in caught if each.category is pounding.ImplausibleWarning]
+        self.assertEqual([text.rpartition("accept: ")[2] for text in texts], ["[mass])", "[penetration])"])
+        self.assertEqual(json.loads(done.stdout)["warnings"], texts)
+        self.assertEqual(done.stderr, "".join(f"pounding: warning: {text}\n" for text in texts))
+        model.accept = ["mass", "penetration"]
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            pounding.run(model)
+            self.assertEqual(pounding.check(model).warnings, ())
+        model.accept = []
+        with self.assertWarnsRegex(pounding.ImplausibleWarning, "floor 1 has 100 kg, under 1 t"):
+            self.assertEqual(pounding.check(model).warnings, tuple(texts[:1]))
 
 
 class Stopping(RunTest):

@@ -129,7 +129,7 @@ class Input {
   Input child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const;
   const words::Word& word() const;
   void expect_map() const;
-  void refuse_repeated_keys(int depth = 0) const;
+  void refuse_wrong_keys(int depth = 0) const;
   [[noreturn]] void fail_at(const Place& place, std::string_view message) const;
 
   std::shared_ptr<const Source> source_;

@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/bare_numbers.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/structure_input.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/model/plausible.hpp>
 
 namespace pounding {
 namespace {
@@ -96,6 +98,9 @@ Model read_model(const Input& file, const ModeSolver& modes, double stiffness_fa
     compare->as_choice();
     model.compare_no_pounding = true;
   }
+  if (const auto accept = input.find("accept"))
+    for (const Input& name : accept->items()) model.accept.push_back(name.as_choice());
+  model.read_doubts = bare_accelerations(input);
   try {
     model.complete();
   } catch (const ModelError& error) {

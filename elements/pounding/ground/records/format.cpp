@@ -129,15 +129,25 @@ bool ends_numbers(std::string_view line) {
 
 }  // namespace
 
+bool says_end(std::string_view line) {
+  static const std::regex end = pattern(R"(^[^a-z0-9]*end[^a-z0-9]*(of)?[^a-z0-9]*(data|file|record)?[^a-z0-9]*$)");
+  return line.find_first_of("nN") != std::string_view::npos && captured(line, end).has_value();  // numbers are quick to tell
+}
+
 std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated) {
   std::vector<double> values;
   std::size_t last_line = begin - 1;
-  for (std::size_t i = begin; i < lines.size(); ++i)
+  for (std::size_t i = begin; i < lines.size(); ++i) {
+    if (says_end(lines[i])) {
+      if (values.size() < stated.count) fail_early(lines, last_line, values.size(), stated);
+      continue;
+    }
     for (const std::string_view word : split_at_blanks(lines[i])) {
       if (values.size() == stated.count) fail_late(lines, i, stated);
       values.push_back(lines.number(i, word));
       last_line = i;
     }
+  }
   if (values.size() < stated.count) fail_early(lines, last_line, values.size(), stated);
   return values;
 }

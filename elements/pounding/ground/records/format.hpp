@@ -80,7 +80,11 @@ struct Stated {
   std::string by;  ///< "NPTS", "line 46"
 };
 
-/// Numbers parted by blanks, from line `begin` to the end of the file. Fails when there are fewer or more than stated.
+/// Whether a line says that the data end there: "*** End Data ***", "END-OF-FILE".
+bool says_end(std::string_view line);
+
+/// Numbers parted by blanks, from line `begin` to the end of the file or to the line that says_end. Fails when there are fewer or
+/// more than stated.
 std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated);
 
 /// Numbers in columns as Fortran writes them, often without a blank between: (8F10.3) is {8, 10}.

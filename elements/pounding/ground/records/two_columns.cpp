@@ -71,9 +71,12 @@ Record read(const Lines& lines, const RecordOptions& options) {
   std::string stated;
   std::size_t names_line = 0;
   double time_unit = 1;
-  bool begun = false;
+  bool begun = false, ended = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (says_nothing(lines[i])) continue;
+    if (ended) lines.fail(i, "follows the line that ends the data; remove one of the two");
+    ended = begun && says_end(lines[i]);
+    if (ended) continue;
     const std::string_view line = lines[i];
     const auto columns = split_columns(line);
     if (double value = 0; !begun && !parse_number(columns.front(), value)) {
