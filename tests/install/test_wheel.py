@@ -1,5 +1,6 @@
 """The package as it was installed, and what its extras are for."""
 
+import json
 import os
 import subprocess
 import sys
@@ -18,6 +19,10 @@ class Wheel(unittest.TestCase):
     def test_is_what_is_imported(self):
         self.assertTrue(Path(pounding.__file__).is_relative_to(sys.prefix), pounding.__file__)
         self.assertEqual(version("pounding"), pounding.__version__)
+
+    def test_brings_the_schema_for_editors(self):
+        schema = json.loads(Path(pounding.__file__).with_name("model.schema.json").read_text())
+        self.assertIn("structures", schema["properties"])
 
     def test_brings_the_laws_for_opensees(self):
         with self.assertRaisesRegex(ValueError, 'Did you mean "hertz"'):

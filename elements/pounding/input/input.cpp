@@ -199,15 +199,17 @@ double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) con
   return value;
 }
 
-std::vector<double> Input::as_quantities(int count) const {
+std::vector<double> Input::as_quantities(int count) const { return as_quantities(count, word().bounds); }
+
+std::vector<double> Input::as_quantities(int count, const Bounds& allowed) const {
   const auto wanted = static_cast<std::size_t>(count);
-  if (!is_list()) return std::vector<double>(wanted, as_quantity());
+  if (!is_list()) return std::vector<double>(wanted, as_quantity(word().dimension, allowed));
   const std::vector<Input> members = items();
   if (members.size() != wanted)
     fail(fmt::format("takes {} or a list of {} from the ground up; a list of {} was read",
-                     allowed_text(word().dimension, word().bounds), count, members.size()));
+                     allowed_text(word().dimension, allowed), count, members.size()));
   std::vector<double> values;
-  for (const Input& member : members) values.push_back(member.as_quantity());
+  for (const Input& member : members) values.push_back(member.as_quantity(word().dimension, allowed));
   return values;
 }
 
