@@ -65,6 +65,8 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
   solver.damping_times(shift_, stiffness_, damping_);
   solver.gather(shift_, closing_);
   coupling_ = load_.transpose() * shift_;
+  springs_ = shift_.transpose() * stiffness_;
+  dashpots_ = shift_.transpose() * damping_;
 }
 
 Eigen::MatrixXd ShortMotions::at(double time, const Eigen::VectorXd& ground, const Instant& begin) const {
@@ -99,19 +101,25 @@ Eigen::VectorXd ShortMotions::velocity_at_end(const Trial& trial) const {
   return shift(velocity);
 }
 
-// With z = v + R g' the work is the integral of -ag P^T z, and of ag P^T R g', which is exact. The first is integrated by parts: what
-// is left under the integral is g' P^T z', in which nothing large cancels.
+// With z = v + R g' the work is the integral of -ag P^T z + ag P^T R g'; the second part is exact, the first is integrated by parts to
+// that of g' P^T z'. Of P^T z' the spring forces that the ground makes in the step, and their work, are exact; the dashpot forces
+// that it makes are summed as the ledger sums what they dissipate; all others, `slow`, hardly change in the step.
 double ShortMotions::work(const Instant& begin, const Trial& kept) const {
-  const ShortMotionStep& step = *kept.short_motions;
-  const auto momentum = [&](const Eigen::MatrixXd& ground, const double* rates, Instant::Column order) -> Eigen::VectorXd {
+  const Eigen::MatrixXd &x = kept.short_motions->begin, &m = kept.short_motions->middle, &y = kept.short_motions->end;
+  const auto loads = [&](const Eigen::MatrixXd& ground, const double* rates, Instant::Column order) -> Eigen::VectorXd {
     return load_.transpose() * Eigen::Map<const Eigen::VectorXd>(rates, load_.rows()) + coupling_ * ground.col(order);
   };
-  const auto power = [&](const Eigen::MatrixXd& ground, const double* rates) { return ground.col(v).dot(momentum(ground, rates, a)); };
-  const auto exact = [&](const Eigen::MatrixXd& ground, const Instant& x) {
-    return 0.5 * ground.col(v).dot(coupling_ * ground.col(v)) - ground.col(v).dot(momentum(ground, x.at(v), v));
+  const auto exact = [&](const Eigen::MatrixXd& ground, const Instant& at) {
+    return 0.5 * ground.col(v).dot(coupling_ * ground.col(v)) - ground.col(v).dot(loads(ground, at.at(v), v));
   };
-  return exact(step.end, kept.end) - exact(step.begin, begin) +
-         kept.h / 6 * (power(step.begin, begin.at(a)) + 4 * power(step.middle, kept.a_middle.data()) + power(step.end, kept.end.at(a)));
+  const auto slow = [&](const Eigen::MatrixXd& ground, const double* acceleration) -> Eigen::VectorXd {
+    return loads(ground, acceleration, a) - springs_ * (ground.col(u) - x.col(u)) - dashpots_ * ground.col(v);
+  };
+  const auto dissipated = [&](const Eigen::MatrixXd& ground) { return ground.col(v).dot(dashpots_ * ground.col(v)); };
+  const Eigen::VectorXd way = y.col(u) - x.col(u), middle = slow(m, kept.a_middle.data());
+  return exact(y, kept.end) - exact(x, begin) + 0.5 * way.dot(springs_ * way) + middle.dot(way) +
+         kept.h / 6 * (x.col(v).dot(slow(x, begin.at(a)) - middle) + y.col(v).dot(slow(y, kept.end.at(a)) - middle) +
+                       dissipated(x) + 4 * dissipated(m) + dissipated(y));
 }
 
 }  // namespace pounding

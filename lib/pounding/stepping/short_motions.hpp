@@ -66,7 +66,7 @@ class ShortMotions {
   Eigen::MatrixXd shift_;           // R
   Eigen::MatrixXd stiffness_, damping_;  // K R, C R
   Eigen::MatrixXd closing_;         // B^T R
-  Eigen::MatrixXd coupling_;        // P^T R
+  Eigen::MatrixXd coupling_, springs_, dashpots_;  // R^T M R, R^T K R, R^T C R; of the coordinates on this process
 };
 
 }  // namespace pounding
