@@ -139,6 +139,18 @@ constexpr const char* dying =
 
 TEST(ResumeOfDyingMotion, KeepsTheLargestValues) { expect_to_go_on(dying, apart); }
 
+// The contact presses while the ground is still in its pulse, whose steps are shorter than those after it.
+TEST(ResumeInAShortPulse, GivesTheSameBits) {
+  for (const char* scheme : schemes) {
+    SCOPED_TRACE(scheme);
+    expect_to_go_on("ground_motion: {pulse: {shape: sine, amplitude: -300, start: 0.2, duration: 0.02}}\n"
+                    "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, w: {wall: {}}}\n"
+                    "links: [{between: [a, w], gap: 5 mm, law: hertz, stiffness: 2.75e9}]\n"
+                    "analysis: {duration: 2, " + std::string(scheme) + "}\n",
+                    pressed);
+  }
+}
+
 // A record with corners, several links at once, storeys that yield.
 constexpr const char* buildings =
     "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"

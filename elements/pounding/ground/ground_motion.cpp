@@ -17,6 +17,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double two_pi = 2 * std::numbers::pi;
 
+// Longest step as a part of the shortest period of a closed form.
+constexpr double max_part_of_period = 0.1;
+
 void require_finite(double value, const char* what) {
   if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("ground motion: {} is not finite", what));
 }
@@ -122,7 +125,7 @@ GroundMotion::GroundMotion(Harmonic motion) : motion_(motion) {
   require_finite(motion.start, "start");
   const bool reaches_amplitude = motion.duration >= motion.period / 4;
   peak_ = std::abs(reaches_amplitude ? motion.amplitude : inside(motion, end_of(motion)));
-  duration_ = end_of(motion);
+  describe(motion, motion.period / 2);
   source_ = fmt::format("harmonic, {} at {:g} s for {:g} s",
                         format_quantity(motion.amplitude, dimension::acceleration), motion.period, motion.duration);
 }
@@ -132,7 +135,7 @@ GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
   require_finite(motion.start, "start");
   require_positive(motion.duration, "duration");
   peak_ = std::abs(motion.amplitude);
-  duration_ = end_of(motion);
+  describe(motion, motion.shape == Pulse::Shape::sine ? motion.duration / 2 : motion.duration);
   source_ = fmt::format("{} pulse, {} for {:g} s from {:g} s", name_of(motion.shape),
                         format_quantity(motion.amplitude, dimension::acceleration), motion.duration, motion.start);
 }
@@ -140,11 +143,24 @@ GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
 GroundMotion::GroundMotion(Samples motion, std::string source) : source_(std::move(source)) {
   check(motion);
   for (const double a : motion.accelerations) peak_ = std::max(peak_, std::abs(a));
+  start_ = motion.times.front();
   duration_ = motion.times.back();
   if (motion.uniform)
     per_step_ = static_cast<double>(motion.times.size() - 1) / (motion.times.back() - motion.times.front());
   if (source_.empty()) source_ = fmt::format("{} samples", motion.times.size());
-  motion_ = std::make_shared<const Record>(std::move(motion));
+  auto record = std::make_shared<const Record>(std::move(motion));
+  for (const double v : record->velocities) peak_velocity_ = std::max(peak_velocity_, std::abs(v));
+  for (const double d : record->displacements) peak_displacement_ = std::max(peak_displacement_, std::abs(d));
+  motion_ = std::move(record);
+}
+
+// The velocity of a closed form is largest after `gains_speed` seconds; it never turns, so the displacement is largest at the end.
+template <class Closed>
+void GroundMotion::describe(const Closed& motion, double gains_speed) {
+  start_ = motion.start;
+  duration_ = end_of(motion);
+  peak_velocity_ = std::abs(moved_inside(motion, std::min(motion.duration, gains_speed)).velocity);
+  peak_displacement_ = std::abs(moved_inside(motion, motion.duration).displacement);
 }
 
 GroundMotion::Record::Record(Samples samples) : Samples(std::move(samples)) {
@@ -281,6 +297,12 @@ double GroundMotion::shortest_period() const noexcept {
   const auto* const pulse = std::get_if<Pulse>(&motion_);
   if (pulse == nullptr || pulse->shape == Pulse::Shape::rectangle) return infinity;
   return pulse->shape == Pulse::Shape::sine ? pulse->duration : 2 * pulse->duration;
+}
+
+double GroundMotion::longest_step(double t) const noexcept {
+  if (!(t < duration_)) return infinity;
+  if (per_step_ > 0) return sample_step();
+  return t < start_ ? infinity : max_part_of_period * shortest_period();
 }
 
 const Samples* GroundMotion::samples() const noexcept {

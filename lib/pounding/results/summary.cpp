@@ -134,8 +134,8 @@ std::string to_json(const Summary& summary) {
 
 std::string warning(const Summary& summary, double tolerance) {
   if (!(summary.energy.error > suspicious_imbalance * tolerance)) return {};
-  return fmt::format("the energies do not close, the largest imbalance is {:.1e} of the input; run again with a smaller "
-                     "tolerance",
+  return fmt::format("the energies do not close, the largest imbalance is {:.1e} of the input; run again with a tenth "
+                     "of the tolerance or, where the number of steps stays the same, with a shorter analysis.max_step",
                      summary.energy.error);
 }
 
