@@ -482,10 +482,10 @@ TEST(LongestStep, IsATenthOfThePeriodWhileAClosedFormLasts) {
 }
 
 TEST(LongestStep, IsTheSpacingUntilARecordIsOver) {
-  const GroundMotion record(Samples{{0.5, 0.52, 0.54}, {0, 1, 0}, true}), uneven(Samples{{0, 0.02, 0.05}, {0, 1, 0}});
-  EXPECT_DOUBLE_EQ(record.longest_step(0), 0.02);
-  EXPECT_DOUBLE_EQ(record.longest_step(0.53), 0.02);
-  EXPECT_EQ(record.longest_step(0.54), std::numeric_limits<double>::infinity());
+  const GroundMotion record(Samples{{0.5, 0.75, 1}, {0, 1, 0}, true}), uneven(Samples{{0, 0.02, 0.05}, {0, 1, 0}});
+  EXPECT_DOUBLE_EQ(record.longest_step(0), 0.25);
+  EXPECT_DOUBLE_EQ(record.longest_step(0.8), 0.25);
+  EXPECT_EQ(record.longest_step(1), std::numeric_limits<double>::infinity());
   EXPECT_EQ(uneven.longest_step(0.01), std::numeric_limits<double>::infinity()) << "its breaks are enough";
 }
 

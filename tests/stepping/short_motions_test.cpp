@@ -104,10 +104,11 @@ TEST_P(ShortMotions, KeepTheToleranceAndTheEnergies) {
 // Most steps are those of the free vibration, the same after every motion.
 TEST_P(ShortMotions, TakeAtMostTwiceTheStepsOfARectangle) {
   const auto [scheme, tolerance] = GetParam();
+  const double length = std::string(scheme) == "generalized_alpha" && tolerance < 1e-5 ? 4 : 20;  // its steps are many
   for (const double duration : durations) {
     long of_rectangle = 0;
     for (const Kind& kind : kinds) {
-      const Outcome found = test::run_text(text(pulse_text(kind.name, duration), one_oscillator, tolerance, scheme, 20));
+      const Outcome found = test::run_text(text(pulse_text(kind.name, duration), one_oscillator, tolerance, scheme, length));
       if (kind.cycles == 0) of_rectangle = found.results.solver.steps;
       EXPECT_LE(found.results.solver.steps, 2 * of_rectangle) << kind.name << " of " << duration << " s";
       EXPECT_LT(found.summary.energy.error, tolerance) << kind.name << " of " << duration << " s";

@@ -48,7 +48,7 @@ void Stepper::balance_now() {
   output_.now_changed();
 }
 
-// What the ground does from the present time on.
+// The next break, and the longest step until then.
 void Stepper::look_ahead() {
   equations_.supports.find_break_after(time());
   longest_step_ = std::min(options_.max_step, equations_.supports.longest_step(time()));
