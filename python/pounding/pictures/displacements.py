@@ -21,19 +21,15 @@ def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None =
     In space the displacements are those of the middle of the floors in the direction of the first link; where a floor
     turns, its ends may touch before the lines meet."""
     chosen = chosen or {}
-    drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:MOST_STRUCTURES]
-    drawn = [structure for structure in run.structures.values() if any(structure is one for one in drawn)]
-    names = [structure.name for structure in drawn]
-    floors = {structure.name: chosen.get(structure.name, _linked_floor(run, structure)) for structure in drawn}
-    offsets = _offsets(run, names)
-    sides = {name: MM * (offsets[name] + _displacement(run, name, floors[name])) for name in names}
+    drawn, floors, offsets = _drawn(run, chosen)
+    sides = {name: MM * (offsets[name] + _displacement(run, name, floors[name], _direction(run))) for name in offsets}
     for structure, colour in zip(drawn, STRUCTURE_COLOURS):
         name, floor, top = structure.name, floors[structure.name], len(structure.floors) - 1
         axes.axhline(MM * offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
         label = name if top <= 0 else f"{name}, floor {structure.floors[floor]}"
         plot_time(axes, run, run.time, sides[name], color=colour, label=label)
         if floor != top and name not in chosen:
-            plot_time(axes, run, run.time, MM * (offsets[name] + _displacement(run, name, top)), color=colour,
+            plot_time(axes, run, run.time, MM * (offsets[name] + _displacement(run, name, top, _direction(run))), color=colour,
                        linewidth=0.5, alpha=0.7, label=f"{name}, top")
     facing = _facing(run, floors)
     sizes = ", ".join(f"{MM * gap:.4g}" for _, _, gap in facing)
@@ -47,6 +43,22 @@ def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None =
     axes.set_title(title)
     axes.set_ylabel("Displacement\n[mm]")
     legend_beside(axes)
+
+
+def drawn_displacements(run: RunData, other: RunData, chosen: dict[str, int] | None = None) -> list[tuple[np.ndarray, str]]:
+    """Displacements [mm] in another run of the floors that draw_displacements shows, at their places, with the colours there."""
+    drawn, floors, offsets = _drawn(run, chosen or {})
+    direction = _direction(run)
+    return [(MM * (offsets[structure.name] + _displacement(other, structure.name, floors[structure.name], direction)), colour)
+            for structure, colour in zip(drawn, STRUCTURE_COLOURS)]
+
+
+def _drawn(run: RunData, chosen: dict[str, int]) -> tuple[list[Structure], dict[str, int], dict[str, float]]:
+    """The structures that are drawn, the floor of each, from 0, and where each rests [m]."""
+    drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:MOST_STRUCTURES]
+    drawn = [structure for structure in run.structures.values() if any(structure is one for one in drawn)]
+    floors = {structure.name: chosen.get(structure.name, _linked_floor(run, structure)) for structure in drawn}
+    return drawn, floors, _offsets(run, [structure.name for structure in drawn])
 
 
 def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
@@ -83,10 +95,10 @@ def _axis_words(direction: np.ndarray) -> str:
     return f"({x:.2g}, {y:.2g})"
 
 
-def _displacement(run: RunData, name: str, floor: int) -> np.ndarray:
+def _displacement(run: RunData, name: str, floor: int, direction: np.ndarray) -> np.ndarray:
     """Displacement of a floor relative to the ground, in the direction of the links; a wall moves with the ground."""
     along = run.structures[name].along
-    parts = [(along[axis].displacement, factor) for axis, factor in zip("xy", _direction(run)) if axis in along]
+    parts = [(along[axis].displacement, factor) for axis, factor in zip("xy", direction) if axis in along]
     if floor < 0:
         return np.zeros_like(run.time)
     return sum(factor * displacement[:, floor] for displacement, factor in parts)

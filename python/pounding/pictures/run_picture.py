@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Callable
+from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pounding.pictures.comparison import (draw_displacements_without_links, draw_input_without_links, draw_openings_without_links,
+                                          require_comparison)
 from pounding.pictures.displacements import chosen_floors, draw_displacements
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_restitution, draw_strongest_loop
@@ -16,21 +19,32 @@ from pounding.pictures.panels import label_time
 from pounding.pictures.style import STYLE, VERMILION, Picture, head, largest
 from pounding.results import RunData
 
+#: Draws one panel.
+Panel = Callable[[Axes, RunData], Any]
+
 
 def standard_figure(run: RunData, title: str | None = None, floors: dict[str, str] | None = None,
-                    size: tuple[float, float] | None = None) -> Figure:
+                    size: tuple[float, float] | None = None, compare: bool = False) -> Figure:
     """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
     below them the loop of the strongest impact and the restitution of all.
 
     What a run does not have is left out: the ground when it is still, links, impacts.
     A run that is not done says so below the title. `floors` maps names of structures to the labels of the floors whose
-    displacements are drawn instead of the linked ones; BadRequest when there are none such. `size` is that of the figure [in]."""
+    displacements are drawn instead of the linked ones; BadRequest when there are none such. `size` is that of the figure [in]. `compare` draws the run without links too, dashed."""
     chosen = chosen_floors(run, floors or {})
-    over_time: list[tuple[Callable[[Axes, RunData], None], float]] = [
-        (lambda axes, run: draw_displacements(axes, run, chosen), 1.3), (draw_energies, 1.0), (draw_balance_error, 0.4)]
-    over_impacts: list[Callable[[Axes, RunData], None]] = []
+    def also(draw: Panel, added: Panel) -> Panel:
+        """The panel, with the run without links where it is compared."""
+        return (lambda axes, run: (draw(axes, run), added(axes, run))) if compare else draw
+
+    if compare:
+        require_comparison(run, "run")
+    over_time: list[tuple[Panel, float]] = [
+        (also(lambda axes, run: draw_displacements(axes, run, chosen),
+              lambda axes, run: draw_displacements_without_links(axes, run, chosen)), 1.3),
+        (also(draw_energies, draw_input_without_links), 1.0), (draw_balance_error, 0.4)]
+    over_impacts: list[Panel] = []
     if run.links:
-        over_time[1:1] = [(draw_openings, 0.9), (draw_forces, 0.9)]
+        over_time[1:1] = [(also(draw_openings, draw_openings_without_links), 0.9), (draw_forces, 0.9)]
     if run.impacts.size:
         over_impacts = [draw_strongest_loop, draw_restitution]
     if largest([run.ground_acceleration]) > 0:
