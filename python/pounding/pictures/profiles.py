@@ -45,19 +45,20 @@ def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, f
     panels = [draw_displacement, draw_drift, draw_shear, draw_acceleration]
     if all(run.envelopes[structure.name].drift is None for structure in structures):
         panels = [draw_displacement, draw_acceleration]
-    width = size[0] if size else 7.5
-    columns = len(panels) if width >= NARROW else 2
+    columns = len(panels) if size is None or size[0] >= NARROW else 2
     lines = len(rows) * len(panels) // columns
+    width, height = size or (7.5, 0.9 + 3.4 * lines)
     with rc_context(STYLE):
-        figure = Picture(figsize=size or (7.5, 0.9 + 3.4 * lines), layout="constrained")
+        figure = Picture(figsize=(width, height), layout="constrained")
         grid = figure.subplots(lines, columns, sharey=True, squeeze=False)
         drawn = [(axis, draw) for axis in rows for draw in panels]
         for letter, (axis, draw), axes in zip("abcdefgh", drawn, grid.flat):
             draw(axes, runs, axis)
-            along = f" along {axis}" if len(rows) > 1 else ""
+            along = "" if len(rows) == 1 else f" along {axis}" if width >= NARROW else f", {axis}"
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}{along}")
         for line in grid:
             line[0].set_ylabel(_height_label(structures))
+            line[0].yaxis.set_major_locator(MaxNLocator(integer=True, nbins=int(np.clip(4 * (height - 0.9) / lines, 2, 12))))
         figure.legend(handles=_legend(run, len(runs) > 1), loc="outside lower center", ncols=max(1, int(width / 1.25)))
         head(figure, run.title if title is None else title)
         return figure
@@ -152,5 +153,4 @@ def _finish(axes: Axes, title: str, unit: str) -> None:
     axes.set_title(title)
     axes.set_xlabel(f"{title} [{unit}]")
     axes.xaxis.set_major_locator(MaxNLocator(4))
-    axes.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=12))
     axes.margins(y=0.02)
