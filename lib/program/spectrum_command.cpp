@@ -110,7 +110,7 @@ void show_floor_spectrum(const FloorWords& words) {
   if (without) spectra.push_back({"without links", spectrum_of(words, *without)});
   warn_of_coarse_outputs(words, with_links, periods.front());
   show_spectra(words.spectrum,
-               fmt::format("absolute acceleration of {}{}, outputs every {:g} s, damping {:g} %", words.floor,
+               fmt::format("Absolute acceleration of {}{}, outputs every {:g} s, damping {:g} %", words.floor,
                            words.direction == "y" ? " along y" : "", with_links.times[1] - with_links.times[0], 100 * damping),
                spectra);
 }

@@ -102,10 +102,11 @@ def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[flo
     with rc_context(STYLE):
         figure = Picture(figsize=size, layout="constrained")
         panels = figure.subplots(2, 1, sharex=True) if narrow else figure.subplots(1, 2)
-        for axes, of, label in zip(panels, (lambda s: s.psa / GRAVITY, lambda s: 1e3 * s.sd),
-                                   ("Pseudo-acceleration [g]", "Displacement [mm]")):
-            for number, spectrum in enumerate(spectra):
-                axes.plot(spectrum.period, of(spectrum), color=STRUCTURE_COLOURS[number % len(STRUCTURE_COLOURS)],
+        drawn = (("Pseudo-acceleration [g]", [spectrum.psa / GRAVITY for spectrum in spectra]),
+                 ("Displacement [mm]", [1e3 * spectrum.sd for spectrum in spectra]))
+        for axes, (label, curves) in zip(panels, drawn):
+            for number, (spectrum, values) in enumerate(zip(spectra, curves)):
+                axes.plot(spectrum.period, values, color=STRUCTURE_COLOURS[number % len(STRUCTURE_COLOURS)],
                           linestyle="--" if number == 1 else "-", label=spectrum.name)
             axes.set(xlim=(spectra[0].period[0], spectra[0].period[-1]), ylabel=label)
             axes.set_ylim(bottom=0)

@@ -155,7 +155,7 @@ class Spectra(ProgramTest):
         done = self.pounding("spectrum", "out.h5", "--floor", "left.1", "--periods", "0.1:1:3")
         self.assertEqual(done.returncode, 0, done.stderr)
         lines = done.stdout.splitlines()
-        self.assertEqual(lines[0], "absolute acceleration of left.1, outputs every 0.0005 s, damping 5 %")
+        self.assertEqual(lines[0], "Absolute acceleration of left.1, outputs every 0.0005 s, damping 5 %")
         self.assertEqual(lines[1].split(), ["with", "links", "without", "links"])
         self.assertEqual(len(lines), 6)
         self.assertEqual(self.pounding("spectrum", "out.h5", "--floor", "left.1", "--picture", "s.png").returncode, 0)

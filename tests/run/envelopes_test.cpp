@@ -68,7 +68,7 @@ void expect_extremes(const Extremes& run, const std::vector<double>& history, co
 void expect_extremes_of_dense_outputs(const std::function<std::string(const std::string& output_step)>& yaml, double relative) {
   const Outcome coarse = test::run_text(yaml("")), dense = test::run_text(yaml(", output_step: 0.1 ms"));
   const std::vector<double>& time = dense.results.time;
-  ASSERT_GT(time.size(), 20 * coarse.results.time.size());
+  ASSERT_GT(time.size(), 10 * coarse.results.time.size());
   EXPECT_GT(coarse.results.impacts.size(), 1u);
   for (std::size_t k = 0; k < dense.results.structures.size(); ++k) {
     const StructureHistory& history = dense.results.structures[k];
@@ -98,13 +98,13 @@ TEST(Envelopes, OfFramesThatCarryTheirWeightAreThoseOfDenseOutputs) {
 
 TEST(Envelopes, OfMembersThatTurnAreThoseOfDenseOutputs) {
   expect_extremes_of_dense_outputs([](const std::string& outputs) {
-    return frames(facing, outputs + ", duration: 1", ", gravity: true, geometry: corotational");
+    return frames(facing, outputs, ", gravity: true, geometry: corotational");
   }, 1e-3);
 }
 
 TEST(Envelopes, OfAColumnThatIsHitBetweenItsEndsAreThoseOfDenseOutputs) {
   const std::string hit = "links: [{between: [left, right], floors: any, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
-  expect_extremes_of_dense_outputs([&](const std::string& outputs) { return frames(hit, outputs, "", "", "2.4 m"); }, 1e-3);
+  expect_extremes_of_dense_outputs([&](const std::string& outputs) { return frames(hit, outputs, ", mass: consistent", ", mass: consistent", "2.4 m"); }, 1e-3);
 }
 
 TEST(Envelopes, AfterRigidImpactsAreThoseOfDenseOutputs) {
@@ -179,7 +179,7 @@ TEST(Reactions, OfASpringToTheGroundPushAgainstTheDisplacement) {
       "structures:\n"
       "  a: {frame: {material: {E: 30 GPa}, sections: {s: {area: 0.2, inertia_y: 1e-3}},\n"
       "    nodes: {foot: [0, 0], top: [0, 3]}, members: {c: {between: [foot, top], section: s}},\n"
-      "    supports: {foot: fixed}, springs: [{node: top, ux: 2e6}], masses: {top: 20 t}, floors: [{nodes: [top]}]}, damping: 2 %}\n"
+      "    supports: {foot: fixed}, springs: [{node: top, dof: ux, stiffness: 2e6}], masses: {top: 20 t}, floors: [{nodes: [top]}]}, damping: 2 %}\n"
       "analysis: {duration: 1}\n");
   const StructureHistory& a = run.results.structures[0];
   ASSERT_EQ(a.envelope.supports, (std::vector<std::string>{"foot", "top"}));

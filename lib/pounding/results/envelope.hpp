@@ -37,6 +37,8 @@ struct Extremes {
   }
   /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic through them.
   void update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end);
+  /// The same for all quantities at once, each list as long as these.
+  void update(double time, double h, const double* begin, const double* slope_begin, const double* end, const double* slope_end);
   /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola through them.
   void update(std::size_t i, double time, double h, double begin, double middle, double end);
 

@@ -9,21 +9,24 @@
 namespace pounding {
 namespace {
 
-// Steps go on without a knot up to this part of the longest step,
-constexpr double longest_without_knot = 1.0 / 8;
-// and while the cubic misses floors by less than this part of their largest displacement: a bend that changes by da within a time t
-// moves it by da t^2/64 at most.
-constexpr double allowed_miss = 1e-5;
+// Steps go on without a knot while the cubic misses the displacements by less than this part of the largest ones, both as square
+// roots of their strain energy. An acceleration that strays from a straight line by da within a time t moves it by da t^2/64.
+constexpr double allowed_miss = 3e-5;
+
+// Time over which the forces of members that turn are differentiated.
+constexpr double difference = 1e-7;  // [s]
 
 }  // namespace
 
 ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results)
-    : model_(model), plan_(plan), stepper_(stepper), results_(results), first_unknown_(offsets(model)) {
+    : model_(model), plan_(plan), stepper_(stepper), results_(results), first_unknown_(offsets(model)),
+      largest_(stepper.system().groups.size()), strayed_(largest_) {
   const System& system = stepper.system();
   const bool with_links = system.contact_count() > 0;
   std::size_t spring = system.contact_count();
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
+    every_step_ = every_step_ || s.is_free;
     first_spring_.push_back(spring);
     spring += s.yielding.size();
     StructureEnvelope& envelope = results_.structures[k].envelope;
@@ -32,11 +35,10 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
     const std::size_t ends = s.forces.members.size() * s.forces.components.size();
     envelope.member_force = Extremes(ends);
     envelope.reaction = Extremes(s.forces.supports.size() * s.forces.directions.size());
-    blocks_.push_back({k, internal_forces(model, k, plan), {}, {}, {}, {}});
-    if (s.forces.turned) blocks_.back().u = Eigen::VectorXd::Zero(1);
+    blocks_.push_back({k, internal_forces(model, k, plan), {}, {}});
     for (int i = 0; with_links && i < static_cast<int>(model.links.size()); ++i) {
       const Link& link = model.links[i];
-      rigid_ = rigid_ || link.contact->is_rigid();
+      every_step_ = every_step_ || link.contact->is_rigid();
       for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
         if (end->structure != k || end->point.member < 0) continue;
         const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * link.direction);
@@ -49,23 +51,21 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
     }
   }
   if (!with_links && !model.links.empty()) {
-    blocks_.push_back({-1, approaches(model, plan), {}, {}, {}, {}});
+    blocks_.push_back({-1, approaches(model, plan), {}, {}});
     results_.approach = Extremes(static_cast<std::size_t>(blocks_.back().quantities.size()));
   }
 }
 
-// Calls `update` for each quantity with its list of extremes and its place there.
+// Calls `update` for each list of extremes with the first of its quantities.
 template <class Update>
-void ForceEnvelopes::update_each(const Block& block, Update&& update) {
-  int quantity = 0;
-  const auto each = [&](Extremes& extremes) {
-    for (std::size_t i = 0; i < extremes.size(); ++i, ++quantity) update(extremes, i, quantity);
-  };
-  if (block.structure < 0) return each(results_.approach);
+void ForceEnvelopes::update_lists(const Block& block, Update&& update) {
+  if (block.structure < 0) return update(results_.approach, 0);
   StructureEnvelope& envelope = results_.structures[block.structure].envelope;
-  each(envelope.storey_shear);
-  each(envelope.member_force);
-  each(envelope.reaction);
+  int from = 0;
+  for (Extremes* extremes : {&envelope.storey_shear, &envelope.member_force, &envelope.reaction}) {
+    if (extremes->size() > 0) update(*extremes, from);
+    from += static_cast<int>(extremes->size());
+  }
 }
 
 template <class Force>
@@ -74,29 +74,48 @@ void ForceEnvelopes::add_fixed_end_forces(const Block& block, Eigen::VectorXd& v
     if (&blocks_[ends.block] == &block) values.segment(ends.first, ends.by_force.size()) += force(ends.link) * ends.by_force;
 }
 
-void ForceEnvelopes::evaluate(const Block& block, double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
-                              Eigen::VectorXd& values, Eigen::VectorXd& rates) const {
+void ForceEnvelopes::evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates) const {
   values.resize(block.quantities.size());
   rates.resize(block.quantities.size());
-  block.quantities.evaluate(u, v, time, plan_.motions, values, rates);
-  if (!block.turns()) return;
+  block.quantities.evaluate(state.u, state.v, state.time, plan_.motions, values, rates);
+  if (block.structure < 0 || !model_.structures[block.structure].forces.turned) return;
   const Structure& s = model_.structures[block.structure];
-  Eigen::VectorXd q = u.segment(first_unknown_[block.structure], s.size());
+  Eigen::VectorXd q = state.u.segment(first_unknown_[block.structure], s.size());
   if (s.at_rest.size() > 0) q += s.at_rest;
-  const Eigen::VectorXd shears = s.storey_shears(q);
-  values.head(shears.size()) += shears;
-  values.tail(values.size() - shears.size()) += s.forces.turned(q);
+  const auto turned = [&](const Eigen::VectorXd& at) {
+    Eigen::VectorXd forces(values.size());
+    forces << s.storey_shears(at), s.forces.turned(at);
+    return forces;
+  };
+  const Eigen::VectorXd forces = turned(q);
+  values += forces;
+  rates += (turned(q + difference * state.v.segment(first_unknown_[block.structure], s.size())) - forces) / difference;
 }
 
-void ForceEnvelopes::start_from(const State& state, const Eigen::MatrixXd& floors) {
-  knot_ = state.time;
-  knot_accelerations_ = floors.col(2);
-  for (Block& block : blocks_) {
-    evaluate(block, state.time, state.u, state.v, block.values, block.rates);
-    if (!block.turns()) continue;
-    block.u = state.u;
-    block.v = state.v;
-  }
+// By group: sqrt(x^T K x), of all processes.
+std::vector<double> ForceEnvelopes::strain_norms(const Eigen::VectorXd& x) const {
+  const StructureSolver& solver = stepper_.base();
+  Eigen::VectorXd kx(x.size());
+  solver.stiffness_times(x, kx);
+  std::vector<double> norms(largest_.size(), 0.0);
+  for (const StructureSolver::Segment& part : solver.segments())
+    norms[part.group] += x.segment(part.first, part.count).dot(kx.segment(part.first, part.count));
+  solver.combine(norms);
+  for (double& norm : norms) norm = std::sqrt(std::max(0.0, norm));
+  return norms;
+}
+
+void ForceEnvelopes::move_knot(const Instant& instant) {
+  knot_ = instant.time;
+  knot_acceleration_ = instant.motion.col(Instant::a);
+  const std::vector<double> norms = strain_norms(instant.motion.col(Instant::u));
+  for (std::size_t g = 0; g < norms.size(); ++g) largest_[g] = std::max(largest_[g], norms[g]);
+  std::fill(strayed_.begin(), strayed_.end(), 0.0);
+}
+
+void ForceEnvelopes::start_from(const State& state, const Instant& instant) {
+  for (Block& block : blocks_) evaluate(block, state, block.values, block.rates);
+  move_knot(instant);
 }
 
 void ForceEnvelopes::begin(const Eigen::MatrixXd& floors) {
@@ -115,11 +134,13 @@ void ForceEnvelopes::begin(const Eigen::MatrixXd& floors) {
     row += s.floors.empty() ? 0 : static_cast<int>(s.floors.size() * s.floors.front().motion.size());
   }
   if (blocks_.empty()) return;
-  start_from(stepper_.state(), floors);
+  start_from(stepper_.state(), stepper_.instant_end_minus());
   for (Block& block : blocks_) {
     Eigen::VectorXd values = block.values;
     add_fixed_end_forces(block, values, [&](int link) { return stepper_.link_forces()[link]; });
-    update_each(block, [&](Extremes& extremes, std::size_t i, int quantity) { extremes.update(i, time, values[quantity]); });
+    update_lists(block, [&](Extremes& extremes, int from) {
+      for (std::size_t i = 0; i < extremes.size(); ++i) extremes.update(i, time, values[from + static_cast<int>(i)]);
+    });
   }
 }
 
@@ -131,21 +152,19 @@ void ForceEnvelopes::step(const StepMotion& step) {
     row += s.floors.empty() ? 0 : static_cast<int>(s.floors.size() * s.floors.front().motion.size());
   }
   if (blocks_.empty()) return;
-  if (rigid_) {
-    start_from(stepper_.begin(), step.begin);
-    close(stepper_.end_minus(), step.end_minus, presses_on_members());
+  const bool pressed = presses_on_members();
+  if (every_step_) {
+    start_from(stepper_.begin(), stepper_.instant_begin());
+    close(stepper_.end_minus(), stepper_.instant_end_minus(), pressed);
     return;
   }
-  const bool pressed = presses_on_members();
-  if (step.begin_time > knot_ && (pressed || !is_close(step))) close(stepper_.begin(), step.begin, false);
-  if (pressed) close(stepper_.end_minus(), step.end_minus, true);
+  if (step.begin_time > knot_ && (pressed || jumped_ || !stays_close())) close(stepper_.begin(), stepper_.instant_begin(), false);
+  if (pressed) close(stepper_.end_minus(), stepper_.instant_end_minus(), true);
+  jumped_ = step.jumps;
 }
 
 void ForceEnvelopes::end() {
-  if (!blocks_.empty() && stepper_.time() > knot_) {
-    const State& now = stepper_.state();
-    close(now, stepper_.outputs().motion, false);
-  }
+  if (!blocks_.empty()) close(stepper_.end_minus(), stepper_.instant_end_minus(), false);
 }
 
 void ForceEnvelopes::step_springs(int k, int row, const StepMotion& step) {
@@ -181,73 +200,59 @@ bool ForceEnvelopes::presses_on_members() const {
   });
 }
 
-// Whether the cubic from the last knot to the end of this step still follows the motion.
-bool ForceEnvelopes::is_close(const StepMotion& step) const {
-  const double time = step.end_time() - knot_;
-  if (time > longest_without_knot * stepper_.options().max_step) return false;
-  int row = 0;
-  for (const StructureHistory& history : results_.structures) {
-    const Extremes& displacement = history.envelope.displacement;
-    const int directions = static_cast<int>(history.directions.size());
-    for (int j = 0; j < directions; ++j) {
-      double largest = 0, change = 0;
-      for (std::size_t i = j; i < displacement.size(); i += directions) {
-        const int at = row + static_cast<int>(i);
-        largest = std::max(largest, displacement.peak(i));
-        change = std::max(change, std::abs(step.end_minus(at, 2) - knot_accelerations_[at]));
-      }
-      if (change * time * time / 64 > allowed_miss * largest) return false;
-    }
-    row += static_cast<int>(displacement.size());
+// Whether the cubic from the last knot to the end of this step still follows the motion. The accelerations at the ends of the steps
+// would lie on one line if it were exact.
+bool ForceEnvelopes::stays_close() {
+  const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
+  const double time = end.time - knot_, part = time / (begin.time - knot_);
+  const std::vector<double> strays = strain_norms(end.motion.col(Instant::a) - part * begin.motion.col(Instant::a) -
+                                                  (1 - part) * knot_acceleration_);
+  bool close = true;
+  for (std::size_t g = 0; g < strays.size(); ++g) {
+    strayed_[g] += strays[g];
+    close = close && strayed_[g] * time * time / 64 <= allowed_miss * largest_[g];
   }
-  return true;
+  return close;
 }
 
-void ForceEnvelopes::close(const State& state, const Eigen::MatrixXd& floors, bool pressed) {
+void ForceEnvelopes::close(const State& state, const Instant& instant, bool pressed) {
   const double h = state.time - knot_;
   if (!(h > 0)) return;
-  Eigen::VectorXd end, rates;
   for (Block& block : blocks_) {
-    evaluate(block, state.time, state.u, state.v, end, rates);
-    if (!pressed && !block.turns()) {
-      update_each(block, [&](Extremes& extremes, std::size_t i, int q) {
-        extremes.update(i, knot_, h, block.values[q], block.rates[q], end[q], rates[q]);
+    evaluate(block, state, end_, rates_);
+    if (!pressed) {
+      update_lists(block, [&](Extremes& extremes, int from) {
+        extremes.update(knot_, h, &block.values[from], &block.rates[from], &end_[from], &rates_[from]);
       });
     } else {
-      Eigen::VectorXd begin = block.values, middle, ends = end, unused;
-      if (block.turns())
-        evaluate(block, knot_ + 0.5 * h, 0.5 * (block.u + state.u) + h / 8 * (block.v - state.v), state.v, middle, unused);
-      else
-        middle = 0.5 * (block.values + end) + h / 8 * (block.rates - rates);
-      if (pressed) {
-        const std::vector<LinkStep>& links = stepper_.link_steps();
-        add_fixed_end_forces(block, begin, [&](int link) { return links[link].force_begin; });
-        add_fixed_end_forces(block, middle, [&](int link) { return links[link].force_middle; });
-        add_fixed_end_forces(block, ends, [&](int link) { return links[link].force_end; });
-      }
-      update_each(block, [&](Extremes& extremes, std::size_t i, int q) {
-        extremes.update(i, knot_, begin[q]);
-        extremes.update(i, knot_, h, begin[q], middle[q], ends[q]);
+      Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_), ends = end_;
+      const std::vector<LinkStep>& links = stepper_.link_steps();
+      add_fixed_end_forces(block, begin, [&](int link) { return links[link].force_begin; });
+      add_fixed_end_forces(block, middle, [&](int link) { return links[link].force_middle; });
+      add_fixed_end_forces(block, ends, [&](int link) { return links[link].force_end; });
+      update_lists(block, [&](Extremes& extremes, int from) {
+        for (std::size_t i = 0; i < extremes.size(); ++i) {
+          const int q = from + static_cast<int>(i);
+          extremes.update(i, knot_, begin[q]);
+          extremes.update(i, knot_, h, begin[q], middle[q], ends[q]);
+        }
       });
     }
-    block.values.swap(end);
-    block.rates.swap(rates);
-    if (!block.turns()) continue;
-    block.u = state.u;
-    block.v = state.v;
+    block.values.swap(end_);
+    block.rates.swap(rates_);
   }
-  knot_ = state.time;
-  knot_accelerations_ = floors.col(2);
+  move_knot(instant);
 }
 
 void ForceEnvelopes::archive(Archive& archive) {
   archive(knot_);
-  archive(knot_accelerations_);
+  archive(knot_acceleration_);
+  archive(largest_);
+  archive(strayed_);
+  archive(jumped_);
   for (Block& block : blocks_) {
     archive(block.values);
     archive(block.rates);
-    archive(block.u);
-    archive(block.v);
   }
 }
 

@@ -16,8 +16,8 @@
 namespace pounding {
 
 /// Fills the envelopes of forces. Storeys that are springs are followed in every step. Forces of frames need all unknowns, so they
-/// are taken at knots: ends of steps, of which several short ones may lie between two knots, as in an impact, while the cubic
-/// between the knots follows the displacements closely. Extremes between knots are found on it.
+/// are taken at knots: ends of steps, of which several may lie between two knots while the cubic between these follows the
+/// displacements closely. Extremes between knots are found on it.
 class ForceEnvelopes {
  public:
   /// Fills `results`: the envelopes of its structures, and `approach` in a run without links. All arguments must outlive this.
@@ -37,10 +37,7 @@ class ForceEnvelopes {
   struct Block {
     int structure;  // -1: links
     LinearQuantities quantities;
-    Eigen::VectorXd values, rates;  // at the last knot; rates of linear quantities only
-    Eigen::VectorXd u, v;           // of all unknowns there, where members of the frame turn; else empty
-
-    bool turns() const { return u.size() > 0; }
+    Eigen::VectorXd values, rates;  // at the last knot
   };
   // A contact that presses on a member between its ends and so loads them as those of a fixed member.
   struct FixedEnds {
@@ -50,15 +47,16 @@ class ForceEnvelopes {
 
   void step_springs(int structure, int row, const StepMotion& step);
   bool presses_on_members() const;
-  bool is_close(const StepMotion& step) const;
-  void start_from(const State& state, const Eigen::MatrixXd& floors);
-  void close(const State& state, const Eigen::MatrixXd& floors, bool pressed);
-  void evaluate(const Block& block, double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v, Eigen::VectorXd& values,
-                Eigen::VectorXd& rates) const;
+  bool stays_close();
+  void start_from(const State& state, const Instant& instant);
+  void close(const State& state, const Instant& instant, bool pressed);
+  void move_knot(const Instant& instant);
+  std::vector<double> strain_norms(const Eigen::VectorXd& x) const;
+  void evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates) const;
   template <class Force>
   void add_fixed_end_forces(const Block& block, Eigen::VectorXd& values, Force&& force) const;
   template <class Update>
-  void update_each(const Block& block, Update&& update);
+  void update_lists(const Block& block, Update&& update);
 
   const Model& model_;
   const GroundPlan& plan_;
@@ -68,9 +66,12 @@ class ForceEnvelopes {
   std::vector<int> first_unknown_;         // by structure
   std::vector<Block> blocks_;
   std::vector<FixedEnds> fixed_ends_;
-  bool rigid_ = false;  // contacts may change velocities in no time
-  double knot_ = 0;     // [s]
-  Eigen::VectorXd knot_accelerations_;  // of the floors [m/s^2]
+  bool every_step_ = false;  // is a knot: contacts change velocities in no time, or bodies have no strain to measure by
+  double knot_ = 0;          // [s]
+  Eigen::VectorXd knot_acceleration_;      // there, in the coordinates of the solver
+  std::vector<double> largest_, strayed_;  // by group: displacement so far, and bend of the acceleration since the knot, as strain norms
+  bool jumped_ = false;           // something changed at the end of the last step
+  Eigen::VectorXd end_, rates_;  // at the knot to come
 };
 
 }  // namespace pounding

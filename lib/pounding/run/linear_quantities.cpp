@@ -21,19 +21,17 @@ LinearQuantities::LinearQuantities(RowMajor rows, int first, Eigen::VectorXd at_
 
 void LinearQuantities::evaluate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double time, std::span<const GroundMotion> grounds,
                                 Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> rates) const {
-  const double* const displacement = u.data() + first_;
-  const double* const velocity = v.data() + first_;
+  Eigen::Matrix2Xd pairs(2, rows_.cols());  // displacement and velocity of an unknown beside each other, for one product of both
+  pairs.row(0) = u.segment(first_, rows_.cols());
+  pairs.row(1) = v.segment(first_, rows_.cols());
   const double* const factors = rows_.valuePtr();
   const int* const columns = rows_.innerIndexPtr();
   const int* const begins = rows_.outerIndexPtr();
   for (int row = 0; row < size(); ++row) {
-    double value = at_rest_[row], rate = 0;
-    for (int i = begins[row]; i < begins[row + 1]; ++i) {
-      value += factors[i] * displacement[columns[i]];
-      rate += factors[i] * velocity[columns[i]];
-    }
-    values[row] = value;
-    rates[row] = rate;
+    Eigen::Vector2d sum(at_rest_[row], 0);
+    for (int i = begins[row]; i < begins[row + 1]; ++i) sum += factors[i] * pairs.col(columns[i]);
+    values[row] = sum[0];
+    rates[row] = sum[1];
   }
   if (by_ground_.size() == 0) return;
   for (std::size_t g = 0; g < grounds.size(); ++g) {
