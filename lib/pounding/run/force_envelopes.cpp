@@ -11,7 +11,7 @@ namespace {
 
 // Steps go on without a knot while the cubic misses the displacements by less than this part of the largest ones, both as square
 // roots of their strain energy. An acceleration that strays from a straight line by da within a time t moves it by da t^2/64.
-constexpr double allowed_miss = 3e-5;
+constexpr double allowed_miss = 1e-5;
 
 // Time over which the forces of members that turn are differentiated.
 constexpr double difference = 1e-7;  // [s]
