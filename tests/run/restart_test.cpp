@@ -165,12 +165,14 @@ constexpr const char* frames =
     "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 5 m, columns: {circle: 0.4}, beams: {circle: 0.5}, floor_mass: 60 t}, report: {members: all}}, damping: 5 %}\n"
     "  right: {frame: {origin: [5.01 m, 0 m], material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 1, bays: 1, storey_height: 2 m, bay_width: 5 m, columns: {circle: 0.6}, beams: {circle: 0.5}, floor_mass: 60 t}}, damping: 5 %}\n"
     "links: [{between: [left, right], floors: any, gap: 1 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n"
-    "compare: no_pounding\n"
     "analysis: {duration: 2}\n";
 
 TEST(ResumeOfFrames, GivesTheSameBits) {
-  expect_to_go_on(frames, pressed);
-  expect_to_go_on(frames, apart);
+  static int looks = 0;
+  for (const int first : {0, 1}) {
+    looks = first;
+    expect_to_go_on(frames, [](const Contact&) { return ++looks == 3; });
+  }
 }
 
 TEST(ResumeTwice, GivesTheSameBits) {

@@ -27,6 +27,7 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
     every_step_ = every_step_ || s.is_free;
+    turns_ = turns_ || s.forces.turned;
     first_spring_.push_back(spring);
     spring += s.yielding.size();
     StructureEnvelope& envelope = results_.structures[k].envelope;
@@ -156,6 +157,15 @@ void ForceEnvelopes::step(const StepMotion& step) {
   if (every_step_) {
     start_from(stepper_.begin(), stepper_.instant_begin());
     close(stepper_.end_minus(), stepper_.instant_end_minus(), pressed);
+    return;
+  }
+  if (turns_ && !pressed && step.h > 0) {
+    State middle = stepper_.end_minus();
+    middle.time = step.begin_time + 0.5 * step.h;
+    stepper_.interpolate(middle.time, middle.u, middle.v);
+    close(middle, stepper_.instant_begin(), false);
+    knot_ = middle.time;
+    close(stepper_.end_minus(), stepper_.instant_end_minus(), false);
     return;
   }
   if (step.begin_time > knot_ && (pressed || jumped_ || !stays_close())) close(stepper_.begin(), stepper_.instant_begin(), false);

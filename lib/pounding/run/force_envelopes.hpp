@@ -67,6 +67,7 @@ class ForceEnvelopes {
   std::vector<Block> blocks_;
   std::vector<FixedEnds> fixed_ends_;
   bool every_step_ = false;  // is a knot: contacts change velocities in no time, or bodies have no strain to measure by
+  bool turns_ = false;       // members turn: their forces bend more than the displacements
   double knot_ = 0;          // [s]
   Eigen::VectorXd knot_acceleration_;      // there, in the coordinates of the solver
   std::vector<double> largest_, strayed_;  // by group: displacement so far, and bend of the acceleration since the knot, as strain norms
