@@ -10,6 +10,7 @@ void add_run(CLI::App& app);        ///< `run` and `check`
 void add_laws(CLI::App& app);       ///< `laws [NAME]`
 void add_calibrate(CLI::App& app);  ///< `calibrate --law ... --restitution ...`
 void add_record(CLI::App& app);     ///< `record info|spectrum`
+void add_spectrum(CLI::App& app);   ///< `spectrum RESULTS.h5`
 void add_modes(CLI::App& app);      ///< `modes MODEL.yaml`
 void add_sensitivity(CLI::App& app);  ///< `sensitivity MODEL.yaml`
 void add_plot(CLI::App& app);       ///< `plot RESULTS.h5`
@@ -23,5 +24,8 @@ void draw(const std::string& results, const std::string& picture);
 
 /// Draws mode shapes; `modes` is the JSON object that python/pounding/mode_shapes.py describes. Throws as `draw`.
 void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});
+
+/// Draws response spectra; `spectra` is the JSON object that python/pounding/spectra.py describes. Throws as `draw`.
+void draw_spectra(const std::string& spectra, const std::string& picture);
 
 }  // namespace pounding::program

@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
   add_laws(app);
   add_calibrate(app);
   add_record(app);
+  add_spectrum(app);
   add_plot(app);
   add_animate(app);
   add_export(app);

@@ -62,9 +62,15 @@ void draw_modes(const std::string& modes, const std::string& picture, const std:
   run_python({.module = "mode_shapes", .product = "picture"}, options, {file.name()});
 }
 
+void draw_spectra(const std::string& spectra, const std::string& picture) {
+  const TemporaryFile file(spectra);
+  run_python({.module = "spectra", .product = "picture"}, {"-o", picture}, {file.name()});
+}
+
 void add_plot(CLI::App& app) {
   struct Options {
     std::string results, picture, title, kind = "run", floors;
+    bool compare = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plot", "Draw a results file");
@@ -77,11 +83,13 @@ void add_plot(CLI::App& app) {
                       "run (histories and impacts), model (the structures at rest) or profiles (extremes over the height)")
       ->check(CLI::IsMember({"run", "model", "profiles"}));
   command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
+  command->add_flag("--compare", options->compare, "also draw the run without links, dashed; profiles do so whenever it is there");
   command->callback([options] {
     std::vector<std::string> words;
     if (!options->picture.empty()) words = {"-o", options->picture};
     if (!options->title.empty()) words.push_back("--title=" + options->title);
     if (options->kind != "run") words.push_back("--picture=" + options->kind);
+    if (options->compare) words.push_back("--compare");
     if (!options->floors.empty()) words.push_back("--floors=" + options->floors);
     run_python({.module = "plots", .product = "picture", .prints = true}, words, {options->results});
   });

@@ -1,10 +1,8 @@
 /// `pounding record info FILE` and `pounding record spectrum FILE`.
 
 #include "program/commands.hpp"
+#include "program/spectrum_output.hpp"
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,9 +19,8 @@ namespace pounding::program {
 namespace {
 
 struct RecordArguments {
-  std::string file, units, channel, csv;
-  std::string damping = "5 %";
-  std::string periods = "0.02:4:50";
+  std::string file, units, channel;
+  SpectrumWords spectrum;
   bool json = false;
 };
 
@@ -73,59 +70,12 @@ void print_info(const Record& record) {
        fmt::format("{:.4g} s (5 % at {:.4g} s, 95 % at {:.4g} s)", m.significant_duration(), m.t5, m.t95));
 }
 
-/// Reads "a:b:n": n periods from a to b [s], each the same factor longer than the one before.
-std::vector<double> read_periods(const std::string& text) {
-  const auto fail = [&]() -> InputError {
-    return InputError(fmt::format("--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such "
-                                  "as 0.02:4:50; \"{}\" was read", text));
-  };
-  const std::size_t one = text.find(':'), two = text.find(':', one == std::string::npos ? one : one + 1);
-  if (two == std::string::npos) throw fail();
-  double first = 0, last = 0, count = 0;
-  if (!parse_number(text.substr(0, one), first) || !parse_number(text.substr(one + 1, two - one - 1), last) ||
-      !parse_number(text.substr(two + 1), count))
-    throw fail();
-  if (!(first > 0 && last > first && count >= 2 && count <= 10000 && count == std::floor(count))) throw fail();
-  std::vector<double> periods;
-  for (double i = 0; i < count; ++i) periods.push_back(first * std::pow(last / first, i / (count - 1)));
-  periods.back() = last;
-  return periods;
-}
-
-double read_damping(const std::string& text) {
-  double damping = 0;
-  try {
-    damping = parse_quantity(text, dimension::none);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("--damping: {}", error.what()));
-  }
-  if (!(damping >= 0 && damping < 1))
-    throw InputError(fmt::format("--damping: takes a number in [0, 1) such as \"5 %\"; \"{}\" is outside", text));
-  return damping;
-}
-
-void write_csv(const std::vector<SpectrumPoint>& points, const std::string& path) {
-  std::ofstream file(path);
-  file << "period (s),sd (m),psv (m/s),psa (m/s^2)\n";
-  for (const SpectrumPoint& p : points)
-    file << fmt::format("{:.10g},{:.10g},{:.10g},{:.10g}\n", p.period, p.sd, p.psv, p.psa);
-  file.close();
-  if (!file) throw InputError(fmt::format("{}: cannot be written", path));
-}
-
-void print_spectrum(const RecordArguments& words) {
-  const double damping = read_damping(words.damping);
-  const std::vector<double> periods = read_periods(words.periods);
+void show_record_spectrum(const RecordArguments& words) {
+  const double damping = words.spectrum.read_damping();
+  const std::vector<double> periods = words.spectrum.read_periods();
   const Record record = read(words);
-  const std::vector<SpectrumPoint> points = response_spectrum(scaled(record, 1), periods, damping);
-  if (!words.csv.empty()) {
-    write_csv(points, words.csv);
-    return;
-  }
-  fmt::print("{}, damping {:g} %\n", record.summary(), 100 * damping);
-  fmt::print("{:>10} {:>12} {:>12} {:>12}\n", "T [s]", "SD [m]", "PSV [m/s]", "PSA [g]");
-  for (const SpectrumPoint& p : points)
-    fmt::print("{:>10.4f} {:>12.4e} {:>12.4e} {:>12.4e}\n", p.period, p.sd, p.psv, p.psa / standard_gravity);
+  show_spectra(words.spectrum, fmt::format("{}, damping {:g} %", record.summary(), 100 * damping),
+               {{"", response_spectrum(scaled(record, 1), periods, damping)}});
 }
 
 }  // namespace
@@ -154,11 +104,8 @@ void add_record(CLI::App& app) {
   });
 
   CLI::App* const spectrum = add("spectrum", "Elastic response spectrum");
-  spectrum->add_option("--damping", words->damping, "Damping ratio")->capture_default_str();
-  spectrum->add_option("--periods", words->periods, "first:last:count [s], each the same factor longer than the one before")
-      ->capture_default_str();
-  spectrum->add_option("--csv", words->csv, "Write to this file, in SI, instead of the screen");
-  spectrum->callback([words] { print_spectrum(*words); });
+  words->spectrum.add_to(*spectrum);
+  spectrum->callback([words] { show_record_spectrum(*words); });
 }
 
 }  // namespace pounding::program

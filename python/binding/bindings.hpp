@@ -8,5 +8,6 @@ namespace pounding::python {
 
 void bind_laws(pybind11::module_& module);
 void bind_models(pybind11::module_& module);
+void bind_spectra(pybind11::module_& module);
 
 }  // namespace pounding::python

@@ -34,4 +34,5 @@ PYBIND11_MODULE(_core, module) {
   py::register_local_exception_translator(translate);
   pounding::python::bind_laws(module);
   pounding::python::bind_models(module);
+  pounding::python::bind_spectra(module);
 }

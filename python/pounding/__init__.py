@@ -33,11 +33,13 @@ if TYPE_CHECKING:
     from pounding.records import record
     from pounding.running import resume, run
     from pounding.runs import Run, read
+    from pounding.spectra import Spectrum, record_spectrum
 
     __version__: str
 
 __all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", "Interrupted", "Law", "Mode", "Model", "Modes", "Response",
-           "Run", "SolverError", "calibrate", "check", "from_opensees", "laws", "modes", "read", "record", "resume", "run"]
+           "Run", "SolverError", "Spectrum", "calibrate", "check", "from_opensees", "laws", "modes", "read", "record", "record_spectrum",
+           "resume", "run"]
 
 #: Modules that are public themselves: `pounding.opensees.link`.
 _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "results")
@@ -51,6 +53,7 @@ _MODULES = {
     "records": ("record",),
     "running": ("resume", "run"),
     "runs": ("Run", "read"),
+    "spectra": ("Spectrum", "record_spectrum"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 

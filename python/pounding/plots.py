@@ -44,6 +44,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--picture", choices=("run", "model", "profiles"), default="run",
                         help="the standard picture, the structures at rest, or extreme values over the height")
     parser.add_argument("--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2")
+    parser.add_argument("--compare", action="store_true", help="also draw the run without links, dashed")
     options = parser.parse_args(arguments)
     if options.floors and options.picture != "run":
         print(f"--floors belongs to --picture run; --picture {options.picture} shows every floor", file=sys.stderr)
@@ -51,9 +52,13 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         run = RunData.read(options.results)
         if options.picture == "run":
-            figure = standard_figure(run, options.title, options.floors)
+            figure = standard_figure(run, options.title, options.floors, compare=options.compare)
+        elif options.picture == "profiles":
+            figure = profiles_figure(run, options.title, compare=options.compare or None)
+        elif options.compare:
+            raise BadRequest("the structures at rest are the same without links; leave --compare out")
         else:
-            figure = (model_figure if options.picture == "model" else profiles_figure)(run, options.title)
+            figure = model_figure(run, options.title)
     except (OSError, NotResults) as error:
         print(f"cannot read {options.results}: {error}", file=sys.stderr)
         return 2

@@ -13,6 +13,7 @@ import h5py
 import numpy as np
 
 from pounding import told
+from pounding.envelopes import StructureEnvelope, read_envelopes
 from pounding.errors import InputError
 
 Data = TypeVar("Data", bound="RunData")
@@ -53,6 +54,15 @@ class MemberForces(told.Told, lines=told.member_forces):
     end_forces: np.ndarray  #: [time, member, component] [N], [N m]
 
 
+@dataclass(frozen=True)
+class Reactions:
+    """Forces of the ground on a frame at the nodes that it holds, in global axes, without the forces of damping."""
+
+    names: list[str]
+    directions: list[str]  #: x, z, ry in the plane; x, y, z, rx, ry, rz in space
+    force: np.ndarray  #: [time, node, direction] [N], [N m]
+
+
 @dataclass(frozen=True, repr=False)
 class FloorMotion(told.Told, lines=told.floor_motion):
     """Motion of the floors in one direction."""
@@ -79,6 +89,7 @@ class Structure(told.Told, lines=told.structure):
     geometry: Geometry | None = None  #: of a frame; None for other structures
     nodes: NodeMotion | None = None  #: None where the input asked for no nodes
     members: MemberForces | None = None  #: None where the input asked for no members
+    reactions: Reactions | None = None  #: of a frame; None for other structures
 
     @property
     def directions(self) -> list[str]:
@@ -159,6 +170,10 @@ class RunData(told.Told, lines=told.run):
     model_yaml: str  #: the input as given
     resolved_yaml: str  #: with every default and calibrated parameter
     source: Path | bytes = b""  #: the file that was read, or its bytes
+    #: Extremes of every structure over all steps; empty in files of version 0.1.
+    envelopes: dict[str, StructureEnvelope] = field(default_factory=dict)
+    #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without it.
+    no_pounding: RunData | None = None
 
     @classmethod
     def read(cls: type[Data], path: str | PathLike[str]) -> Data:
@@ -168,13 +183,20 @@ class RunData(told.Told, lines=told.run):
         if not h5py.is_hdf5(path):
             raise NotResults(_no_results(Path(path)))
         with h5py.File(path) as file:
-            return cls(**_contents(file, str(path)), source=Path(path))
+            return cls._of(file, str(path), Path(path))
 
     @classmethod
     def from_image(cls: type[Data], image: bytes) -> Data:
         """The results in the bytes of such a file. Raises NotResults."""
         with h5py.File(h5py.h5f.open_file_image(image)) as file:
-            return cls(**_contents(file, "what was given"), source=image)
+            return cls._of(file, "what was given", image)
+
+    @classmethod
+    def _of(cls: type[Data], file: h5py.File, name: str, source: Path | bytes) -> Data:
+        without = None
+        if "no_pounding" in file:
+            without = cls(**_contents(file["no_pounding"], name), source=source)
+        return cls(**_contents(file, name), source=source, no_pounding=without)
 
     def impacts_of(self, link: str) -> np.ndarray:
         """The rows of `impacts` that belong to one link."""
@@ -189,7 +211,7 @@ class RunData(told.Told, lines=told.run):
 
 
 def _contents(file: h5py.File, name: str) -> dict[str, Any]:
-    """The fields of RunData but `source`."""
+    """The fields of RunData but `source` and `no_pounding`."""
     try:
         return {
             "title": file.attrs["title"],
@@ -204,6 +226,7 @@ def _contents(file: h5py.File, name: str) -> dict[str, Any]:
             "solver": {name: data[()] for name, data in file.get("solver", {}).items()},
             "model_yaml": _text(file, "input/model.yaml"),
             "resolved_yaml": _text(file, "input/resolved.yaml"),
+            "envelopes": read_envelopes(file),
         }
     except KeyError as error:
         raise NotResults(f"{name} is not a results file of pounding: {error.args[0]}") from error
@@ -243,7 +266,8 @@ def _structure(name: str, group: h5py.Group) -> Structure:
                               np.full(len(floors), np.nan), dtype=float),
         geometry=_geometry(group["geometry"]) if "geometry" in group else None,
         nodes=_nodes(group["nodes"]) if "nodes" in group else None,
-        members=_members(group["members"]) if "members" in group else None)
+        members=_members(group["members"]) if "members" in group else None,
+        reactions=_reactions(group["reactions"]) if "reactions" in group else None)
 
 
 def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
@@ -272,6 +296,10 @@ def _nodes(group: h5py.Group) -> NodeMotion:
 def _members(group: h5py.Group) -> MemberForces:
     return MemberForces(names=_texts(group["names"][:]), components=_texts(group["end_forces"].attrs["components"]),
                         end_forces=group["end_forces"][:])
+
+
+def _reactions(group: h5py.Group) -> Reactions:
+    return Reactions(names=_texts(group["names"][:]), directions=_texts(group["force"].attrs["directions"]), force=group["force"][:])
 
 
 def _link(name: str, group: h5py.Group) -> Link:

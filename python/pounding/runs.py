@@ -4,12 +4,14 @@ matplotlib, tables pandas or xarray."""
 from __future__ import annotations
 
 import importlib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from pounding.pictures.html import run_html
 from pounding.results import RunData
+from pounding.spectra import Spectrum, floor_spectrum
 
 if TYPE_CHECKING:
     import pandas
@@ -23,14 +25,26 @@ if TYPE_CHECKING:
 class Run(RunData):
     """Results of a run: what its file holds, and pictures and tables of it."""
 
-    def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+    def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None, *,
+             compare: bool | None = None) -> Figure:
         """A picture: "run" (histories and impacts), "displacement", "gap", "force", "loops", "energy", "model" (the
         structures at rest) or "profiles" (extreme values over the height).
 
         `title` stands instead of that of the run; "" leaves out all titles, for a picture with a caption. `size` is width and
         height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points. A notebook shows the picture; save it with
-        `.savefig("NAME.pdf")`. Raises InputError for another name, ImportError without matplotlib."""
-        return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size)
+        `.savefig("NAME.pdf")`. `compare` also draws the run without links, dashed, which `compare: no_pounding` keeps; profiles do so
+        whenever it is there, unless it is False. Raises InputError for another name, ImportError without matplotlib."""
+        return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size, compare)
+
+    def spectrum(self, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *,
+                 direction: str = "x") -> Spectrum:
+        """The response spectrum of the absolute acceleration of a floor: "left.3" is the third from the ground. `damping` is a ratio
+        [-], `periods` [s] are 200 from 0.02 s to 4 s unless given. With `compare: no_pounding`, `results.no_pounding.spectrum(...)` is
+        that without links.
+
+        It takes the accelerations at the output times: raises InputError where these are too far apart, with the output_step to
+        try, and for a floor that is not there."""
+        return floor_spectrum(self, floor, damping, periods, direction=direction)
 
     def animate(self, path: str | PathLike[str] | None = None, *, frames: int | None = None, start: float | None = None,
                 end: float | None = None, scale: float | None = None, title: str | None = None) -> Film:

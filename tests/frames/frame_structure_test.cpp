@@ -281,14 +281,16 @@ TEST(FrameStructure, ReportsNodesAndMembers) {
   const Structure s = structure(cantilever + "report: {nodes: [top], members: [c]}\n");
   EXPECT_EQ(s.nodes.names, std::vector<std::string>{"top"});
   EXPECT_EQ(s.nodes.directions, (std::vector<std::string>{"x", "z", "ry"}));
-  EXPECT_EQ(s.members.components, (std::vector<std::string>{"start N", "start Vz", "start My", "end N", "end Vz", "end My"}));
-  EXPECT_EQ(s.members.places, (std::vector<int>{0, 2, 4, 6, 8, 10}));
+  EXPECT_EQ(s.reported_members, std::vector<int>{0});
+  EXPECT_EQ(s.forces.components, (std::vector<std::string>{"start N", "start Vz", "start My", "end N", "end Vz", "end My"}));
+  EXPECT_EQ(s.forces.places, (std::vector<int>{0, 2, 4, 6, 8, 10}));
   VectorXd load = VectorXd::Zero(s.size());
   load[unknown(s, "node top ux")] = 1e3;
   load[unknown(s, "node top uz")] = -2e3;
   const VectorXd q = solve(s, load);
   EXPECT_NEAR(s.nodes.motion[0][0].dot(q), 1e3 * 64 / (3 * 30e6), 1e-14);
-  const auto force = [&](int i) { return s.members.forces[0][i].dot(q); };
+  const VectorXd forces = s.forces.rows * q;
+  const auto force = [&](int i) { return forces[i]; };
   // Local x up, local z along -x.
   EXPECT_NEAR(force(0), 2e3, 1e-8);
   EXPECT_NEAR(force(1), 1e3, 1e-8);
@@ -298,13 +300,19 @@ TEST(FrameStructure, ReportsNodesAndMembers) {
   EXPECT_NEAR(force(5), 0, 1e-8);
   // Equilibrium about y with local z along -x and y of the member along y: the foot turns against the push.
   EXPECT_NEAR(force(2), -4e3, 1e-8);
+  // The ground holds the foot against the push, carries the load and keeps the foot from turning.
+  EXPECT_EQ(s.forces.supports, std::vector<std::string>{"foot"});
+  EXPECT_EQ(s.forces.directions, (std::vector<std::string>{"x", "z", "ry"}));
+  EXPECT_NEAR(force(6), -1e3, 1e-8);
+  EXPECT_NEAR(force(7), 2e3, 1e-8);
+  EXPECT_NEAR(force(8), -4e3, 1e-8);
 }
 
 TEST(FrameStructure, InSpaceAllTwelveEndForcesAreReported) {
   const Structure s = structure(space_grid + "report: {members: [beam y 1.2.0]}\n");
-  EXPECT_EQ(s.members.components.size(), 12u);
-  EXPECT_EQ(s.members.components[3], "start T");
-  EXPECT_EQ(s.members.components[11], "end Mz");
+  EXPECT_EQ(s.forces.components.size(), 12u);
+  EXPECT_EQ(s.forces.components[3], "start T");
+  EXPECT_EQ(s.forces.components[11], "end Mz");
   EXPECT_EQ(s.nodes.directions.size(), 6u);
   EXPECT_EQ(s.nodes.names.size(), 18u) << "masters are not among them";
 }

@@ -10,9 +10,9 @@ import unittest
 import h5py
 from support import LONG, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
 
-SUMMARY_KEYS = ["status", "links", "structures", "energy", "solver", "warnings"]
+SUMMARY_KEYS = ["status", "links", "impacts", "structures", "energy", "solver", "warnings"]
 LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost", "energy_stored", "presses"]
-STRUCTURE_KEYS = ["peak_displacement", "peak_drift", "peak_acceleration"]
+STRUCTURE_KEYS = ["peak_displacement", "peak_drift", "peak_acceleration", "envelope"]
 ENERGY_KEYS = ["input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"]
 SOLVER_KEYS = ["integrator", "steps", "rejected", "events", "wall_seconds"]
 

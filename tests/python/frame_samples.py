@@ -52,8 +52,14 @@ def displacement_of(name, nodes, storeys, dimension, time=TIME):
     return moved
 
 
-def write(path, dimension=2, nodes="all", members=True, wall=False):
-    """One file. `nodes`: all, none, or how many of them from the first one on are reported."""
+#: Extremes that a run tracks inside its steps are larger than what its outputs show.
+BETWEEN_OUTPUTS = 1.1
+#: Motion of the run without links over that of the run with them.
+WITHOUT_LINKS = 0.7
+
+
+def write(path, dimension=2, nodes="all", members=True, wall=False, compare=False):
+    """One file. `nodes`: all, none, or how many of them from the first one on are reported; `compare`: with a run without links."""
     storeys = {"tall": 5, "low": 3}
     with h5py.File(path, "w", track_order=True) as file:
         file.attrs.update(program="pounding", version="0.1.0", created="2026-01-02T03:04:05Z", status="done",
@@ -69,10 +75,50 @@ def write(path, dimension=2, nodes="all", members=True, wall=False):
         rows = [write_link(file, floor, y, dimension) for floor in (1, 2, 3) for y in ([0.0] if dimension == 2 else [0.0, 4.0])]
         if wall:
             write_wall_link(file)
+        for name in file["structures"]:
+            write_envelope(file.create_group(f"envelopes/structures/{name}"), file["structures"][name])
         write_impacts(file, [row for link in rows for row in link])
         for key in ("time", "input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"):
             put(file, f"energy/{key}", TIME if key == "time" else np.linspace(0, 1e3, TIME.size) * (key in ("input", "damping")))
         file["summary"] = "{}"
+        if compare:
+            write_without_links(file, file.create_group("no_pounding", track_order=True))
+
+
+def write_envelope(group, structure):
+    """Extremes of the histories, BETWEEN_OUTPUTS times as large."""
+    group.attrs["floors"] = structure.attrs["floors"]
+    directions = list(structure.attrs["directions"])
+    for key in ("displacement", "acceleration", "drift", "storey_shear"):
+        history = structure[key][:]
+        if not history.shape[1]:
+            continue
+        if history.ndim == 2:
+            history = history[:, :, None]
+        put(group, key, BETWEEN_OUTPUTS * np.stack([history.min(axis=0), history.max(axis=0)], axis=-1))
+        put(group, f"{key}_time", TIME[np.stack([history.argmin(axis=0), history.argmax(axis=0)], axis=-1)])
+        group[key].attrs["directions"] = directions[:history.shape[2]]
+    if "members" in structure:
+        forces, ends = structure["members/end_forces"][:], structure["members/end_forces"].attrs["components"]
+        group["members"] = structure["members/names"][:]
+        put(group, "member_force", BETWEEN_OUTPUTS * np.stack([forces.min(axis=0), forces.max(axis=0)], axis=-1))
+        put(group, "member_force_time", TIME[np.stack([forces.argmin(axis=0), forces.argmax(axis=0)], axis=-1)])
+        group["member_force"].attrs["components"] = ends
+
+
+def write_without_links(file, group):
+    """All but the links and the impacts, WITHOUT_LINKS times as large."""
+    group.attrs.update(file.attrs)
+    for place in ("time", "ground", "structures", "energy", "envelopes"):
+        file.copy(place, group)
+    group.create_group("links")
+    group["impacts"] = file["impacts"][:0]
+    group["summary"] = "{}"
+    for name in file["structures"]:
+        for structure in (group["structures"][name], group["envelopes/structures"][name]):
+            for key in ("displacement", "acceleration", "velocity", "drift", "storey_shear"):
+                if key in structure:
+                    structure[key][...] = WITHOUT_LINKS * structure[key][:]
 
 
 def put(group, name, values):

@@ -53,6 +53,8 @@ class Run {
       StructureHistory history;
       history.name = building.name;
       for (int i = 1; i <= building.floors; ++i) history.floors.push_back(std::to_string(i));
+      StructureEnvelope& envelope = history.envelope;
+      envelope.displacement = envelope.acceleration = envelope.drift = envelope.storey_shear = Extremes(building.u.size());
       results_.structures.push_back(history);
     }
     for (const Touch& touch : touches_) {
@@ -163,6 +165,10 @@ class Run {
         history.acceleration.push_back(-building.stiffness * drift / building.mass);
         history.drift.push_back(drift);
         history.storey_shear.push_back(building.stiffness * drift);
+        history.envelope.displacement.update(i, t, building.u[i]);
+        history.envelope.acceleration.update(i, t, history.acceleration.back());
+        history.envelope.drift.update(i, t, drift);
+        history.envelope.storey_shear.update(i, t, building.stiffness * drift);
         kinetic += building.mass * building.v[i] * building.v[i] / 2;
         strain += building.stiffness * drift * drift / 2;
       }

@@ -34,9 +34,10 @@ class FramePictures(unittest.TestCase):
         place = Path(cls.directory.name)
         frame_samples.write(place / "plane.h5", 2, wall=True)
         frame_samples.write(place / "space.h5", 3)
+        frame_samples.write(place / "compared.h5", 2, compare=True)
         for kind in ("towers", "row"):
             subprocess.run([WRITER, kind, place / f"{kind}.h5"], check=True)
-        cls.runs = {kind: read(place / f"{kind}.h5") for kind in ("plane", "space", "towers", "row")}
+        cls.runs = {kind: read(place / f"{kind}.h5") for kind in ("plane", "space", "compared", "towers", "row")}
 
     @classmethod
     def tearDownClass(cls):
@@ -96,27 +97,71 @@ class FramePictures(unittest.TestCase):
         self.assertEqual((list(axes.get_xticks()), list(axes.get_yticks())), ([], []))
         self.assertEqual(axes.get_ylabel(), "Heights are not in the file")
 
-    def test_profiles_hold_the_extremes(self):
+    def test_profiles_hold_the_extremes_that_the_run_has_tracked(self):
         run = self.runs["space"]
         figure = profiles_figure(run)
         self.assertEqual(titles(figure)[4:6], ["(e) Displacement along y", "(f) Storey drift along y"])
-        motion = run.structures["tall"].along["y"]
+        tracked = run.envelopes["tall"]
         low, high = figure.axes[4].lines[:2]
-        np.testing.assert_allclose(low.get_xdata(), [0, *1e3 * motion.displacement.min(axis=0)])
+        np.testing.assert_allclose(low.get_xdata(), [0, *1e3 * tracked.displacement.min[:, 1]])
+        self.assertGreater(high.get_xdata().max(), 1.09e3 * run.structures["tall"].along["y"].displacement.max())
         np.testing.assert_allclose(high.get_ydata(), [0, 3.2, 6.4, 9.6, 12.8, 16])
         high = figure.axes[5].lines[1]
-        np.testing.assert_allclose(high.get_xdata()[::2], 100 * motion.drift.max(axis=0) / 3.2)
+        np.testing.assert_allclose(high.get_xdata()[::2], 100 * tracked.drift.max[:, 1] / 3.2)
         self.assertIn("[kN]", figure.axes[6].get_xlabel())
         high = figure.axes[6].lines[1]
-        np.testing.assert_allclose(high.get_xdata()[::2], 1e-3 * motion.storey_shear.max(axis=0))
+        np.testing.assert_allclose(high.get_xdata()[::2], 1e-3 * tracked.storey_shear.max[:, 1])
+        np.testing.assert_allclose(figure.axes[7].lines[0].get_xdata(), tracked.acceleration.min[:, 1])
 
     def test_profiles_without_heights_count_floors(self):
         run = self.runs["towers"]
         figure = profiles_figure(run)
         self.assertEqual(figure.axes[0].get_ylabel(), "Floor")
         self.assertEqual(figure.axes[1].get_xlabel(), "Storey drift [mm]")
-        np.testing.assert_allclose(figure.axes[1].lines[1].get_xdata()[::2],
-                                   1e3 * run.structures["slender"].drift.max(axis=0))
+        np.testing.assert_allclose(figure.axes[1].lines[1].get_xdata()[::2], 1e3 * run.envelopes["slender"].drift.max[:, 0])
+
+    def test_profiles_show_the_run_without_links_dashed(self):
+        run = self.runs["compared"]
+        figure = profiles_figure(run)
+        dashed = [line for line in figure.axes[0].lines if line.get_linestyle() == "--"]
+        np.testing.assert_allclose(dashed[1].get_xdata()[1:], 0.7e3 * run.envelopes["tall"].displacement.max[:, 0])
+        self.assertEqual([text.get_text() for text in figure.legends[0].get_texts()], ["tall", "low", "without links"])
+        self.assertEqual([line for line in profiles_figure(run, compare=False).axes[0].lines if line.get_linestyle() == "--"], [])
+        with self.assertRaisesRegex(BadRequest, "add compare: no_pounding to the model"):
+            profiles_figure(self.runs["plane"], compare=True)
+
+    def test_other_pictures_show_the_run_without_links_where_asked(self):
+        run = self.runs["compared"]
+        for picture, panel in (("displacement", 0), ("gap", 0), ("energy", 0), ("run", 1)):
+            with self.subTest(picture):
+                def dashed(**options):
+                    lines = run.plot(picture, **options).axes[panel].lines
+                    return [line for line in lines if str(line.get_label()).endswith("without links")]
+
+                self.assertEqual(dashed(), [])
+                [line] = dashed(compare=True)
+                self.assertEqual(line.get_linestyle(), "--")
+        opening = [line for line in run.plot("gap", compare=True).axes[0].lines if line.get_label() == "without links"][0]
+        link = run.links["tall.1-low.1"]
+        apart = run.no_pounding.structures
+        np.testing.assert_allclose(opening.get_ydata(), 1e3 * (link.gap - apart["tall"].displacement[:, 0] + apart["low"].displacement[:, 0]))
+        with self.assertRaisesRegex(BadRequest, "nothing to show in the picture force"):
+            run.plot("force", compare=True)
+
+    def test_panels_and_legends_of_profiles_lie_inside_a_narrow_picture(self):
+        for size in ((3.3, 4.4), (7.5, 4.3)):
+            with self.subTest(size):
+                figure = profiles_figure(self.runs["compared"], title="", size=size)
+                figure.canvas.draw()
+                width, height = figure.bbox.width, figure.bbox.height
+                for box in [figure.legends[0].get_window_extent(), *(axes.get_tightbbox() for axes in figure.axes)]:
+                    self.assertGreaterEqual(min(box.x0, box.y0), -1)
+                    self.assertLessEqual(box.x1, width + 1)
+                    self.assertLessEqual(box.y1, height + 1)
+
+    def test_profiles_of_an_old_file_say_what_to_do(self):
+        with self.assertRaisesRegex(BadRequest, "before version 0.2.*run the model again"):
+            profiles_figure(replace(self.runs["plane"], envelopes={}))
 
     def test_profiles_of_nothing_are_refused(self):
         run = self.runs["plane"]

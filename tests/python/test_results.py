@@ -57,6 +57,9 @@ class ResultsFile(unittest.TestCase):
             motion = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N",
                       "base_shear": "N"}
             expected |= {f"structures/{name}/{key}": unit for key, unit in motion.items()}
+            del motion["velocity"]
+            expected |= {f"envelopes/structures/{name}/{key}": unit for key, unit in motion.items()}
+            expected |= {f"envelopes/structures/{name}/{key}_time": "s" for key in motion}
         for i in range(1, 7):
             series = {"time": "s", "penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
             expected |= {f"links/slender.{i}-stiff.{i}/{key}": unit for key, unit in series.items()}

@@ -161,6 +161,20 @@ class Frame {
   /// End forces of the member's load alone with the nodes held, and of its weight with gravity, when its mass is consistent.
   Vector12 fixed_end_forces(int member, bool gravity = false) const;
 
+  /// Forces that the ground exerts on the frame at some nodes, one row a displacement, node by node: by_displacements times all
+  /// displacements of all nodes + at_rest. 0 at displacements that it does not hold.
+  struct Reactions {
+    std::vector<int> nodes;
+    Eigen::SparseMatrix<double, Eigen::RowMajor> by_displacements;  ///< of members and springs [N/m], [N]
+    Eigen::SparseMatrix<double, Eigen::RowMajor> by_forces;         ///< what members that turn pass on, from the nodes to the ground
+    Eigen::VectorXd at_rest;                                        ///< by loads, with gravity also by weights [N], [N m]
+  };
+  /// Without `with_members` springs alone act, as where members turn.
+  Reactions reactions(const std::vector<int>& nodes, const AssembledFrame& assembled, bool gravity, bool with_members) const;
+  /// The same when supports move by one along x, y, z and the unknowns rest, see SupportMotion::enforced: rows x 3.
+  Eigen::MatrixX3d enforced_reactions(const Reactions& reactions, const std::vector<int>& supports,
+                                      const Eigen::MatrixX3d& enforced) const;
+
   /// How a point between the ends of a member moves, and what a force on it does to the ends.
   struct PointOnMember {
     std::array<Eigen::SparseVector<double>, 3> motion;  ///< displacements along global x, y, z as factors of q

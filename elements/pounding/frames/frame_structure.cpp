@@ -21,6 +21,10 @@ using Eigen::Vector3d;
 // Up to here all nodes are reported when nothing else is asked for.
 constexpr int max_reported = 100;
 
+std::vector<std::string> directions(int dimension) {
+  return dimension == 2 ? std::vector<std::string>{"x", "z", "ry"} : std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz"};
+}
+
 bool turns(const FrameModel& model) { return model.geometry == FrameGeometry::corotational; }
 
 // Fills in what the caller left out: the supports that move together, and the nodes that are reported.
@@ -48,22 +52,25 @@ void complete(FrameModel& model) {
 }
 
 // The part of the reports that follows from the motion of a support itself.
-void report_enforced(const FrameModel& model, const AssembledFrame& frame, const MemberReport& members, Support& support) {
+void report_enforced(const FrameModel& model, const AssembledFrame& frame, const InternalForces& report,
+                     const Frame::Reactions& reactions, const std::vector<int>& nodes, Support& support) {
   const int dofs = static_cast<int>(dofs_of(frame.dimension).size());
   support.nodes.resize(static_cast<int>(model.reported_nodes->size()) * dofs, 3);
   for (std::size_t i = 0; i < model.reported_nodes->size(); ++i)
     support.nodes.middleRows(static_cast<int>(i) * dofs, dofs) = support.enforced.middleRows((*model.reported_nodes)[i] * dofs, dofs);
   support.shears = enforced_shears(model, frame, support.enforced);
-  const int places = static_cast<int>(members.places.size());
-  support.members.resize(static_cast<int>(members.members.size()) * places, 3);
-  for (std::size_t m = 0; m < members.members.size(); ++m) {
-    const Eigen::Matrix<double, 12, 3> forces = model.frame.enforced_end_forces(members.members[m], support.enforced);
-    for (int j = 0; j < places; ++j) support.members.row(static_cast<int>(m) * places + j) = forces.row(members.places[j]);
+  const int places = static_cast<int>(report.places.size());
+  support.forces.resize(report.rows.rows(), 3);
+  for (int m = 0; m < model.frame.members(); ++m) {
+    const Eigen::Matrix<double, 12, 3> forces = model.frame.enforced_end_forces(m, support.enforced);
+    for (int j = 0; j < places; ++j) support.forces.row(m * places + j) = forces.row(report.places[j]);
   }
+  support.forces.bottomRows(reactions.at_rest.size()) = model.frame.enforced_reactions(reactions, nodes, support.enforced);
 }
 
 std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame& frame,
-                                   const std::vector<FrameSupport>& given, const MemberReport& members) {
+                                   const std::vector<FrameSupport>& given, const InternalForces& report,
+                                   const Frame::Reactions& reactions) {
   std::vector<Support> supports;
   for (const FrameSupport& of : given) {
     Support support;
@@ -79,7 +86,7 @@ std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame
       support.influence = motion.influence;
       support.load = motion.load;
       support.enforced = motion.enforced;
-      report_enforced(model, frame, members, support);
+      report_enforced(model, frame, report, reactions, of.nodes, support);
     }
     supports.push_back(std::move(support));
   }
@@ -109,8 +116,7 @@ std::vector<FrameSupport> apart_along(const FrameModel& model, const Vector3d& d
 
 NodeReport make_node_report(const FrameModel& model, const AssembledFrame& frame) {
   NodeReport report;
-  report.directions = frame.dimension == 2 ? std::vector<std::string>{"x", "z", "ry"}
-                                           : std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz"};
+  report.directions = directions(frame.dimension);
   for (const int node : *model.reported_nodes) {
     report.names.push_back(model.frame.node_name(node));
     std::vector<Row>& rows = report.motion.emplace_back();
@@ -119,30 +125,50 @@ NodeReport make_node_report(const FrameModel& model, const AssembledFrame& frame
   return report;
 }
 
-MemberReport make_member_report(const FrameModel& model, const AssembledFrame& frame) {
+Frame::Reactions make_reactions(const FrameModel& model, const AssembledFrame& frame) {
+  std::vector<int> held = model.frame.grounded_nodes();
+  std::erase_if(held, [&](int node) { return node >= model.given_nodes(); });
+  std::sort(held.begin(), held.end());
+  return model.frame.reactions(held, frame, model.has_gravity(), !turns(model));
+}
+
+InternalForces make_internal_forces(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions) {
   constexpr std::array forces{"N", "Vy", "Vz", "T", "My", "Mz"};
-  MemberReport report;
+  InternalForces report;
   for (const int end : {0, 6})
     for (const Dof dof : dofs_of(frame.dimension)) {
       report.components.push_back(fmt::format("{} {}", end == 0 ? "start" : "end", forces[static_cast<int>(dof)]));
       report.places.push_back(end + static_cast<int>(dof));
     }
-  for (const int member : model.reported_members) {
-    report.names.push_back(model.frame.member_name(member));
-    report.members.push_back(member);
+  report.directions = directions(frame.dimension);
+  for (const int node : reactions.nodes) report.supports.push_back(model.frame.node_name(node));
+  const int places = static_cast<int>(report.places.size()), first_reaction = model.frame.members() * places;
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](int row, const auto& matrix, int from) {
+    for (typename std::decay_t<decltype(matrix)>::InnerIterator it(matrix, from); it; ++it)
+      entries.emplace_back(row, static_cast<int>(it.col()), it.value());
+  };
+  report.at_rest = Eigen::VectorXd::Zero(first_reaction + reactions.at_rest.size());
+  for (int member = 0; member < model.frame.members(); ++member) {
+    report.members.push_back(model.frame.member_name(member));
+    if (turns(model)) continue;
     const Eigen::SparseMatrix<double, Eigen::RowMajor> all = model.frame.end_force_rows(member, frame);
-    std::vector<Row>& rows = report.forces.emplace_back();
-    for (const int place : report.places)
-      rows.push_back(turns(model) ? Row(frame.size()) : Row(all.row(place).transpose()));
-    const Vector12 held = model.is_loaded() && !turns(model) ? model.frame.fixed_end_forces(member) : Vector12(Vector12::Zero());
-    std::vector<double>& loads = report.held.emplace_back();
-    for (const int place : report.places) loads.push_back(held[place]);
+    for (int j = 0; j < places; ++j) add(member * places + j, all, report.places[j]);
+    if (!model.is_loaded()) continue;
+    const Vector12 held = model.frame.fixed_end_forces(member);
+    for (int j = 0; j < places; ++j) report.at_rest[member * places + j] = held[report.places[j]];
   }
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> on_ground = reactions.by_displacements * frame.transform;
+  for (int row = 0; row < on_ground.rows(); ++row) add(first_reaction + row, on_ground, row);
+  if (model.is_loaded()) report.at_rest.tail(reactions.at_rest.size()) = reactions.at_rest;
+  report.rows.resize(report.at_rest.size(), frame.size());
+  report.rows.setFromTriplets(entries.begin(), entries.end());
   return report;
 }
 
 // Reports of members that turn; what they would show wrong is refused.
-void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_ptr<const CorotationalFrame>& turning, Structure& s) {
+void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_ptr<const CorotationalFrame>& turning,
+              const Frame::Reactions& reactions, Structure& s) {
   if (model->supports.size() > 1)
     throw std::invalid_argument("with geometry: corotational all supports move alike; leave out their delay and ground_motion, or "
                                 "type geometry: p_delta");
@@ -160,18 +186,29 @@ void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_
     }
     return shears;
   };
-  s.end_forces = [model, turning, members = s.members.members, places = s.members.places](const Eigen::VectorXd& q) {
-    Eigen::VectorXd all(static_cast<int>(members.size() * places.size()));
+  s.forces.turned = [model, turning, places = s.forces.places, to_ground = reactions.by_forces](const Eigen::VectorXd& q) {
+    const auto dofs = dofs_of(model->frame.dimension());
+    const int count = static_cast<int>(dofs.size());
+    Eigen::VectorXd ends(model->frame.members() * static_cast<int>(places.size()));
+    Eigen::VectorXd on_nodes = Eigen::VectorXd::Zero(model->frame.nodes() * count);
     int at = 0;
-    for (const int member : members) {
+    for (int member = 0; member < model->frame.members(); ++member) {
       Vector12 forces = turning->end_forces(member, q);
       if (model->is_loaded()) {  // which keep their directions in space
         const Eigen::Matrix3d turn = turning->axes(member, q) * model->frame.beam(member).axes().transpose();
         const Vector12 held = model->frame.fixed_end_forces(member);
         for (const int i : {0, 3, 6, 9}) forces.segment<3>(i) += turn * held.segment<3>(i);
       }
-      for (const int place : places) all[at++] = forces[place];
+      for (const int place : places) ends[at++] = forces[place];
+      const Vector12 nodal = turning->nodal_forces(member, q);
+      const auto [start, end] = model->frame.ends(member);
+      for (int j = 0; j < count; ++j) {
+        on_nodes[start * count + j] += nodal[static_cast<int>(dofs[j])];
+        on_nodes[end * count + j] += nodal[6 + static_cast<int>(dofs[j])];
+      }
     }
+    Eigen::VectorXd all(ends.size() + to_ground.rows());
+    all << ends, to_ground * on_nodes;
     return all;
   };
 }
@@ -227,15 +264,17 @@ Structure make_structure(FrameModel given) {
   s.initial_displacement = s.initial_velocity = Eigen::VectorXd::Zero(frame->size());
   s.floors = make_floors(*model, *frame);
   s.nodes = make_node_report(*model, *frame);
-  s.members = make_member_report(*model, *frame);
-  s.supports = make_supports(*model, *frame, model->supports, s.members);
-  if (turning) let_turn(model, turning, s);
-  s.supports_along = [model, frame, members = s.members](const Vector3d& direction) {
+  const Frame::Reactions reactions = make_reactions(*model, *frame);
+  s.forces = make_internal_forces(*model, *frame, reactions);
+  s.reported_members = model->reported_members;
+  s.supports = make_supports(*model, *frame, model->supports, s.forces, reactions);
+  if (turning) let_turn(model, turning, reactions, s);
+  s.supports_along = [model, frame, forces = s.forces, reactions](const Vector3d& direction) {
     const std::vector<FrameSupport> apart = apart_along(*model, direction);
     if (turns(*model) && apart.size() > 1)
       throw std::invalid_argument("a wave moves the supports of a frame one after the other, and with geometry: corotational all move "
                                   "alike; type geometry: p_delta");
-    return make_supports(*model, *frame, apart, members);
+    return make_supports(*model, *frame, apart, forces, reactions);
   };
   s.geometry = make_geometry(*model);
   s.node_translations = [model, frame](const Eigen::VectorXd& q) {

@@ -46,7 +46,7 @@ struct Support {
   Eigen::MatrixX3d enforced;  ///< displacements of the nodes, see ContactPoint::supported
   Eigen::MatrixX3d nodes;     ///< rows of NodeReport, node by node
   Eigen::MatrixX3d shears;    ///< storey shears, floor by floor [N/m]
-  Eigen::MatrixX3d members;   ///< rows of MemberReport, member by member [N/m], [N]
+  Eigen::MatrixX3d forces;    ///< InternalForces, row by row [N/m], [N]
 };
 
 /// One floor.
@@ -99,13 +99,17 @@ struct NodeReport {
   std::vector<std::vector<Row>> motion;  ///< of each node in each direction
 };
 
-/// Members whose end forces are reported, in their local axes.
-struct MemberReport {
-  std::vector<std::string> names, components;  ///< "start N", "start Vz", "start My", "end N" ...
-  std::vector<int> members;                    ///< their numbers in the frame
-  std::vector<std::vector<Row>> forces;        ///< of each member in each component [N], [N m]
-  std::vector<std::vector<double>> held;       ///< what its own load adds to them, the nodes held
-  std::vector<int> places;                     ///< of each component among the twelve of a member
+/// End forces of all members, in their local axes, and reactions of the ground at the nodes that it holds, in global axes: what it
+/// exerts on the structure, without the forces of damping.
+struct InternalForces {
+  std::vector<std::string> members, components;    ///< "start N", "start Vz", "start My", "end N" ...
+  std::vector<int> places;                         ///< of each component among the twelve of a member
+  std::vector<std::string> supports, directions;   ///< names of the nodes; "x", "z", "ry" ...
+  /// As factors of the unknowns: member by member and component by component, then node by node and direction by direction.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> rows;
+  Eigen::VectorXd at_rest;  ///< what loads add while the unknowns rest, one a row [N], [N m]
+  /// Forces of members that turn, to be added to the two above, by q + at_rest of the structure; empty for none.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> turned;
 };
 
 /// For pictures, and for warnings of the implausible.
@@ -147,10 +151,10 @@ struct Structure {
   std::string damping_note;  ///< how the damping was made, one line
   std::shared_ptr<const Surface> surface;
   NodeReport nodes;
-  MemberReport members;
-  /// Forces of members that turn, to be added to the rows above: storey shears floor by floor, and end forces member by
-  /// member with what their own loads add; by q + at_rest. Empty for none.
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> storey_shears, end_forces;
+  InternalForces forces;              ///< of a frame
+  std::vector<int> reported_members;  ///< numbers of the members whose end forces are kept over time
+  /// Storey shears of members that turn, floor by floor, to be added to those of the floors; by q + at_rest. Empty for none.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> storey_shears;
   Geometry geometry;
   /// Translations of all nodes of the geometry, nodes x 3; empty without geometry.
   std::function<Eigen::MatrixX3d(const Eigen::VectorXd& q)> node_translations;

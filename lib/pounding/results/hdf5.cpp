@@ -175,6 +175,47 @@ void bytes(hid_t parent, const char* name, const char* long_name, const std::vec
   describe(chunked(parent, name, H5T_NATIVE_UINT8, {values.size()}, values.data()), {name, "byte", long_name});
 }
 
+namespace {
+
+std::vector<std::string> members_of(hid_t group) {
+  std::vector<std::string> found;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* target) -> herr_t {
+    static_cast<std::vector<std::string>*>(target)->emplace_back(name);
+    return 0;
+  };
+  checked(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &found), "list a group");
+  return found;
+}
+
+// Copies all members and the attributes, which are texts, of a group or of the root of a file.
+void copy_content(hid_t from, hid_t to, const std::set<std::string>& but) {
+  std::vector<std::string> attributes;
+  const auto list_attribute = [](hid_t, const char* name, const H5A_info_t*, void* target) -> herr_t {
+    static_cast<std::vector<std::string>*>(target)->emplace_back(name);
+    return 0;
+  };
+  checked(H5Aiterate2(from, H5_INDEX_NAME, H5_ITER_INC, nullptr, list_attribute, &attributes), "list attributes");
+  for (const std::string& name : attributes) attribute(to, name.c_str(), read_attribute(from, name.c_str()));
+  for (const std::string& name : members_of(from))
+    if (!but.contains(name)) checked(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "copy " + name);
+}
+
+}  // namespace
+
+void add_file(hid_t file, const std::string& name, const std::vector<std::byte>& image, const std::set<std::string>& but) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe a file");
+  checked(H5Pset_fapl_core(access, image.size(), false), "choose a file in memory");
+  std::vector<std::byte> bytes = image;  // HDF5 asks for a buffer that it may change, and copies it
+  checked(H5Pset_file_image(access, bytes.data(), bytes.size()), "give a file image");
+  const Handle from(H5Fopen("results to add", H5F_ACC_RDONLY, access), H5Fclose, "open a file image");
+  copy_content(from, group(file, name), but);
+}
+
+std::vector<std::byte> group_image(hid_t file, const std::string& name) {
+  const Handle from(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, "open group " + name);
+  return file_image([&](hid_t to) { copy_content(from, to, {}); });
+}
+
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read) {
   const Quiet quiet;
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file");
@@ -182,6 +223,10 @@ void open_file(const std::string& path, const std::function<void(hid_t file)>& r
 }
 
 bool has(hid_t file, const char* path) { return H5Lexists(file, path, H5P_DEFAULT) > 0; }
+
+std::vector<std::string> members(hid_t file, const char* path) {
+  return members_of(Handle(H5Gopen2(file, path, H5P_DEFAULT), H5Gclose, std::string("open group ") + path));
+}
 
 namespace {
 
@@ -209,6 +254,14 @@ void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& valu
 }
 
 }  // namespace
+
+std::vector<std::size_t> shape(hid_t file, const char* path) {
+  const Handle dataset = open_dataset(file, path);
+  const Handle space(H5Dget_space(dataset), H5Sclose, std::string("size dataset ") + path);
+  std::vector<hsize_t> extents(static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space), "size a dataset")));
+  checked(H5Sget_simple_extent_dims(space, extents.data(), nullptr), "size a dataset");
+  return {extents.begin(), extents.end()};
+}
 
 std::string read_attribute(hid_t object, const char* name) {
   const Handle made(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, std::string("open attribute ") + name);

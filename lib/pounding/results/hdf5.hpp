@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -72,9 +73,18 @@ void table(hid_t parent, const char* name, const char* long_name, hid_t row_type
 /// Writes bytes that only the program can interpret.
 void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values);
 
+/// Adds the content of a file image, its attributes included, as a group; members of its root named in `but` are left out.
+void add_file(hid_t file, const std::string& name, const std::vector<std::byte>& image, const std::set<std::string>& but = {});
+/// The content of a group as the image of a file: the inverse of add_file().
+std::vector<std::byte> group_image(hid_t file, const std::string& name);
+
 /// Opens a file on the disk for `read` and closes it afterwards.
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read);
 bool has(hid_t file, const char* path);
+/// Names in a group, in the order of the alphabet.
+std::vector<std::string> members(hid_t file, const char* path);
+/// Extents of an array.
+std::vector<std::size_t> shape(hid_t file, const char* path);
 std::string read_attribute(hid_t object, const char* name);
 std::string read_text(hid_t file, const char* path);
 /// Reads all values of an array, row-major.

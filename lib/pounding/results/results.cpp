@@ -13,6 +13,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/checksum.hpp>
+#include <pounding/results/envelope_file.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/results/replace_file.hpp>
 
@@ -122,6 +123,15 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
         array(members, {"end_forces", "N", "forces [N] and moments [N m] on the ends of members, local axes"},
               history.end_forces, {samples, history.members.size(), history.member_components.size()});
     attribute(made, "components", history.member_components);
+  }
+  if (const Names& supports = history.envelope.supports; !supports.empty()) {
+    const Handle reactions = group(place, "reactions");
+    texts(reactions, "names", "names of the nodes", supports);
+    const Names& along = history.envelope.directions;
+    check_length(history.reaction.size(), samples * supports.size() * along.size(), history.name + ": reactions");
+    const Handle made = array(reactions, {"force", "N", "forces [N] and moments [N m] of the ground on the structure, without damping"},
+                              history.reaction, {samples, supports.size(), along.size()});
+    attribute(made, "directions", along);
   }
   if (!history.geometry.positions.empty()) write_geometry(place, history.geometry);
 }
@@ -251,6 +261,9 @@ void write_checkpoint(hid_t file, const Results& results) {
   hdf5::bytes(place, "state", "state of the program that wrote it", checkpoint.state);
 }
 
+// The run without links has the input of the run that it stands in.
+const std::set<std::string> without_pounding_leaves_out{"input"};
+
 // Names every history once, for reading, writing and comparing.
 template <class AnyResults, class Visit>
 void visit_all(AnyResults& results, Visit&& visit) {
@@ -269,6 +282,7 @@ void visit_all(AnyResults& results, Visit&& visit) {
       visit(place + "nodes/acceleration", s.node_acceleration);
     }
     if (!s.members.empty()) visit(place + "members/end_forces", s.end_forces);
+    if (!s.envelope.supports.empty()) visit(place + "reactions/force", s.reaction);
   }
   for (auto& link : results.links) {
     const std::string place = "links/" + link.name + '/';
@@ -312,10 +326,12 @@ void write_all(hid_t file, const Results& results) {
   for (const StructureHistory& history : results.structures) write_structure(structures, history, results.time.size());
   const Handle links = group(file, "links");
   for (const LinkHistory& history : results.links) write_link(links, history);
+  write_envelopes(file, results.structures);
   write_impacts(file, results);
   write_energy(file, results.energy);
   text(file, "summary", "summary as JSON", results.summary_json);
   write_solver(file, results.integrator, results.solver);
+  if (!results.no_pounding.empty()) hdf5::add_file(file, "no_pounding", results.no_pounding, without_pounding_leaves_out);
   if (results.checkpoint) write_checkpoint(file, results);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <pounding/results/checkpoint.hpp>
+#include <pounding/results/envelope.hpp>
 #include <pounding/links/impact_row.hpp>
 #include <pounding/structures/structure.hpp>
 
@@ -49,6 +50,8 @@ struct StructureHistory {
   std::vector<double> node_displacement, node_velocity, node_acceleration;  ///< [time, node, direction]
   std::vector<std::string> members, member_components;
   std::vector<double> end_forces;  ///< [time, member, component] [N], [N m]
+  std::vector<double> reaction;    ///< [time, support, direction] of the ground on a frame, named in the envelope [N], [N m]
+  StructureEnvelope envelope;
   Geometry geometry;
 
   /// Number of directions of drift and storey shear.
@@ -83,6 +86,11 @@ struct Results {
   std::vector<ImpactRow> impacts;
   EnergyHistory energy;
   std::vector<double> ground_acceleration;  ///< at the output times [m/s^2]
+  /// Of a run without links, three a link: displacements of the left and the right end along the link, relative to the ground, and
+  /// how far the two have approached each other [m]. Else empty.
+  Extremes approach;
+  /// File image of the run without links that `compare: no_pounding` asks for; else empty.
+  std::vector<std::byte> no_pounding;
   SolverStatistics solver;
   std::string summary_json;  ///< the object that --json prints
   std::optional<Checkpoint> checkpoint;  ///< of an interrupted run that can be resumed

@@ -18,57 +18,105 @@ constexpr double suspicious_imbalance = 100;
 // JSON has no NaN; a missing value is null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+// One number a place, or a list a place where there are several directions or components.
+Json places_json(const std::vector<double>& values, std::size_t along) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < values.size(); i += along) {
+    if (along == 1) {
+      all.push_back(number(values[i]));
+      continue;
+    }
+    Json one = Json::array();
+    for (std::size_t j = 0; j < along; ++j) one.push_back(number(values[i + j]));
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+Json extremes_json(const Extremes& e, std::size_t along) {
+  return {{"min", places_json(e.min, along)},
+          {"max", places_json(e.max, along)},
+          {"t_min", places_json(e.t_min, along)},
+          {"t_max", places_json(e.t_max, along)}};
+}
+
+// The lowest storey of a list of storeys.
+Extremes lowest(const Extremes& storeys, std::size_t along) {
+  Extremes base(along);
+  for (std::size_t i = 0; i < along; ++i) {
+    base.min[i] = storeys.min[i];
+    base.max[i] = storeys.max[i];
+    base.t_min[i] = storeys.t_min[i];
+    base.t_max[i] = storeys.t_max[i];
+  }
+  return base;
+}
+
+Json envelope_json(const StructureSummary& s) {
+  const StructureEnvelope& e = s.envelope;
+  Json all = Json::object();
+  const std::size_t directions = s.directions.size(), storey_directions = directions == 1 ? 1 : 2;
+  if (e.displacement.size() > 0) {
+    all["displacement"] = extremes_json(e.displacement, directions);
+    all["acceleration"] = extremes_json(e.acceleration, directions);
+  }
+  if (e.drift.size() > 0) all["drift"] = extremes_json(e.drift, storey_directions);
+  if (e.storey_shear.size() > 0) {
+    all["storey_shear"] = extremes_json(e.storey_shear, storey_directions);
+    all["base_shear"] = extremes_json(lowest(e.storey_shear, storey_directions), storey_directions);
+  }
+  if (e.member_force.size() > 0) {
+    all["members"] = e.members;
+    all["components"] = e.components;
+    all["member_force"] = extremes_json(e.member_force, e.components.size());
+  }
+  if (e.reaction.size() > 0) {
+    all["supports"] = e.supports;
+    all["directions"] = e.directions;
+    all["reaction"] = extremes_json(e.reaction, e.directions.size());
+  }
+  return all;
+}
+
 Json structures_json(const std::vector<StructureSummary>& structures) {
   Json all = Json::object();
   for (const StructureSummary& s : structures)
     all[s.name] = {{"peak_displacement", s.peak_displacement},
                    {"peak_drift", s.peak_drift},
-                   {"peak_acceleration", s.peak_acceleration}};
+                   {"peak_acceleration", s.peak_acceleration},
+                   {"envelope", envelope_json(s)}};
   return all;
 }
 
-// Shows round-off as zero, without a sign.
-double shown(double value, int digits) { return std::abs(value) < 0.5 * std::pow(10.0, -digits) ? 0.0 : value; }
-
-std::string structures_table(const std::vector<StructureSummary>& structures,
-                             const std::vector<StructureSummary>& without) {
-  std::size_t width = 9;
-  for (const StructureSummary& s : structures) width = std::max(width, s.name.size());
-  const bool compare = !without.empty();
-  std::string text = fmt::format("{:<{}}  floor  displacement       drift  acceleration{}\n", "structure", width,
-                                 compare ? "   without links  ratio" : "");
-  text += fmt::format("{:<{}}                 (mm)        (mm)       (m/s^2){}\n", "", width,
-                      compare ? "            (mm)" : "");
-  for (std::size_t k = 0; k < structures.size(); ++k) {
-    const StructureSummary& s = structures[k];
-    for (std::size_t i = s.peak_displacement.size(); i-- > 0;) {
-      const std::string drift = s.peak_drift.empty() ? "-" : fmt::format("{:.4f}", 1e3 * s.peak_drift[i]);
-      text += fmt::format("{:<{}}  {:>5}  {:>12.4f}  {:>10}  {:>12.4f}", s.name, width, i + 1,
-                          1e3 * s.peak_displacement[i], drift, s.peak_acceleration[i]);
-      if (compare) {
-        const double alone = without[k].peak_displacement[i];
-        text += fmt::format("  {:>14.4f}  {:>5.3f}", 1e3 * alone, s.peak_displacement[i] / alone);
-      }
-      text += '\n';
-    }
-  }
-  return text;
+Json impacts_json(const Summary& summary) {
+  Json all = Json::array();
+  for (const ImpactRow& row : summary.impacts)
+    all.push_back({{"link", summary.links[row.link].name},
+                   {"t_start", row.t_start},
+                   {"t_end", number(row.t_end)},
+                   {"v_approach", row.v_approach},
+                   {"v_separation", number(row.v_separation)},
+                   {"restitution", number(row.restitution)},
+                   {"peak_force", number(row.peak_force)},
+                   {"t_peak", number(row.t_peak)},
+                   {"peak_penetration", row.peak_penetration},
+                   {"impulse", row.impulse},
+                   {"energy_lost", row.energy_lost},
+                   {"energy_stored", row.energy_stored}});
+  return all;
 }
 
-std::string links_table(const std::vector<LinkSummary>& links) {
-  std::size_t width = 4;
-  for (const LinkSummary& s : links) width = std::max(width, s.name.size());
-  std::string text = fmt::format("{:<{}}  impacts  peak force  penetration     impulse  energy lost\n", "link", width);
-  text += fmt::format("{:<{}}                 (kN)         (mm)      (kN s)         (kJ)\n", "", width);
-  for (const LinkSummary& s : links) {
-    const std::string force = std::isnan(s.peak_force) ? "rigid" : fmt::format("{:.3f}", s.peak_force / 1e3);
-    text += fmt::format("{:<{}}  {:>7}  {:>10}  {:>11.4f}  {:>10.4f}  {:>11.5f}\n", s.name, width, s.impacts, force,
-                        1e3 * s.peak_penetration, s.impulse / 1e3, shown(s.energy_lost / 1e3, 5));
-  }
-  for (const LinkSummary& s : links)
-    if (s.presses)
-      text += fmt::format("{} still presses at the end of the run, with {:.5f} kJ stored\n", s.name, shown(s.energy_stored / 1e3, 5));
-  return text;
+Json separations_json(const std::vector<LinkSeparation>& separations) {
+  Json all = Json::array();
+  for (const LinkSeparation& s : separations)
+    all.push_back({{"link", s.link},
+                   {"gap", s.gap},
+                   {"enough", s.enough},
+                   {"time", s.time},
+                   {"abs", s.absolute_sum},
+                   {"srss", s.srss},
+                   {"ddc", number(s.ddc)}});
+  return all;
 }
 
 }  // namespace
@@ -103,6 +151,7 @@ std::string to_json(const Summary& summary) {
   const EnergySummary& e = summary.energy;
   Json all = {{"status", summary.status},
               {"links", links},
+              {"impacts", impacts_json(summary)},
               {"structures", structures_json(summary.structures)},
               {"energy",
                {{"input", e.input},
@@ -127,7 +176,8 @@ std::string to_json(const Summary& summary) {
                                 summary.without_pounding[k].peak_displacement[i]));
       amplification[summary.structures[k].name] = ratios;
     }
-    all["no_pounding"] = {{"structures", structures_json(summary.without_pounding)}, {"amplification", amplification}};
+    all["no_pounding"] = {{"structures", structures_json(summary.without_pounding)}, {"amplification", amplification},
+                          {"separations", separations_json(summary.separations)}};
   }
   return all.dump();
 }
@@ -137,20 +187,6 @@ std::string warning(const Summary& summary, double tolerance) {
   return fmt::format("the energies do not close, the largest imbalance is {:.1e} of the input; run again with a tenth "
                      "of the tolerance or, where the number of steps stays the same, with a shorter analysis.max_step",
                      summary.energy.error);
-}
-
-std::string to_table(const Summary& summary) {
-  std::string text = structures_table(summary.structures, summary.without_pounding);
-  if (!summary.links.empty()) text += '\n' + links_table(summary.links);
-  const EnergySummary& e = summary.energy;
-  text += fmt::format(
-      "\nenergy (kJ)  input {:.5f} = kinetic {:.5f} + strain {:.5f} + damping {:.5f} + hysteretic {:.5f} + impact {:.5f}\n"
-      "             largest imbalance {:.1e} of the input\n",
-      shown(e.input / 1e3, 5), shown(e.kinetic / 1e3, 5), shown(e.strain / 1e3, 5), shown(e.damping / 1e3, 5),
-      shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5), e.error);
-  text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
-                      summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
-  return text;
 }
 
 }  // namespace pounding

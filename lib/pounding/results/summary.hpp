@@ -7,6 +7,7 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/links/impact_row.hpp>
+#include <pounding/results/envelope.hpp>
 #include <pounding/results/results.hpp>
 
 namespace pounding {
@@ -27,10 +28,13 @@ struct LinkSummary {
 LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impacts);
 
 /// Peaks of one structure: largest absolute values, one a floor from the lowest up. Displacement relative to the ground, drift
-/// relative to the floor below, acceleration absolute. A structure without storeys has no drift.
+/// relative to the floor below, acceleration absolute; in space lengths of horizontal vectors. A structure without storeys has no
+/// drift. The envelope has the signed extremes of these and of the forces, with their times.
 struct StructureSummary {
   std::string name;
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
+  std::vector<std::string> directions;  ///< of the floors' motion: x; in space x, y, rz
+  StructureEnvelope envelope{};
 
   /// For a checkpoint.
   void archive(Archive& archive) {
@@ -38,6 +42,26 @@ struct StructureSummary {
     archive(peak_displacement);
     archive(peak_drift);
     archive(peak_acceleration);
+    archive(directions);
+    archive(envelope);
+  }
+};
+
+/// The gap that keeps two ends of a link apart: from the run without links, and by rules that combine the largest absolute
+/// displacements of the two ends in it [m].
+struct LinkSeparation {
+  std::string link;
+  double gap = 0;           ///< that the link has
+  double enough = 0;        ///< largest approach of the two ends over time, at least 0
+  double time = 0;          ///< of that approach [s]
+  double absolute_sum = 0;  ///< uA + uB
+  double srss = 0;          ///< sqrt(uA^2 + uB^2)
+  double ddc = 0;           ///< sqrt(uA^2 + uB^2 - 2 rho uA uB), see double_difference(); NaN where a structure has no period
+
+  /// For a checkpoint.
+  void archive(Archive& archive) {
+    archive(link);
+    for (double* value : {&gap, &enough, &time, &absolute_sum, &srss, &ddc}) archive(*value);
   }
 };
 
@@ -56,6 +80,8 @@ struct Summary {
   SolverStatistics solver;
   /// Structures in the run without links that `compare: no_pounding` asks for; else empty.
   std::vector<StructureSummary> without_pounding;
+  std::vector<LinkSeparation> separations;  ///< of that run, one a link
+  std::vector<ImpactRow> impacts;           ///< in the order of their touches; `link` counts in `links`
 };
 
 /// The object that `pounding run --json` prints, on one line.

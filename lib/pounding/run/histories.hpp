@@ -1,6 +1,7 @@
 #pragma once
 /// Forces of links inside a step; columns of the histories that grow beside the output times, and how to cut them to a length.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
@@ -16,6 +17,16 @@ namespace pounding {
 inline double force_inside(const LinkStep& step, double s) {
   const Parabola parabola(s);
   return parabola.begin * step.force_begin + parabola.middle * step.force_middle + parabola.end * step.force_end;
+}
+
+/// Force of a yielding storey at an instant of its last kept step [N]: linear in the deformation [m] rather than in time, which is
+/// exact on each branch of a bilinear spring, however long the step.
+inline double spring_force(const LinkStep& step, double time, double deformation) {
+  const bool early = time < 0.5 * (step.begin + step.end);
+  const double u0 = early ? step.motion_begin.penetration : step.motion_middle.penetration;
+  const double u1 = early ? step.motion_middle.penetration : step.motion_end.penetration;
+  const double f0 = early ? step.force_begin : step.force_middle, f1 = early ? step.force_middle : step.force_end;
+  return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
 }
 
 inline std::array<std::vector<double>*, 5> columns(LinkHistory& h) {

@@ -14,9 +14,11 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       results_(results),
       plan_(ground_plan(model)),
       response_(model, plan_),
-      peaks_(model, response_, stepper),
       links_(model, stepper, results.links),
-      structures_(model, plan_, response_, stepper, results.structures) {}
+      structures_(model, plan_, response_, stepper, results.structures),
+      step_motion_(response_, stepper),
+      floors_(model, response_, results.structures),
+      forces_(model, plan_, stepper, results) {}
 
 void Recorder::accelerations_of_ground(double time) {
   ground_.resize(static_cast<int>(plan_.motions.size()));
@@ -29,7 +31,8 @@ void Recorder::begin() {
   response_.complete(motion_, stepper_.time(), ground_);
   sample(stepper_.time(), false);
   ++outputs_;
-  peaks_.begin(motion_);
+  floors_.begin(motion_, stepper_.time());
+  forces_.begin(motion_);
   sample_energy();
 }
 
@@ -60,7 +63,9 @@ void Recorder::step() {
   const long before = outputs_;
   sample_outputs_until(stepper_.outputs_end_minus().time);
   const bool output_due = outputs_ > before;
-  peaks_.step();
+  step_motion_.take();
+  floors_.step(step_motion_);
+  forces_.step(step_motion_);
   links_.step(output_due);
   if (output_due) sample_energy();
 }
@@ -83,12 +88,13 @@ void Recorder::sample_energy() {
 
 void Recorder::end() {
   links_.end();
+  forces_.end();
   if (results_.energy.time.empty() || results_.energy.time.back() < stepper_.state().time) sample_energy();
-  collect_impacts();
+  results_.impacts = impacts_in_order();
 }
 
 void Recorder::with_present_state(const std::function<void()>& write) {
-  collect_impacts();
+  results_.impacts = impacts_in_order();
   links_.show_unfinished();
   write();
   links_.hide_unfinished();
@@ -96,7 +102,10 @@ void Recorder::with_present_state(const std::function<void()>& write) {
 
 void Recorder::archive(Archive& archive) {
   archive(outputs_);
-  peaks_.archive(archive);
+  for (StructureHistory& structure : results_.structures) archive(structure.envelope);
+  archive(results_.approach);
+  floors_.archive(archive);
+  forces_.archive(archive);
   links_.archive(archive);
   archive(max_input_);
   archive(max_imbalance_);
@@ -110,27 +119,29 @@ int Recorder::impacts() const {
   return static_cast<int>(count);
 }
 
-void Recorder::collect_impacts() {
-  results_.impacts.clear();
-  if (!has_links()) return;
+std::vector<ImpactRow> Recorder::impacts_in_order() const {
+  std::vector<ImpactRow> all;
+  if (!has_links()) return all;
   for (const Link& link : model_.links) {
     const std::span<const ImpactRow> rows = link.contact->impacts();
-    results_.impacts.insert(results_.impacts.end(), rows.begin(), rows.end());
+    all.insert(all.end(), rows.begin(), rows.end());
   }
-  std::ranges::stable_sort(results_.impacts, {}, &ImpactRow::t_start);
+  std::ranges::stable_sort(all, {}, &ImpactRow::t_start);
+  return all;
 }
 
 void Recorder::summarize(Summary& summary) const {
   summary.structures.clear();
   summary.links.clear();
   for (std::size_t k = 0; k < model_.structures.size(); ++k)
-    summary.structures.push_back(peaks_.summary(model_.structures[k], static_cast<int>(k)));
+    summary.structures.push_back(floors_.summary(model_.structures[k], static_cast<int>(k)));
   if (has_links()) {
     for (const Link& link : model_.links) summary.links.push_back(summary_of(link.name, link.contact->impacts()));
     const std::vector<Friction>& frictions = stepper_.system().frictions;
     for (std::size_t f = 0; f < frictions.size(); ++f)
       summary.links[frictions[f].contact].energy_lost += stepper_.friction_work()[f];
   }
+  summary.impacts = impacts_in_order();
   const EnergyHistory& e = results_.energy;
   if (e.time.empty()) return;
   summary.energy = {e.input.back(),  e.kinetic.back(), e.strain.back(),

@@ -1,5 +1,5 @@
 #pragma once
-/// Turns the kept steps of a run into its results: histories, impacts, peaks and the energy balance.
+/// Turns the kept steps of a run into its results: histories, impacts, envelopes and the energy balance.
 
 #include <Eigen/Core>
 #include <functional>
@@ -9,9 +9,11 @@
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/results/summary.hpp>
+#include <pounding/run/floor_envelopes.hpp>
 #include <pounding/run/floor_response.hpp>
+#include <pounding/run/force_envelopes.hpp>
 #include <pounding/run/link_samples.hpp>
-#include <pounding/run/peaks.hpp>
+#include <pounding/run/step_motion.hpp>
 #include <pounding/run/structure_histories.hpp>
 #include <pounding/stepping/stepper.hpp>
 
@@ -33,7 +35,8 @@ class Recorder {
   void end();
   /// Calls `write` while the results hold the present state as well: unfinished impacts stand in them for that time.
   void with_present_state(const std::function<void()>& write);
-  /// Serialises the recorder and the lengths of the histories of links and energies; reading cuts these histories to the lengths.
+  /// Serialises the recorder, the envelopes, and the lengths of the histories of links and energies; reading cuts these histories
+  /// to the lengths.
   void archive(Archive& archive);
 
   /// Impacts of all links so far.
@@ -46,7 +49,7 @@ class Recorder {
   void sample(double time, bool inside);
   void accelerations_of_ground(double time);
   void sample_energy();
-  void collect_impacts();
+  std::vector<ImpactRow> impacts_in_order() const;
   bool has_links() const { return stepper_.system().contact_count() > 0; }
 
   const Model& model_;
@@ -54,9 +57,11 @@ class Recorder {
   Results& results_;
   GroundPlan plan_;
   FloorResponse response_;
-  FloorPeaks peaks_;
   LinkSamples links_;
   StructureHistories structures_;
+  StepMotion step_motion_;
+  FloorEnvelopes floors_;
+  ForceEnvelopes forces_;
   long outputs_ = 0;  // output times so far
   double max_input_ = 0, max_imbalance_ = 0;  // absolute values over the run [J]
   Eigen::MatrixXd motion_;  // of the floors at an output time

@@ -82,6 +82,7 @@ void read(hid_t file, InterruptedRun& run) {
   run.model_yaml = hdf5::read_text(file, "input/model.yaml");
   run.resolved_yaml = hdf5::read_text(file, "input/resolved.yaml");
   run.histories = hdf5::read_attribute(place, "histories");
+  if (hdf5::has(file, "no_pounding")) run.no_pounding = hdf5::group_image(file, "no_pounding");
   checkpoint.ground = hdf5::read_attribute(place, "ground");
   checkpoint.model_file = hdf5::read_text(place, "model_file");
   checkpoint.options = lines_of(hdf5::read_text(place, "options"));

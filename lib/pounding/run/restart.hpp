@@ -21,6 +21,7 @@ struct InterruptedRun {
   std::string model_yaml = {};     ///< the input as given
   std::string resolved_yaml = {};  ///< the input with all defaults filled in
   std::string histories = {};      ///< checksum of the histories
+  std::vector<std::byte> no_pounding = {};  ///< image of its run without links; empty for none
   Checkpoint checkpoint = {};
 };
 

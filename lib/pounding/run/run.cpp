@@ -16,6 +16,7 @@
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run_monitor.hpp>
 #include <pounding/run/run_writer.hpp>
+#include <pounding/run/separation.hpp>
 #include <pounding/run/stopwatch.hpp>
 #include <pounding/run/ts_setup.hpp>
 #include <pounding/stepping/stepper.hpp>
@@ -46,12 +47,17 @@ Results heading(const Model& model, const RunOptions& options) {
   return results;
 }
 
-Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
-                 std::vector<StructureSummary> without_pounding, const InterruptedRun* earlier = nullptr) {
+// `without` is the run without links, where there is one.
+Outcome run_once(const Model& model, const RunOptions& options, bool with_links, const Outcome& without,
+                 const InterruptedRun* earlier = nullptr) {
   const Stopwatch since_start;
   Outcome outcome{heading(model, options), {}};
   Results& results = outcome.results;
-  outcome.summary.without_pounding = std::move(without_pounding);
+  if (!without.summary.structures.empty()) {
+    outcome.summary.without_pounding = without.summary.structures;
+    outcome.summary.separations = separations(model, without.results.approach);
+    results.no_pounding = results_image(without.results);
+  }
 
   const System system = assemble(model, with_links);
   const auto [u, v] = initial_state(model);
@@ -89,7 +95,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
 }
 
 // The run that `compare: no_pounding` asks for. A failure is written to the output of the run that was to follow.
-std::vector<StructureSummary> run_without_links(const Model& model, const RunOptions& options) {
+Outcome run_without_links(const Model& model, const RunOptions& options) {
   // Wrong options and an output that cannot be written are found before the first of the two runs.
   const auto [u, v] = initial_state(model);
   set_up_ts(model, u, v, options.comm);
@@ -103,7 +109,7 @@ std::vector<StructureSummary> run_without_links(const Model& model, const RunOpt
   quiet.progress = options.progress;
   quiet.stop = options.stop;
   try {
-    return run_once(model, quiet, false, {}).summary.structures;
+    return run_once(model, quiet, false, {});
   } catch (const FailedRun& failed) {
     Outcome outcome{heading(model, options), {}};
     outcome.summary.integrator = outcome.results.integrator;
@@ -128,9 +134,9 @@ Outcome run(const Model& model, const RunOptions& options) {
     check_same_run(earlier, model, petsc::Environment::given_options());
     return run_once(model, options, true, {}, &earlier);
   }
-  std::vector<StructureSummary> without_links;
+  Outcome without_links;
   if (model.compare_no_pounding) without_links = run_without_links(model, options);
-  return run_once(model, options, true, std::move(without_links));
+  return run_once(model, options, true, without_links);
 }
 
 }  // namespace pounding

@@ -37,6 +37,7 @@ void RunWriter::archive(Archive& archive) {
   petsc::check(petsc::archive(ts_, archive));
   recorder_.archive(archive);
   archive(outcome_.summary.without_pounding);
+  archive(outcome_.summary.separations);
 }
 
 void RunWriter::save() {
@@ -77,6 +78,7 @@ void RunWriter::restart(const InterruptedRun& run) {
   }
   earlier_seconds_ = outcome_.results.solver.wall_seconds;
   outcome_.results.checkpoint = run.checkpoint;
+  outcome_.results.no_pounding = run.no_pounding;
 }
 
 void RunWriter::conclude(const std::string& status) {

@@ -11,16 +11,6 @@
 namespace pounding {
 namespace {
 
-// Force of a yielding storey at an instant of the last kept step [N]: linear in the deformation rather than in time, which is
-// exact on each branch of a bilinear spring, however long the step.
-double spring_force(const LinkStep& step, double time, double deformation) {
-  const bool early = time < 0.5 * (step.begin + step.end);
-  const double u0 = early ? step.motion_begin.penetration : step.motion_middle.penetration;
-  const double u1 = early ? step.motion_middle.penetration : step.motion_end.penetration;
-  const double f0 = early ? step.force_begin : step.force_middle, f1 = early ? step.force_middle : step.force_end;
-  return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
-}
-
 StructureHistory heading(const Structure& s) {
   StructureHistory history;
   history.name = s.name;
@@ -33,8 +23,12 @@ StructureHistory heading(const Structure& s) {
   if (history.dimension == 3) history.directions = {"x", "y", "rz"};
   history.nodes = s.nodes.names;
   history.node_directions = s.nodes.directions;
-  history.members = s.members.names;
-  history.member_components = s.members.components;
+  for (const int member : s.reported_members) history.members.push_back(s.forces.members[member]);
+  history.member_components = s.forces.components;
+  history.envelope.members = s.forces.members;
+  history.envelope.components = s.forces.components;
+  history.envelope.supports = s.forces.supports;
+  history.envelope.directions = s.forces.directions;
   history.geometry = s.geometry;
   return history;
 }
@@ -68,7 +62,7 @@ StructureHistories::StructureHistories(const Model& model, const GroundPlan& pla
     first_spring_.push_back(spring);
     spring += s.yielding.size();
     has_frames_ =
-        has_frames_ || !s.nodes.motion.empty() || !s.members.forces.empty() || (s.has_storeys() && s.storey_stiffness.empty());
+        has_frames_ || !s.nodes.motion.empty() || s.forces.rows.rows() > 0 || (s.has_storeys() && s.storey_stiffness.empty());
   }
 }
 
@@ -128,7 +122,7 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
     for (const Floor& floor : s.floors)
       for (const Row& shear : floor.storey_shear) history.storey_shear.push_back(value(shear, u));
     if (s.storey_shears) add(s.storey_shears(u), history.storey_shear, shears);
-    sample_members(structure, u, at);
+    sample_forces(structure, u, at);
     if (s.supports.size() > 1) add_enforced(structure, at);
   }
 }
@@ -150,48 +144,61 @@ void StructureHistories::sample_nodes(int k, const Eigen::VectorXd& u, const Eig
     }
 }
 
-void StructureHistories::sample_members(int k, const Eigen::VectorXd& u, const OutputInstant& at) {
-  const Structure& s = model_.structures[k];
-  std::vector<double>& forces = histories_[k].end_forces;
-  const std::size_t from = forces.size();
-  for (std::size_t m = 0; m < s.members.forces.size(); ++m)
-    for (std::size_t j = 0; j < s.members.components.size(); ++j)
-      forces.push_back(value(s.members.forces[m][j], u) + s.members.held[m][j]);
-  if (s.end_forces) add(s.end_forces(u), forces, from);
+void StructureHistories::sample_forces(int k, const Eigen::VectorXd& u, const OutputInstant& at) {
+  const InternalForces& of = model_.structures[k].forces;
+  StructureHistory& history = histories_[k];
+  Eigen::VectorXd turned = Eigen::VectorXd::Zero(of.rows.rows());
+  if (of.turned) turned = of.turned(u);
+  const auto force = [&](int row) {
+    double sum = 0;
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(of.rows, row); it; ++it) sum += it.value() * u[it.index()];
+    return (sum + of.at_rest[row]) + turned[row];
+  };
+  const std::size_t from = history.end_forces.size();
+  const int components = static_cast<int>(of.components.size());
+  for (const int member : model_.structures[k].reported_members)
+    for (int j = 0; j < components; ++j) history.end_forces.push_back(force(member * components + j));
+  for (int row = static_cast<int>(of.members.size()) * components; row < of.rows.rows(); ++row) history.reaction.push_back(force(row));
   if (stepper_.system().contact_count() > 0) add_fixed_end_forces(k, from, at);
 }
 
 // Contacts that press on a member between its ends load its ends as those of a fixed member.
 void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
-  const std::size_t components = s.members.components.size();
+  const std::size_t components = s.forces.components.size();
   for (std::size_t i = 0; i < model_.links.size(); ++i) {
     const Link& link = model_.links[i];
     for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
       if (end->structure != k || end->point.member < 0) continue;
-      const auto found = std::find(s.members.members.begin(), s.members.members.end(), end->point.member);
-      if (found == s.members.members.end()) continue;
-      const std::size_t m = found - s.members.members.begin();
+      const auto found = std::find(s.reported_members.begin(), s.reported_members.end(), end->point.member);
+      if (found == s.reported_members.end()) continue;
+      const std::size_t m = found - s.reported_members.begin();
       const LinkStep& step = stepper_.link_steps()[i];
       const double force =
           at.inside ? force_inside(step, (at.time - step.begin) / (step.end - step.begin)) : stepper_.link_forces()[static_cast<int>(i)];
       if (force == 0) continue;
       const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * force * link.direction);
       for (std::size_t j = 0; j < components; ++j)
-        histories_[k].end_forces[from + m * components + j] += fixed[s.members.places[j]];
+        histories_[k].end_forces[from + m * components + j] += fixed[s.forces.places[j]];
     }
   }
 }
 
 // Supports that move differently: adds their direct part, with the unknowns at rest, to the sample that was just taken.
 void StructureHistories::add_enforced(int k, const OutputInstant& at) {
-  const std::vector<Support>& supports = model_.structures[k].supports;
+  const Structure& s = model_.structures[k];
+  const std::vector<Support>& supports = s.supports;
+  const int components = static_cast<int>(s.forces.components.size());
+  const int first_reaction = static_cast<int>(s.forces.members.size()) * components;
   const SupportMotion& ground = plan_.supports[k];
   StructureHistory& history = histories_[k];
   ground.displacement(at.time, [&](std::size_t q, int axis, double amount) {
     add_to_last(history.node_displacement, supports[q].nodes.col(axis), amount);
     add_to_last(history.storey_shear, supports[q].shears.col(axis), amount);
-    add_to_last(history.end_forces, supports[q].members.col(axis), amount);
+    std::size_t member = history.end_forces.size() - s.reported_members.size() * components;
+    for (const int number : s.reported_members)
+      for (int j = 0; j < components; ++j) history.end_forces[member++] += amount * supports[q].forces(number * components + j, axis);
+    add_to_last(history.reaction, supports[q].forces.col(axis).tail(s.forces.rows.rows() - first_reaction), amount);
   });
   ground.velocity(at.time, [&](std::size_t q, int axis, double amount) {
     add_to_last(history.node_velocity, supports[q].nodes.col(axis), amount);

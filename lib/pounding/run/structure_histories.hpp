@@ -36,7 +36,7 @@ class StructureHistories {
   void sample_frames(const OutputInstant& at);
   void sample_nodes(int structure, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a,
                     const OutputInstant& at);
-  void sample_members(int structure, const Eigen::VectorXd& u, const OutputInstant& at);
+  void sample_forces(int structure, const Eigen::VectorXd& u, const OutputInstant& at);
   void add_fixed_end_forces(int structure, std::size_t from, const OutputInstant& at);
   void add_enforced(int structure, const OutputInstant& at);
 

@@ -76,6 +76,9 @@ class Stepper {
   const State& state() const { return output_.now(); }
   const State& begin() const { return output_.begin(); }
   const State& end_minus() const { return output_.end_minus(); }
+  /// Instants at the beginning and at the end of the last kept step, before events, in the coordinates of base().
+  const Instant& instant_begin() const { return history_.begin(); }
+  const Instant& instant_end_minus() const { return history_.kept().end; }
   /// Output quantities at the same instants; cheaper than whole states.
   const OutputQuantities& outputs() const { return output_.outputs(); }
   const OutputQuantities& outputs_begin() const { return output_.outputs_begin(); }

@@ -26,10 +26,8 @@ def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None =
     In space the displacements are those of the middle of the floors in the direction of the first link; where a floor
     turns, its ends may touch before the lines meet."""
     chosen = chosen or {}
-    drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:MOST_STRUCTURES]
-    drawn = [structure for structure in run.structures.values() if any(structure is one for one in drawn)]
+    drawn, places, facing = _drawn(run, chosen)
     names = [structure.name for structure in drawn]
-    places, facing = _places(run, names, {name: floor + 1 for name, floor in chosen.items()})
     moved = _displacements(run, places, facing)
     offsets = _offsets(run, names)
     sides = {name: MM * (offsets[name] + moved[name]) for name in names}
@@ -38,7 +36,7 @@ def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None =
         axes.axhline(MM * offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
         plot_time(axes, run, run.time, sides[name], color=colour, label=_label(structure, place))
         if place != top and top and name not in chosen:
-            plot_time(axes, run, run.time, MM * (offsets[name] + _of_floor(run, name, top)), color=colour,
+            plot_time(axes, run, run.time, MM * (offsets[name] + _of_floor(run, name, top, _direction(run))), color=colour,
                       linewidth=0.5, alpha=0.7, label=f"{name}, top")
     sizes = ", ".join(f"{MM * link.gap:.4g}" for link in facing)
     for i, link in enumerate(facing):
@@ -52,6 +50,24 @@ def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None =
     axes.set_title(title)
     axes.set_ylabel("Displacement\n[mm]")
     legend_beside(axes)
+
+
+def drawn_displacements(run: RunData, other: RunData, chosen: dict[str, int] | None = None) -> list[tuple[np.ndarray, str]]:
+    """Displacements [mm] in another run of the floors that draw_displacements shows, at their places, with the colours there. Between
+    floors only the links of the run know how a structure moves."""
+    drawn, places, _ = _drawn(run, chosen or {})
+    offsets = _offsets(run, [structure.name for structure in drawn])
+    floors = [(structure.name, places[structure.name], colour) for structure, colour in zip(drawn, STRUCTURE_COLOURS)]
+    return [(MM * (offsets[name] + _of_floor(other, name, place, _direction(run))), colour)
+            for name, place, colour in floors if isinstance(place, int)]
+
+
+def _drawn(run: RunData, chosen: dict[str, int]) -> tuple[list[Structure], dict[str, Place], list[Link]]:
+    """The structures that are drawn, the place of each, and the links that join two of these places."""
+    drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:MOST_STRUCTURES]
+    drawn = [structure for structure in run.structures.values() if any(structure is one for one in drawn)]
+    places, facing = _places(run, [structure.name for structure in drawn], {name: floor + 1 for name, floor in chosen.items()})
+    return drawn, places, facing
 
 
 def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
@@ -117,7 +133,7 @@ def _label(structure: Structure, place: Place) -> str:
 
 def _displacements(run: RunData, places: dict[str, Place], facing: list[Link]) -> dict[str, np.ndarray]:
     """Displacement of each place relative to the ground, in the direction of the links [time] [m]."""
-    moved = {name: _of_floor(run, name, place) for name, place in places.items() if isinstance(place, int)}
+    moved = {name: _of_floor(run, name, place, _direction(run)) for name, place in places.items() if isinstance(place, int)}
     for _ in facing:
         for link in facing:
             widened = np.interp(run.time, link.time, -link.penetration) - link.gap
@@ -141,12 +157,12 @@ def _axis_words(direction: np.ndarray) -> str:
     return f"({x:.2g}, {y:.2g})"
 
 
-def _of_floor(run: RunData, name: str, floor: int) -> np.ndarray:
-    """Displacement of a floor, from 1, relative to the ground, in the direction of the links; a wall moves with the ground."""
+def _of_floor(run: RunData, name: str, floor: int, direction: np.ndarray) -> np.ndarray:
+    """Displacement of a floor, from 1, relative to the ground, in a direction; a wall moves with the ground."""
     along = run.structures[name].along
     if floor == 0:
         return np.zeros_like(run.time)
-    return sum(factor * along[axis].displacement[:, floor - 1] for axis, factor in zip("xy", _direction(run)) if axis in along)
+    return sum(factor * along[axis].displacement[:, floor - 1] for axis, factor in zip("xy", direction) if axis in along)
 
 
 def _offsets(run: RunData, names: list[str]) -> dict[str, float]:

@@ -8,6 +8,8 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
+from pounding.pictures.comparison import (draw_displacements_without_links, draw_input_without_links, draw_openings_without_links,
+                                          require_comparison)
 from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
 from pounding.pictures.loops import draw_loops
@@ -22,11 +24,22 @@ WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": mode
 OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
                                              "energy": draw_energies}
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
+#: Panels that can also show the run without links.
+COMPARED: dict[str, Callable[..., None]] = {"displacement": draw_displacements_without_links, "gap": draw_openings_without_links,
+                                            "energy": draw_input_without_links}
 
 
-def figure(run: RunData, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-    """One picture of a run; `title` stands instead of that of the run, `size` is width and height [in]. Raises BadRequest for a
-    picture that does not exist."""
+def figure(run: RunData, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None,
+           compare: bool | None = None) -> Figure:
+    """One picture of a run; `title` stands instead of that of the run, `size` is width and height [in]. `compare` also draws the run
+    without links; profiles do so where it is there unless this is False. Raises BadRequest for a picture that does not exist, and for
+    a comparison that is not possible."""
+    if picture == "profiles":
+        return profiles_figure(run, title, size, compare)
+    if compare:
+        require_comparison(run, picture)
+    if picture == "run":
+        return standard_figure(run, title, size=size, compare=bool(compare))
     if picture in WHOLE:
         return WHOLE[picture](run, title, size=size)
     if picture not in PANELS:
@@ -36,6 +49,8 @@ def figure(run: RunData, picture: str = "run", title: str | None = None, size: t
         made = Picture(figsize=size, layout="constrained")
         axes: Any = made.add_subplot()
         PANELS[picture](axes, run)
+        if compare:
+            COMPARED[picture](axes, run)
         if picture in OVER_TIME:
             label_time(axes, run)
         if size[0] < NARROW and axes.get_legend():

@@ -9,104 +9,125 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from pounding.results import RunData, Structure
+from pounding.pictures.comparison import require_comparison
 from pounding.pictures.geometry import floor_heights
 from pounding.pictures.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour
+from pounding.results import RunData, Structure
+
+#: Lines of the run and of the run without links.
+SOLID: dict[str, Any] = {"linewidth": 1.2}
+DASHED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (3, 2))}
+#: Below this width four panels stand in two rows [in].
+NARROW = 5.0
 
 
-def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-    """Displacement and acceleration of the floors, drift and shear of the storeys: largest and smallest of the run, over
-    the height. One row of panels for x, another one for y when a structure has it.
+def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None,
+                    compare: bool | None = None) -> Figure:
+    """Displacement and acceleration of the floors, drift and shear of the storeys: least and largest of the run, over the height, as
+    the run has tracked them in every step. One row of panels for x, another one for y when a structure has it.
 
-    Raises BadRequest when no structure has floors."""
+    The run without links is dashed: where the file has it, unless `compare` is False. Raises BadRequest when no structure has floors,
+    for a file of version 0.1, which has no extremes, and when `compare` is True and there is nothing to compare with."""
     structures = [structure for structure in run.structures.values() if structure.floors]
-    if not structures or not run.time.size:
-        raise BadRequest("there is nothing to draw profiles of: no structure of this run has floors and results")
+    if not structures:
+        raise BadRequest("there is nothing to draw profiles of: no structure of this run has floors")
+    if not run.envelopes:
+        raise BadRequest("this file was written before version 0.2, which tracks extremes in every step; run the model again")
+    if compare:
+        require_comparison(run, "profiles")
+    runs = [(run, SOLID)]
+    if run.no_pounding is not None and compare is not False:
+        runs.append((run.no_pounding, DASHED))
     rows = [axis for axis in "xy" if any(axis in structure.along for structure in structures)]
-    has_storeys = any(_of(structure, axis, "drift").shape[1] for structure in structures for axis in rows)
     panels = [draw_displacement, draw_drift, draw_shear, draw_acceleration]
-    if not has_storeys:
+    if all(run.envelopes[structure.name].drift is None for structure in structures):
         panels = [draw_displacement, draw_acceleration]
+    columns = len(panels) if size is None or size[0] >= NARROW else 2
+    lines = len(rows) * len(panels) // columns
+    width, height = size or (7.5, 0.9 + 3.4 * lines)
     with rc_context(STYLE):
-        figure = Picture(figsize=size or (7.5, 0.9 + 3.4 * len(rows)), layout="constrained")
-        grid = figure.subplots(len(rows), len(panels), sharey=True, squeeze=False)
-        letters = iter("abcdefgh")
-        for axis, line in zip(rows, grid):
-            for draw, axes in zip(panels, line):
-                draw(axes, run, axis)
-                along = f" along {axis}" if len(rows) > 1 else ""
-                axes.set_title(f"({next(letters)}) {axes.get_title(loc='left')}{along}")
+        figure = Picture(figsize=(width, height), layout="constrained")
+        grid = figure.subplots(lines, columns, sharey=True, squeeze=False)
+        drawn = [(axis, draw) for axis in rows for draw in panels]
+        for letter, (axis, draw), axes in zip("abcdefgh", drawn, grid.flat):
+            draw(axes, runs, axis)
+            along = "" if len(rows) == 1 else f" along {axis}" if width >= NARROW else f", {axis}"
+            axes.set_title(f"({letter}) {axes.get_title(loc='left')}{along}")
+        for line in grid:
             line[0].set_ylabel(_height_label(structures))
-        handles, labels = grid[0][0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=6)
+            line[0].yaxis.set_major_locator(MaxNLocator(integer=True, nbins=int(np.clip(4 * (height - 0.9) / lines, 2, 12))))
+        figure.legend(handles=_legend(run, len(runs) > 1), loc="outside lower center", ncols=max(1, int(width / 1.25)))
         head(figure, run.title if title is None else title)
         return figure
 
 
-def draw_displacement(axes: Axes, run: RunData, axis: str = "x") -> None:
+Runs = list[tuple[RunData, dict[str, Any]]]
+
+
+def draw_displacement(axes: Axes, runs: Runs, axis: str = "x") -> None:
     """Extreme displacements of the floors; the ground is zero."""
-    for structure, style in _styles(run, axis):
-        low, high = _extremes(MM * _of(structure, axis, "displacement"))
-        heights = _levels(structure, run)
-        for values in (low, high):
-            axes.plot([0, *values], heights, marker="o", markersize=2.5, **style)
-            style.pop("label", None)
+    for run, structure, style in _structures(runs, axis):
+        for values in _extremes(run, structure, axis, "displacement"):
+            axes.plot([0, *(MM * values)], _levels(structure, run), marker="o", markersize=2.5, **style)
     _finish(axes, "Displacement", "mm")
 
 
-def draw_acceleration(axes: Axes, run: RunData, axis: str = "x") -> None:
+def draw_acceleration(axes: Axes, runs: Runs, axis: str = "x") -> None:
     """Extreme absolute accelerations of the floors."""
-    for structure, style in _styles(run, axis):
-        low, high = _extremes(_of(structure, axis, "acceleration"))
-        for values in (low, high):
+    for run, structure, style in _structures(runs, axis):
+        for values in _extremes(run, structure, axis, "acceleration"):
             axes.plot(values, _levels(structure, run)[1:], marker="o", markersize=2.5, **style)
-            style.pop("label", None)
     _finish(axes, "Acceleration", "m/s²")
 
 
-def draw_drift(axes: Axes, run: RunData, axis: str = "x") -> None:
+def draw_drift(axes: Axes, runs: Runs, axis: str = "x") -> None:
     """Extreme storey drifts: in per cent of the storey's height where all heights are known."""
-    relative = _all_heights_known(run)
-    for structure, style in _styles(run, axis):
-        drift, heights = _of(structure, axis, "drift"), _levels(structure, run)
-        if not drift.shape[1]:
-            continue
-        _steps(axes, *_extremes(100 * drift / np.diff(heights) if relative else MM * drift), heights, style)
+    relative = _all_heights_known(runs[0][0])
+    for run, structure, style in _structures(runs, axis):
+        heights = _levels(structure, run)
+        for values in _extremes(run, structure, axis, "drift"):
+            _draw_steps(axes, 100 * values / np.diff(heights) if relative else MM * values, heights, style)
     _finish(axes, "Storey drift", "% of height" if relative else "mm")
 
 
-def draw_shear(axes: Axes, run: RunData, axis: str = "x") -> None:
+def draw_shear(axes: Axes, runs: Runs, axis: str = "x") -> None:
     """Extreme storey shears."""
-    shears = {structure.name: _of(structure, axis, "storey_shear") for structure, _ in _styles(run, axis)}
-    size, unit = engineering(largest(shears.values()), FORCE_UNITS)
-    for structure, style in _styles(run, axis):
-        _steps(axes, *_extremes(shears[structure.name] / size), _levels(structure, run), style)
+    drawn = list(_structures(runs, axis))
+    shears = [_extremes(run, structure, axis, "storey_shear") for run, structure, _ in drawn]
+    size, unit = engineering(largest(values for pair in shears for values in pair), FORCE_UNITS)
+    for (run, structure, style), pair in zip(drawn, shears):
+        for values in pair:
+            _draw_steps(axes, values / size, _levels(structure, run), style)
     _finish(axes, "Storey shear", unit)
 
 
-def _styles(run: RunData, axis: str) -> Iterator[tuple[Structure, dict[str, Any]]]:
-    for number, structure in enumerate(run.structures.values()):
-        if structure.floors and axis in structure.along:
-            yield structure, {"color": structure_colour(number), "label": structure.name, "linewidth": 1.2}
+def _structures(runs: Runs, axis: str) -> Iterator[tuple[RunData, Structure, dict[str, Any]]]:
+    """The structures that move along an axis, with their lines; the last run first, so that the first one is in front."""
+    for run, style in reversed(runs):
+        for number, structure in enumerate(run.structures.values()):
+            if structure.floors and axis in structure.along:
+                yield run, structure, {"color": structure_colour(number), **style}
 
 
-def _of(structure: Structure, axis: str, what: str) -> np.ndarray:
-    return getattr(structure.along[axis], what) if axis in structure.along else np.empty((0, 0))
+def _extremes(run: RunData, structure: Structure, axis: str, what: str) -> list[np.ndarray]:
+    """Least and largest values [floor]; none of a quantity that the structure does not have."""
+    extremes = getattr(run.envelopes[structure.name], what)
+    place = "xy".index(axis)
+    return [] if extremes is None else [extremes.min[:, place], extremes.max[:, place]]
 
 
-def _extremes(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    return values.min(axis=0), values.max(axis=0)
-
-
-def _steps(axes: Axes, low: np.ndarray, high: np.ndarray, heights: np.ndarray, style: dict[str, Any]) -> None:
+def _draw_steps(axes: Axes, values: np.ndarray, heights: np.ndarray, style: dict[str, Any]) -> None:
     """Values that are constant within a storey."""
-    if not low.size:
-        return
-    for values in (low, high):
-        axes.plot(np.repeat(values, 2), np.repeat(heights, 2)[1:-1], **style)
-        style.pop("label", None)
+    axes.plot(np.repeat(values, 2), np.repeat(heights, 2)[1:-1], **style)
+
+
+def _legend(run: RunData, compared: bool) -> list[Line2D]:
+    handles = [Line2D([], [], color=structure_colour(number), label=structure.name, **SOLID)
+               for number, structure in enumerate(run.structures.values()) if structure.floors]
+    return handles + [Line2D([], [], color="0.35", label="without links", **DASHED)] * compared
 
 
 def _all_heights_known(run: RunData) -> bool:
@@ -132,5 +153,4 @@ def _finish(axes: Axes, title: str, unit: str) -> None:
     axes.set_title(title)
     axes.set_xlabel(f"{title} [{unit}]")
     axes.xaxis.set_major_locator(MaxNLocator(4))
-    axes.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=12))
     axes.margins(y=0.02)

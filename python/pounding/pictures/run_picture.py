@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Callable
+from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pounding.pictures.comparison import (draw_displacements_without_links, draw_input_without_links, draw_openings_without_links,
+                                          require_comparison)
 from pounding.pictures.displacements import chosen_floors, draw_displacements
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_restitution, draw_strongest_loop
@@ -23,21 +26,28 @@ HEIGHTS = {"ground": 0.45, "displacements": 1.3, "openings": 0.9, "forces": 0.9,
 LEAST_WANTED = ("error", "ground", "impacts", "openings", "energy", "forces")
 #: Height that such a part needs [in].
 LEAST_HEIGHT = 1.1
+#: Draws one panel.
+Panel = Callable[[Axes, RunData], Any]
 
 
 def standard_figure(run: RunData, title: str | None = None, floors: dict[str, str] | None = None,
-                    size: tuple[float, float] | None = None) -> Figure:
+                    size: tuple[float, float] | None = None, compare: bool = False) -> Figure:
     """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
     below them the loop of the strongest impact and the restitution of all.
 
     What a run does not have is left out: the ground when it is still, links, impacts. So is what does not fit into a figure of less
     than some 8 inches, in the order of LEAST_WANTED. A run that is not done says so below the title. `floors` maps names of
     structures to the labels of the floors whose displacements are drawn instead of the linked ones; BadRequest when there are none
-    such. `size` is that of the figure [in]."""
+    such. `size` is that of the figure [in]. `compare` draws the run without links too, dashed."""
     chosen = chosen_floors(run, floors or {})
-    draw: dict[str, Callable[[Axes, RunData], None]] = {
+    draw: dict[str, Panel] = {
         "ground": draw_ground, "displacements": lambda axes, run: draw_displacements(axes, run, chosen), "openings": draw_openings,
         "forces": draw_forces, "energy": draw_energies, "error": draw_balance_error}
+    without: dict[str, Panel] = {}
+    if compare:
+        require_comparison(run, "run")
+        without = {"displacements": lambda axes, run: draw_displacements_without_links(axes, run, chosen),
+                   "openings": draw_openings_without_links, "energy": draw_input_without_links}
     missing = {"ground": largest([run.ground_acceleration]) == 0, "openings": not run.links, "forces": not run.links,
                "impacts": not run.impacts.size}
     heights = {name: height for name, height in HEIGHTS.items() if not missing.get(name)}
@@ -52,6 +62,8 @@ def standard_figure(run: RunData, title: str | None = None, floors: dict[str, st
         for row, name in zip(range(len(heights)), [name for name in heights if name in draw]):
             histories.append(figure.add_subplot(rows[row], sharex=histories[0] if histories else None))
             draw[name](histories[-1], run)
+            if name in without:
+                without[name](histories[-1], run)
             histories[-1].tick_params(labelbottom=False)
         histories[-1].tick_params(labelbottom=True)
         label_time(histories[-1], run)

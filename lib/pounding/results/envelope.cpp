@@ -1,0 +1,39 @@
+#include <pounding/results/envelope.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pounding {
+
+double Extremes::peak(std::size_t i) const { return std::max({0.0, -min[i], max[i]}); }
+
+void Extremes::update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
+  update(i, time + h, end);
+  if (slope_begin * slope_end >= 0) return;
+  const double s = slope_begin / (slope_begin - slope_end), r = 1 - s;
+  update(i, time + s * h, r * r * (1 + 2 * s) * begin + s * s * (1 + 2 * r) * end + h * s * r * (r * slope_begin - s * slope_end));
+}
+
+void Extremes::update(double time, double h, const double* begin, const double* slope_begin, const double* end,
+                      const double* slope_end) {
+  const std::size_t count = size();
+  const double *const least = min.data(), *const largest = max.data();
+  for (std::size_t i = 0; i < count; ++i)  // most steps bring nothing new
+    if ((end[i] < least[i]) | (end[i] > largest[i]) | (slope_begin[i] * slope_end[i] < 0))
+      update(i, time, h, begin[i], slope_begin[i], end[i], slope_end[i]);
+}
+
+void Extremes::update(std::size_t i, double time, double h, double begin, double middle, double end) {
+  update(i, time + 0.5 * h, middle);
+  update(i, time + h, end);
+  const double slope = end - begin, bend = 2 * (begin - 2 * middle + end);  // of the parabola on [0, 1] at the middle
+  if (std::abs(slope) >= std::abs(bend)) return;
+  update(i, time + h * (0.5 - 0.5 * slope / bend), middle - slope * slope / (4 * bend));
+}
+
+void StructureEnvelope::archive(Archive& archive) {
+  for (Extremes* extremes : {&displacement, &acceleration, &drift, &storey_shear, &member_force, &reaction}) archive(*extremes);
+  for (std::vector<std::string>* names : {&members, &components, &supports, &directions}) archive(*names);
+}
+
+}  // namespace pounding

@@ -1,0 +1,69 @@
+#pragma once
+/// Extremes over a run: least and largest value of every quantity of a structure, with their times.
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+
+namespace pounding {
+
+/// Least and largest values so far of a list of quantities, signed, and when they were reached [s]. Of equal values the first counts.
+struct Extremes {
+  std::vector<double> min, max, t_min, t_max;
+
+  Extremes() = default;
+  /// Without any value so far.
+  explicit Extremes(std::size_t count)
+      : min(count, std::numeric_limits<double>::infinity()), max(count, -std::numeric_limits<double>::infinity()),
+        t_min(count), t_max(count) {}
+
+  std::size_t size() const { return min.size(); }
+  /// Largest absolute value of a quantity; 0 before the first.
+  double peak(std::size_t i) const;
+
+  /// One value at a time [s].
+  void update(std::size_t i, double time, double value) {
+    if (value < min[i]) {
+      min[i] = value;
+      t_min[i] = time;
+    }
+    if (value > max[i]) {
+      max[i] = value;
+      t_max[i] = time;
+    }
+  }
+  /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic through them.
+  void update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end);
+  /// The same for all quantities at once, each list as long as these.
+  void update(double time, double h, const double* begin, const double* slope_begin, const double* end, const double* slope_end);
+  /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola through them.
+  void update(std::size_t i, double time, double h, double begin, double middle, double end);
+
+  /// For a checkpoint.
+  void archive(Archive& archive) {
+    archive(min);
+    archive(max);
+    archive(t_min);
+    archive(t_max);
+  }
+};
+
+/// Extremes of one structure over all kept steps, inside the steps too, whatever the output times are. Quantities are in the order of
+/// their histories (StructureHistory), the last place changing first; lists are empty where a structure has no such quantity.
+struct StructureEnvelope {
+  Extremes displacement;  ///< [floor, direction] relative to the ground [m], [rad]
+  Extremes acceleration;  ///< [floor, direction] absolute [m/s^2], [rad/s^2]
+  Extremes drift;         ///< [floor, storey direction] [m]
+  Extremes storey_shear;  ///< [floor, storey direction] [N]
+  Extremes member_force;  ///< [member, component] of every member, on its ends, local axes [N], [N m]
+  Extremes reaction;      ///< [support, direction] of the ground on the structure, global axes [N], [N m]
+  std::vector<std::string> members, components, supports, directions;  ///< of the last two
+
+  /// For a checkpoint: the names too.
+  void archive(Archive& archive);
+};
+
+}  // namespace pounding

@@ -1,0 +1,73 @@
+#include <pounding/results/envelope_file.hpp>
+
+#include <string>
+
+#include <pounding/results/hdf5.hpp>
+
+namespace pounding {
+namespace {
+
+using hdf5::array;
+using hdf5::attribute;
+using hdf5::group;
+using hdf5::Handle;
+using Names = std::vector<std::string>;
+
+// The lists least and largest value, element by element.
+std::vector<double> paired(const std::vector<double>& least, const std::vector<double>& largest, std::size_t count) {
+  std::vector<double> pairs;
+  for (std::size_t i = 0; i < count; ++i) {
+    pairs.push_back(least[i]);
+    pairs.push_back(largest[i]);
+  }
+  return pairs;
+}
+
+struct Quantity {
+  const char *name, *time_name, *units, *long_name;
+};
+
+// The first `places` rows of a quantity with these directions or components.
+void write(hid_t parent, const Quantity& quantity, const Extremes& extremes, std::size_t places, const Names& along, const char* word) {
+  if (extremes.size() == 0) return;
+  const std::size_t count = places * along.size();
+  const Handle values = array(parent, {quantity.name, quantity.units, quantity.long_name},
+                              paired(extremes.min, extremes.max, count), {places, along.size(), 2});
+  attribute(values, word, along);
+  const std::string long_name = std::string("times of ") + quantity.name;
+  array(parent, {quantity.time_name, "s", long_name.c_str()}, paired(extremes.t_min, extremes.t_max, count), {places, along.size(), 2});
+}
+
+}  // namespace
+
+void write_envelopes(hid_t file, const std::vector<StructureHistory>& structures) {
+  const Handle place = group(group(file, "envelopes"), "structures");
+  for (const StructureHistory& history : structures) {
+    const StructureEnvelope& e = history.envelope;
+    const Handle one = group(place, history.name);
+    const std::size_t floors = history.floors.size();
+    attribute(one, "floors", history.floors);
+    const Names along = history.storey_directions() == 1 ? Names{"x"} : Names{"x", "y"};
+    write(one, {"displacement", "displacement_time", "m", "least and largest displacement relative to the ground"}, e.displacement,
+          floors, history.directions, "directions");
+    write(one, {"acceleration", "acceleration_time", "m/s^2", "least and largest absolute acceleration"}, e.acceleration, floors,
+          history.directions, "directions");
+    write(one, {"drift", "drift_time", "m", "least and largest storey drift"}, e.drift, floors, along, "directions");
+    write(one, {"storey_shear", "storey_shear_time", "N", "least and largest shear force of the storey below the floor"},
+          e.storey_shear, floors, along, "directions");
+    write(one, {"base_shear", "base_shear_time", "N", "least and largest shear force of the lowest storey"}, e.storey_shear, 1, along,
+          "directions");
+    if (!e.members.empty()) {
+      hdf5::texts(one, "members", "names of the members", e.members);
+      write(one, {"member_force", "member_force_time", "N", "least and largest force [N] or moment [N m] on an end of a member, local axes"},
+            e.member_force, e.members.size(), e.components, "components");
+    }
+    if (!e.supports.empty()) {
+      hdf5::texts(one, "supports", "names of the nodes that the ground holds", e.supports);
+      write(one, {"reaction", "reaction_time", "N", "least and largest force [N] or moment [N m] of the ground on the structure"},
+            e.reaction, e.supports.size(), e.directions, "directions");
+    }
+  }
+}
+
+}  // namespace pounding

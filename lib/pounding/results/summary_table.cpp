@@ -1,0 +1,153 @@
+#include <pounding/results/summary.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace pounding {
+namespace {
+
+// Shows round-off as zero, without a sign.
+double shown(double value, int digits) { return std::abs(value) < 0.5 * std::pow(10.0, -digits) ? 0.0 : value; }
+
+std::string structures_table(const std::vector<StructureSummary>& structures,
+                             const std::vector<StructureSummary>& without) {
+  std::size_t width = 9;
+  for (const StructureSummary& s : structures) width = std::max(width, s.name.size());
+  const bool compare = !without.empty();
+  std::string text = fmt::format("{:<{}}  floor  displacement       drift  acceleration{}\n", "structure", width,
+                                 compare ? "   without links  ratio" : "");
+  text += fmt::format("{:<{}}                 (mm)        (mm)       (m/s^2){}\n", "", width,
+                      compare ? "            (mm)" : "");
+  for (std::size_t k = 0; k < structures.size(); ++k) {
+    const StructureSummary& s = structures[k];
+    for (std::size_t i = s.peak_displacement.size(); i-- > 0;) {
+      const std::string drift = s.peak_drift.empty() ? "-" : fmt::format("{:.4f}", 1e3 * s.peak_drift[i]);
+      text += fmt::format("{:<{}}  {:>5}  {:>12.4f}  {:>10}  {:>12.4f}", s.name, width, i + 1,
+                          1e3 * s.peak_displacement[i], drift, s.peak_acceleration[i]);
+      if (compare) {
+        const double alone = without[k].peak_displacement[i];
+        text += fmt::format("  {:>14.4f}  {:>5.3f}", 1e3 * alone, s.peak_displacement[i] / alone);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+std::string links_table(const std::vector<LinkSummary>& links) {
+  std::size_t width = 4;
+  for (const LinkSummary& s : links) width = std::max(width, s.name.size());
+  std::string text = fmt::format("{:<{}}  impacts  peak force  penetration     impulse  energy lost\n", "link", width);
+  text += fmt::format("{:<{}}                 (kN)         (mm)      (kN s)         (kJ)\n", "", width);
+  for (const LinkSummary& s : links) {
+    const std::string force = std::isnan(s.peak_force) ? "rigid" : fmt::format("{:.3f}", s.peak_force / 1e3);
+    text += fmt::format("{:<{}}  {:>7}  {:>10}  {:>11.4f}  {:>10.4f}  {:>11.5f}\n", s.name, width, s.impacts, force,
+                        1e3 * s.peak_penetration, s.impulse / 1e3, shown(s.energy_lost / 1e3, 5));
+  }
+  for (const LinkSummary& s : links)
+    if (s.presses)
+      text += fmt::format("{} still presses at the end of the run, with {:.5f} kJ stored\n", s.name, shown(s.energy_stored / 1e3, 5));
+  return text;
+}
+
+// One line of the table of forces: least and largest value in kN, or kN m, with what and when.
+struct ForceLine {
+  std::string structure, force;
+  double min = 0, max = 0, t_min = 0, t_max = 0;
+  std::string at_min, at_max;
+};
+
+ForceLine base_shear(const StructureSummary& s, std::size_t j, const std::string& name) {
+  const Extremes& e = s.envelope.storey_shear;
+  return {s.name, name, e.min[j], e.max[j], e.t_min[j], e.t_max[j], "", ""};
+}
+
+// For each kind of force (N, Vz, My ...) the extremes over all ends of all members.
+std::vector<ForceLine> member_lines(const StructureSummary& s) {
+  const StructureEnvelope& e = s.envelope;
+  std::vector<ForceLine> lines;
+  const std::size_t components = e.components.size();
+  for (std::size_t i = 0; i < e.member_force.size(); ++i) {
+    const std::string& component = e.components[i % components];
+    const std::string kind = component.substr(component.find(' ') + 1);
+    auto line = std::find_if(lines.begin(), lines.end(), [&](const ForceLine& one) { return one.force == kind; });
+    if (line == lines.end()) line = lines.insert(lines.end(), {s.name, kind, 0, 0, 0, 0, "", ""});
+    const std::string where = fmt::format("{}, {}", e.members[i / components], component.substr(0, component.find(' ')));
+    if (e.member_force.min[i] < line->min) {
+      line->min = e.member_force.min[i];
+      line->t_min = e.member_force.t_min[i];
+      line->at_min = where;
+    }
+    if (e.member_force.max[i] > line->max) {
+      line->max = e.member_force.max[i];
+      line->t_max = e.member_force.t_max[i];
+      line->at_max = where;
+    }
+  }
+  return lines;
+}
+
+// Local axes: N and V are forces, T and M moments.
+std::string with_unit(const std::string& force) { return force + (force[0] == 'M' || force[0] == 'T' ? " (kN m)" : " (kN)"); }
+
+std::string forces_table(const std::vector<StructureSummary>& structures) {
+  std::vector<ForceLine> lines;
+  for (const StructureSummary& s : structures) {
+    if (s.envelope.storey_shear.size() > 0) {
+      const bool in_plan = s.directions.size() > 1;
+      lines.push_back(base_shear(s, 0, in_plan ? "base shear x" : "base shear"));
+      if (in_plan) lines.push_back(base_shear(s, 1, "base shear y"));
+    }
+    const std::vector<ForceLine> members = member_lines(s);
+    lines.insert(lines.end(), members.begin(), members.end());
+  }
+  if (lines.empty()) return {};
+  std::size_t width = 9;
+  for (const ForceLine& line : lines) width = std::max(width, line.structure.size());
+  std::string text = fmt::format("{:<{}}  {:<18}  {:>12}  {:>8}  {:>12}  {:>8}\n", "structure", width, "force", "least", "at (s)",
+                                 "largest", "at (s)");
+  for (const ForceLine& line : lines) {
+    text += fmt::format("{:<{}}  {:<18}  {:>12.3f}  {:>8.3f}  {:>12.3f}  {:>8.3f}", line.structure, width, with_unit(line.force),
+                        shown(line.min / 1e3, 3), line.t_min, shown(line.max / 1e3, 3), line.t_max);
+    if (!line.at_min.empty() || !line.at_max.empty())
+      text += fmt::format("  {}; {}", line.at_min.empty() ? "-" : line.at_min, line.at_max.empty() ? "-" : line.at_max);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string separations_table(const std::vector<LinkSeparation>& separations) {
+  std::size_t width = 4;
+  for (const LinkSeparation& s : separations) width = std::max(width, s.link.size());
+  std::string text = fmt::format("{:<{}}         gap  gap that is enough    at (s)         ABS        SRSS         DDC\n", "link", width);
+  text += fmt::format("{:<{}}        (mm)                (mm)                  (mm)        (mm)        (mm)\n", "", width);
+  for (const LinkSeparation& s : separations)
+    text += fmt::format("{:<{}}  {:>10.4f}  {:>18.4f}  {:>8.3f}  {:>10.4f}  {:>10.4f}  {:>10}\n", s.link, width, 1e3 * s.gap,
+                        1e3 * s.enough, s.time, 1e3 * s.absolute_sum, 1e3 * s.srss,
+                        std::isfinite(s.ddc) ? fmt::format("{:.4f}", 1e3 * s.ddc) : "-");
+  return text;
+}
+
+}  // namespace
+
+std::string to_table(const Summary& summary) {
+  std::string text = structures_table(summary.structures, summary.without_pounding);
+  if (const std::string forces = forces_table(summary.structures); !forces.empty()) text += '\n' + forces;
+  if (!summary.separations.empty()) text += '\n' + separations_table(summary.separations);
+  if (!summary.links.empty()) text += '\n' + links_table(summary.links);
+  const EnergySummary& e = summary.energy;
+  text += fmt::format(
+      "\nenergy (kJ)  input {:.5f} = kinetic {:.5f} + strain {:.5f} + damping {:.5f} + hysteretic {:.5f} + impact {:.5f}\n"
+      "             largest imbalance {:.1e} of the input\n",
+      shown(e.input / 1e3, 5), shown(e.kinetic / 1e3, 5), shown(e.strain / 1e3, 5), shown(e.damping / 1e3, 5),
+      shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5), e.error);
+  text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
+                      summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
+  return text;
+}
+
+}  // namespace pounding

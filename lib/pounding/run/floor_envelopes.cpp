@@ -1,0 +1,131 @@
+#include <pounding/run/floor_envelopes.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pounding {
+namespace {
+
+// Length of a horizontal vector [m], less that of the floor below where there is one, and its rate of change [m/s]: the
+// velocity along the vector.
+std::pair<double, double> length_and_slope(const Eigen::MatrixXd& motion, int row, int below) {
+  double x = motion(row, 0), y = motion(row + 1, 0), vx = motion(row, 1), vy = motion(row + 1, 1);
+  if (below >= 0) {
+    x -= motion(below, 0);
+    y -= motion(below + 1, 0);
+    vx -= motion(below, 1);
+    vy -= motion(below + 1, 1);
+  }
+  const double length = std::hypot(x, y);
+  return {length, length > 0 ? (x * vx + y * vy) / length : 0.0};
+}
+
+// Displacement and velocity of a row, less those of the floor below where there is one.
+std::pair<double, double> value_and_slope(const Eigen::MatrixXd& motion, int row, int below) {
+  if (below < 0) return {motion(row, 0), motion(row, 1)};
+  return {motion(row, 0) - motion(below, 0), motion(row, 1) - motion(below, 1)};
+}
+
+}  // namespace
+
+FloorEnvelopes::FloorEnvelopes(const Model& model, const FloorResponse& response, std::vector<StructureHistory>& histories)
+    : model_(model), response_(response), histories_(histories), lengths_(model.structures.size()) {
+  for (std::size_t k = 0; k < histories_.size(); ++k) {
+    const Structure& s = model.structures[k];
+    const std::size_t floors = s.floors.size(), directions = response.directions(static_cast<int>(k));
+    StructureEnvelope& envelope = histories_[k].envelope;
+    envelope.displacement = envelope.acceleration = Extremes(floors * directions);
+    if (s.has_storeys()) envelope.drift = Extremes(floors * histories_[k].storey_directions());
+    if (directions > 1) lengths_[k] = {Extremes(floors), Extremes(floors), Extremes(floors)};
+  }
+}
+
+void FloorEnvelopes::begin(const Eigen::MatrixXd& motion, double time) {
+  for (std::size_t k = 0; k < histories_.size(); ++k) {
+    const int directions = response_.directions(static_cast<int>(k)), storey_directions = histories_[k].storey_directions();
+    StructureEnvelope& envelope = histories_[k].envelope;
+    for (int i = 0; i < static_cast<int>(histories_[k].floors.size()); ++i) {
+      const int first = response_.row(static_cast<int>(k), i, 0);
+      for (int j = 0; j < directions; ++j) {
+        envelope.displacement.update(i * directions + j, time, motion(first + j, 0));
+        envelope.acceleration.update(i * directions + j, time, motion(first + j, 2));
+        if (envelope.drift.size() == 0 || j >= storey_directions) continue;
+        envelope.drift.update(i * storey_directions + j, time,
+                              value_and_slope(motion, first + j, i > 0 ? first + j - directions : -1).first);
+      }
+      if (directions == 1) continue;
+      lengths_[k].displacement.update(i, time, length_and_slope(motion, first, -1).first);
+      lengths_[k].drift.update(i, time, length_and_slope(motion, first, i > 0 ? first - directions : -1).first);
+      lengths_[k].acceleration.update(i, time, std::hypot(motion(first, 2), motion(first + 1, 2)));
+    }
+  }
+}
+
+void FloorEnvelopes::step(const StepMotion& step) {
+  for (int k = 0; k < static_cast<int>(histories_.size()); ++k) {
+    step_along(k, step);
+    if (response_.directions(k) > 1) step_in_plan(k, step);
+  }
+}
+
+void FloorEnvelopes::step_along(int k, const StepMotion& step) {
+  const int directions = response_.directions(k), storey_directions = histories_[k].storey_directions();
+  const double time = step.begin_time;
+  StructureEnvelope& envelope = histories_[k].envelope;
+  for (int i = 0; i < static_cast<int>(histories_[k].floors.size()); ++i)
+    for (int j = 0; j < directions; ++j) {
+      const int row = response_.row(k, i, j);
+      const auto update = [&](Extremes& extremes, int at, int below) {
+        const auto [begin, slope_begin] = value_and_slope(step.begin, row, below);
+        const auto [end, slope_end] = value_and_slope(step.end_minus, row, below);
+        extremes.update(at, time, step.h, begin, slope_begin, end, slope_end);
+      };
+      const int at = i * directions + j;
+      update(envelope.displacement, at, -1);
+      if (envelope.drift.size() > 0 && j < storey_directions)
+        update(envelope.drift, i * storey_directions + j, i > 0 ? row - directions : -1);
+      if (step.has_middle)
+        envelope.acceleration.update(at, time, step.h, step.begin(row, 2), step.middle(row, 0), step.end_minus(row, 2));
+      else
+        envelope.acceleration.update(at, step.end_time(), step.end_minus(row, 2));
+      if (step.jumps) envelope.acceleration.update(at, step.end_time(), step.end_plus(row, 2));
+    }
+}
+
+void FloorEnvelopes::step_in_plan(int k, const StepMotion& step) {
+  const int directions = response_.directions(k);
+  const double time = step.begin_time;
+  for (int i = 0; i < static_cast<int>(histories_[k].floors.size()); ++i) {
+    const int row = response_.row(k, i, 0);
+    const auto update = [&](Extremes& extremes, int below) {
+      const auto [begin, slope_begin] = length_and_slope(step.begin, row, below);
+      const auto [end, slope_end] = length_and_slope(step.end_minus, row, below);
+      extremes.update(i, time, step.h, begin, slope_begin, end, slope_end);
+    };
+    update(lengths_[k].displacement, -1);
+    update(lengths_[k].drift, i > 0 ? row - directions : -1);
+    const auto length = [row](const Eigen::MatrixXd& motion) { return std::hypot(motion(row, 2), motion(row + 1, 2)); };
+    Extremes& acceleration = lengths_[k].acceleration;
+    if (step.has_middle)
+      acceleration.update(i, time, step.h, length(step.begin), std::hypot(step.middle(row, 0), step.middle(row + 1, 0)),
+                          length(step.end_minus));
+    else
+      acceleration.update(i, step.end_time(), length(step.end_minus));
+    if (step.jumps) acceleration.update(i, step.end_time(), length(step.end_plus));
+  }
+}
+
+StructureSummary FloorEnvelopes::summary(const Structure& structure, int k) const {
+  const StructureEnvelope& envelope = histories_[k].envelope;
+  StructureSummary s{structure.name, {}, {}, {}, histories_[k].directions, envelope};
+  const bool in_plan = response_.directions(k) > 1;
+  for (std::size_t i = 0; i < structure.floors.size(); ++i) {
+    s.peak_displacement.push_back((in_plan ? lengths_[k].displacement : envelope.displacement).peak(i));
+    if (structure.has_storeys()) s.peak_drift.push_back((in_plan ? lengths_[k].drift : envelope.drift).peak(i));
+    s.peak_acceleration.push_back((in_plan ? lengths_[k].acceleration : envelope.acceleration).peak(i));
+  }
+  return s;
+}
+
+}  // namespace pounding

@@ -1,0 +1,51 @@
+#pragma once
+/// Extremes of floors and storeys over the kept steps.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/results/results.hpp>
+#include <pounding/results/summary.hpp>
+#include <pounding/run/floor_response.hpp>
+#include <pounding/run/step_motion.hpp>
+
+namespace pounding {
+
+/// Extremes of displacements, accelerations and drifts in the envelopes of all structures, and the largest lengths of these as
+/// horizontal vectors for the summary.
+class FloorEnvelopes {
+ public:
+  /// Fills the envelopes in `histories`. All arguments must outlive this.
+  FloorEnvelopes(const Model& model, const FloorResponse& response, std::vector<StructureHistory>& histories);
+
+  /// The initial motion, completed by the response, at a time [s].
+  void begin(const Eigen::MatrixXd& motion, double time);
+  /// One kept step.
+  void step(const StepMotion& step);
+  /// Peaks of one structure; drifts are left out where it has no storeys.
+  StructureSummary summary(const Structure& structure, int index) const;
+  /// For a checkpoint, without the envelopes.
+  void archive(Archive& archive) { archive(lengths_); }
+
+ private:
+  // Lengths of horizontal vectors, one a floor; none in a structure that moves along x only.
+  struct Lengths {
+    Extremes displacement, drift, acceleration;
+    void archive(Archive& archive) {
+      archive(displacement);
+      archive(drift);
+      archive(acceleration);
+    }
+  };
+  void step_along(int structure, const StepMotion& step);
+  void step_in_plan(int structure, const StepMotion& step);
+
+  const Model& model_;
+  const FloorResponse& response_;
+  std::vector<StructureHistory>& histories_;
+  std::vector<Lengths> lengths_;
+};
+
+}  // namespace pounding

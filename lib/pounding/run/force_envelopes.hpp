@@ -1,0 +1,78 @@
+#pragma once
+/// Extremes of forces inside structures, of reactions, and of how far the ends of links approach each other.
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+#include <pounding/model/ground_plan.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/results/results.hpp>
+#include <pounding/run/linear_quantities.hpp>
+#include <pounding/run/step_motion.hpp>
+#include <pounding/stepping/stepper.hpp>
+
+namespace pounding {
+
+/// Fills the envelopes of forces. Storeys that are springs are followed in every step. Forces of frames need all unknowns, so they
+/// are taken at knots: ends of steps, of which several may lie between two knots while the cubic between these follows the
+/// displacements closely. Extremes between knots are found on it.
+class ForceEnvelopes {
+ public:
+  /// Fills `results`: the envelopes of its structures, and `approach` in a run without links. All arguments must outlive this.
+  ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results);
+
+  /// The present state is the initial one; `floors` is its motion as FloorResponse completes it.
+  void begin(const Eigen::MatrixXd& floors);
+  /// One kept step.
+  void step(const StepMotion& step);
+  /// The run is over: the present state becomes the last knot.
+  void end();
+  /// For a checkpoint, without the envelopes.
+  void archive(Archive& archive);
+
+ private:
+  // Quantities of one frame, or of all links.
+  struct Block {
+    int structure;  // -1: links
+    LinearQuantities quantities;
+    Eigen::VectorXd values, rates;  // at the last knot
+  };
+  // A contact that presses on a member between its ends and so loads them as those of a fixed member.
+  struct FixedEnds {
+    int link, block, first;    // first of the quantities of the member
+    Eigen::VectorXd by_force;  // on them by a unit force
+  };
+
+  void step_springs(int structure, int row, const StepMotion& step);
+  bool presses_on_members() const;
+  bool stays_close();
+  void start_from(const State& state, const Instant& instant);
+  void close(const State& state, const Instant& instant, bool pressed);
+  void move_knot(const Instant& instant);
+  std::vector<double> strain_norms(const Eigen::VectorXd& x) const;
+  void evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates) const;
+  template <class Force>
+  void add_fixed_end_forces(const Block& block, Eigen::VectorXd& values, Force&& force) const;
+  template <class Update>
+  void update_lists(const Block& block, Update&& update);
+
+  const Model& model_;
+  const GroundPlan& plan_;
+  const Stepper& stepper_;
+  Results& results_;
+  std::vector<std::size_t> first_spring_;  // by structure: its lowest yielding storey among the link steps
+  std::vector<int> first_unknown_;         // by structure
+  std::vector<Block> blocks_;
+  std::vector<FixedEnds> fixed_ends_;
+  bool every_step_ = false;  // is a knot: contacts change velocities in no time, or bodies have no strain to measure by
+  bool turns_ = false;       // members turn: their forces bend more than the displacements
+  double knot_ = 0;          // [s]
+  Eigen::VectorXd knot_acceleration_;      // there, in the coordinates of the solver
+  std::vector<double> largest_, strayed_;  // by group: displacement so far, and bend of the acceleration since the knot, as strain norms
+  bool jumped_ = false;           // something changed at the end of the last step
+  Eigen::VectorXd end_, rates_;  // at the knot to come
+};
+
+}  // namespace pounding

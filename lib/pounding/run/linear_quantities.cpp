@@ -1,0 +1,116 @@
+#include <pounding/run/linear_quantities.hpp>
+
+#include <utility>
+
+namespace pounding {
+namespace {
+
+using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+void add_row(std::vector<Eigen::Triplet<double>>& entries, int row, const Row& from, double factor, int first) {
+  for (Row::InnerIterator it(from); it; ++it) entries.emplace_back(row, first + static_cast<int>(it.index()), factor * it.value());
+}
+
+}  // namespace
+
+LinearQuantities::LinearQuantities(RowMajor rows, int first, Eigen::VectorXd at_rest, Eigen::MatrixXd by_ground)
+    : rows_(std::move(rows)), first_(first), at_rest_(std::move(at_rest)), by_ground_(std::move(by_ground)) {
+  rows_.makeCompressed();
+  if (by_ground_.isZero(0)) by_ground_.resize(0, 0);
+}
+
+void LinearQuantities::evaluate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double time, std::span<const GroundMotion> grounds,
+                                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> rates) const {
+  Eigen::Matrix2Xd pairs(2, rows_.cols());  // displacement and velocity of an unknown beside each other, for one product of both
+  pairs.row(0) = u.segment(first_, rows_.cols());
+  pairs.row(1) = v.segment(first_, rows_.cols());
+  const double* const factors = rows_.valuePtr();
+  const int* const columns = rows_.innerIndexPtr();
+  const int* const begins = rows_.outerIndexPtr();
+  for (int row = 0; row < size(); ++row) {
+    Eigen::Vector2d sum(at_rest_[row], 0);
+    for (int i = begins[row]; i < begins[row + 1]; ++i) sum += factors[i] * pairs.col(columns[i]);
+    values[row] = sum[0];
+    rates[row] = sum[1];
+  }
+  if (by_ground_.size() == 0) return;
+  for (std::size_t g = 0; g < grounds.size(); ++g) {
+    values += grounds[g].displacement(time) * by_ground_.col(static_cast<int>(g));
+    rates += grounds[g].velocity(time) * by_ground_.col(static_cast<int>(g));
+  }
+}
+
+LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan) {
+  const Structure& s = model.structures[structure];
+  std::vector<Eigen::Triplet<double>> entries;
+  int shears = 0;
+  for (const Floor& floor : s.floors)
+    for (const Row& shear : floor.storey_shear) add_row(entries, shears++, shear, 1, 0);
+  for (int row = 0; row < s.forces.rows.outerSize(); ++row)
+    for (RowMajor::InnerIterator it(s.forces.rows, row); it; ++it)
+      if (it.value() != 0) entries.emplace_back(shears + row, static_cast<int>(it.col()), it.value());
+  const int count = shears + static_cast<int>(s.forces.rows.rows());
+  RowMajor rows(count, s.size());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(count);
+  at_rest.tail(s.forces.at_rest.size()) = s.forces.at_rest;
+  if (s.at_rest.size() > 0) at_rest += rows * s.at_rest;
+
+  Eigen::MatrixXd by_ground = Eigen::MatrixXd::Zero(count, static_cast<int>(plan.motions.size()));
+  if (s.supports.size() > 1) {
+    std::vector<Eigen::MatrixX3d> influences;
+    for (const Support& support : s.supports) {
+      Eigen::MatrixX3d influence = rows * support.influence;
+      influence.topRows(shears) += support.shears;
+      influence.bottomRows(count - shears) += support.forces;
+      influences.push_back(std::move(influence));
+    }
+    for (int row = 0; row < count; ++row)
+      plan.supports[structure].project([&](std::size_t q, int axis) { return influences[q](row, axis); }, by_ground.row(row));
+  }
+  return {std::move(rows), offsets(model)[structure], std::move(at_rest), std::move(by_ground)};
+}
+
+LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
+  const std::vector<int> first = offsets(model);
+  const int count = 3 * static_cast<int>(model.links.size());
+  int unknowns = 0;
+  for (const Structure& s : model.structures) unknowns += s.size();
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(count);
+  Eigen::MatrixXd by_ground = Eigen::MatrixXd::Zero(count, static_cast<int>(plan.motions.size()));
+  for (int l = 0; l < static_cast<int>(model.links.size()); ++l) {
+    const Link& link = model.links[l];
+    const int relative = 3 * l + 2;
+    for (const auto& [end, own, sign] : {std::tuple(&link.left, 3 * l, 1.0), std::tuple(&link.right, 3 * l + 1, -1.0)}) {
+      const Structure& s = model.structures[end->structure];
+      const SupportMotion& ground = plan.supports[end->structure];
+      for (int i = 0; i < 3; ++i) {
+        const double along = link.direction[i];
+        if (along == 0) continue;
+        add_row(entries, own, end->point.motion[i], along, first[end->structure]);
+        add_row(entries, relative, end->point.motion[i], sign * along, first[end->structure]);
+        if (s.at_rest.size() > 0) {
+          const double moved = along * end->point.motion[i].dot(s.at_rest);
+          at_rest[own] += moved;
+          at_rest[relative] += sign * moved;
+        }
+        const auto influence = [&](std::size_t q, int axis) {
+          double moved = end->point.motion[i].dot(s.supports[q].influence.col(axis));
+          if (end->point.supported[i].nonZeros() > 0) moved += end->point.supported[i].dot(s.supports[q].enforced.col(axis));
+          return along * moved;
+        };
+        Eigen::RowVectorXd by_difference = Eigen::RowVectorXd::Zero(by_ground.cols());
+        ground.project(influence, by_difference);
+        by_ground.row(own) += by_difference;
+        by_ground.row(relative) += sign * by_difference;
+        if (ground.at_first(i) >= 0) by_ground(relative, ground.at_first(i)) += sign * along;
+      }
+    }
+  }
+  RowMajor rows(count, unknowns);
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return {std::move(rows), 0, std::move(at_rest), std::move(by_ground)};
+}
+
+}  // namespace pounding

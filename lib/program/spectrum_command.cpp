@@ -1,0 +1,130 @@
+/// `pounding spectrum RESULTS.h5 --floor left.3`.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/core/units.hpp>
+#include <pounding/ground/spectrum.hpp>
+#include <pounding/results/hdf5.hpp>
+#include "program/commands.hpp"
+#include "program/spectrum_output.hpp"
+
+namespace pounding::program {
+namespace {
+
+// Outputs that reach less of the tracked peak than this miss a part of the motion.
+constexpr double enough_of_the_peak = 0.95;
+// Steps in a period that the straight lines between outputs need.
+constexpr double steps_in_a_period = 10;
+
+struct FloorWords {
+  std::string results, floor, direction = "x";
+  SpectrumWords spectrum;
+};
+
+// The absolute acceleration of a floor at the output times.
+struct FloorMotion {
+  std::vector<double> times, accelerations;  // [s], [m/s^2]
+  double tracked = 0;                        // largest absolute value over all steps [m/s^2]; 0 where the file does not know it
+};
+
+// "left.3" is the third floor from the ground of the structure "left", whose name may have points in it.
+FloorMotion read_floor(hid_t file, const FloorWords& words, const std::string& root) {
+  const std::size_t point = words.floor.rfind('.');
+  const std::string name = words.floor.substr(0, point), number = point == std::string::npos ? "" : words.floor.substr(point + 1);
+  double floor = 0;
+  if (name.empty() || !parse_number(number, floor))
+    throw InputError(fmt::format("--floor: takes a structure and a floor counted from 1 at the lowest, such as left.3; \"{}\" was read",
+                                 words.floor));
+  const std::vector<std::string> structures = hdf5::members(file, (root + "structures").c_str());
+  if (std::find(structures.begin(), structures.end(), name) == structures.end())
+    throw InputError(fmt::format("--floor: there is no structure \"{}\"; there is {}", name, fmt::join(structures, ", ")));
+  const std::string place = root + "structures/" + name + "/acceleration";
+  const std::vector<std::size_t> shape = hdf5::shape(file, place.c_str());
+  const std::size_t floors = shape.at(1), directions = shape.at(2);
+  if (!(floor >= 1 && floor <= static_cast<double>(floors) && floor == std::floor(floor)))
+    throw InputError(fmt::format("--floor: {} has floors 1 to {}; \"{}\" was read", name, floors, words.floor));
+  if (words.direction != "x" && (words.direction != "y" || directions < 2))
+    throw InputError(fmt::format("--direction: {} moves along {}; \"{}\" was read", name, directions > 1 ? "x and y" : "x alone", words.direction));
+  const std::size_t column = (static_cast<std::size_t>(floor) - 1) * directions + (words.direction == "y" ? 1 : 0);
+  FloorMotion motion;
+  std::vector<double> all, extremes;
+  hdf5::read_array(file, (root + "time").c_str(), motion.times);
+  hdf5::read_array(file, place.c_str(), all);
+  for (std::size_t i = 0; i < motion.times.size(); ++i) motion.accelerations.push_back(all[i * floors * directions + column]);
+  const std::string envelope = root + "envelopes/structures/" + name + "/acceleration";
+  if (hdf5::has(file, (root + "envelopes").c_str())) {
+    hdf5::read_array(file, envelope.c_str(), extremes);
+    motion.tracked = std::max(-extremes[2 * column], extremes[2 * column + 1]);
+  }
+  return motion;
+}
+
+void warn_of_coarse_outputs(const FloorWords& words, const FloorMotion& motion, double shortest) {
+  const double step = motion.times[1] - motion.times[0];
+  double seen = 0;
+  for (const double a : motion.accelerations) seen = std::max(seen, std::abs(a));
+  std::string reason;
+  if (seen < enough_of_the_peak * motion.tracked)
+    reason = fmt::format("they reach {:.4g} m/s^2 of the peak of {:.4g} m/s^2", seen, motion.tracked);
+  else if (shortest < steps_in_a_period * step * (1 - 1e-9))
+    reason = fmt::format("a period of {:g} s needs {:g} of them", shortest, steps_in_a_period);
+  if (!reason.empty())
+    std::fprintf(stderr, "pounding: warning: %s",
+                 fmt::format("the outputs every {:g} s are too far apart for this spectrum of {}: {}; run the model again with "
+                             "analysis: {{output_step: {:g}}}\n",
+                             step, words.floor, reason, std::min(step / 10, shortest / steps_in_a_period)).c_str());
+}
+
+std::vector<SpectrumPoint> spectrum_of(const FloorWords& words, const FloorMotion& motion) {
+  if (motion.times.size() < 2) throw InputError(fmt::format("{}: holds no results over time yet", words.results));
+  const bool uniform = evenly_spaced(motion.times);
+  return response_spectrum(GroundMotion(Samples{motion.times, motion.accelerations, uniform}), words.spectrum.read_periods(),
+                           words.spectrum.read_damping());
+}
+
+void show_floor_spectrum(const FloorWords& words) {
+  const std::vector<double> periods = words.spectrum.read_periods();
+  const double damping = words.spectrum.read_damping();
+  FloorMotion with_links;
+  std::optional<FloorMotion> without;
+  try {
+    hdf5::open_file(words.results, [&](hid_t file) {
+      with_links = read_floor(file, words, "");
+      if (hdf5::has(file, "no_pounding")) without = read_floor(file, words, "no_pounding/");
+    });
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw InputError(fmt::format("{}: cannot be read as a results file ({})", words.results, error.what()));
+  }
+  std::vector<NamedSpectrum> spectra{{without ? "with links" : words.floor, spectrum_of(words, with_links)}};
+  if (without) spectra.push_back({"without links", spectrum_of(words, *without)});
+  warn_of_coarse_outputs(words, with_links, periods.front());
+  show_spectra(words.spectrum,
+               fmt::format("Absolute acceleration of {}{}, outputs every {:g} s, damping {:g} %", words.floor,
+                           words.direction == "y" ? " along y" : "", with_links.times[1] - with_links.times[0], 100 * damping),
+               spectra);
+}
+
+}  // namespace
+
+void add_spectrum(CLI::App& app) {
+  const auto words = std::make_shared<FloorWords>();
+  CLI::App* const command = app.add_subcommand("spectrum", "Response spectrum of the motion of a floor");
+  command->add_option("results", words->results, "results file that `pounding run` wrote")->required();
+  command->add_option("--floor", words->floor, "Structure and floor, from 1 at the lowest: left.3")->required();
+  command->add_option("--direction", words->direction, "x, or in space y")->capture_default_str();
+  words->spectrum.add_to(*command);
+  command->callback([words] { show_floor_spectrum(*words); });
+}
+
+}  // namespace pounding::program

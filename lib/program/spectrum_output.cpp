@@ -1,0 +1,115 @@
+#include "program/spectrum_output.hpp"
+
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <pounding/core/error.hpp>
+#include <pounding/core/units.hpp>
+#include "program/commands.hpp"
+
+namespace pounding::program {
+namespace {
+
+void write_spectra(const std::vector<NamedSpectrum>& spectra, const std::string& path) {
+  std::ofstream file(path);
+  file << "period (s)";
+  for (const NamedSpectrum& s : spectra) {
+    const std::string of = spectra.size() > 1 ? s.name + " " : "";
+    file << fmt::format(",{0}sd (m),{0}psv (m/s),{0}psa (m/s^2)", of);
+  }
+  file << '\n';
+  for (std::size_t i = 0; i < spectra.front().points.size(); ++i) {
+    file << fmt::format("{:.10g}", spectra.front().points[i].period);
+    for (const NamedSpectrum& s : spectra)
+      file << fmt::format(",{:.10g},{:.10g},{:.10g}", s.points[i].sd, s.points[i].psv, s.points[i].psa);
+    file << '\n';
+  }
+  file.close();
+  if (!file) throw InputError(fmt::format("{}: cannot be written", path));
+}
+
+void print_spectra(const std::string& title, const std::vector<NamedSpectrum>& spectra) {
+  fmt::print("{}\n", title);
+  if (spectra.size() > 1) {
+    fmt::print("{:>10}", "");
+    for (const NamedSpectrum& s : spectra) fmt::print(" {:^38}", s.name);
+    fmt::print("\n");
+  }
+  fmt::print("{:>10}", "T [s]");
+  for (std::size_t i = 0; i < spectra.size(); ++i) fmt::print(" {:>12} {:>12} {:>12}", "SD [m]", "PSV [m/s]", "PSA [g]");
+  fmt::print("\n");
+  for (std::size_t i = 0; i < spectra.front().points.size(); ++i) {
+    fmt::print("{:>10.4f}", spectra.front().points[i].period);
+    for (const NamedSpectrum& s : spectra)
+      fmt::print(" {:>12.4e} {:>12.4e} {:>12.4e}", s.points[i].sd, s.points[i].psv, s.points[i].psa / standard_gravity);
+    fmt::print("\n");
+  }
+}
+
+std::string spectra_json(const std::string& title, double damping, const std::vector<NamedSpectrum>& spectra) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const NamedSpectrum& s : spectra) {
+    nlohmann::ordered_json one{{"name", s.name}};
+    for (const SpectrumPoint& p : s.points) {
+      one["period"].push_back(p.period);
+      one["sd"].push_back(p.sd);
+      one["psv"].push_back(p.psv);
+      one["psa"].push_back(p.psa);
+    }
+    all.push_back(std::move(one));
+  }
+  const nlohmann::ordered_json whole{{"title", title}, {"damping", damping}, {"spectra", all}};
+  return whole.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void SpectrumWords::add_to(CLI::App& command) {
+  command.add_option("--damping", damping, "Damping ratio")->capture_default_str();
+  command.add_option("--periods", periods, "first:last:count [s], each the same factor longer than the one before")
+      ->capture_default_str();
+  command.add_option("--csv", csv, "Write to this file, in SI, instead of the screen");
+  command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of the screen");
+}
+
+std::vector<double> SpectrumWords::read_periods() const {
+  const std::string& text = periods;
+  const auto fail = [&]() -> InputError {
+    return InputError(fmt::format("--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such "
+                                  "as 0.02:4:50; \"{}\" was read", text));
+  };
+  const std::size_t one = text.find(':'), two = text.find(':', one == std::string::npos ? one : one + 1);
+  if (two == std::string::npos) throw fail();
+  double first = 0, last = 0, count = 0;
+  if (!parse_number(text.substr(0, one), first) || !parse_number(text.substr(one + 1, two - one - 1), last) ||
+      !parse_number(text.substr(two + 1), count))
+    throw fail();
+  if (!(first > 0 && last > first && count >= 2 && count <= 10000 && count == std::floor(count))) throw fail();
+  std::vector<double> all;
+  for (double i = 0; i < count; ++i) all.push_back(first * std::pow(last / first, i / (count - 1)));
+  all.back() = last;
+  return all;
+}
+
+double SpectrumWords::read_damping() const {
+  double ratio = 0;
+  try {
+    ratio = parse_quantity(damping, dimension::none);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--damping: {}", error.what()));
+  }
+  if (!(ratio >= 0 && ratio < 1))
+    throw InputError(fmt::format("--damping: takes a number in [0, 1) such as \"5 %\"; \"{}\" is outside", damping));
+  return ratio;
+}
+
+void show_spectra(const SpectrumWords& words, const std::string& title, const std::vector<NamedSpectrum>& spectra) {
+  if (!words.csv.empty()) write_spectra(spectra, words.csv);
+  if (!words.picture.empty()) draw_spectra(spectra_json(title, words.read_damping(), spectra), words.picture);
+  if (words.csv.empty() && words.picture.empty()) print_spectra(title, spectra);
+}
+
+}  // namespace pounding::program

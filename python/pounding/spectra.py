@@ -1,0 +1,152 @@
+"""Elastic response spectra of records and of floors, and pictures of them: `python3 -m pounding.spectra SPECTRA.json -o OUT.png`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pounding.errors import InputError
+from pounding.results import RunData
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+GRAVITY = 9.80665  #: [m/s^2]
+#: Outputs that reach less of the tracked peak than this miss a part of the motion.
+ENOUGH_OF_THE_PEAK = 0.95
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Peak response of oscillators from rest on one motion; after the motion one period is followed."""
+
+    name: str  #: for legends
+    period: np.ndarray  #: [s]
+    damping: float  #: ratio [-]
+    sd: np.ndarray  #: largest relative displacement [m]
+
+    @property
+    def psv(self) -> np.ndarray:
+        """Pseudo-velocity, (2 pi/T) sd [m/s]."""
+        return 2 * np.pi / self.period * self.sd
+
+    @property
+    def psa(self) -> np.ndarray:
+        """Pseudo-acceleration, (2 pi/T)^2 sd [m/s^2]."""
+        return (2 * np.pi / self.period) ** 2 * self.sd
+
+    def plot(self, title: str = "", size: tuple[float, float] | None = None) -> Figure:
+        """A picture of this spectrum alone; see `spectra_figure`."""
+        return spectra_figure([self], title, size)
+
+
+def record_spectrum(file: str | PathLike[str], damping: float = 0.05, periods: Sequence[float] | None = None, *, units: str = "",
+                    channel: str = "") -> Spectrum:
+    """The spectrum of the record in a file, unscaled. `periods` [s] are 200 from 0.02 s to 4 s unless given; `units` and `channel`
+    are for files that do not say them. Raises InputError for a file that is no record, and for values out of range."""
+    from pounding._native import core
+
+    chosen = _chosen(periods)
+    summary, sd = core.record_spectrum(fspath(file), units, channel, list(chosen), damping)
+    return Spectrum(summary, chosen, damping, np.asarray(sd))
+
+
+def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *,
+                   direction: str = "x") -> Spectrum:
+    """The spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, at the output times of a run,
+    straight lines between them. `periods` [s] are 200 from 0.02 s to 4 s unless given.
+
+    The outputs must be close enough: InputError where they reach less than 95 % of the peak that the run has tracked, with the
+    output_step to try. Raises InputError also for a floor or a direction that is not there."""
+    from pounding._native import core
+
+    name, _, number = floor.rpartition(".")
+    if name not in run.structures or not number.isdigit() or not 1 <= int(number) <= len(run.structures[name].floors):
+        known = ", ".join(f"{key}.1 to {key}.{len(one.floors)}" for key, one in run.structures.items() if one.floors)
+        raise InputError(f'there is no floor "{floor}"; there is {known}')
+    structure, i = run.structures[name], int(number) - 1
+    if direction not in ("x", "y") or direction not in structure.along:
+        raise InputError(f'{name} moves along {", ".join(axis for axis in structure.along if axis != "rz")}, not along "{direction}"')
+    accelerations = structure.along[direction].acceleration[:, i]
+    if len(run.time) < 2:
+        raise InputError("this run holds no results over time yet")
+    tracked = run.envelopes[name].acceleration if name in run.envelopes else None
+    if tracked is not None:
+        peak, seen = tracked.peak[i, "xy".index(direction)], np.abs(accelerations).max()
+        if seen < ENOUGH_OF_THE_PEAK * peak:
+            step = run.time[1] - run.time[0]
+            raise InputError(f"the outputs every {step:g} s are too far apart for a spectrum of {floor}: they reach {seen:.4g} m/s^2 of "
+                             f"the peak of {peak:.4g} m/s^2; run the model again with analysis: {{output_step: {step / 10:g}}}")
+    chosen = _chosen(periods)
+    return Spectrum(floor, chosen, damping, np.asarray(core.spectrum(run.time.tolist(), accelerations.tolist(), list(chosen), damping)))
+
+
+def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[float, float] | None = None) -> Figure:
+    """Pseudo-acceleration and displacement over the period; of several spectra the second one is dashed. `size` is width and height
+    [in]. Raises InputError without a spectrum."""
+    from matplotlib import rc_context
+
+    from pounding.pictures.style import STRUCTURE_COLOURS, STYLE, Picture, head
+
+    if not spectra:
+        raise InputError("there is no spectrum to draw")
+    size = size or (6.5, 3.0)
+    narrow = size[0] < 4.5
+    with rc_context(STYLE):
+        figure = Picture(figsize=size, layout="constrained")
+        panels = figure.subplots(2, 1, sharex=True) if narrow else figure.subplots(1, 2)
+        drawn = (("Pseudo-acceleration [g]", [spectrum.psa / GRAVITY for spectrum in spectra]),
+                 ("Displacement [mm]", [1e3 * spectrum.sd for spectrum in spectra]))
+        for axes, (label, curves) in zip(panels, drawn):
+            for number, (spectrum, values) in enumerate(zip(spectra, curves)):
+                axes.plot(spectrum.period, values, color=STRUCTURE_COLOURS[number % len(STRUCTURE_COLOURS)],
+                          linestyle="--" if number == 1 else "-", label=spectrum.name)
+            axes.set(xlim=(spectra[0].period[0], spectra[0].period[-1]), ylabel=label)
+            axes.set_ylim(bottom=0)
+            if not narrow or axes is panels[-1]:
+                axes.set_xlabel("Period [s]")
+        if len(spectra) > 1:
+            panels[0].legend()
+        head(figure, title)
+        return figure
+
+
+def _chosen(periods: Sequence[float] | None) -> np.ndarray:
+    return np.geomspace(0.02, 4, 200) if periods is None else np.asarray(periods, dtype=float)
+
+
+def read_spectra(data: dict[str, Any]) -> tuple[str, list[Spectrum]]:
+    """Title and spectra of {"title", "damping", "spectra": [{"name", "period", "sd", ...}]}, in SI. Raises InputError."""
+    try:
+        return data["title"], [Spectrum(one["name"], np.asarray(one["period"], dtype=float), float(data["damping"]),
+                                        np.asarray(one["sd"], dtype=float)) for one in data["spectra"]]
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"this is no object of spectra: {error}") from error
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Command line. Returns 0, or 2 after a message when the spectra cannot be read or the picture not written."""
+    from pounding.pictures.style import write_picture
+
+    parser = argparse.ArgumentParser(prog="python3 -m pounding.spectra", description="Draw response spectra.")
+    parser.add_argument("spectra", help="file with the JSON object")
+    parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
+    options = parser.parse_args(arguments)
+    try:
+        with open(options.spectra, encoding="utf-8") as file:
+            title, spectra = read_spectra(json.load(file))
+        return write_picture(spectra_figure(spectra, title), options.output)
+    except (InputError, OSError, ValueError) as error:
+        print(f"cannot draw {options.spectra}: {error}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

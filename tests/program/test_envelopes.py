@@ -1,0 +1,187 @@
+"""Envelopes, the run without links beside the run with them, and spectra of floors, as the program and the file give them."""
+
+import csv
+import json
+import unittest
+
+import h5py
+import numpy as np
+from support import OSCILLATORS, ProgramTest
+
+APART = OSCILLATORS[:OSCILLATORS.index("links:")] + OSCILLATORS[OSCILLATORS.index("analysis:"):]
+
+
+def datasets(group):
+    found = {}
+    group.visititems(lambda name, item: found.update({name: item}) if isinstance(item, h5py.Dataset) else None)
+    return found
+
+
+def peak_responses(time, accelerations, periods, damping):
+    """[period, motion]: largest |u| of u'' + 2 z w u' + w^2 u = -a(t) by Runge and Kutta's method of order four, four steps from one
+    sample to the next, until the longest period after the end. `accelerations` [time, motion]."""
+    w = 2 * np.pi / np.asarray(periods)[:, None]
+    step = (time[1] - time[0]) / 4
+    count = int(np.ceil((time[-1] + max(periods)) / step))
+    halves = np.arange(2 * count + 1) * step / 2
+    a = np.stack([np.interp(halves, time, motion, right=0.0) for motion in accelerations.T], axis=-1)
+    y = np.zeros((2, len(periods), a.shape[1]))
+    largest = np.zeros(y.shape[1:])
+
+    def rate(y, a):
+        return np.stack([y[1], -a - 2 * damping * w * y[1] - w * w * y[0]])
+
+    for i in range(count):
+        k1 = rate(y, a[2 * i])
+        k2 = rate(y + step / 2 * k1, a[2 * i + 1])
+        k3 = rate(y + step / 2 * k2, a[2 * i + 1])
+        k4 = rate(y + step * k3, a[2 * i + 2])
+        y = y + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        np.maximum(largest, np.abs(y[0]), out=largest)
+    return largest
+
+
+class Envelopes(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write(OSCILLATORS)
+        self.printed = self.summary("model.yaml", "-o", "out.h5")
+
+    def test_hold_least_and_largest_values_with_their_times(self):
+        with h5py.File(self.folder / "out.h5") as file:
+            for name, printed in self.printed["structures"].items():
+                envelope, structure = file[f"envelopes/structures/{name}"], file[f"structures/{name}"]
+                self.assertEqual(set(envelope), {f"{key}{end}" for end in ("", "_time") for key in (
+                    "displacement", "acceleration", "drift", "storey_shear", "base_shear")})
+                self.assertEqual(envelope["displacement"].shape, (1, 1, 2))
+                least, largest = envelope["displacement"][0, 0]
+                self.assertEqual(max(-least, largest), printed["peak_displacement"][0])
+                self.assertLessEqual(least, structure["displacement"][:].min())
+                self.assertGreaterEqual(largest, structure["displacement"][:].max())
+                # At the time of an extreme the outputs, 3 ms apart, are near.
+                near = np.argmin(np.abs(file["time"][:] - envelope["displacement_time"][0, 0, 1]))
+                self.assertAlmostEqual(structure["displacement"][near, 0, 0] / largest, 1, delta=0.01)
+                np.testing.assert_array_equal(envelope["base_shear"][:], envelope["storey_shear"][:1])
+                kept = printed["envelope"]["storey_shear"]
+                self.assertEqual([kept["min"][0], kept["max"][0]], list(envelope["storey_shear"][0, 0]))
+                self.assertEqual([kept["t_min"][0], kept["t_max"][0]], list(envelope["storey_shear_time"][0, 0]))
+
+    def test_impacts_are_listed(self):
+        with h5py.File(self.folder / "out.h5") as file:
+            rows = file["impacts"][:]
+        listed = self.printed["impacts"]
+        self.assertEqual(len(listed), len(rows))
+        for impact, row in zip(listed, rows):
+            self.assertEqual(impact["link"], row["link"].decode())
+            for key in ("t_start", "t_end", "v_approach", "restitution", "peak_force", "t_peak", "peak_penetration", "impulse"):
+                self.assertEqual(impact[key], row[key], key)
+
+    def test_are_in_the_report(self):
+        done = self.pounding("run", "model.yaml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        line = next(line for line in done.stdout.splitlines() if "base shear (kN)" in line)
+        kept = self.printed["structures"]["left"]["envelope"]["base_shear"]
+        self.assertEqual(line.split(), ["left", "base", "shear", "(kN)", f"{kept['min'][0] / 1e3:.3f}", f"{kept['t_min'][0]:.3f}",
+                                        f"{kept['max'][0] / 1e3:.3f}", f"{kept['t_max'][0]:.3f}"])
+
+
+class WithoutLinks(ProgramTest):
+    def test_is_kept_whole(self):
+        self.write(OSCILLATORS + "compare: no_pounding\n")
+        self.write(APART, "apart.yaml")
+        printed = self.summary("model.yaml", "-o", "both.h5")
+        self.summary("apart.yaml", "-o", "apart.h5")
+        with h5py.File(self.folder / "both.h5") as both, h5py.File(self.folder / "apart.h5") as apart:
+            kept, alone = datasets(both["no_pounding"]), datasets(apart)
+            self.assertEqual(set(kept), {name for name in alone if not name.startswith("input/")})
+            self.assertEqual(both["no_pounding"].attrs["status"], "done")
+            self.assertEqual(both["no_pounding"].attrs["title"], "Two oscillators")
+            self.assertEqual(len(both["no_pounding/impacts"]), 0)
+            for name, data in kept.items():
+                self.assertLessEqual({"units", "long_name"}, set(data.attrs), name)
+            for name in ("left", "right"):
+                np.testing.assert_allclose(kept[f"structures/{name}/displacement"][:], alone[f"structures/{name}/displacement"][:],
+                                           atol=1e-3 * np.abs(alone[f"structures/{name}/displacement"][:]).max())
+            self.assertEqual(json.loads(kept["summary"][()])["structures"], printed["no_pounding"]["structures"])
+            [pair] = printed["no_pounding"]["separations"]
+            approach = (kept["structures/left/displacement"][:] - kept["structures/right/displacement"][:]).max()
+            self.assertAlmostEqual(pair["enough"] / approach, 1, delta=1e-3)
+            self.assertGreater(pair["enough"], pair["gap"])
+            self.assertLess(pair["ddc"], pair["abs"])
+        report = self.pounding("run", "model.yaml").stdout
+        line = next(line for line in report.splitlines() if line.startswith("left-right  ") and "20.0000" in line)
+        self.assertIn(f"{1e3 * pair['enough']:.4f}", line)
+        self.assertIn(f"{1e3 * pair['srss']:.4f}", line)
+
+    def test_survives_a_resume(self):
+        self.write(OSCILLATORS + "compare: no_pounding\n")
+        self.summary("model.yaml", "-o", "whole.h5")
+        cut = self.pounding("run", "model.yaml", "-q", "-o", "cut.h5", "-pounding_ts_max_steps", "150")
+        self.assertEqual(cut.returncode, 3, cut.stderr)
+        self.summary("--resume", "cut.h5")
+        with h5py.File(self.folder / "whole.h5") as whole, h5py.File(self.folder / "cut.h5") as resumed:
+            expected, found = datasets(whole), datasets(resumed)
+            self.assertEqual(set(expected), set(found))
+            for name, data in expected.items():
+                if "wall_" in name or name.endswith("summary"):
+                    continue
+                self.assertEqual(np.asarray(data[()]).tobytes() if data.shape else data[()],
+                                 np.asarray(found[name][()]).tobytes() if data.shape else found[name][()], name)
+
+
+class Spectra(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write(OSCILLATORS.replace("{duration: 3.0}\n", "{duration: 3.0, output_step: 0.5 ms}\n") + "compare: no_pounding\n")
+        self.summary("model.yaml", "-o", "out.h5")
+
+    def test_of_a_floor_are_those_of_an_independent_integration(self):
+        done = self.pounding("spectrum", "out.h5", "--floor", "right.1", "--damping", "3 %", "--periods", "0.1:1.6:5", "--csv", "s.csv")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.folder / "s.csv", newline="") as file:
+            head, *rows = csv.reader(file)
+        self.assertEqual(head[:2], ["period (s)", "with links sd (m)"])
+        self.assertEqual(head[4], "without links sd (m)")
+        with h5py.File(self.folder / "out.h5") as file:
+            motions = [file[f"{root}structures/right/acceleration"][:, 0, 0] for root in ("", "no_pounding/")]
+            expected = peak_responses(file["time"][:], np.stack(motions, axis=-1), [float(row[0]) for row in rows], 0.03)
+        for row, (with_links, without) in zip(rows, expected):
+            # Its samples are 1/800 of the shortest period apart.
+            self.assertAlmostEqual(float(row[1]) / with_links, 1, delta=1e-4)
+            self.assertAlmostEqual(float(row[4]) / without, 1, delta=1e-4)
+            self.assertAlmostEqual(float(row[3]) / (float(row[1]) * (2 * np.pi / float(row[0])) ** 2), 1, places=8)
+
+    def test_are_printed_and_drawn(self):
+        done = self.pounding("spectrum", "out.h5", "--floor", "left.1", "--periods", "0.1:1:3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = done.stdout.splitlines()
+        self.assertEqual(lines[0], "Absolute acceleration of left.1, outputs every 0.0005 s, damping 5 %")
+        self.assertEqual(lines[1].split(), ["with", "links", "without", "links"])
+        self.assertEqual(len(lines), 6)
+        self.assertEqual(self.pounding("spectrum", "out.h5", "--floor", "left.1", "--picture", "s.png").returncode, 0)
+        self.assertEqual((self.folder / "s.png").read_bytes()[1:4], b"PNG")
+
+    def test_of_outputs_too_far_apart_warn(self):
+        self.write(OSCILLATORS, "coarse.yaml")
+        self.summary("coarse.yaml", "-o", "coarse.h5")
+        done = self.pounding("spectrum", "coarse.h5", "--floor", "left.1")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("the outputs every 0.003 s are too far apart for this spectrum of left.1", done.stderr)
+        self.assertIn("run the model again with analysis: {output_step: 0.0003}", done.stderr)
+
+    def test_refuse_what_is_not_there(self):
+        for words, message in (
+            (["--floor", "middle.1"], 'there is no structure "middle"; there is left, right'),
+            (["--floor", "left.2"], "left has floors 1 to 1"),
+            (["--floor", "left"], "takes a structure and a floor counted from 1 at the lowest, such as left.3"),
+            (["--floor", "left.1", "--direction", "y"], "left moves along x alone"),
+            (["--floor", "left.1", "--damping", "1.5"], "takes a number in [0, 1)"),
+            (["--floor", "left.1", "--periods", "1"], "takes first:last:count"),
+        ):
+            with self.subTest(words):
+                self.refused(2, message, "spectrum", "out.h5", *words)
+        self.refused(2, "cannot be read as a results file", "spectrum", "model.yaml", "--floor", "left.1")
+
+
+if __name__ == "__main__":
+    unittest.main()

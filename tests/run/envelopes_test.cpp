@@ -1,0 +1,256 @@
+// Extremes of a run against its histories at outputs every 0.1 ms, against equilibrium, and against closed forms.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/run/separation.hpp>
+#include "support/book.hpp"
+#include "support/runs.hpp"
+
+namespace pounding {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Two frames of different height with a row of storeys to hit, their members and reactions reported.
+std::string frames(const std::string& links, const std::string& analysis, const std::string& left = "", const std::string& right = "",
+                   const std::string& right_height = "3 m") {
+  return fmt::format(
+      "ground_motion: {{synthetic: {{seed: 1940, duration: 3 s, pga: 0.6 g, soil: firm}}}}\n"
+      "structures:\n"
+      "  left: {{frame: {{material: {{E: 30 GPa, density: 2500}}, grid: {{storeys: 3, bays: 2, storey_height: 3 m, bay_width: 5 m,\n"
+      "    columns: {{rectangle: [0.4 m, 0.4 m]}}, beams: {{rectangle: [0.3 m, 0.5 m]}}, floor_mass: 90 t}}, report: {{members: all}}{}}},\n"
+      "    damping: 5 %}}\n"
+      "  right: {{frame: {{origin: [10.01 m, 0 m], material: {{E: 30 GPa, density: 2500}}, grid: {{storeys: 2, bays: 1, storey_height: {}, bay_width: 5 m,\n"
+      "    columns: {{rectangle: [0.5 m, 0.5 m]}}, beams: {{rectangle: [0.3 m, 0.6 m]}}, floor_mass: 60 t}}, report: {{members: all}}{}}},\n"
+      "    damping: 5 %}}\n"
+      "{}analysis: {{duration: 3{}}}\n",
+      left, right_height, right, links, analysis);
+}
+
+const std::string facing = "links: [{between: [left, right], floors: all, gap: 10 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n";
+
+// Extremes of a history [time, quantity].
+Extremes extremes_of(const std::vector<double>& history, const std::vector<double>& time, std::size_t count) {
+  Extremes extremes(count);
+  for (std::size_t t = 0; t < time.size(); ++t)
+    for (std::size_t i = 0; i < count; ++i) extremes.update(i, time[t], history[t * count + i]);
+  return extremes;
+}
+
+// Every extreme of the run is that of the dense outputs, within `relative` of the largest absolute value of the quantity, and within
+// 1e-6 of the largest of all where that is round-off.
+void expect_extremes(const Extremes& run, const std::vector<double>& history, const std::vector<double>& time, double relative,
+                     const std::string& what) {
+  ASSERT_GT(run.size(), 0u) << what;
+  ASSERT_EQ(history.size(), run.size() * time.size()) << what;
+  const Extremes dense = extremes_of(history, time, run.size());
+  double all = 0;
+  for (std::size_t i = 0; i < run.size(); ++i) all = std::max(all, dense.peak(i));
+  ASSERT_GT(all, 0) << what;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    const double allowed = std::max(relative * dense.peak(i), 1e-6 * all);
+    EXPECT_NEAR(run.min[i], dense.min[i], allowed) << what << " " << i << ", at " << dense.t_min[i] << " s";
+    EXPECT_NEAR(run.max[i], dense.max[i], allowed) << what << " " << i << ", at " << dense.t_max[i] << " s";
+  }
+}
+
+// Runs a model at its default outputs and at outputs every 0.1 ms.
+void expect_extremes_of_dense_outputs(const std::function<std::string(const std::string& output_step)>& yaml, double relative) {
+  const Outcome coarse = test::run_text(yaml("")), dense = test::run_text(yaml(", output_step: 0.1 ms"));
+  const std::vector<double>& time = dense.results.time;
+  ASSERT_GT(time.size(), 10 * coarse.results.time.size());
+  EXPECT_GT(coarse.results.impacts.size(), 1u);
+  for (std::size_t k = 0; k < dense.results.structures.size(); ++k) {
+    const StructureHistory& history = dense.results.structures[k];
+    const StructureEnvelope &envelope = coarse.results.structures[k].envelope, &same = history.envelope;
+    expect_extremes(envelope.displacement, history.displacement, time, relative, history.name + ": displacement");
+    // Accelerations change within a contact much faster than forces; between outputs every 0.1 ms they are found to 1 %.
+    expect_extremes(envelope.acceleration, history.acceleration, time, 1e-2, history.name + ": acceleration");
+    expect_extremes(envelope.drift, history.drift, time, relative, history.name + ": drift");
+    expect_extremes(envelope.storey_shear, history.storey_shear, time, relative, history.name + ": storey shear");
+    if (envelope.members.empty()) continue;
+    expect_extremes(envelope.member_force, history.end_forces, time, relative, history.name + ": member force");
+    expect_extremes(envelope.reaction, history.reaction, time, relative, history.name + ": reaction");
+    EXPECT_EQ(envelope.member_force.max, same.member_force.max) << "extremes do not depend on the outputs";
+    EXPECT_EQ(envelope.reaction.t_min, same.reaction.t_min);
+  }
+}
+
+TEST(Envelopes, OfAFramePairAreThoseOfDenseOutputs) {
+  expect_extremes_of_dense_outputs([](const std::string& outputs) { return frames(facing, outputs); }, 1e-3);
+}
+
+TEST(Envelopes, OfFramesThatCarryTheirWeightAreThoseOfDenseOutputs) {
+  expect_extremes_of_dense_outputs([](const std::string& outputs) {
+    return frames(facing, outputs, ", gravity: true, geometry: p_delta", ", gravity: true, geometry: p_delta");
+  }, 1e-3);
+}
+
+TEST(Envelopes, OfMembersThatTurnAreThoseOfDenseOutputs) {
+  expect_extremes_of_dense_outputs([](const std::string& outputs) {
+    return frames(facing, outputs, ", gravity: true, geometry: corotational");
+  }, 1e-3);
+}
+
+TEST(Envelopes, OfAColumnThatIsHitBetweenItsEndsAreThoseOfDenseOutputs) {
+  const std::string hit = "links: [{between: [left, right], floors: any, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
+  expect_extremes_of_dense_outputs([&](const std::string& outputs) { return frames(hit, outputs, ", mass: consistent", ", mass: consistent", "2.4 m"); }, 1e-3);
+}
+
+TEST(Envelopes, AfterRigidImpactsAreThoseOfDenseOutputs) {
+  const std::string rigid = "links: [{between: [left, right], floors: all, gap: 10 mm, law: stereomechanical, restitution: 0.6}]\n";
+  const auto yaml = [&](const std::string& outputs) { return frames(rigid, outputs); };
+  const Outcome coarse = test::run_text(yaml("")), dense = test::run_text(yaml(", output_step: 0.1 ms"));
+  ASSERT_GT(coarse.results.impacts.size(), 1u);
+  for (int k = 0; k < 2; ++k)
+    expect_extremes(coarse.results.structures[k].envelope.member_force, dense.results.structures[k].end_forces, dense.results.time, 1e-3,
+                    "member force");
+}
+
+TEST(Envelopes, OfStoreysThatYieldAreThoseOfDenseOutputs) {
+  expect_extremes_of_dense_outputs([](const std::string& outputs) {
+    return "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
+           "structures:\n"
+           "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, hardening: 0.05}, damping: 5 %}\n"
+           "  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 9e5 kN/m}, damping: 3 %}\n"
+           "links: [{between: [left, right], floors: all, gap: 5 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
+           "analysis: {duration: 4" + outputs + "}\n";
+  }, 1e-3);
+}
+
+TEST(Envelopes, WithFeetThatMoveDifferentlyAreThoseOfDenseOutputs) {
+  expect_extremes_of_dense_outputs([](const std::string& outputs) {
+    return frames(facing, outputs, ", supports: {\"0.0\": fixed, \"0.1\": {fix: fixed, delay: 20 ms}, \"0.2\": {fix: fixed, delay: 40 ms}}");
+  }, 1e-3);
+}
+
+TEST(Envelopes, InSpaceAreThoseOfDenseOutputs) {
+  expect_extremes_of_dense_outputs([](const std::string& outputs) {
+    return "ground_motion: {components: {x: {harmonic: {amplitude: 4, period: 0.5, duration: 1.2}}, y: {harmonic: {amplitude: 2, period: 0.3, duration: 1.2}}}}\n"
+           "structures:\n"
+           "  a: {frame: {material: {E: 30 GPa, poisson: 0.2}, grid: {storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: {x: 6 m, y: 4 m},\n"
+           "    columns: {circle: 0.25}, beams: {circle: 0.5}, floor_mass: 40 t}, report: {members: all}}, damping: 5 %}\n"
+           "  b: {frame: {origin: [6.01, 1], material: {E: 30 GPa, poisson: 0.2}, grid: {storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: {x: 6 m, y: 4 m},\n"
+           "    columns: {circle: 0.35}, beams: {circle: 0.5}, floor_mass: 60 t}, report: {members: all}}, damping: 5 %}\n"
+           "links: [{between: [a, b], gap: 10 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}]\n"
+           "analysis: {duration: 1.2" + outputs + "}\n";
+  }, 1e-3);
+}
+
+// Sum of the reactions of a structure in one direction at each output time.
+std::vector<double> sum_of_reactions(const StructureHistory& history, std::size_t direction) {
+  const std::size_t directions = history.envelope.directions.size(), supports = history.envelope.supports.size();
+  std::vector<double> sums(history.reaction.size() / (directions * supports), 0.0);
+  for (std::size_t t = 0; t < sums.size(); ++t)
+    for (std::size_t i = 0; i < supports; ++i) sums[t] += history.reaction[(t * supports + i) * directions + direction];
+  return sums;
+}
+
+TEST(Reactions, HoldTheLowestStoreyAndTheWeight) {
+  const Outcome run = test::run_text(frames("", "", ", gravity: true"));
+  const StructureHistory& left = run.results.structures[0];
+  EXPECT_EQ(left.envelope.supports, (std::vector<std::string>{"0.0", "0.1", "0.2"}));
+  EXPECT_EQ(left.envelope.directions, (std::vector<std::string>{"x", "z", "ry"}));
+  const std::vector<double> along = sum_of_reactions(left, 0), up = sum_of_reactions(left, 1);
+  double largest = 0;
+  for (std::size_t t = 0; t < along.size(); ++t) {
+    EXPECT_NEAR(along[t], -left.storey_shear[3 * t], 1e-6 * 1e6) << "the shear on the floor has the opposite sign";
+    largest = std::max(largest, std::abs(along[t]));
+  }
+  EXPECT_GT(largest, 1e5);
+  // At rest: three floors of 90 t, columns of 9 m x 3 and beams of 10 m x 3, the lumped halves at the feet too.
+  const double weight = 9.80665 * (3 * 90e3 + 2500 * (0.16 * 27 + 0.15 * 30));
+  EXPECT_NEAR(up.front(), weight, 1e-9 * weight);
+}
+
+TEST(Reactions, OfASpringToTheGroundPushAgainstTheDisplacement) {
+  const Outcome run = test::run_text(
+      "ground_motion: {harmonic: {amplitude: 2, period: 0.5, duration: 1}}\n"
+      "structures:\n"
+      "  a: {frame: {material: {E: 30 GPa}, sections: {s: {area: 0.2, inertia_y: 1e-3}},\n"
+      "    nodes: {foot: [0, 0], top: [0, 3]}, members: {c: {between: [foot, top], section: s}},\n"
+      "    supports: {foot: fixed}, springs: [{node: top, dof: ux, stiffness: 2e6}], masses: {top: 20 t}, floors: [{nodes: [top]}]}, damping: 2 %}\n"
+      "analysis: {duration: 1}\n");
+  const StructureHistory& a = run.results.structures[0];
+  ASSERT_EQ(a.envelope.supports, (std::vector<std::string>{"foot", "top"}));
+  for (std::size_t t = 0; t < run.results.time.size(); ++t)
+    EXPECT_NEAR(a.reaction[6 * t + 3], -2e6 * a.displacement[t], 1e-6) << t;
+}
+
+TEST(Separation, ThatIsEnoughIsTheLargestApproachOfTheRunWithoutLinks) {
+  const auto yaml = [](const std::string& more) {
+    return "ground_motion: {synthetic: {seed: 3, duration: 5 s, pga: 0.4 g}}\n"
+           "structures:\n"
+           "  left:  {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}\n"
+           "  right: {oscillator: {mass: 150 t, period: 0.4, damping: 2 %}}\n"
+           "  wall: {wall: {}}\n" + more;
+  };
+  const std::string links = "links:\n  - {between: [left, right], gap: 20 mm, law: hertz, stiffness: 1e9}\n"
+                            "  - {between: [right, wall], gap: 30 mm, law: hertz, stiffness: 1e9}\n";
+  const Summary compared = test::run_text(yaml(links + "compare: no_pounding\nanalysis: {duration: 5}\n")).summary;
+  const Outcome apart = test::run_text(yaml("analysis: {duration: 5, output_step: 0.1 ms}\n"));
+  const std::vector<double>&u = apart.results.structures[0].displacement, &v = apart.results.structures[1].displacement;
+  double approach = 0, ua = 0, ub = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    approach = std::max(approach, u[i] - v[i]);
+    ua = std::max(ua, std::abs(u[i]));
+    ub = std::max(ub, std::abs(v[i]));
+  }
+  ASSERT_EQ(compared.separations.size(), 2u);
+  const LinkSeparation &pair = compared.separations[0], &wall = compared.separations[1];
+  EXPECT_EQ(pair.link, "left-right");
+  EXPECT_EQ(pair.gap, 0.02);
+  // Two runs with tolerance 1e-4 whose steps differ.
+  EXPECT_NEAR(pair.enough, approach, 1e-3 * approach);
+  EXPECT_NEAR(pair.absolute_sum, ua + ub, 1e-3 * ua);
+  EXPECT_NEAR(pair.srss, std::hypot(ua, ub), 1e-3 * ua);
+  const double rho = double_difference(0.8, 0.05, 0.4, 0.02);
+  EXPECT_NEAR(pair.ddc, std::sqrt(ua * ua + ub * ub - 2 * rho * ua * ub), 1e-3 * ua);
+  EXPECT_NEAR(wall.enough, *std::max_element(v.begin(), v.end()), 1e-3 * ub);
+  EXPECT_NEAR(wall.ddc, ub, 1e-3 * ub) << "the wall moves with the ground";
+  EXPECT_TRUE(test::run_text(yaml(links + "analysis: {duration: 1}\n")).summary.separations.empty());
+}
+
+// The correlation of two oscillators under white noise, integrated over all frequencies.
+double correlation(double period_a, double damping_a, double period_b, double damping_b) {
+  const auto response = [](double w, double period, double damping) {
+    const double natural = 2 * pi / period;
+    return 1.0 / std::complex<double>(natural * natural - w * w, 2 * damping * natural * w);
+  };
+  double both = 0, of_a = 0, of_b = 0;
+  constexpr double step = 2e-3;
+  for (double w = 0.5 * step; w < 4000; w += step) {
+    const std::complex<double> a = response(w, period_a, damping_a), b = response(w, period_b, damping_b);
+    both += (a * std::conj(b)).real();
+    of_a += std::norm(a);
+    of_b += std::norm(b);
+  }
+  return both / std::sqrt(of_a * of_b);
+}
+
+TEST(Separation, CombinesByTheCorrelationUnderWhiteNoise) {
+  test::Book book("Gap that is enough", "the correlation of two oscillators under white noise, integrated over the frequency",
+                  "the midpoint rule up to 4000 rad/s in steps of 2e-3");
+  struct Pair {
+    double period_a, damping_a, period_b, damping_b;
+  };
+  for (const Pair& p : {Pair{0.8, 0.05, 0.4, 0.05}, Pair{1.0, 0.05, 0.9, 0.02}, Pair{0.5, 0.1, 0.55, 0.05}, Pair{0.4, 0.02, 1.2, 0.1}})
+    book.near(fmt::format("correlation, {:g} s {:g} and {:g} s {:g} [-]", p.period_a, p.damping_a, p.period_b, p.damping_b),
+              double_difference(p.period_a, p.damping_a, p.period_b, p.damping_b),
+              correlation(p.period_a, p.damping_a, p.period_b, p.damping_b), 1e-5);
+  EXPECT_NEAR(double_difference(0.7, 0.05, 0.7, 0.05), 1, 1e-15) << "equal structures move together";
+  EXPECT_TRUE(std::isnan(double_difference(std::numeric_limits<double>::infinity(), 0.05, 0.7, 0.05)));
+}
+
+}  // namespace
+}  // namespace pounding
