@@ -457,7 +457,7 @@ TEST(CosmosRecord, ErrorsSayWhere) {
 TEST(RecordFormats, AnUnknownFormatListsTheKnownOnes) {
   EXPECT_EQ(error_of("Uncorrected accelerogram 20160214_001343_NBLC_20 GNS Science\nSite NBLC\nand so on\n"),
             "r.txt: a record in none of the formats that are read: K-NET, ESM, COSMOS V1 and V2, CSMIP V1 and V2, USGS SMC, "
-            "PEER AT2, two columns");
+            "PEER AT2, columns of numbers");
 }
 
 TEST(RecordFormats, ChannelIsRefusedWhereNoneIsNamed) {

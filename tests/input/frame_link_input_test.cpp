@@ -271,7 +271,7 @@ TEST(FrameGround, AWaveRunsSomewhere) {
   refused(moved("{" + motion + "{velocity: 500 m/s, direction: [0, 0]}}"),
           "1:104: ground_motion.wave.direction: has no length; type direction: [0.6, 0.8]");
   refused(moved("{wave: {velocity: 500 m/s}}"),
-          "1:16: ground_motion: takes one of record, harmonic, pulse, synthetic; for a still ground leave \"ground_motion\" out");
+          "1:16: ground_motion: takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave \"ground_motion\" out");
   refused(moved("{" + motion + "{velocity: 500 m/s, direction: y}}"),
           "1:67: ground_motion.wave: reaches all supports at once; give the frames an origin each, or leave it out");
   EXPECT_NO_THROW(test::model_of(moved("{" + motion + "{velocity: 500 m/s}}")));

@@ -10,12 +10,14 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/ground/closed_forms.hpp>
 
 namespace pounding {
 namespace {
 
+using closed_forms::end_of, closed_forms::inside, closed_forms::moved;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double two_pi = 2 * std::numbers::pi;
 
 void require_finite(double value, const char* what) {
   if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("ground motion: {} is not finite", what));
@@ -41,54 +43,6 @@ void check(const Samples& samples) {
     throw std::invalid_argument("ground motion: samples that claim to be uniform are not evenly spaced");
 }
 
-template <class Closed>
-double end_of(const Closed& motion) {
-  return motion.start + motion.duration;
-}
-
-double inside(const Harmonic& motion, double t) { return motion.amplitude * std::sin(two_pi * (t - motion.start) / motion.period); }
-
-double inside(const Pulse& pulse, double t) {
-  const double part = (t - pulse.start) / pulse.duration;
-  switch (pulse.shape) {
-    case Pulse::Shape::half_sine: return pulse.amplitude * std::sin(std::numbers::pi * part);
-    case Pulse::Shape::sine: return pulse.amplitude * std::sin(two_pi * part);
-    case Pulse::Shape::rectangle: return pulse.amplitude;
-  }
-  return 0;
-}
-
-struct Moved {
-  double velocity = 0, displacement = 0;
-};
-
-// Integrals of a = amplitude sin(w s) from rest at s = 0.
-Moved moved_by_sine(double amplitude, double w, double s) {
-  const double half = std::sin(0.5 * w * s);
-  return {2 * amplitude / w * half * half, amplitude / w * (s - std::sin(w * s) / w)};
-}
-
-// s after the start.
-Moved moved_inside(const Harmonic& motion, double s) { return moved_by_sine(motion.amplitude, two_pi / motion.period, s); }
-
-Moved moved_inside(const Pulse& pulse, double s) {
-  switch (pulse.shape) {
-    case Pulse::Shape::half_sine: return moved_by_sine(pulse.amplitude, std::numbers::pi / pulse.duration, s);
-    case Pulse::Shape::sine: return moved_by_sine(pulse.amplitude, two_pi / pulse.duration, s);
-    case Pulse::Shape::rectangle: return {pulse.amplitude * s, 0.5 * pulse.amplitude * s * s};
-  }
-  return {};
-}
-
-template <class Closed>
-Moved moved(const Closed& motion, double t) {
-  const double s = t - motion.start;
-  if (!(s > 0)) return {};
-  if (s <= motion.duration) return moved_inside(motion, s);
-  const Moved end = moved_inside(motion, motion.duration);
-  return {end.velocity, end.displacement + end.velocity * (s - motion.duration)};
-}
-
 const char* name_of(Pulse::Shape shape) {
   switch (shape) {
     case Pulse::Shape::half_sine: return "half sine";
@@ -96,6 +50,12 @@ const char* name_of(Pulse::Shape shape) {
     case Pulse::Shape::rectangle: return "rectangle";
   }
   return "";
+}
+
+// Amplitude, period and phase as reports show them.
+std::string described(double amplitude, double period, double phase) {
+  const std::string text = fmt::format("{} at {:g} s", format_quantity(amplitude, dimension::acceleration), period);
+  return phase == 0 ? text : fmt::format("{} and {:g} deg", text, phase * 180 / std::numbers::pi);
 }
 
 template <class... F>
@@ -120,11 +80,32 @@ GroundMotion::GroundMotion(Harmonic motion) : motion_(motion) {
   require_positive(motion.period, "period");
   require_positive(motion.duration, "duration");
   require_finite(motion.start, "start");
-  const bool reaches_amplitude = motion.duration >= motion.period / 4;
-  peak_ = std::abs(reaches_amplitude ? motion.amplitude : inside(motion, end_of(motion)));
+  require_finite(motion.phase, "phase");
+  // The sine is at its crest, or trough, a quarter of a period after each of its zeros.
+  const double turns = motion.phase / (2 * std::numbers::pi);
+  const double first_crest = (0.25 + 0.5 * std::ceil((turns - 0.25) / 0.5) - turns) * motion.period;
+  peak_ = motion.duration >= first_crest
+              ? std::abs(motion.amplitude)
+              : std::max(std::abs(inside(motion, motion.start)), std::abs(inside(motion, end_of(motion))));
   duration_ = end_of(motion);
-  source_ = fmt::format("harmonic, {} at {:g} s for {:g} s",
-                        format_quantity(motion.amplitude, dimension::acceleration), motion.period, motion.duration);
+  source_ = fmt::format("harmonic, {} for {:g} s", described(motion.amplitude, motion.period, motion.phase), motion.duration);
+}
+
+GroundMotion::GroundMotion(HarmonicSum motion) {
+  if (motion.parts.empty()) throw std::invalid_argument("ground motion: a sum of no harmonics; give one or more");
+  std::vector<std::string> texts;
+  for (const auto& [amplitude, period, phase] : motion.parts) {
+    require_finite(amplitude, "amplitude");
+    require_positive(period, "period");
+    require_finite(phase, "phase");
+    texts.push_back(described(amplitude, period, phase));
+  }
+  require_positive(motion.duration, "duration");
+  require_finite(motion.start, "start");
+  peak_ = motion.peak();
+  duration_ = end_of(motion);
+  source_ = fmt::format("sum of harmonics, {}, for {:g} s", fmt::join(texts, ", "), motion.duration);
+  motion_ = std::move(motion);
 }
 
 GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
@@ -185,8 +166,7 @@ double GroundMotion::sampled(const Samples& samples, double t) const noexcept {
 double GroundMotion::acceleration(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
-                 [t](const Harmonic& motion) { return t >= motion.start && t < end_of(motion) ? inside(motion, t) : 0; },
-                 [t](const Pulse& pulse) { return t >= pulse.start && t < end_of(pulse) ? inside(pulse, t) : 0; },
+                 [t](const auto& closed) { return t >= closed.start && t < end_of(closed) ? inside(closed, t) : 0; },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
                    return t >= times.front() && t < times.back() ? sampled(*shared, t) : 0;
@@ -197,8 +177,7 @@ double GroundMotion::acceleration(double t) const noexcept {
 double GroundMotion::acceleration_before(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
-                 [t](const Harmonic& motion) { return t > motion.start && t <= end_of(motion) ? inside(motion, t) : 0; },
-                 [t](const Pulse& pulse) { return t > pulse.start && t <= end_of(pulse) ? inside(pulse, t) : 0; },
+                 [t](const auto& closed) { return t > closed.start && t <= end_of(closed) ? inside(closed, t) : 0; },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
                    return t > times.front() && t <= times.back() ? sampled(*shared, t) : 0;
@@ -207,7 +186,7 @@ double GroundMotion::acceleration_before(double t) const noexcept {
 }
 
 // A straight line from sample i on: its integrals are those up to the sample and a parabola, a cubic.
-double GroundMotion::velocity(double t) const noexcept {
+double GroundMotion::velocity_from_rest(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
                  [t](const auto& closed) { return moved(closed, t).velocity; },
@@ -222,7 +201,7 @@ double GroundMotion::velocity(double t) const noexcept {
       motion_);
 }
 
-double GroundMotion::displacement(double t) const noexcept {
+double GroundMotion::displacement_from_rest(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
                  [t](const auto& closed) { return moved(closed, t).displacement; },
@@ -240,6 +219,9 @@ double GroundMotion::displacement(double t) const noexcept {
 GroundMotion GroundMotion::delayed(double delay) const {
   require_finite(delay, "delay");
   if (delay == 0) return *this;
+  if (initial_velocity_ != 0)
+    throw std::invalid_argument(fmt::format("ground motion: begins with a velocity of {}, which it cannot take up at once after a "
+                                            "delay", format_quantity(initial_velocity_, dimension::velocity)));
   const auto later = [&](auto closed) {
     closed.start += delay;
     return GroundMotion(closed);
@@ -251,7 +233,20 @@ GroundMotion GroundMotion::delayed(double delay) const {
                                              return GroundMotion(std::move(samples));
                                            }},
                                 motion_);
+  out.initial_displacement_ = initial_displacement_;
   if (!is_still()) out.source_ = fmt::format("{}, {:g} s later", source_, delay);
+  return out;
+}
+
+GroundMotion GroundMotion::with_initial_motion(double velocity, double displacement) const {
+  require_finite(velocity, "initial velocity");
+  require_finite(displacement, "initial displacement");
+  if (is_still()) throw std::invalid_argument("ground motion: a ground at rest has no initial velocity or displacement");
+  GroundMotion out = *this;
+  out.initial_velocity_ = velocity;
+  out.initial_displacement_ = displacement;
+  if (velocity != 0) out.source_ += fmt::format(", from {}", format_quantity(velocity, dimension::velocity));
+  if (displacement != 0) out.source_ += fmt::format(", from {}", format_quantity(displacement, dimension::length));
   return out;
 }
 
@@ -259,8 +254,7 @@ double GroundMotion::next_break(double t) const noexcept {
   const auto next_of_two = [t](double begin, double end) { return t < begin ? begin : t < end ? end : infinity; };
   return std::visit(
       Overloaded{[](const Still&) { return infinity; },
-                 [&](const Harmonic& motion) { return next_of_two(motion.start, end_of(motion)); },
-                 [&](const Pulse& pulse) { return next_of_two(pulse.start, end_of(pulse)); },
+                 [&](const auto& closed) { return next_of_two(closed.start, end_of(closed)); },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
                    if (t < times.front()) return times.front();
@@ -278,6 +272,7 @@ double GroundMotion::sample_step() const noexcept { return per_step_ > 0 ? 1 / p
 
 double GroundMotion::shortest_period() const noexcept {
   if (const auto* const harmonic = std::get_if<Harmonic>(&motion_)) return harmonic->period;
+  if (const auto* const sum = std::get_if<HarmonicSum>(&motion_)) return sum->shortest_period();
   const auto* const pulse = std::get_if<Pulse>(&motion_);
   if (pulse == nullptr || pulse->shape == Pulse::Shape::rectangle) return infinity;
   return pulse->shape == Pulse::Shape::sine ? pulse->duration : 2 * pulse->duration;
