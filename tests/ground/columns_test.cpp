@@ -62,7 +62,12 @@ TEST(ValuesAtAStep, StandInColumnsWhereAChannelIsNamed) {
   const std::string text = "# ns [m/s^2]; ew [m/s^2]\n0;5\n1;4\n0;3\n";
   EXPECT_EQ(read(text, {.channel = "ew", .step = 0.01}).samples.accelerations, (Values{5, 4, 3}));
   EXPECT_EQ(read(text, {.channel = "1", .step = 0.01}).channel, "1: ns, column 1");
-  EXPECT_EQ(read(text, {.step = 0.01}).samples.accelerations, (Values{0, 5, 1, 4, 0, 3}));
+  EXPECT_EQ(error_of(text, {.step = 0.01}),
+            "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: ns, column 1; 2: ew, column 2");
+  EXPECT_EQ(error_of("ns;ew\n0;5\n1;4\n0;3\n", at_step),
+            "r.txt: 2 channels; add \"channel:\" with the number or the component of one: 1: ns, column 1; 2: ew, column 2");
+  EXPECT_EQ(read("0;5\n1;4\n0;3\n", {.units = "g", .channel = "2", .step = 0.01}).channel, "2, column 2");
+  EXPECT_EQ(read("El Centro\n0 5\n1 4\n", at_step).points(), 4u);
   EXPECT_EQ(error_of("0\n1\n", {.units = "g", .channel = "1", .step = 0.01}),
             "r.txt: the file has one channel without a name; remove \"channel\"");
 }
@@ -171,6 +176,7 @@ TEST(EndOfData, IsReadOverInEveryFormat) {
 }
 
 TEST(EndOfData, OtherTextIsRefused) {
+  EXPECT_EQ(error_of("0, 1\n0.1, abc\n0.2, 3\n", in_si), "r.txt:2: \"abc\" is not a finite number");
   EXPECT_EQ(error_of("0 0\n0.1 1\nprinted by nobody\n", in_si),
             "r.txt:3: \"printed by nobody\" stands among or after the values; delete the line, or begin it with #");
   EXPECT_EQ(error_of("0 0\n0.1 1\n*** End Data ***\n0.2 3\n", in_si),

@@ -153,6 +153,9 @@ TEST(EsmRecord, IsReadWithItsHeader) {
 
 TEST(EsmRecord, ErrorsSayWhere) {
   EXPECT_EQ(error_of(esm("VELOCITY", "cm/s")), "r.txt:16: holds \"VELOCITY\"; take the file of accelerations");
+  EXPECT_EQ(error_of(esm("ACCELERATION", "cm/s^2"), {.displacement = true}),
+            "r.txt:16: holds \"ACCELERATION\"; take the file of displacements");
+  EXPECT_DOUBLE_EQ(read(esm("DISPLACEMENT", "cm"), {.displacement = true}).initial_displacement, 0.01 * nine[0]);
   EXPECT_EQ(error_of(esm("ACCELERATION", "cm/s")),
             "r.txt:13: \"cm/s\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
   EXPECT_EQ(error_of(esm() + "1.0\n"), "r.txt:74: more values than the 9 that NDATA states");

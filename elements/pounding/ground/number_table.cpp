@@ -66,11 +66,12 @@ struct Style {
     std::replace(pointed.begin(), pointed.end(), ',', '.');
     return !has_both && parse_number(pointed, value);
   }
-  bool begins_values(std::string_view line) const {
+  bool begins_with_number(std::string_view line) const {
     double value = 0;
     const auto columns = split(line);
-    return !columns.empty() && is_number(columns.front(), value) && !has_word(line);
+    return !columns.empty() && is_number(columns.front(), value);
   }
+  bool begins_values(std::string_view line) const { return begins_with_number(line) && !has_word(line); }
 };
 
 /// Whether every comma stands between two digits, one in a word.
@@ -114,17 +115,16 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = lines[i];
     if (says_nothing(line)) continue;
-    const bool begins = style.begins_values(line);
-    if (rows_.empty() && !begins) continue;
+    if (rows_.empty() && !style.begins_values(line)) continue;
     if (end < i) {
-      if (begins) lines.fail(i, fmt::format("values go on after line {}, which ends them; keep one record in a file", end + 1));
+      if (style.begins_values(line)) lines.fail(i, fmt::format("values go on after line {}, which ends them; keep one record in a file", end + 1));
       continue;
     }
     if (ends_data(line)) {
       end = i;
       continue;
     }
-    if (!begins && has_word(line))
+    if (!style.begins_with_number(line) && has_word(line))
       lines.fail(i, fmt::format("\"{}\" stands among or after the values; delete the line, or begin it with #", trimmed(line)));
     if (rows_.empty()) header_end_ = i;
     rows_.push_back({i, values_.size()});

@@ -39,6 +39,14 @@ struct Header {
   std::vector<Name> columns;  ///< one a column; without names where no line names them
   std::size_t line = 0;       ///< of the names
   bool is_comment = false;
+
+  /// Whether the columns surely have these names: one states a unit, or marks part them.
+  bool is_sure(const Lines& lines) const {
+    const auto states = [](const Name& name) { return !name.unit.empty(); };
+    const auto is_named = [](const Name& name) { return !name.name.empty(); };
+    return std::any_of(columns.begin(), columns.end(), states) ||
+           (std::all_of(columns.begin(), columns.end(), is_named) && lines[line].find_first_of(";,\t") != std::string_view::npos);
+  }
 };
 
 /// Whether a comment with as many words as there are columns names them: it states no units, or that of a time in front of times, or of
@@ -141,7 +149,7 @@ Record read_at_step(const Lines& lines, const NumberTable& table, const Header& 
                                           "the values by semicolons", trimmed(lines[table.line(0)])));
   Record record;
   std::size_t column = 0;
-  if (options.channel.empty() || count == 1) {
+  if (count == 1 || (options.channel.empty() && !header.is_sure(lines))) {
     refuse_channel(lines, options);
     check_lengths(lines, table, true);
     record.format = count == 1 ? "one column" : fmt::format("{} values a line", count);
