@@ -123,7 +123,7 @@ TEST_F(MotionInput, KeysInTheWrongPlaceAreRefused) {
   EXPECT_EQ(error("{pulse: {shape: sine, amplitude: 1, duration: 1}, step: 0.1}"), "m.yaml:1:51: step: belongs to a record");
   EXPECT_EQ(error("{sum: [{amplitude: 1, period: 1, duration: 3}], duration: 3}"),
             "m.yaml:1:34: sum[0]: unknown key \"duration\". Allowed: amplitude, period, phase.");
-  EXPECT_EQ(error("{sum: [{amplitude: 1, period: 1}]}"), "m.yaml:1:1: key \"duration\" is missing; type \"duration: 0.5 s\"");
+  EXPECT_EQ(error("{sum: [{amplitude: 1, period: 1}]}"), "m.yaml:1:1: key \"duration\" is missing; type \"duration: 10 s\"");
   EXPECT_EQ(error("{sum: [], duration: 3}"), "m.yaml:1:7: sum: takes one harmonic or more; type sum: [{amplitude: 0.2 g, period: 0.5 s}]");
   EXPECT_EQ(error("{sum: {amplitude: 1, period: 1}, duration: 3}"), "m.yaml:1:7: sum: takes a list such as [a, b]");
   EXPECT_EQ(error("displacement: {}"), "m.yaml:1:15: displacement: takes one of record, harmonic, sum; type displacement: {harmonic: "

@@ -17,6 +17,7 @@
 #include <pounding/ground/displacement_motion.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/ground/synthetic.hpp>
+#include <pounding/input/words/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -35,19 +36,19 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
   const auto channel = section.find("channel");
   const auto units = section.find("units");
   const auto scale = section.find("scale");
-  const auto pga = section.find("pga");
+  const auto pga = given == Given::acceleration ? section.find("pga") : std::nullopt;
   if (scale && pga) pga->fail_at_key("\"scale\" and \"pga\" both set the strength; keep one of them");
 
   double factor = 1;
   if (scale) {
-    factor = scale->as_number();
+    factor = scale->as_quantity();
     if (factor == 0) scale->fail("takes a number other than 0; leave \"ground_motion\" out for a still ground");
   }
-  const double velocity = section.quantity_or("initial_velocity", dimension::velocity, 0);
+  const double velocity = section.quantity("initial_velocity");
   RecordOptions options;
   if (units) options.units = units->as_text();
   if (channel) options.channel = channel->as_text();
-  options.step = section.quantity_or("step", dimension::time, 0, bounds::positive);
+  options.step = section.find_quantity("step").value_or(0);
   options.displacement = given == Given::displacement;
   options.initial_velocity = velocity / factor;
   const Record record = [&] {
@@ -59,7 +60,7 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
   }();
   if (pga) {
     if (record.measures.pga == 0) pga->fail("the record is zero throughout and cannot be scaled to a peak");
-    factor = pga->as_quantity(dimension::acceleration, bounds::positive) / record.measures.pga;
+    factor = pga->as_quantity() / record.measures.pga;
   }
   const GroundMotion motion = scaled(record, factor);
   return given == Given::displacement || velocity == 0 ? motion : motion.with_initial_motion(velocity);
@@ -70,7 +71,7 @@ double read_phase(const Input& node) {
   const auto phase = node.find("phase");
   if (!phase) return 0;
   const std::string text = phase->as_text();
-  const double angle = phase->as_number();
+  const double angle = phase->as_quantity(dimension::none, bounds::any);
   if (text.find('%') != std::string::npos) phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", text));
   if (!(std::abs(angle) <= 2 * std::numbers::pi))
     phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg", text,
@@ -78,19 +79,14 @@ double read_phase(const Input& node) {
   return angle;
 }
 
-const Dimension& dimension_of(Given given) {
-  return given == Given::displacement ? dimension::length : dimension::acceleration;
-}
-
 GroundMotion read_harmonic(const Input& node, Given given) {
-  if (given == Given::displacement) node.only_keys({"amplitude", "period", "duration", "phase"});
-  else node.only_keys({"amplitude", "period", "duration", "phase", "initial_velocity"});
-  const Harmonic harmonic{.amplitude = node.quantity("amplitude", dimension_of(given)),
-                          .period = node.quantity("period", dimension::time, bounds::positive),
-                          .duration = node.quantity("duration", dimension::time, bounds::positive),
+  node.only_keys();
+  const Harmonic harmonic{.amplitude = node.quantity("amplitude"),
+                          .period = node.quantity("period"),
+                          .duration = node.quantity("duration"),
                           .phase = read_phase(node)};
   if (given == Given::displacement) return motion_of_displacement(harmonic);
-  return GroundMotion(harmonic).with_initial_motion(node.quantity_or("initial_velocity", dimension::velocity, 0));
+  return GroundMotion(harmonic).with_initial_motion(node.quantity("initial_velocity"));
 }
 
 /// `sum` with `duration` beside it.
@@ -100,16 +96,14 @@ GroundMotion read_sum(const Input& section, std::initializer_list<std::string_vi
   allowed.insert(allowed.end(), beside);
   section.only_keys(allowed);
   const Input list = section.at("sum");
-  HarmonicSum sum{.parts = {}, .duration = section.quantity("duration", dimension::time, bounds::positive)};
+  HarmonicSum sum{.parts = {}, .duration = section.quantity("duration")};
   for (const Input& part : list.items()) {
-    part.only_keys({"amplitude", "period", "phase"});
-    sum.parts.push_back({.amplitude = part.quantity("amplitude", dimension_of(given)),
-                         .period = part.quantity("period", dimension::time, bounds::positive),
-                         .phase = read_phase(part)});
+    part.only_keys();
+    sum.parts.push_back({.amplitude = part.quantity("amplitude"), .period = part.quantity("period"), .phase = read_phase(part)});
   }
   if (sum.parts.empty()) list.fail("takes one harmonic or more; type sum: [{amplitude: 0.2 g, period: 0.5 s}]");
   if (given == Given::displacement) return motion_of_displacement(sum);
-  return GroundMotion(sum).with_initial_motion(section.quantity_or("initial_velocity", dimension::velocity, 0));
+  return GroundMotion(sum).with_initial_motion(section.quantity("initial_velocity"));
 }
 
 GroundMotion read_displacement(const Input& node) {
@@ -128,25 +122,24 @@ GroundMotion read_displacement(const Input& node) {
 }
 
 GroundMotion read_pulse(const Input& node) {
-  node.only_keys({"shape", "amplitude", "duration", "start"});
-  const std::string name =
-      node.at("shape", "half_sine").as_choice("pulse shape", {"half_sine", "sine", "rectangle"});
+  node.only_keys();
+  const std::string name = node.at("shape").as_choice();
   const Pulse::Shape shape = name == "half_sine" ? Pulse::Shape::half_sine
                              : name == "sine"    ? Pulse::Shape::sine
                                                  : Pulse::Shape::rectangle;
   return GroundMotion(Pulse{.shape = shape,
-                            .amplitude = node.quantity("amplitude", dimension::acceleration),
-                            .duration = node.quantity("duration", dimension::time, bounds::positive),
-                            .start = node.quantity_or("start", dimension::time, 0, bounds::non_negative)});
+                            .amplitude = node.quantity("amplitude"),
+                            .duration = node.quantity("duration"),
+                            .start = node.quantity("start")});
 }
 
 /// A circular frequency. In units 1 Hz and 1 rad/s are the same number, so the one that is not meant is refused.
 double read_omega(const Input& node, std::string_view key) {
-  const Input value = node.at(key, "15 rad/s");
+  const Input value = node.at(key);
   if (value.as_text().find("Hz") != std::string::npos)
     value.fail(fmt::format("takes a circular frequency such as \"15 rad/s\"; \"{}\" is in Hz, multiply by 2 pi",
                            value.as_text()));
-  return value.as_quantity(dimension::frequency, bounds::positive);
+  return value.as_quantity();
 }
 
 GroundFilter read_filter(const Input& node) {
@@ -155,27 +148,25 @@ GroundFilter read_filter(const Input& node) {
     if (const auto soil = node.find("soil"))
       soil->fail_at_key(fmt::format("\"soil\" and \"{}\" both set the filter; keep one of them", key));
     return {.omega_g = read_omega(node, "omega_g"),
-            .zeta_g = node.quantity("zeta_g", dimension::none, bounds::above_0_to_1),
+            .zeta_g = node.quantity("zeta_g"),
             .omega_f = read_omega(node, "omega_f"),
-            .zeta_f = node.quantity("zeta_f", dimension::none, bounds::above_0_to_1)};
+            .zeta_f = node.quantity("zeta_f")};
   }
   const auto given = node.find("soil");
-  const std::string soil = given ? given->as_choice("soil", {"firm", "medium", "soft"}) : "firm";
+  const std::string soil = given ? given->as_choice() : "firm";
   return soil == "firm" ? firm_soil : soil == "medium" ? medium_soil : soft_soil;
 }
 
 GroundMotion read_synthetic(const Input& node) {
-  node.only_keys({"seed", "duration", "pga", "soil", "omega_g", "zeta_g", "omega_f", "zeta_f", "step", "rise",
-                  "strong_until"});
+  node.only_keys();
   SyntheticOptions options;
-  options.seed = static_cast<std::uint64_t>(
-      node.at("seed", "1").as_integer(0, std::numeric_limits<long long>::max()));
-  options.duration = node.quantity("duration", dimension::time, bounds::positive);
-  options.pga = node.quantity("pga", dimension::acceleration, bounds::positive);
+  options.seed = static_cast<std::uint64_t>(node.at("seed").as_integer());
+  options.duration = node.quantity("duration");
+  options.pga = node.quantity("pga");
   options.filter = read_filter(node);
-  options.step = node.quantity_or("step", dimension::time, options.step, bounds::positive);
-  options.rise = node.quantity_or("rise", dimension::none, options.rise);
-  options.strong_until = node.quantity_or("strong_until", dimension::none, options.strong_until);
+  options.step = node.quantity("step");
+  options.rise = node.quantity("rise");
+  options.strong_until = node.quantity("strong_until");
   try {
     return synthetic_motion(options);
   } catch (const std::invalid_argument& error) {
@@ -222,18 +213,18 @@ GroundMotion read_motion(const Input& section, std::initializer_list<std::string
 }
 
 TravellingWave read_wave(const Input& node) {
-  node.only_keys({"velocity", "direction"});
+  node.only_keys();
   TravellingWave wave;
-  wave.velocity = node.at("velocity", "500 m/s").as_quantity(dimension::velocity, bounds::positive);
+  wave.velocity = node.quantity("velocity");
   const std::optional<Input> direction = node.find("direction");
   if (!direction) return wave;
   if (!direction->is_list()) {
-    if (direction->as_choice("direction", {"x", "y"}) == "y") wave.direction = Eigen::Vector3d::UnitY();
+    if (direction->as_choice() == "y") wave.direction = Eigen::Vector3d::UnitY();
     return wave;
   }
   const std::vector<Input> parts = direction->items();
   if (parts.size() != 2) direction->fail("takes x, y, or two numbers; type direction: [0.6, 0.8]");
-  wave.direction = Eigen::Vector3d(parts[0].as_number(), parts[1].as_number(), 0);
+  wave.direction = Eigen::Vector3d(parts[0].as_quantity(), parts[1].as_quantity(), 0);
   if (!(wave.direction.norm() > 0)) direction->fail("has no length; type direction: [0.6, 0.8]");
   wave.direction.normalize();
   return wave;
@@ -241,9 +232,10 @@ TravellingWave read_wave(const Input& node) {
 
 }  // namespace
 
-GroundMotion read_ground_motion(const Input& section) { return read_motion(section, {}); }
+GroundMotion read_ground_motion(const Input& section) { return read_motion(section.in(words::motion), {}); }
 
-GroundSection read_ground_section(const Input& section) {
+GroundSection read_ground_section(const Input& node) {
+  const Input section = node.in(words::ground_motion);
   GroundSection ground;
   if (const auto wave = section.find("wave")) ground.wave = read_wave(*wave);
   const std::optional<Input> components = section.find("components");
@@ -252,7 +244,7 @@ GroundSection read_ground_section(const Input& section) {
     return ground;
   }
   section.only_keys({"components", "wave"});
-  components->only_keys({"x", "y", "z"});
+  components->only_keys();
   constexpr std::string_view names[] = {"x", "y", "z"};
   bool any = false;
   for (int i = 0; i < 3; ++i)
