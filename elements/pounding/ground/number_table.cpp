@@ -66,12 +66,10 @@ struct Style {
     std::replace(pointed.begin(), pointed.end(), ',', '.');
     return !has_both && parse_number(pointed, value);
   }
-  bool begins_with_number(std::string_view line) const {
+  bool begin_with_number(const std::vector<std::string_view>& columns) const {
     double value = 0;
-    const auto columns = split(line);
     return !columns.empty() && is_number(columns.front(), value);
   }
-  bool begins_values(std::string_view line) const { return begins_with_number(line) && !has_word(line); }
 };
 
 /// Whether every comma stands between two digits, one in a word.
@@ -115,20 +113,22 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = lines[i];
     if (says_nothing(line)) continue;
-    if (rows_.empty() && !style.begins_values(line)) continue;
+    const std::vector<std::string_view> columns = style.split(line);
+    const bool begins = style.begin_with_number(columns);
+    if (rows_.empty() && (!begins || has_word(line))) continue;
     if (end < i) {
-      if (style.begins_values(line)) lines.fail(i, fmt::format("values go on after line {}, which ends them; keep one record in a file", end + 1));
+      if (begins && !has_word(line)) lines.fail(i, fmt::format("values go on after line {}, which ends them; keep one record in a file", end + 1));
       continue;
     }
-    if (ends_data(line)) {
+    if (!begins && ends_data(line)) {
       end = i;
       continue;
     }
-    if (!style.begins_with_number(line) && has_word(line))
+    if (!begins && has_word(line))
       lines.fail(i, fmt::format("\"{}\" stands among or after the values; delete the line, or begin it with #", trimmed(line)));
     if (rows_.empty()) header_end_ = i;
     rows_.push_back({i, values_.size()});
-    for (const std::string_view text : style.split(line)) values_.push_back(style.number(lines, i, text));
+    for (const std::string_view text : columns) values_.push_back(style.number(lines, i, text));
   }
 }
 
@@ -148,7 +148,7 @@ bool holds_numbers(const Lines& lines) {
   bool says_something = false;
   for (std::size_t i = 0; i < std::min(lines.size(), longest_header); ++i) {
     if (says_nothing(lines[i])) continue;
-    if (style.begins_values(lines[i])) return true;
+    if (style.begin_with_number(style.split(lines[i])) && !has_word(lines[i])) return true;
     says_something = true;
   }
   return !says_something;
