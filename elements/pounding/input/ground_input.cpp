@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kinds = {"record", "harmonic", "sum", "pulse", "synthetic", "displacement"};
 
-/// What a motion is given as.
+/// Quantity by which a motion is given.
 enum class Given { acceleration, displacement };
 
 GroundMotion read_record_motion(const Input& section, std::initializer_list<std::string_view> beside, Given given) {

@@ -125,7 +125,7 @@ bool is_unit(std::string_view text);
 /// Units of values in the prose of lines 0 to `end`: "acc (g)", "acceleration[m/s^2]", "units are g", "in cm/s/s"; not "0.32 g".
 std::vector<StatedUnit> stated_units(const Lines& lines, std::size_t end, const RecordOptions& options);
 
-/// What 1 in the file stands for [m/s^2], or [m], from what the file states (empty: nothing) and what the user says; `unit` becomes what
+/// Value in SI of 1 in the file [m/s^2], or [m], from what the file states (empty: nothing) and what the user says; `unit` becomes what
 /// was taken. Fails when neither or both and not alike, and for another dimension.
 double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string& stated, const RecordOptions& options,
                    std::string& unit);
