@@ -17,5 +17,6 @@
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/modes.hpp>
+#include <pounding/model/plausible.hpp>
 #include <pounding/structures/bilinear_spring.hpp>
 #include <pounding/structures/oscillators.hpp>

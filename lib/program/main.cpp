@@ -2,9 +2,12 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
 #include <pounding/petsc/launch.hpp>
 #include <pounding/core/version.hpp>
 #include "blas_threads.hpp"
@@ -30,6 +33,29 @@ void require_one_process(CLI::App& command) {
       throw pounding::InputError(fmt::format("pounding {} works in one process, and {} were started; type it without mpirun",
                                              command.get_name(), launched.size));
   });
+}
+
+// The message for a word that stands where a command should and is none; empty when there is no such word.
+std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* level = &app;
+  std::string before;
+  for (const std::string& word : words) {
+    const auto commands = level->get_subcommands([](const CLI::App*) { return true; });
+    if (commands.empty() || word.starts_with('-')) return {};
+    std::vector<std::string_view> names;
+    level = nullptr;
+    for (const CLI::App* command : commands) {
+      names.push_back(command->get_name());
+      if (command->get_name() == word) level = command;
+    }
+    if (level == nullptr) {
+      const bool is_model = word.ends_with(".yaml") || word.ends_with(".yml");
+      return fmt::format("unknown command \"{}{}\".{}", before, word,
+                         is_model ? fmt::format(" To run this model type pounding run {}", word) : pounding::suggestion(word, names));
+    }
+    before += word + " ";
+  }
+  return {};
 }
 
 }  // namespace
@@ -60,6 +86,8 @@ int main(int argc, char** argv) {
     return done;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return is_root() ? app.exit(error) : done;
+    if (const std::string unknown = unknown_command(app, {argv + 1, argv + argc}); !unknown.empty())
+      return report((unknown + "\nType pounding --help.").c_str(), bad_input);
     return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
   } catch (const std::exception& error) {
     return report(error.what(), exit_code(error));

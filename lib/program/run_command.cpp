@@ -8,7 +8,9 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <pounding/run/implausible.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/input/read_model.hpp>
@@ -32,6 +34,23 @@ Model read(const Input& input) { return read_model(input, petsc::lowest_modes); 
 
 std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();
+}
+
+// A summary as JSON with the warnings of the run as its last member.
+std::string with_warnings(std::string json, const std::vector<std::string>& warnings) {
+  json.pop_back();
+  return json + ",\"warnings\":" + nlohmann::json(warnings).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "}";
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& text : warnings) std::fprintf(stderr, "pounding: warning: %s\n", text.c_str());
+}
+
+// Warnings that only the answers give.
+std::vector<std::string> warnings_after(const Model& model, const Summary& summary) {
+  std::vector<std::string> warnings = implausible(model, summary);
+  if (std::string text = warning(summary, model.analysis.tolerance); !text.empty()) warnings.push_back(std::move(text));
+  return warnings;
 }
 
 // Draws a progress bar on a terminal: one line, written over and over.
@@ -111,7 +130,7 @@ void run_task(const RunArguments& words, const Task& task) {
   RunOptions run_options;
   const bool plot = words.plot || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;
-  if (keep) run_options.output = resume ? words.resume : with_ending(model_file, ".h5");
+  if (keep) run_options.output = resume ? words.resume : with_ending(std::filesystem::path(model_file).filename(), ".h5");
   if (!words.output.empty()) run_options.output = words.output;
   run_options.resume = words.resume;
   run_options.command = fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file,
@@ -121,6 +140,8 @@ void run_task(const RunArguments& words, const Task& task) {
   if (terminal) run_options.progress = show_progress;
   if (!words.json && !words.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
+  std::vector<std::string> warnings = implausible(model);
+  if (ranks.is_root()) print_warnings(warnings);
 
   const StopOnSignal signals;  // after PETSc, which takes and gives back signals of its own
   run_options.stop = [] { return StopOnSignal::stop != 0; };
@@ -129,7 +150,7 @@ void run_task(const RunArguments& words, const Task& task) {
     outcome = run(model, run_options);
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
-    if (words.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
+    if (words.json && ranks.is_root()) std::puts(with_warnings(to_json(failed.outcome().summary), warnings).c_str());
     if (!failed.outcome().results.checkpoint) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
     throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}", failed.what(), launcher, run_options.output));
@@ -141,10 +162,11 @@ void run_task(const RunArguments& words, const Task& task) {
   if (!ranks.is_root()) return;
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
     std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n", unread.front().c_str());
-  if (const std::string text = warning(outcome.summary, model.analysis.tolerance); !text.empty())
-    std::fprintf(stderr, "pounding: warning: %s\n", text.c_str());
+  const std::vector<std::string> after = warnings_after(model, outcome.summary);
+  print_warnings(after);
+  warnings.insert(warnings.end(), after.begin(), after.end());
   if (words.json)
-    std::puts(to_json(outcome.summary).c_str());
+    std::puts(with_warnings(to_json(outcome.summary), warnings).c_str());
   else if (!words.quiet)
     std::fputs(to_table(outcome.summary).c_str(), stdout);
   if (!keep) return;
@@ -176,11 +198,11 @@ void add_run(CLI::App& app) {
   run_command->add_option("--resume", words->resume,
                           "Results file of a run that was killed, stopped or cut: goes on in it with the model that it holds; "
                           "MODEL and the PETSc options of the beginning need not be named again");
-  run_command->add_option("-o,--output", words->output, "Results file (HDF5)");
-  run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file");
+  run_command->add_option("-o,--output", words->output, "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder");
+  run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file; -o OUT.h5 says where");
   run_command->add_option("--picture", words->picture, "Name of the picture");
   run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
-  run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but errors");
+  run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but warnings and errors");
   run_command->allow_extras();
   run_command->footer("PETSc options with the prefix -pounding_ stand behind MODEL and reach the time stepping, for example\n"
                       "  -pounding_ts_rtol 1e-6  -pounding_ts_pounding_scheme generalized_alpha  -pounding_ts_view  -pounding_ts_monitor");
@@ -193,8 +215,11 @@ void add_run(CLI::App& app) {
   check_command->callback([check_words] {
     const petsc::Environment environment;
     const Model model = read(Input::read_file(check_words->model));
+    const std::vector<std::string> warnings = implausible(model);
+    print_warnings(warnings);
     if (check_words->json)
-      std::printf("{\"status\": \"ok\", \"structures\": %zu, \"links\": %zu}\n", model.structures.size(), model.links.size());
+      std::puts(with_warnings(fmt::format("{{\"status\": \"ok\", \"structures\": {}, \"links\": {}}}", model.structures.size(), model.links.size()),
+                              warnings).c_str());
     else
       std::fputs((describe(model) + "\n" + resolved_yaml(model)).c_str(), stdout);
   });

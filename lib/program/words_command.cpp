@@ -80,7 +80,10 @@ void print_line(const words::Word& word, std::size_t depth) {
   constexpr std::size_t width = 28;
   const std::string mark = word.need == words::Need::required ? " *" : word.need == words::Need::optional ? "" : " (*)";
   const std::string name = fmt::format("{}{}{}", std::string(2 * depth, ' '), word.key, mark);
-  fmt::print("{:<{}} {}\n", name, width, taken_text(word));
+  const std::size_t choices = word.choices.size();
+  const bool is_long = choices > 8;
+  fmt::print("{:<{}} {}\n", name, width,
+             is_long ? fmt::format("one of {}, see pounding words {}", choices, word.key) : taken_text(word));
 }
 
 void print_section(const words::Section& section) {

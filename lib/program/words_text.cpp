@@ -29,7 +29,7 @@ std::string single_text(const words::Word& word) {
     case Takes::quantity: return quantity_text(word) + word.bounds.text() + in_brackets(word.unit_text());
     case Takes::integer: return "an integer" + integer_range(word.bounds);
     case Takes::boolean: return "true or false";
-    case Takes::choice: return fmt::format("one of {}", fmt::join(word.choices, ", "));
+    case Takes::choice: return fmt::format("{}{}", word.choices.size() > 1 ? "one of " : "", fmt::join(word.choices, ", "));
     case Takes::text: return "a text";
   }
   return {};

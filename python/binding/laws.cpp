@@ -226,16 +226,12 @@ double quantity(const std::string& text, const std::string& unit, double exponen
   return parse_quantity(text, parse_unit_dimension(laws::resolved_unit(unit, exponent)));
 }
 
-std::string hint(const std::string& read, const std::vector<std::string>& allowed) {
-  return suggestion(read, std::vector<std::string_view>(allowed.begin(), allowed.end()));
-}
-
 }  // namespace
 
 void bind_laws(py::module_& module) {
   module.def("catalogue", &catalogue);
   module.def("quantity", &quantity, "text"_a, "unit"_a, "exponent"_a = 1.0);
-  module.def("hint", &hint, "read"_a, "allowed"_a);
+  module.def("law_hint", [](const std::string& name) { return laws::law_suggestion(name, laws::catalogue()); }, "name"_a);
   module.def("calibrate",
              [](const std::string& law, const std::string& restitution, const std::string& m1, const std::string& m2,
                 const std::string& stiffness, const std::string& velocity, const std::string& exponent,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/run/implausible.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/input/read_model.hpp>
@@ -69,10 +71,10 @@ py::object plain(const Input& input) {
   return py::str(input.as_text());
 }
 
-std::pair<std::string, std::string> checked(const Source& source) {
+std::tuple<std::string, std::string, std::vector<std::string>> checked(const Source& source) {
   return with_petsc([&] {
     const Model model = read(source);
-    return std::pair(describe(model), resolved_yaml(model));
+    return std::tuple(describe(model), resolved_yaml(model), implausible(model));
   });
 }
 
@@ -143,6 +145,7 @@ struct Listener {
 struct Ran {
   std::vector<std::byte> image;  ///< of the results file
   std::string warning;
+  std::vector<std::string> implausible;  ///< warnings of what the model and the run hold
   std::string failure;     ///< empty for a run that came to its end
   bool resumable = false;  ///< the output can be resumed
 };
@@ -153,16 +156,18 @@ std::vector<std::byte> image_for_all(const Results& results) {
   return ranks.gather(ranks.is_root() ? results_image(results) : std::vector<std::byte>{}).front();
 }
 
-Ran ran(const Outcome& outcome, std::string failure, double tolerance) {
-  return {image_for_all(outcome.results), failure.empty() ? warning(outcome.summary, tolerance) : "",
-          failure, outcome.results.checkpoint.has_value()};
+Ran ran(const Model& model, const Outcome& outcome, std::string failure) {
+  std::vector<std::string> doubts = implausible(model);
+  for (std::string& text : implausible(model, outcome.summary)) doubts.push_back(std::move(text));
+  return {.image = image_for_all(outcome.results), .warning = failure.empty() ? warning(outcome.summary, model.analysis.tolerance) : "",
+          .implausible = std::move(doubts), .failure = failure, .resumable = outcome.results.checkpoint.has_value()};
 }
 
 Ran run_alike(const Model& model, const RunOptions& options) {
   try {
-    return ran(run(model, options), "", model.analysis.tolerance);
+    return ran(model, run(model, options), "");
   } catch (const FailedRun& failed) {
-    return ran(failed.outcome(), failed.what(), model.analysis.tolerance);
+    return ran(model, failed.outcome(), failed.what());
   }
 }
 
@@ -203,6 +208,7 @@ void refuse(const std::string& text) {
 struct RunOutcome {
   py::bytes image;  ///< of the results file
   std::string warning, failure;
+  std::vector<std::string> implausible;
   bool resumable = false;
   py::object raised;  ///< by a signal handler or `progress`; None
 };
@@ -210,7 +216,7 @@ struct RunOutcome {
 RunOutcome for_python(const Ran& ran, const Listener& listener) {
   const auto* image = reinterpret_cast<const char*>(ran.image.data());
   return {.image = py::bytes(image, ran.image.size()), .warning = ran.warning, .failure = ran.failure,
-          .resumable = ran.resumable, .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
+          .implausible = ran.implausible, .resumable = ran.resumable, .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
 }
 
 RunOptions run_options(const std::string& output, const std::string& command, Listener& listener) {
@@ -279,6 +285,7 @@ void bind_models(py::module_& module) {
       .def_readonly("image", &RunOutcome::image)
       .def_readonly("warning", &RunOutcome::warning)
       .def_readonly("failure", &RunOutcome::failure)
+      .def_readonly("implausible", &RunOutcome::implausible)
       .def_readonly("resumable", &RunOutcome::resumable)
       .def_readonly("raised", &RunOutcome::raised);
   module.def("read_file", [](const std::string& path) { return Input::read_file(path).text(); });

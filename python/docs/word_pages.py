@@ -52,7 +52,10 @@ def row(word):
 
 def section(found):
     title = f"`{found['place']}`" if found["place"] else "The whole file"
-    lines = ["", f"## {title}", "", found["meaning"][0].upper() + found["meaning"][1:].rstrip(".") + ".", ""]
+    meaning = found["meaning"][0].upper() + found["meaning"][1:].rstrip(".") + "."
+    lines = ["", f"## {title}", ""] + ([meaning, ""] if found["place"] else [])
+    if (law := found["name"]) and "with law" in found["place"]:
+        lines += [f"[Equations and formulas of {law}](../../../elements/pounding/laws/pages/{law}.md)", ""]
     if found["keys"]:
         lines += ["| key | takes | needed, or value without it | meaning | example |", "|---|---|---|---|---|", *map(row, found["keys"])]
     return "\n".join(lines) + "\n"

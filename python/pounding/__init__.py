@@ -11,7 +11,7 @@
     results.plot("force").savefig("force.pdf")
 
 Everything is loaded when it is first used: results files need numpy and h5py, pictures matplotlib as well.
-`python3 -m pounding animate RESULTS.h5 -o FILE.gif` and so on run the parts that draw and convert from a shell.
+`python3 -m pounding ...` is the program: `python3 -m pounding run MODEL.yaml`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from pounding import results as results
     from pounding._modes import Mode, Modes, modes
     from pounding.contact import FreeImpact, Law, Response, calibrate, laws
-    from pounding.errors import AccuracyWarning, InputError, Interrupted, SolverError
+    from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError
     from pounding.models import Model, check
     from pounding.opensees.from_model import from_opensees
     from pounding.records import record
@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 
     __version__: str
 
-__all__ = ["AccuracyWarning", "FreeImpact", "InputError", "Interrupted", "Law", "Mode", "Model", "Modes", "Response", "Run",
-           "SolverError", "calibrate", "check", "from_opensees", "laws", "modes", "read", "record", "resume", "run"]
+__all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", "Interrupted", "Law", "Mode", "Model", "Modes", "Response",
+           "Run", "SolverError", "calibrate", "check", "from_opensees", "laws", "modes", "read", "record", "resume", "run"]
 
 #: Modules that are public themselves: `pounding.opensees.link`.
 _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "results")
@@ -45,7 +45,7 @@ _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "results")
 _MODULES = {
     "_modes": ("Mode", "Modes", "modes"),
     "contact": ("FreeImpact", "Law", "Response", "calibrate", "laws"),
-    "errors": ("AccuracyWarning", "InputError", "Interrupted", "SolverError"),
+    "errors": ("AccuracyWarning", "ImplausibleWarning", "InputError", "Interrupted", "SolverError"),
     "models": ("Model", "check"),
     "opensees.from_model": ("from_opensees",),
     "records": ("record",),

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from pounding import told
 from pounding._native import core
 from pounding.errors import InputError
 
@@ -51,8 +52,8 @@ class Response(NamedTuple):
     by_rate: Values  #: dF/dd' [N s/m]
 
 
-@dataclass(frozen=True)
-class FreeImpact:
+@dataclass(frozen=True, repr=False)
+class FreeImpact(told.Told, lines=told.free_impact):
     """Result of free impacts of two bodies; every array has the shape of the closing speeds."""
 
     restitution: Values  #: separation speed over closing speed [-]
@@ -153,6 +154,9 @@ class Law:
         unit)."""
         return {name: (value, unit) for name, value, unit in self._with_mass(None).describe(closing_speed)}
 
+    def __str__(self) -> str:
+        return "\n".join(told.law(self))
+
     def __repr__(self) -> str:
         given = {"restitution": self.restitution, "formula": self.formula, "impact_velocity": self.impact_velocity,
                  "reduced_mass": self.reduced_mass, **self.parameters}
@@ -202,7 +206,7 @@ class Laws(Mapping[str, LawKind]):
 
     def __getitem__(self, name: str) -> LawKind:
         if name not in self._kinds:
-            raise InputError(f'unknown law "{name}".' + core.hint(str(name), list(self._kinds)))
+            raise InputError(f'unknown law "{name}".' + core.law_hint(str(name)))
         return self._kinds[name]
 
     def __contains__(self, name: object) -> bool:

@@ -27,3 +27,8 @@ class Interrupted(KeyboardInterrupt):
 
 class AccuracyWarning(UserWarning):
     """The energies of a run do not close: its results should not be trusted as they are."""
+
+
+class ImplausibleWarning(UserWarning):
+    """A model, or a run of it, holds numbers far from those of buildings, mostly by a unit that is missing. `accept` of the model
+    silences what is meant."""

@@ -4,22 +4,24 @@ from __future__ import annotations
 
 import copy
 import os
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
-from pounding import yaml_text
+from pounding import told, yaml_text
 from pounding._native import core
+from pounding.errors import ImplausibleWarning
 from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
 
 #: The parts of an input, in the order of the examples.
-PARTS = ("title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare")
+PARTS = ("title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare", "accept")
 
 
-class Model:
+class Model(told.Told, lines=told.model):
     """A model in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts with units
     ("20 mm") or numbers in SI.
 
@@ -35,7 +37,7 @@ class Model:
     def __init__(self, structures: Mapping[str, Any], links: Sequence[Mapping[str, Any]] = (), *,
                  ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
                  title: str | None = None, compare: str | None = None,
-                 checkpoint: Mapping[str, Any] | None = None) -> None:
+                 checkpoint: Mapping[str, Any] | None = None, accept: Sequence[str] | None = None) -> None:
         self.structures = structures
         self.links = links
         self.ground_motion = ground_motion
@@ -43,6 +45,7 @@ class Model:
         self.title = title
         self.compare = compare
         self.checkpoint = checkpoint
+        self.accept = accept
         self._file = ""
         self._text = ""
         self._parts_of_text: dict[str, Any] | None = None
@@ -86,9 +89,6 @@ class Model:
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __repr__(self) -> str:
-        return f"<pounding.Model {self.title or ''!r}: {len(self.structures or ())} structures, {len(self.links or ())} links>"
-
     def _repr_html_(self) -> str:
         return text_html(self.to_yaml())
 
@@ -111,8 +111,9 @@ class Model:
 class Checked:
     """A model that holds what it must."""
 
-    description: str  #: ground motions and links, one line each
+    description: str  #: ground motions, structures and links, one line each
     resolved: str  #: YAML with every default and calibrated parameter, SI
+    warnings: tuple[str, ...] = ()  #: of numbers far from those of buildings, without those that the model accepts
 
     def __str__(self) -> str:
         """The output of `pounding check`."""
@@ -125,5 +126,9 @@ def as_model(model: Model | str | PathLike[str]) -> Model:
 
 
 def check(model: Model | str | PathLike[str]) -> Checked:
-    """Reads a model, or an input file, without running it. Raises InputError with the place of what is wrong."""
-    return Checked(*core.check(as_model(model)._source()))
+    """Reads a model, or an input file, without running it. Raises InputError with the place of what is wrong; warns of what is
+    hardly meant (ImplausibleWarning)."""
+    description, resolved, doubts = core.check(as_model(model)._source())
+    for doubt in doubts:
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
+    return Checked(description, resolved, tuple(doubts))

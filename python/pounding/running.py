@@ -10,7 +10,7 @@ from os import PathLike, fspath
 from typing import Any
 
 from pounding._native import core
-from pounding.errors import AccuracyWarning, InputError, Interrupted, SolverError
+from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError
 from pounding.models import Model, as_model
 from pounding.runs import Run
 
@@ -29,7 +29,8 @@ def run(model: Model | File, *, tolerance: float | None = None, output: File | N
     number of impacts.
 
     Raises InputError when the model is wrong; SolverError when the run fails and Interrupted at Ctrl-C, both with the results
-    so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning). Under mpirun all processes call
+    so far, which are in `output` too. Warns of energies that do not close (AccuracyWarning) and of numbers that a model holds
+    and hardly means (ImplausibleWarning). Under mpirun all processes call
     this function alike, and an error of one of them is raised by all."""
     with _refused_by_all():
         model = as_model(model)
@@ -95,6 +96,8 @@ def _results(ran: core.RunOutcome, output: str) -> Run:
         raise Interrupted(text or "stopped by the user", results) from None
     if text:
         raise SolverError(text, results)
+    for doubt in ran.implausible:
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
     if ran.warning:
         warnings.warn(ran.warning, AccuracyWarning, stacklevel=3)
     return results

@@ -104,7 +104,7 @@ TEST(Quantity, TextThatIsNoFiniteNumberIsRefused) {
     EXPECT_EQ(error_of(text, dimension::length),
               "takes a length such as \"20 mm\"; \"" + std::string(text) + "\" is not a finite number");
   EXPECT_EQ(error_of("0,02 m", dimension::length),
-            "takes a length such as \"20 mm\"; \"0,02 m\" needs a decimal point, not a comma");
+            "takes a length such as \"20 mm\"; \"0,02 m\" needs a decimal point, not a comma; type 0.02 m");
   EXPECT_EQ(error_of("2 3 m", dimension::length), "takes a length such as \"20 mm\"; cannot read \"3 m\" in unit \"3 m\"");
   EXPECT_EQ(error_of("2 1", dimension::none), "takes a number such as \"5 %\"; cannot read \"1\" in unit \"1\"");
 }

@@ -466,5 +466,45 @@ TEST(Delayed, MovesEverythingAlong) {
   EXPECT_THROW(GroundMotion(Harmonic{3, 0.6, 1}).delayed(infinity), std::invalid_argument);
 }
 
+TEST(LongestStep, IsATenthOfThePeriodWhileAClosedFormLasts) {
+  const GroundMotion sine(Pulse{Pulse::Shape::sine, 2, 0.1, 5}), half(Pulse{Pulse::Shape::half_sine, 2, 0.1, 5});
+  const GroundMotion rectangle(Pulse{Pulse::Shape::rectangle, 2, 0.1, 5}), harmonic(Harmonic{2, 0.04, 1});
+  constexpr double any = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(sine.longest_step(4.9), any);
+  EXPECT_DOUBLE_EQ(sine.longest_step(5), 0.01);
+  EXPECT_EQ(sine.longest_step(sine.duration()), any);
+  EXPECT_DOUBLE_EQ(half.longest_step(5.05), 0.02);
+  EXPECT_EQ(rectangle.longest_step(5.05), any) << "steps that end at its corners integrate it exactly";
+  EXPECT_DOUBLE_EQ(harmonic.longest_step(0), 0.004);
+  EXPECT_DOUBLE_EQ(harmonic.delayed(3).longest_step(3.5), 0.004);
+  EXPECT_EQ(harmonic.delayed(3).longest_step(4), any);
+  EXPECT_EQ(GroundMotion().longest_step(0), any);
+}
+
+TEST(LongestStep, IsTheSpacingUntilARecordIsOver) {
+  const GroundMotion record(Samples{{0.5, 0.52, 0.54}, {0, 1, 0}, true}), uneven(Samples{{0, 0.02, 0.05}, {0, 1, 0}});
+  EXPECT_DOUBLE_EQ(record.longest_step(0), 0.02);
+  EXPECT_DOUBLE_EQ(record.longest_step(0.53), 0.02);
+  EXPECT_EQ(record.longest_step(0.54), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(uneven.longest_step(0.01), std::numeric_limits<double>::infinity()) << "its breaks are enough";
+}
+
+TEST(Peaks, AreThoseOfTheIntegralsUntilTheMotionIsOver) {
+  const auto expect_peaks = [](const GroundMotion& motion) {
+    double v = 0, d = 0;
+    for (int i = 0; i <= 1000; ++i) {
+      const double t = motion.start() + (motion.duration() - motion.start()) * i / 1000;
+      v = std::max(v, std::abs(motion.velocity(t)));
+      d = std::max(d, std::abs(motion.displacement(t)));
+    }
+    EXPECT_NEAR(motion.peak_velocity(), v, 1e-4 * v) << motion.source();
+    EXPECT_NEAR(motion.peak_displacement(), d, 1e-4 * d) << motion.source();
+  };
+  for (const Pulse::Shape shape : {Pulse::Shape::half_sine, Pulse::Shape::sine, Pulse::Shape::rectangle})
+    expect_peaks(GroundMotion(Pulse{shape, -3, 0.2, 1}));
+  for (const double duration : {0.1, 0.26, 0.4, 0.77, 1.3}) expect_peaks(GroundMotion(Harmonic{2, 0.5, duration}));
+  expect_peaks(GroundMotion(Samples{{0, 1, 2, 3, 4}, {0, 2, 0, -2, 0}, true}));
+}
+
 }  // namespace
 }  // namespace pounding

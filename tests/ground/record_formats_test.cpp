@@ -479,6 +479,20 @@ TEST(RecordFormats, LineEndsOfWindowsAreRead) {
   }
 }
 
+TEST(RecordFormats, ALineMayEndTheData) {
+  const std::string at2 = "a\nb\nIN UNITS OF G\nNPTS= 3, DT= .01\n0 1 2\n", columns = "time (s), acc (g)\n0, 0\n0.01, 1\n0.02, 2\n";
+  const std::vector<double> values = read(at2).samples.accelerations;
+  for (const char* end : {"*** End Data ***\n", "END OF DATA\n\n", "-end-of-file-", "End"}) {
+    EXPECT_EQ(read(at2 + end).samples.accelerations, values) << end;
+    EXPECT_EQ(read(columns + end).samples.accelerations, values) << end;
+  }
+  EXPECT_EQ(read(knet(5, 3) + "*** End Data ***\n").samples.accelerations, read(knet(5, 3)).samples.accelerations);
+  EXPECT_EQ(error_of("a\nb\nIN UNITS OF G\nNPTS= 4, DT= .01\n0 1 2\n*** End Data ***\n"), "r.txt:5: the values end here, after 3; NPTS states 4");
+  EXPECT_EQ(error_of(at2 + "*** End Data ***\n3\n"), "r.txt:7: more values than the 3 that NPTS states");
+  EXPECT_EQ(error_of(columns + "*** End Data ***\n0.03, 3\n"), "r.txt:6: follows the line that ends the data; remove one of the two");
+  EXPECT_EQ(error_of(at2 + "*** Data ***\n"), "r.txt:6: more values than the 3 that NPTS states");
+}
+
 TEST(RecordFormats, NoTruncatedFileIsReadOrCrashes) {
   for (const std::string& text : {knet(5, 3), esm(), smc(), csmip_v1(1, "Up"), csmip_pairs(), cosmos(1, "Up")}) {
     // Up to the last value: what ends the channel is not needed.

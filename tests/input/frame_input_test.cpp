@@ -125,7 +125,7 @@ TEST(FrameInput, MaterialsAreNamedOrGivenInPlace) {
           "5:9: members.left: the material is missing; type material: {E: 30 GPa} in the frame, for all members");
   refused(with(portal, "{E: 30 GPa}", "{E: 30 GPa, G: 12 GPa, poisson: 0.2}"),
           "1:34: material.poisson: G and poisson both set the shear modulus; keep one of them");
-  refused(with(portal, "{E: 30 GPa}", "{E: 30 GPa, rho: 2500}"), "1:23: material: unknown key \"rho\". Allowed: E, G, poisson, density.");
+  refused(with(portal, "{E: 30 GPa}", "{E: 30 GPa, rho: 2500}"), "1:23: material: unknown key \"rho\". Did you mean \"density\"?");
   refused(with(portal, "{E: 30 GPa}", "{density: 2500 kg/m^3}"), "1:11: material: key \"E\" is missing; type \"E: 30 GPa\"");
 }
 

@@ -210,6 +210,8 @@ TEST(Input, OneValueOrAListFromTheGroundUp) {
   EXPECT_EQ(input.at("three").as_quantities(3), (std::vector<double>{1e3, 2e3, 3}));
   EXPECT_EQ(error_of([&] { input.at("three").as_quantities(4); }),
             "model.yaml:2:8: three: takes a mass > 0 such as \"100 t\" or a list of 4 from the ground up; a list of 3 was read");
+  EXPECT_EQ(error_of([&] { input.at("one").as_quantities(3, {.high = 1e3}); }),
+            "model.yaml:1:6: one: takes a mass <= 1000 such as \"100 t\"; \"250 t\" is outside");
   EXPECT_EQ(error_of([&] { input.at("bad").as_quantities(3); }),
             "model.yaml:3:12: bad[1]: takes a mass such as \"100 t\"; \"2 mm\" is a length");
 }

@@ -90,7 +90,7 @@ TEST(LinkInput, TakesAGapThatIsALengthOfAtLeastZero) {
   refused(link("between: [left, right], gap: 20 mn, law: hertz, stiffness: 2.75e9"),
           R"(5:35: links[0].gap: takes a length such as "20 mm"; unknown unit "mn". Did you mean "MN"?)");
   refused(link(R"(between: [left, right], gap: "1,5 mm", law: hertz, stiffness: 2.75e9)"),
-          R"(5:35: links[0].gap: takes a length such as "20 mm"; "1,5 mm" needs a decimal point, not a comma)");
+          R"(5:35: links[0].gap: takes a length such as "20 mm"; "1,5 mm" needs a decimal point, not a comma; type 1.5 mm)");
   refused(link("between: [left, right], gap: [1 mm, 2 mm], law: hertz, stiffness: 2.75e9"),
           R"(5:35: links[0].gap: takes a length >= 0 such as "20 mm" or a list of 1 from the ground up; a list of )"
           "2 was read");
@@ -198,11 +198,13 @@ TEST(LawInput, TakesItsDampingOnceAndOnlyOnce) {
 
 TEST(LawInput, TakesARestitutionAboveZeroAndUpToOne) {
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0"),
-          R"(5:93: links[0].restitution: takes a number in (0, 1] such as "5 %"; "0" is outside)");
+          "5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; 0 would leave the "
+          "bodies together after each impact, which no law here does: type a small one such as 0.05");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 1.2"),
-          R"(5:93: links[0].restitution: takes a number in (0, 1] such as "5 %"; "1.2" is outside)");
+          R"(5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; "1.2" would gain )"
+          "energy at each impact; 1 loses none");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: -0.5"),
-          R"(5:93: links[0].restitution: takes a number in (0, 1] such as "5 %"; "-0.5" is outside)");
+          R"(5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; "-0.5" is outside)");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: .nan"),
           R"(5:93: links[0].restitution: takes a number such as "5 %"; ".nan" is not a finite number)");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0.5 m"),

@@ -101,6 +101,11 @@ TEST(LawsByName, WrongNamesAreRefusedWithTheNearestOne) {
   Settings s = hertz_damped();
   s.law = "hertz_damp";
   EXPECT_EQ(refusal(s), R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");
+  s.law = "ImpactMaterial";
+  EXPECT_EQ(refusal(s), R"(unknown law "ImpactMaterial". Did you mean "bilinear_hertz"?)");
+  s.law = "antypov_elliott";
+  EXPECT_EQ(refusal(s), "unknown law \"antypov_elliott\". \"antypov_elliott\" is a formula for the damping of a law; type law: viscous_hertz, "
+                        "formula: antypov_elliott.");
   s = hertz_damped();
   s.formula = "ye2009";
   EXPECT_EQ(refusal(s), R"(hertz_damped has no formula "ye2009". Did you mean "ye_2009"?)");

@@ -10,8 +10,8 @@ import unittest
 import h5py
 from support import LONG, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
 
-SUMMARY_KEYS = ["status", "links", "structures", "energy", "solver"]
-LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost"]
+SUMMARY_KEYS = ["status", "links", "structures", "energy", "solver", "warnings"]
+LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost", "energy_stored", "presses"]
 STRUCTURE_KEYS = ["peak_displacement", "peak_drift", "peak_acceleration"]
 ENERGY_KEYS = ["input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"]
 SOLVER_KEYS = ["integrator", "steps", "rejected", "events", "wall_seconds"]
@@ -36,7 +36,11 @@ class ExitCodes(ProgramTest):
 
     def test_two_for_words_that_are_none_of_ours(self):
         self.refused(2, "A subcommand is required")
-        self.refused(2, "A subcommand is required", "walk")
+        self.refused(2, 'unknown command "walk". Allowed: run, check, modes, laws,', "walk")
+        self.refused(2, 'unknown command "chek". Did you mean "check"?', "chek", "model.yaml")
+        self.refused(2, 'unknown command "Plot". Did you mean "plot"?', "Plot")
+        self.refused(2, 'unknown command "record spectra". Did you mean "spectrum"?', "record", "spectra", "FILE")
+        self.refused(2, 'unknown command "model.yaml". To run this model type pounding run model.yaml', "model.yaml")
         self.refused(2, "MODEL is required", "run")
         self.refused(2, 'unknown option "--jsom"', "run", self.write(OSCILLATORS), "--jsom")
         self.refused(2, "The following argument was not expected: second.yaml", "check", "model.yaml", "second.yaml")
@@ -108,7 +112,7 @@ analysis: {duration: 0.1}
     def test_compares_with_the_same_structures_apart(self):
         alone = self.summary(self.write(OSCILLATORS[:OSCILLATORS.index("links:")] + "analysis: {duration: 3.0}\n"))
         summary = self.summary(self.write(OSCILLATORS + "compare: no_pounding\n"))
-        self.assertEqual(list(summary), SUMMARY_KEYS + ["no_pounding"])
+        self.assertEqual(list(summary), SUMMARY_KEYS[:-1] + ["no_pounding", "warnings"])
         for name, structure in alone["structures"].items():
             without = summary["no_pounding"]["structures"][name]["peak_displacement"][0]
             self.assertTrue(math.isclose(without, structure["peak_displacement"][0], rel_tol=1e-3))
@@ -156,6 +160,30 @@ class Words(ProgramTest):
         self.assertRaises(BlockingIOError, os.read, master, 1)
 
 
+class Warnings(ProgramTest):
+    DOUBTFUL = OSCILLATORS.replace("gap: 20 mm", "gap: 20").replace("duration: 3.0}\n", "duration: 3.0, tolerance: 0.05}\n")
+    TEXTS = ["link left-right: the gap is 20 m, above 2 m; a bare length is in m, type its unit, as in 20 mm, and look at the origins (where it is meant: accept: [gap])",
+             "analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; 1e-4 is usual (where it is meant: accept: [tolerance])"]
+
+    def test_are_told_by_run_and_check(self):
+        self.write(self.DOUBTFUL)
+        for command in ("run", "check"):
+            done = self.pounding(command, "model.yaml", "--json")
+            self.assertEqual(json.loads(done.stdout)["warnings"], self.TEXTS)
+            self.assertEqual(done.stderr, "".join(f"pounding: warning: {text}\n" for text in self.TEXTS))
+            self.assertEqual(self.pounding(command, "model.yaml").stderr, done.stderr)
+
+    def test_are_silenced_by_name(self):
+        self.write(self.DOUBTFUL + "accept: [gap]\n")
+        self.assertEqual(self.pounding("check", "model.yaml").stderr, f"pounding: warning: {self.TEXTS[1]}\n")
+        self.write(self.DOUBTFUL + "accept: [gap, tolerance]\n")
+        self.assertEqual(self.summary("model.yaml")["warnings"], [])
+
+    def test_structures_have_a_line_each(self):
+        for command in ("run", "check"):
+            self.assertIn("structure left: oscillator, 1 floor, 100 t, period 0.8 s\n", self.pounding(command, self.write(OSCILLATORS)).stdout)
+
+
 class Check(ProgramTest):
     def test_shows_the_model_with_every_default(self):
         done = self.pounding("check", self.write(OSCILLATORS))
@@ -165,7 +193,7 @@ class Check(ProgramTest):
 
     def test_says_ok_in_json(self):
         done = self.pounding("check", self.write(LONG), "--json")
-        self.assertEqual(json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1})
+        self.assertEqual(json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1, "warnings": []})
 
     def test_writes_nothing(self):
         self.pounding("check", self.write(LONG))

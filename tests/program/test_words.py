@@ -55,6 +55,8 @@ class Words(unittest.TestCase):
         for section in json.loads(words("--json").stdout):
             for word in section["keys"]:
                 self.assertRegex(everything, rf"\b{word['key']}\b")
+        self.assertIn("compare                      no_pounding\n", everything)
+        self.assertRegex(everything, r"(?m)^  law \*  +one of \d+, see pounding words law$")
         self.assertEqual([s["place"] for s in json.loads(words("gap", "--json").stdout)], ["links[]"])
 
 

@@ -174,6 +174,9 @@ class Refusals(unittest.TestCase):
 
     def test_names_are_suggested(self):
         self.refused('unknown law "jankowsky". Did you mean "jankowski"?', pounding.laws.__getitem__, "jankowsky")
+        self.refused('unknown law "JankowskiImpact". Did you mean "jankowski"?', pounding.laws.__getitem__, "JankowskiImpact")
+        self.refused('unknown law "lankarani". "lankarani_nikravesh" is a formula for the damping of a law; type law: hertz_damped, '
+                     'formula: lankarani_nikravesh.', pounding.laws.__getitem__, "lankarani")
         self.refused('unknown law "HERTZ". Did you mean "hertz"?', pounding.laws.__getitem__, "HERTZ")
         self.refused('hertz has no parameter "stifness". Did you mean "stiffness"?', pounding.laws["hertz"], stifness=1)
         self.refused('hertz_damped has no formula "ye2009". Did you mean "ye_2009"?', pounding.laws["hertz_damped"],

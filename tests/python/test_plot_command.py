@@ -34,10 +34,14 @@ class PlotCommand(unittest.TestCase):
         path.chmod(stat.S_IRWXU)
         return path
 
-    def test_picture_stands_beside_the_results(self):
+    def test_picture_is_written_into_the_current_folder_and_named(self):
+        kept, self.directory = self.directory, self.directory / "elsewhere"
+        self.directory.mkdir()
         done = self.plot(self.results)
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
-        self.assertEqual(self.results.with_suffix(".png").read_bytes()[1:4], b"PNG")
+        name = self.results.with_suffix(".png").name
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, f"picture      {name}\n", ""))
+        self.assertEqual((self.directory / name).read_bytes()[1:4], b"PNG")
+        self.assertEqual(sorted(path.name for path in kept.iterdir()), [self.results.name, "elsewhere"])
 
     def test_name_and_kind_can_be_chosen(self):
         done = self.plot(self.results, "-o", "other.svg", "--title", "Chosen")
@@ -66,6 +70,15 @@ class PlotCommand(unittest.TestCase):
         done = self.plot("none.h5")
         self.assertEqual(done.returncode, 2)
         self.assertIn("no picture: cannot read none.h5: there is no file none.h5", done.stderr)
+
+    def test_an_input_file_is_told_from_results(self):
+        (self.directory / "model.yaml").write_text("title: a\n")
+        for command in ("plot", "animate", "export"):
+            done = subprocess.run([PROGRAM, command, "model.yaml"], cwd=self.directory, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("model.yaml is an input file; type pounding run model.yaml -o model.h5, and name model.h5 here\n", done.stderr)
+        (self.directory / "picture.png").write_bytes(b"PNG")
+        self.assertIn("picture.png is not a results file of pounding", self.plot("picture.png").stderr)
 
     def test_missing_python_says_what_to_install(self):
         done = self.plot(self.results, python="/no/python")

@@ -18,6 +18,7 @@ import h5py
 import numpy as np
 
 import pounding
+import frame_samples
 from test_models import TWO_OSCILLATORS, two_oscillators
 
 FRAMES = TWO_OSCILLATORS.parents[1] / "07_plane_frames/model.yaml"
@@ -67,7 +68,9 @@ class SameAsTheProgram(RunTest):
     def test_summary_and_file_are_those_of_the_command(self):
         done = self.program("run", TWO_OSCILLATORS, "--json", "-o", self.folder / "program.h5")
         results = pounding.run(TWO_OSCILLATORS, output=self.folder / "python.h5")
-        self.assertEqual(without_times(results.summary), without_times(json.loads(done.stdout)))
+        printed = without_times(json.loads(done.stdout))
+        self.assertEqual(printed.pop("warnings"), [])
+        self.assertEqual(without_times(results.summary), printed)
         self.assert_same_file(self.folder / "program.h5", self.folder / "python.h5")
         results.save(self.folder / "saved.h5")
         self.assert_same_file(self.folder / "program.h5", self.folder / "saved.h5")
@@ -127,7 +130,9 @@ class SameAsTheProgram(RunTest):
         done = self.program("run", TWO_OSCILLATORS, "--json", "-pounding_ts_rtol", "1e-3", "-pounding_ts_pounding_scheme", "generalized_alpha")
         with self.assertWarns(pounding.AccuracyWarning):
             by_option = pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3, "ts_pounding_scheme": "generalized_alpha"})
-        self.assertEqual(without_times(by_option.summary), without_times(json.loads(done.stdout)))
+        printed = without_times(json.loads(done.stdout))
+        self.assertIn("the energies do not close", printed.pop("warnings")[0])
+        self.assertEqual(without_times(by_option.summary), printed)
         # Options of one run are gone in the next.
         again = pounding.run(two_oscillators(), tolerance=1e-3)
         self.assertEqual(without_times(again.summary), without_times(rough.summary))
@@ -187,6 +192,28 @@ class Failures(RunTest):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             pounding.run(two_oscillators())
+
+    def test_what_is_implausible_warns_as_in_the_program(self):
+        model = two_oscillators()
+        model.structures["left"]["oscillator"]["mass"] = 100
+        model.links[0]["stiffness"] = "1e4 N/m^1.5"
+        (self.folder / "model.yaml").write_text(model.to_yaml())
+        done = self.program("run", "model.yaml", "--json")
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            pounding.run(model)
+        texts = [str(each.message) for each in caught if each.category is pounding.ImplausibleWarning]
+        self.assertEqual([text.rpartition("accept: ")[2] for text in texts], ["[mass])", "[penetration])"])
+        self.assertEqual(json.loads(done.stdout)["warnings"], texts)
+        self.assertEqual(done.stderr, "".join(f"pounding: warning: {text}\n" for text in texts))
+        model.accept = ["mass", "penetration"]
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            pounding.run(model)
+            self.assertEqual(pounding.check(model).warnings, ())
+        model.accept = []
+        with self.assertWarnsRegex(pounding.ImplausibleWarning, "floor 1 has 100 kg, under 1 t"):
+            self.assertEqual(pounding.check(model).warnings, tuple(texts[:1]))
 
 
 class Stopping(RunTest):
@@ -415,6 +442,27 @@ class Tables(RunTest):
         np.testing.assert_array_equal(drift.sel(floor="2", direction="x"), self.results.structures["left"].drift[:, 1])
         self.assertEqual(float(sets["energy"]["input"][-1]), self.results.energy["input"][-1])
         self.assertEqual(str(sets["impacts"]["link"].values[0]), "left.2-right")
+
+    def test_nodes_and_members_are_there_where_the_input_asked_for_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "run.h5"
+            frame_samples.write(path, 3)
+            run = pounding.read(path)
+            tables, sets = run.to_pandas(), run.to_xarray()
+            for name, structure in run.structures.items():
+                for part in ("nodes", "members"):
+                    self.assertEqual(f"structures/{name}/{part}" in tables, getattr(structure, part) is not None)
+                    self.assertEqual(f"structures/{name}/{part}" in sets, getattr(structure, part) is not None)
+            name, structure = next((name, one) for name, one in run.structures.items() if one.nodes and one.members)
+            node, member = structure.nodes.names[-1], structure.members.names[-1]
+            direction, component = structure.nodes.directions[1], structure.members.components[2]
+            moved, forces = structure.nodes.velocity[:, -1, 1], structure.members.end_forces[:, -1, 2]
+            np.testing.assert_array_equal(tables[f"structures/{name}/nodes"]["velocity", node, direction], moved)
+            np.testing.assert_array_equal(tables[f"structures/{name}/members"][member, component], forces)
+            np.testing.assert_array_equal(sets[f"structures/{name}/nodes"]["velocity"].sel(node=node, direction=direction), moved)
+            found = sets[f"structures/{name}/members"]["end_forces"]
+            np.testing.assert_array_equal(found.sel(member=member, component=component), forces)
+            self.assertEqual(found.dims, ("time", "member", "component"))
 
     def test_bodies_without_storeys_have_tables_too(self):
         model = UNSOLVABLE.copy()

@@ -45,7 +45,7 @@ std::map<std::string, Bits> bits_of(Outcome outcome) {
   for (const ImpactRow& row : outcome.results.impacts) {
     const Bits values = bits_of({static_cast<double>(row.link), row.t_start, row.t_end, row.t_release, row.v_approach,
                                  row.v_separation, row.restitution, row.peak_force, row.t_peak, row.peak_penetration,
-                                 row.impulse, row.energy_lost});
+                                 row.impulse, row.energy_lost, row.energy_stored});
     Bits& impacts = all["impacts"];
     impacts.insert(impacts.end(), values.begin(), values.end());
   }
@@ -138,6 +138,18 @@ constexpr const char* dying =
     "analysis: {duration: 3, max_step: 1 ms}\n";
 
 TEST(ResumeOfDyingMotion, KeepsTheLargestValues) { expect_to_go_on(dying, apart); }
+
+// The contact presses while the ground is still in its pulse, whose steps are shorter than those after it.
+TEST(ResumeInAShortPulse, GivesTheSameBits) {
+  for (const char* scheme : schemes) {
+    SCOPED_TRACE(scheme);
+    expect_to_go_on("ground_motion: {pulse: {shape: sine, amplitude: -300, start: 0.2, duration: 0.02}}\n"
+                    "structures: {a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, w: {wall: {}}}\n"
+                    "links: [{between: [a, w], gap: 5 mm, law: hertz, stiffness: 2.75e9}]\n"
+                    "analysis: {duration: 2, " + std::string(scheme) + "}\n",
+                    pressed);
+  }
+}
 
 // A record with corners, several links at once, storeys that yield.
 constexpr const char* buildings =

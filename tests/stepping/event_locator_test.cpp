@@ -41,6 +41,7 @@ struct Formulas {
   Trial trial;
   int trials = 0;
   double unsolved_below = 0;  // steps shorter than this fail
+  static constexpr double longest_step = 1;  // [s]
 
   Contact& add(double gap, Path path) {
     contacts.push_back(std::make_unique<GapLink<laws::Hertz>>(laws::Hertz{.stiffness = 1e9}, gap));
@@ -70,7 +71,7 @@ struct Formulas {
     for (const auto& contact : contacts) system.contacts.push_back(contact.get());
     for (const auto& spring : springs) system.springs.push_back(spring.get());
     const LinkSet links(system);
-    const EventFunctions functions(links, rigid, scales, 1.0);
+    const EventFunctions functions(links, rigid, scales, longest_step);
     const EventLocator locator(functions);
     write(0, now);
     try_step(h, end);

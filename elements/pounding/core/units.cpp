@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -12,56 +11,10 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/core/unit_names.hpp>
+#include <pounding/core/unit_reader.hpp>
 
 namespace pounding {
 namespace {
-
-constexpr double pound = 0.45359237;
-constexpr double inch = 0.0254;
-constexpr double pound_force = pound * standard_gravity;
-
-struct NamedUnit {
-  std::string_view name;
-  Unit unit;
-};
-
-constexpr std::array named_units = {
-    NamedUnit{"m", {dimension::length, 1}},
-    NamedUnit{"mm", {dimension::length, 1e-3}},
-    NamedUnit{"cm", {dimension::length, 1e-2}},
-    NamedUnit{"km", {dimension::length, 1e3}},
-    NamedUnit{"in", {dimension::length, inch}},
-    NamedUnit{"ft", {dimension::length, 12 * inch}},
-    NamedUnit{"kg", {dimension::mass, 1}},
-    NamedUnit{"t", {dimension::mass, 1e3}},
-    NamedUnit{"lb", {dimension::mass, pound}},
-    NamedUnit{"s", {dimension::time, 1}},
-    NamedUnit{"ms", {dimension::time, 1e-3}},
-    NamedUnit{"min", {dimension::time, 60}},
-    NamedUnit{"h", {dimension::time, 3600}},
-    NamedUnit{"Hz", {dimension::frequency, 1}},
-    NamedUnit{"g", {dimension::acceleration, standard_gravity}},
-    NamedUnit{"gal", {dimension::acceleration, 1e-2}},
-    NamedUnit{"N", {dimension::force, 1}},
-    NamedUnit{"kN", {dimension::force, 1e3}},
-    NamedUnit{"MN", {dimension::force, 1e6}},
-    NamedUnit{"GN", {dimension::force, 1e9}},
-    NamedUnit{"lbf", {dimension::force, pound_force}},
-    NamedUnit{"kip", {dimension::force, 1e3 * pound_force}},
-    NamedUnit{"Pa", {dimension::stress, 1}},
-    NamedUnit{"kPa", {dimension::stress, 1e3}},
-    NamedUnit{"MPa", {dimension::stress, 1e6}},
-    NamedUnit{"GPa", {dimension::stress, 1e9}},
-    NamedUnit{"psi", {dimension::stress, pound_force / (inch * inch)}},
-    NamedUnit{"ksi", {dimension::stress, 1e3 * pound_force / (inch * inch)}},
-    NamedUnit{"J", {dimension::energy, 1}},
-    NamedUnit{"kJ", {dimension::energy, 1e3}},
-    NamedUnit{"MJ", {dimension::energy, 1e6}},
-    NamedUnit{"rad", {dimension::none, 1}},
-    NamedUnit{"deg", {dimension::none, std::numbers::pi / 180}},
-    NamedUnit{"%", {dimension::none, 1e-2}},
-};
 
 struct NamedDimension {
   Dimension dimension;
@@ -99,115 +52,11 @@ const NamedDimension* named(const Dimension& dimension) {
   return nullptr;
 }
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
 }
-
-Unit raised(const Unit& unit, double exponent) {
-  const Dimension& d = unit.dimension;
-  return {{d.mass * exponent, d.length * exponent, d.time * exponent}, std::pow(unit.factor, exponent)};
-}
-
-Unit product(const Unit& a, const Unit& b) {
-  const Dimension &p = a.dimension, &q = b.dimension;
-  return {{p.mass + q.mass, p.length + q.length, p.time + q.time}, a.factor * b.factor};
-}
-
-/// Grammar: product = factor { [*] factor } { / factor };  factor = (name | "(" product ")") [[^] number];
-/// "1" stands before a "/" only.
-class UnitReader {
- public:
-  explicit UnitReader(std::string_view text) : text_(text) {}
-
-  Unit read() {
-    const Unit unit = read_product();
-    if (position_ < text_.size()) fail_at_rest();
-    return unit;
-  }
-
- private:
-  Unit read_product() {
-    Unit unit = read_factor();
-    bool divided = false;
-    while (true) {
-      skip_blanks();
-      if (at_end() || text_[position_] == ')') return unit;
-      if (text_[position_] == '/') {
-        ++position_;
-        unit = product(unit, raised(read_factor(), -1));
-        divided = true;
-      } else {
-        if (divided) fail_ambiguous();
-        if (text_[position_] == '*') ++position_;
-        unit = product(unit, read_factor());
-      }
-    }
-  }
-
-  Unit read_factor() {
-    skip_blanks();
-    if (at_end()) throw InputError(fmt::format("unit \"{}\" ends where a unit should follow", text_));
-    Unit unit;
-    if (text_[position_] == '(') {
-      ++position_;
-      unit = read_product();
-      if (at_end()) throw InputError(fmt::format("unit \"{}\" lacks a \")\"", text_));
-      ++position_;
-    } else if (text_.substr(position_).starts_with("1/")) {
-      ++position_;
-      return unit;
-    } else {
-      unit = read_name();
-    }
-    return read_exponent(unit);
-  }
-
-  Unit read_name() {
-    const std::size_t begin = position_;
-    while (!at_end() && std::string_view(" \t*/^()+-.0123456789").find(text_[position_]) == std::string_view::npos)
-      ++position_;
-    if (position_ == begin) fail_at_rest();
-    const std::string_view name = text_.substr(begin, position_ - begin);
-    for (const NamedUnit& candidate : named_units)
-      if (candidate.name == name) return candidate.unit;
-    std::vector<std::string_view> names;
-    for (const NamedUnit& candidate : named_units) names.push_back(candidate.name);
-    throw InputError(fmt::format("unknown unit \"{}\".{}", name, suggestion(name, names)));
-  }
-
-  /// "^1.5", "^-2"; "m/s2" is common enough to be read as "m/s^2".
-  Unit read_exponent(const Unit& unit) {
-    const bool marked = !at_end() && text_[position_] == '^';
-    if (marked) ++position_;
-    if (!marked && (at_end() || !is_digit(text_[position_]))) return unit;
-    double exponent = 0;
-    const char* const begin = text_.data() + position_;
-    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), exponent, std::chars_format::fixed);
-    if (error != std::errc{} || !std::isfinite(exponent)) fail_at_rest();
-    position_ += static_cast<std::size_t>(end - begin);
-    return raised(unit, exponent);
-  }
-
-  [[noreturn]] void fail_at_rest() const {
-    throw InputError(fmt::format("cannot read \"{}\" in unit \"{}\"", text_.substr(position_), text_));
-  }
-  [[noreturn]] void fail_ambiguous() const {
-    throw InputError(fmt::format("unit \"{}\" can be read in two ways; type the product first, as in \"N s/m\", "
-                                 "or use parentheses, as in \"N/(m s)\"", text_));
-  }
-  void skip_blanks() {
-    while (!at_end() && is_blank(text_[position_])) ++position_;
-  }
-  bool at_end() const { return position_ == text_.size(); }
-
-  std::string_view text_;
-  std::size_t position_ = 0;
-};
 
 /// Reads the number at the beginning of `text` and returns the rest; nothing when there is no finite number.
 std::optional<std::string_view> leading_number(std::string_view text, double& value) {
@@ -218,6 +67,18 @@ std::optional<std::string_view> leading_number(std::string_view text, double& va
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
   return std::string_view(end, static_cast<std::size_t>(text.data() + text.size() - end));
+}
+
+/// "1.5 mm" of "1,5 mm"; of "93,500 kN/m", which may be thousands, "93500 kN/m or 93.500 kN/m".
+std::string without_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  std::string with_point(text), thousands(text);
+  with_point[comma] = '.';
+  std::erase(thousands, ',');
+  std::size_t digits = 0;
+  while (comma + 1 + digits < text.size() && is_digit(text[comma + 1 + digits])) ++digits;
+  if (text.find(',', comma + 1) != std::string_view::npos) return thousands;
+  return digits == 3 ? thousands + " or " + with_point : with_point;
 }
 
 std::string power_text(std::string_view base, double exponent) {
@@ -249,17 +110,10 @@ std::vector<Scale> report_scales(const Dimension& d) {
 Unit parse_unit(std::string_view unit) {
   const std::string_view text = trimmed(unit);
   if (text.empty() || text == "1" || text == "-") return {};
-  return UnitReader(text).read();
+  return read_unit(text);
 }
 
 Dimension parse_unit_dimension(std::string_view unit) { return parse_unit(unit).dimension; }
-
-std::vector<std::string_view> unit_names(const Dimension& dimension) {
-  std::vector<std::string_view> names;
-  for (const NamedUnit& unit : named_units)
-    if (unit.unit.dimension == dimension) names.push_back(unit.name);
-  return names;
-}
 
 bool parse_number(std::string_view text, double& value) {
   const std::string_view number = trimmed(text);
@@ -273,13 +127,13 @@ double parse_quantity(std::string_view text, const Dimension& expected) {
   double value = 0;
   const auto rest = leading_number(quantity, value);
   if (!rest) throw InputError(fmt::format("{}\"{}\" is not a finite number", takes, text));
-  if (rest->starts_with(',')) throw InputError(fmt::format("{}\"{}\" needs a decimal point, not a comma", takes, text));
+  if (rest->starts_with(',')) throw InputError(fmt::format("{}\"{}\" needs a decimal point, not a comma; type {}", takes, text, without_comma(quantity)));
   const std::string_view unit_read = trimmed(*rest);
   if (unit_read.empty()) return value;
 
   Unit unit;
   try {
-    unit = UnitReader(unit_read).read();
+    unit = read_unit(unit_read);
   } catch (const InputError& error) {
     throw InputError(takes + error.what());
   }

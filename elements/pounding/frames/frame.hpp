@@ -212,6 +212,7 @@ class Frame {
   Eigen::SparseMatrix<double> gathered(const Entries& nodal, Matrix12 (Beam::*of_member)() const) const;
   Eigen::VectorXd loads() const;
   void check(const AssembledFrame& frame) const;
+  std::string spring_against(const Eigen::VectorXd& displacements) const;
   [[noreturn]] void refuse_to_hold(const Eigen::VectorXd& mode, bool buckles, const AssembledFrame& frame) const;
   Eigen::SparseMatrix<double, Eigen::RowMajor> member_motion(int member,
                                                              const Eigen::SparseMatrix<double, Eigen::RowMajor>& of_all) const;

@@ -23,6 +23,17 @@ SparseMatrix<double> sparse(const Eigen::MatrixXd& dense) { return dense.sparseV
 
 }  // namespace
 
+// The stiffest spring to the ground that displacements of all nodes stretch, as text; empty for none.
+std::string Frame::spring_against(const VectorXd& displacements) const {
+  const auto turns = [&](int at) { return is_rotation(dofs_of(dimension_)[at % dofs()]); };
+  double largest[] = {0, 0}, stiffest[] = {0, 0};
+  for (int at = 0; at < displacements.size(); ++at) largest[turns(at)] = std::max(largest[turns(at)], std::abs(displacements[at]));
+  for (const auto& [at, stiffness] : ground_springs_)
+    if (std::abs(displacements[at]) > 1e-3 * largest[turns(at)]) stiffest[turns(at)] = std::max(stiffest[turns(at)], stiffness);
+  if (stiffest[0] > 0) return format_quantity(stiffest[0], dimension::stiffness);
+  return stiffest[1] > 0 ? fmt::format("{:.4g} N m", stiffest[1]) : "";
+}
+
 // Names the node that a mode moves most; a rotation only where no node moves.
 void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFrame& frame) const {
   int at[2] = {-1, -1};  // largest translation, largest rotation
@@ -40,8 +51,12 @@ void Frame::refuse_to_hold(const VectorXd& mode, bool buckles, const AssembledFr
   const auto pressed = std::min_element(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
     return a.beam.axial_force() < b.beam.axial_force();
   });
-  if (!buckles || pressed == members_.end() || !(pressed->beam.axial_force() < 0))
+  if (!buckles || pressed == members_.end() || !(pressed->beam.axial_force() < 0)) {
+    if (const std::string spring = spring_against(frame.transform * mode); !spring.empty())
+      refuse(fmt::format("{}a spring of {} alone holds the frame against this displacement, so weak beside the members that it is lost in their "
+                         "rounding; type its unit, as in springs: {{ux: 20 MN/m, ry: 100 MN m}}, or fix the displacement", where, spring));
     refuse(where + "nothing holds the frame against this displacement; fix it, brace it or connect it");
+  }
   const int member = static_cast<int>(pressed - members_.begin());
   refuse(fmt::format("{}the frame buckles here under its axial forces, the largest compression of which is {:.4g} N in "
                      "member {}", where, -pressed->beam.axial_force(), member_name(member)));

@@ -188,6 +188,10 @@ Geometry make_geometry(const FrameModel& model) {
   for (int member = 0; member < model.frame.members(); ++member) {
     geometry.member_names.push_back(model.frame.member_name(member));
     geometry.members.push_back(model.frame.ends(member));
+    const Section& section = model.frame.beam(member).section();
+    const double inertia = model.frame.dimension() == 3 ? std::max(section.inertia_y, section.inertia_z) : section.inertia_y;
+    geometry.depths.push_back(std::max(std::sqrt(section.area), std::sqrt(12 * inertia / section.area)));
+    geometry.moduli.push_back(model.frame.beam(member).material().young);
   }
   return geometry;
 }

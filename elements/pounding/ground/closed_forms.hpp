@@ -1,9 +1,15 @@
 #pragma once
 /// Accelerations of ground motions in closed form, and their integrals. GroundMotion is made of them.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
 #include <pounding/ground/ground_motion.hpp>
 
 namespace pounding::closed_forms {
@@ -77,6 +83,38 @@ Moved moved(const Closed& motion, double t) {
   if (s <= motion.duration) return moved_inside(motion, s);
   const Moved end = moved_inside(motion, motion.duration);
   return {end.velocity, end.displacement + end.velocity * (s - motion.duration)};
+}
+
+/// Largest integrals while the motion lasts, of 16 in a period and at most 160000.
+template <class Harmonics>
+Moved largest_of(const Harmonics& motion) {
+  double shortest;
+  if constexpr (requires { motion.period; }) shortest = motion.period;
+  else shortest = motion.shortest_period();
+  const double count = 16 * std::min(1e4, std::ceil(motion.duration / shortest));
+  Moved largest;
+  for (double i = 1; i <= count; ++i) {
+    const auto [velocity, displacement] = moved_inside(motion, i / count * motion.duration);
+    largest.velocity = std::max(largest.velocity, std::abs(velocity));
+    largest.displacement = std::max(largest.displacement, std::abs(displacement));
+  }
+  return largest;
+}
+
+/// Refuses a value of a motion, with its name in the text.
+inline void require_finite(double value, const char* what) {
+  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("ground motion: {} is not finite", what));
+}
+
+inline void require_positive(double value, const char* what) {
+  if (!(std::isfinite(value) && value > 0))
+    throw std::invalid_argument(fmt::format("ground motion: {} is {:g}; it must be finite and > 0", what, value));
+}
+
+/// Amplitude, period and phase as reports show them.
+inline std::string described(double amplitude, double period, double phase) {
+  const std::string text = fmt::format("{} at {:g} s", format_quantity(amplitude, dimension::acceleration), period);
+  return phase == 0 ? text : fmt::format("{} and {:g} deg", text, phase * 180 / std::numbers::pi);
 }
 
 }  // namespace pounding::closed_forms

@@ -15,18 +15,12 @@
 namespace pounding {
 namespace {
 
-using closed_forms::end_of, closed_forms::inside, closed_forms::moved;
+using namespace closed_forms;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-void require_finite(double value, const char* what) {
-  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("ground motion: {} is not finite", what));
-}
-
-void require_positive(double value, const char* what) {
-  if (!(std::isfinite(value) && value > 0))
-    throw std::invalid_argument(fmt::format("ground motion: {} is {:g}; it must be finite and > 0", what, value));
-}
+// Longest step as a part of the shortest period of a closed form.
+constexpr double max_part_of_period = 0.1;
 
 void check(const Samples& samples) {
   const auto& [times, accelerations, uniform] = samples;
@@ -50,12 +44,6 @@ const char* name_of(Pulse::Shape shape) {
     case Pulse::Shape::rectangle: return "rectangle";
   }
   return "";
-}
-
-// Amplitude, period and phase as reports show them.
-std::string described(double amplitude, double period, double phase) {
-  const std::string text = fmt::format("{} at {:g} s", format_quantity(amplitude, dimension::acceleration), period);
-  return phase == 0 ? text : fmt::format("{} and {:g} deg", text, phase * 180 / std::numbers::pi);
 }
 
 template <class... F>
@@ -87,25 +75,9 @@ GroundMotion::GroundMotion(Harmonic motion) : motion_(motion) {
   peak_ = motion.duration >= first_crest
               ? std::abs(motion.amplitude)
               : std::max(std::abs(inside(motion, motion.start)), std::abs(inside(motion, end_of(motion))));
-  duration_ = end_of(motion);
+  describe(motion, {(0.5 * std::ceil(2 * turns) - turns) * motion.period, (0.5 * std::ceil(2 * turns) + 0.5 - turns) * motion.period});
+  if (motion.phase != 0) peak_displacement_ = largest_of(motion).displacement;
   source_ = fmt::format("harmonic, {} for {:g} s", described(motion.amplitude, motion.period, motion.phase), motion.duration);
-}
-
-GroundMotion::GroundMotion(HarmonicSum motion) {
-  if (motion.parts.empty()) throw std::invalid_argument("ground motion: a sum of no harmonics; give one or more");
-  std::vector<std::string> texts;
-  for (const auto& [amplitude, period, phase] : motion.parts) {
-    require_finite(amplitude, "amplitude");
-    require_positive(period, "period");
-    require_finite(phase, "phase");
-    texts.push_back(described(amplitude, period, phase));
-  }
-  require_positive(motion.duration, "duration");
-  require_finite(motion.start, "start");
-  peak_ = motion.peak();
-  duration_ = end_of(motion);
-  source_ = fmt::format("sum of harmonics, {}, for {:g} s", fmt::join(texts, ", "), motion.duration);
-  motion_ = std::move(motion);
 }
 
 GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
@@ -113,7 +85,7 @@ GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
   require_finite(motion.start, "start");
   require_positive(motion.duration, "duration");
   peak_ = std::abs(motion.amplitude);
-  duration_ = end_of(motion);
+  describe(motion, {motion.shape == Pulse::Shape::sine ? motion.duration / 2 : motion.duration});
   source_ = fmt::format("{} pulse, {} for {:g} s from {:g} s", name_of(motion.shape),
                         format_quantity(motion.amplitude, dimension::acceleration), motion.duration, motion.start);
 }
@@ -121,11 +93,25 @@ GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
 GroundMotion::GroundMotion(Samples motion, std::string source) : source_(std::move(source)) {
   check(motion);
   for (const double a : motion.accelerations) peak_ = std::max(peak_, std::abs(a));
+  start_ = motion.times.front();
   duration_ = motion.times.back();
   if (motion.uniform)
     per_step_ = static_cast<double>(motion.times.size() - 1) / (motion.times.back() - motion.times.front());
   if (source_.empty()) source_ = fmt::format("{} samples", motion.times.size());
-  motion_ = std::make_shared<const Record>(std::move(motion));
+  auto record = std::make_shared<const Record>(std::move(motion));
+  for (const double v : record->velocities) peak_velocity_ = std::max(peak_velocity_, std::abs(v));
+  for (const double d : record->displacements) peak_displacement_ = std::max(peak_displacement_, std::abs(d));
+  motion_ = std::move(record);
+}
+
+// The velocity of a closed form is largest at one of the times after the start. Where it never turns, the displacement is at the end.
+template <class Closed>
+void GroundMotion::describe(const Closed& motion, std::initializer_list<double> fastest) {
+  start_ = motion.start;
+  duration_ = end_of(motion);
+  for (const double after : fastest)
+    peak_velocity_ = std::max(peak_velocity_, std::abs(moved_inside(motion, std::min(motion.duration, after)).velocity));
+  peak_displacement_ = std::abs(moved_inside(motion, motion.duration).displacement);
 }
 
 GroundMotion::Record::Record(Samples samples) : Samples(std::move(samples)) {
@@ -276,6 +262,12 @@ double GroundMotion::shortest_period() const noexcept {
   const auto* const pulse = std::get_if<Pulse>(&motion_);
   if (pulse == nullptr || pulse->shape == Pulse::Shape::rectangle) return infinity;
   return pulse->shape == Pulse::Shape::sine ? pulse->duration : 2 * pulse->duration;
+}
+
+double GroundMotion::longest_step(double t) const noexcept {
+  if (!(t < duration_)) return infinity;
+  if (per_step_ > 0) return sample_step();
+  return t < start_ ? infinity : max_part_of_period * shortest_period();
 }
 
 const Samples* GroundMotion::samples() const noexcept {

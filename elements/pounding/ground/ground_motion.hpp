@@ -3,6 +3,7 @@
 /// between them, and its exact integrals.
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <variant>
@@ -75,14 +76,22 @@ class GroundMotion {
   /// First time after t at which the acceleration or its slope jumps [s]; infinity for none. An integrator that ends a step
   /// there sees a smooth right-hand side inside every step.
   double next_break(double t) const noexcept;
-  /// Largest absolute acceleration [m/s^2]; of a sum of harmonics see HarmonicSum::peak().
+  /// Largest absolute acceleration [m/s^2], and velocity [m/s] and displacement [m] until the motion is over, both from rest; those of a
+  /// record at its samples. Of a sum of harmonics see HarmonicSum::peak(); velocity and displacement are the largest of 16 a period.
   double peak() const noexcept { return peak_; }
+  double peak_velocity() const noexcept { return peak_velocity_; }
+  double peak_displacement() const noexcept { return peak_displacement_; }
+  /// Time before which the acceleration is zero [s].
+  double start() const noexcept { return start_; }
   /// Time after which the acceleration is zero [s].
   double duration() const noexcept { return duration_; }
   /// Spacing of uniform samples [s]; 0 when the motion is a closed form or the spacing varies.
   double sample_step() const noexcept;
   /// Shortest period of a closed form [s]; infinity for samples, which are straight between breaks.
   double shortest_period() const noexcept;
+  /// Longest step from time t to the next break that resolves the motion [s]: a tenth of the shortest period while a closed form
+  /// lasts, the spacing of uniform samples until a record is over; infinity where breaks are enough.
+  double longest_step(double t) const noexcept;
   /// Samples of a record; null for a closed form.
   const Samples* samples() const noexcept;
   /// This motion, later by `delay` [s]; breaks and integrals move along. Throws std::invalid_argument for a motion with an initial
@@ -99,6 +108,8 @@ class GroundMotion {
     std::vector<double> velocities, displacements;
   };
   using SharedSamples = std::shared_ptr<const Record>;
+  template <class Closed>
+  void describe(const Closed& motion, std::initializer_list<double> fastest);
   std::size_t interval(const Samples& samples, double t) const noexcept;
   double sampled(const Samples& samples, double t) const noexcept;
   double velocity_from_rest(double t) const noexcept;
@@ -107,8 +118,8 @@ class GroundMotion {
   std::variant<Still, Harmonic, HarmonicSum, Pulse, SharedSamples> motion_;
   double per_step_ = 0;  ///< uniform samples in a second [1/s]; 0 otherwise
   double initial_velocity_ = 0, initial_displacement_ = 0;
-  double peak_ = 0;
-  double duration_ = 0;
+  double peak_ = 0, peak_velocity_ = 0, peak_displacement_ = 0;
+  double start_ = 0, duration_ = 0;
   std::string source_;
 };
 

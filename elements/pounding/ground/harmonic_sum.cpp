@@ -4,6 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <pounding/ground/closed_forms.hpp>
+#include <pounding/ground/ground_motion.hpp>
 
 namespace pounding {
 
@@ -39,6 +49,27 @@ double HarmonicSum::peak() const {
     here = after;
   }
   return largest;
+}
+
+GroundMotion::GroundMotion(HarmonicSum motion) {
+  if (motion.parts.empty()) throw std::invalid_argument("ground motion: a sum of no harmonics; give one or more");
+  std::vector<std::string> texts;
+  for (const auto& [amplitude, period, phase] : motion.parts) {
+    closed_forms::require_finite(amplitude, "amplitude");
+    closed_forms::require_positive(period, "period");
+    closed_forms::require_finite(phase, "phase");
+    texts.push_back(closed_forms::described(amplitude, period, phase));
+  }
+  closed_forms::require_positive(motion.duration, "duration");
+  closed_forms::require_finite(motion.start, "start");
+  peak_ = motion.peak();
+  start_ = motion.start;
+  duration_ = closed_forms::end_of(motion);
+  const closed_forms::Moved largest = closed_forms::largest_of(motion);
+  peak_velocity_ = largest.velocity;
+  peak_displacement_ = largest.displacement;
+  source_ = fmt::format("sum of harmonics, {}, for {:g} s", fmt::join(texts, ", "), motion.duration);
+  motion_ = std::move(motion);
 }
 
 }  // namespace pounding

@@ -1,5 +1,7 @@
 #include <pounding/input/input.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -19,6 +21,24 @@ constexpr int deepest = 64;
 
 std::string joined(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
+
+// YAML is indented by blanks only; the parser stumbles over a tab here or a line later.
+void refuse_tab(const std::string& name, std::string_view text, int last_line) {
+  int line = 1;
+  for (std::size_t begin = 0; begin < text.size() && line <= last_line; ++line) {
+    const std::size_t content = std::min(text.find_first_not_of(" \t", begin), text.size());
+    if (const std::size_t tab = text.find('\t', begin); tab < content)
+      throw InputError(fmt::format("{}:{}:{}: a tab indents this line, and YAML takes blanks only; replace it by two blanks, and set the editor to "
+                                   "do so", name, line, tab - begin + 1));
+    begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+  }
+}
+
+// Whether a key is the rest of a number with a decimal comma, as in {gap: 20,5 mm}: digits, then a unit or nothing.
+bool is_after_comma(std::string_view key) {
+  const std::size_t digits = std::min(key.find_first_not_of("0123456789"), key.size());
+  return digits > 0 && (digits == key.size() || key[digits] == ' ' || std::isalpha(static_cast<unsigned char>(key[digits])) || key[digits] == '%');
 }
 
 /// "a length > 0 such as "20 mm""
@@ -49,6 +69,7 @@ Input Input::read_text(std::string text, std::string name) {
   try {
     documents = YAML::LoadAll(source->text);
   } catch (const YAML::Exception& error) {
+    refuse_tab(source->name, source->text, error.mark.line + 1);
     throw InputError(fmt::format("{}:{}:{}: this is not YAML: {}", source->name, error.mark.line + 1,
                                  error.mark.column + 1, error.msg));
   }
@@ -58,7 +79,7 @@ Input Input::read_text(std::string text, std::string name) {
     throw InputError(fmt::format("{}:{}:1: a second YAML document; one file holds one model", source->name,
                                  documents[1].Mark().line + 1));
   const Input root(source, documents.front(), {}, {}, {});
-  root.refuse_repeated_keys();
+  root.refuse_wrong_keys();
   return root;
 }
 
@@ -178,15 +199,17 @@ double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) con
   return value;
 }
 
-std::vector<double> Input::as_quantities(int count) const {
+std::vector<double> Input::as_quantities(int count) const { return as_quantities(count, word().bounds); }
+
+std::vector<double> Input::as_quantities(int count, const Bounds& allowed) const {
   const auto wanted = static_cast<std::size_t>(count);
-  if (!is_list()) return std::vector<double>(wanted, as_quantity());
+  if (!is_list()) return std::vector<double>(wanted, as_quantity(word().dimension, allowed));
   const std::vector<Input> members = items();
   if (members.size() != wanted)
     fail(fmt::format("takes {} or a list of {} from the ground up; a list of {} was read",
-                     allowed_text(word().dimension, word().bounds), count, members.size()));
+                     allowed_text(word().dimension, allowed), count, members.size()));
   std::vector<double> values;
-  for (const Input& member : members) values.push_back(member.as_quantity());
+  for (const Input& member : members) values.push_back(member.as_quantity(word().dimension, allowed));
   return values;
 }
 
@@ -259,20 +282,25 @@ void Input::expect_map() const {
   fail(fmt::format("takes keys with values such as {{key: value}}; {} was read", read));
 }
 
-void Input::refuse_repeated_keys(int depth) const {
+void Input::refuse_wrong_keys(int depth) const {
   if (depth > deepest) fail(fmt::format("is nested more than {} levels deep; does an alias contain itself?", deepest));
   if (is_list())
-    for (const Input& member : items()) member.refuse_repeated_keys(depth + 1);
+    for (const Input& member : items()) member.refuse_wrong_keys(depth + 1);
   if (!is_map()) return;
   std::set<std::string> seen;
+  std::pair<std::string, std::string> before;  // key and value of the entry before
   for (const auto& entry : node_) {
     const YAML::Mark mark = entry.first.Mark();
     const Place place{mark.line + 1, mark.column + 1};
     if (!entry.first.IsScalar()) fail_at(place, "a key must be a plain name");
+    if (double number = 0; entry.second.IsNull() && is_after_comma(entry.first.Scalar()) && parse_number(before.second, number))
+      fail_at(place, fmt::format("\"{0},{1}\" is read as two entries, since commas part them; a number takes a decimal point: {2}: {0}.{1}",
+                                 before.second, entry.first.Scalar(), before.first));
+    before = {entry.first.Scalar(), entry.second.IsScalar() ? entry.second.Scalar() : std::string()};
     if (!seen.insert(entry.first.Scalar()).second)
       fail_at(place, fmt::format("key \"{}\" is given twice; keep one of them", entry.first.Scalar()));
     child(entry.first.Scalar(), entry.first, entry.second)
-        .refuse_repeated_keys(depth + 1);
+        .refuse_wrong_keys(depth + 1);
   }
 }
 

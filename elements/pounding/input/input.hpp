@@ -99,6 +99,7 @@ class Input {
   double as_quantity(const Dimension& dimension, const Bounds& allowed) const;
   /// One quantity for all `count` places, or a list of `count` of them from the ground up.
   std::vector<double> as_quantities(int count) const;
+  std::vector<double> as_quantities(int count, const Bounds& allowed) const;
   /// One of the choices of the word, of a whole value one of those that stand in its place.
   std::string as_choice() const;
   /// One of the names; `what` is what they name: unknown law "hertz_damp". Did you mean "hertz_damped"?
@@ -129,7 +130,7 @@ class Input {
   Input child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const;
   const words::Word& word() const;
   void expect_map() const;
-  void refuse_repeated_keys(int depth = 0) const;
+  void refuse_wrong_keys(int depth = 0) const;
   [[noreturn]] void fail_at(const Place& place, std::string_view message) const;
 
   std::shared_ptr<const Source> source_;

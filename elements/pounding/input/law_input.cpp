@@ -1,6 +1,9 @@
 #include <pounding/input/law_input.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,13 +14,36 @@
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding {
+namespace {
+
+const laws::Entry& entry_of(const Input& law) {
+  try {
+    return laws::find_law(law.as_text());
+  } catch (const std::invalid_argument& error) {
+    law.fail(error.what());
+  }
+}
+
+double read_restitution(const Input& node) {
+  const double value = node.as_quantity(dimension::none, bounds::any);
+  const auto refuse = [&](const std::string& why) {
+    node.fail(fmt::format("takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; {}", why));
+  };
+  if (value == 0) refuse("0 would leave the bodies together after each impact, which no law here does: type a small one such as 0.05");
+  if (value > 1 && value <= 100 && value == std::floor(value)) refuse(fmt::format("did you mean \"{:g} %\"?", value));
+  if (value > 1) refuse(fmt::format("\"{}\" would gain energy at each impact; 1 loses none", node.as_text()));
+  if (value < 0) refuse(fmt::format("\"{}\" is outside", node.as_text()));
+  return value;
+}
+
+}  // namespace
 
 LawInput read_law(const Input& node) {
   LawInput read;
   laws::Settings& settings = read.settings;
   const Input law_node = node.at("law");
-  settings.law = law_node.as_choice();
-  const laws::Entry& entry = laws::find_law(settings.law);
+  settings.law = law_node.as_text();
+  const laws::Entry& entry = entry_of(law_node);
   const Input link = node.in(words::link_with(entry));
   link.only_keys();
 
@@ -27,7 +53,7 @@ LawInput read_law(const Input& node) {
       law_node.fail(fmt::format("{0} needs {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name, parameter.meaning,
                                 parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
 
-  settings.restitution = link.find_quantity("restitution");
+  if (const auto restitution = link.find("restitution")) settings.restitution = read_restitution(*restitution);
   settings.impact_velocity = link.find_quantity("impact_velocity");
   if (const auto formula = link.find("formula")) {
     std::vector<std::string_view> formulas;

@@ -18,9 +18,9 @@ struct LawInput {
 
 /// The law that a link names, with its parameters. Beside them the link may hold what every link can, and no other key. Throws
 /// InputError with the place.
-LawInput read_law(const Input& link);
+LawInput read_law(const Input& node);
 
 /// Location in the link of what its law refuses. The laws know no locations: it is the first of the link's keys that the text names.
-Input place_of_law(const std::string& refusal, const Input& link);
+Input place_of_law(const std::string& refusal, const Input& node);
 
 }  // namespace pounding

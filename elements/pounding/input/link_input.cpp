@@ -14,6 +14,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/input/law_input.hpp>
 #include <pounding/model/contact_law.hpp>
+#include <pounding/model/drawing.hpp>
 #include <pounding/model/facing.hpp>
 
 namespace pounding {
@@ -89,9 +90,10 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
   place.fail(error.what());
 }
 
-LinkOptions read_options(const Input& node, int count) {
+// The gap may be left out where it is drawn.
+LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   LinkOptions options;
-  options.gap = node.at("gap").as_quantities(count);
+  if (!is_drawn || node.has("gap")) options.gap = node.at("gap").as_quantities(count);
   if (const auto name = node.find("name")) options.name = name->as_text();
   if (const auto points = node.find("points")) options.points = static_cast<int>(points->as_integer());
   options.friction = node.find_quantity("friction");
@@ -112,8 +114,9 @@ void read_link(const Input& node, Model& model) {
     std::optional<FacingFloors> floors;
     if (const auto choice = node.find("floors")) floors = read_floors(*choice);
     const std::size_t count = pairs_of(model, left, right, floors).size();
-    facing_side(model.structures[left.structure], model.structures[right.structure]);
-    LinkOptions options = read_options(node, static_cast<int>(count));
+    const Structure &a = model.structures[left.structure], &b = model.structures[right.structure];
+    facing_side(a, b);
+    LinkOptions options = read_options(node, static_cast<int>(count), are_drawn(a, b));
     options.floors = floors;
     const LawInput law = read_law(node);
     options.stiffness = law.stiffness;

@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/bare_numbers.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/structure_input.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/model/plausible.hpp>
 
 namespace pounding {
 namespace {
@@ -73,33 +75,36 @@ Input place_of(const ModelError& error, const Input& input) {
 
 }  // namespace
 
-Model read_model(const Input& file, const ModeSolver& modes, double stiffness_factor) {
-  const Input input = file.in(words::model);
-  input.only_keys();
+Model read_model(const Input& input, const ModeSolver& modes, double stiffness_factor) {
+  const Input root = input.in(words::model);
+  root.only_keys();
   Model model;
   model.mode_solver = modes;
   model.stiffness_factor = stiffness_factor;
   model.source_text = input.text();
   model.source_file = input.file();
-  if (const auto title = input.find("title")) model.title = title->as_text();
-  if (const auto motion = input.find("ground_motion")) model.ground = read_ground_section(*motion);
-  const Input structures = input.at("structures");
+  if (const auto title = root.find("title")) model.title = title->as_text();
+  if (const auto motion = root.find("ground_motion")) model.ground = read_ground_section(*motion);
+  const Input structures = root.at("structures");
   for (const auto& [name, place] : structures.entries()) read_structure(name, place, model);
-  if (const auto links = input.find("links")) {
+  if (const auto links = root.find("links")) {
     if (!links->is_list())
       links->fail("takes a list, one link a line; type - {between: [left, right], gap: 20 mm, law: hertz_damped, ...}");
     for (const Input& link : links->items()) read_link(link, model);
   }
-  if (const auto analysis = input.find("analysis")) model.analysis = read_analysis(*analysis);
-  if (const auto checkpoint = input.find("checkpoint")) model.checkpoint = read_checkpoints(*checkpoint);
-  if (const auto compare = input.find("compare")) {
+  if (const auto analysis = root.find("analysis")) model.analysis = read_analysis(*analysis);
+  if (const auto checkpoint = root.find("checkpoint")) model.checkpoint = read_checkpoints(*checkpoint);
+  if (const auto compare = root.find("compare")) {
     compare->as_choice();
     model.compare_no_pounding = true;
   }
+  if (const auto accept = root.find("accept"))
+    for (const Input& name : accept->items()) model.accept.push_back(name.as_choice());
+  model.read_doubts = bare_accelerations(input);
   try {
     model.complete();
   } catch (const ModelError& error) {
-    fail(error, input);
+    fail(error, root);
   }
   return model;
 }

@@ -127,6 +127,12 @@ struct BilinearHertz {
     const double loaded = line + (k1 - k2) * std::min(stretch, yield);
     return {stretch > 0 ? loaded : line, (stretch > 0) & (stretch < yield) ? k1 : k2, 0};
   }
+  /// Of both springs [J]; the slip takes none.
+  double stored_energy(double penetration, const Impact& impact) const noexcept {
+    const auto [k1, k2, yield] = curve(impact);
+    const double stretch = std::clamp(penetration - impact.slip, 0.0, yield);
+    return 0.5 * (k2 * penetration * penetration + (k1 - k2) * stretch * stretch);
+  }
   /// Changes sign where the slope jumps, at both ends of the elastic range [m].
   double corner(double penetration, double, const Impact& impact) const noexcept {
     const double stretch = penetration - impact.slip;

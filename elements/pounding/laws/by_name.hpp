@@ -17,54 +17,12 @@
 #include <vector>
 
 #include <pounding/laws/checks.hpp>
+#include <pounding/laws/entry.hpp>
 #include <pounding/laws/law.hpp>
 #include <pounding/laws/nearest_name.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
-
-/// A law as an input names it. SI units.
-struct Settings {
-  std::string law;
-  std::string formula;                                  ///< empty: "exact", when a restitution is given
-  std::optional<double> restitution{};                  ///< (0, 1]
-  std::optional<double> impact_velocity{};              ///< fixed design velocity [m/s]
-  double reduced_mass = 0;                              ///< of the colliding bodies [kg]; unused by some laws
-  std::map<std::string, double, std::less<>> values{};  ///< the law's own parameters
-};
-
-/// One law of the catalogue, read from the tables of its struct.
-struct Entry {
-  std::string_view name, shape, summary, source;
-  std::string_view symbols;  ///< what the letters of the shape mean, with units, beside F, d, d', v and m
-  std::string_view range;    ///< where the law holds
-  std::string_view beware;   ///< jumps, tension, what depends on the speed
-  std::span<const ParameterInfo> parameters;  ///< beside restitution, impact_velocity and reduced_mass
-  std::span<const Formula> formulas;          ///< "exact" first; empty when there is no damping to choose
-  bool takes_restitution = false, takes_impact_velocity = false, takes_reduced_mass = false;
-  bool may_pull = false, leaves_indentation = false, instantaneous = false;
-  Quantity number;       ///< the dimensionless damping number that formulas give; its name is empty without damping
-  Quantity coefficient;  ///< what damping_for returns
-
-  /// The first parameter that gives the damping instead of a restitution; empty when there is none.
-  std::string_view direct_damping() const noexcept {
-    const auto found = std::ranges::find(parameters, Need::damping, &ParameterInfo::need);
-    return found == parameters.end() ? std::string_view{} : found->name;
-  }
-};
-
-/// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the reduced
-/// mass of floors of 100 t and 150 t [kg].
-inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5, typical_reduced_mass = 6e4;
-
-/// Settings of a law from the typical values of its table, calibrated to the typical restitution.
-inline Settings typical_settings(const Entry& entry) {
-  Settings s{.law = std::string(entry.name), .formula = {}, .reduced_mass = typical_reduced_mass};
-  if (entry.takes_restitution) s.restitution = typical_restitution;
-  for (const ParameterInfo& p : entry.parameters)
-    if (p.need != Need::damping) s.values.emplace(p.name, p.typical);
-  return s;
-}
 
 /// One resolved value of a made law.
 struct ResolvedValue {
@@ -109,14 +67,6 @@ double damping_coefficient(const std::variant<L...>& law, double closing_speed) 
 }
 
 namespace by_name {
-
-/// The `name` of each of these.
-template <class Range>
-std::vector<std::string_view> names(const Range& range) {
-  std::vector<std::string_view> result;
-  for (const auto& item : range) result.push_back(item.name);
-  return result;
-}
 
 template <class L>
 inline constexpr auto parameter_infos = [] {
@@ -227,7 +177,7 @@ L make(const Settings& s) {
 template <class Any, std::size_t I = 0>
 Any make_any(const Settings& s) {
   if constexpr (I == std::variant_size_v<Any>) {
-    throw std::invalid_argument("unknown law \"" + s.law + "\"." + suggestion(s.law, names(List<Any>::entries)));
+    throw std::invalid_argument("unknown law \"" + s.law + "\"." + law_suggestion(s.law, List<Any>::entries));
   } else {
     using L = std::variant_alternative_t<I, Any>;
     if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));

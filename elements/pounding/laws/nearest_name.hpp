@@ -2,6 +2,7 @@
 /// The name that was probably meant: one spell checker for inputs, programs, C and Python.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <span>
@@ -35,8 +36,31 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// The allowed name nearest to `read` by edit distance, or an empty view when none is near.
+/// A word of other programs, papers and languages, and the name of the same thing here.
+struct OtherWord {
+  std::string_view word, name;
+};
+
+/// Contact materials are OpenSees's; `gap` is the contact of most programs for structures.
+inline constexpr std::array other_words{
+    OtherWord{"ImpactMaterial", "bilinear_hertz"}, OtherWord{"Hertzdamp", "hertz_damped"}, OtherWord{"JankowskiImpact", "jankowski"},
+    OtherWord{"ViscoelasticGap", "kelvin_voigt"}, OtherWord{"ElasticPPGap", "linear_spring"}, OtherWord{"gap", "linear_spring"},
+    OtherWord{"kelvin", "kelvin_voigt"}, OtherWord{"linear_viscoelastic", "kelvin_voigt"}, OtherWord{"linear", "linear_spring"},
+    OtherWord{"newton", "stereomechanical"}, OtherWord{"cor", "restitution"}, OtherWord{"e", "restitution"}, OtherWord{"cr", "restitution"},
+    OtherWord{"coefficient_of_restitution", "restitution"}, OtherWord{"k", "stiffness"}, OtherWord{"mu", "friction"},
+    OtherWord{"n", "exponent"}, OtherWord{"m", "mass"}, OtherWord{"T", "period"}, OtherWord{"zeta", "damping"}, OtherWord{"xi", "damping"},
+    OtherWord{"rho", "density"}, OtherWord{"nu", "poisson"}, OtherWord{"young", "E"}, OtherWord{"percent", "%"}, OtherWord{"pct", "%"},
+    OtherWord{"meter", "m"}, OtherWord{"meters", "m"}, OtherWord{"metre", "m"}, OtherWord{"metres", "m"},
+    OtherWord{"millimetre", "mm"}, OtherWord{"millimetres", "mm"}, OtherWord{"inch", "in"}, OtherWord{"inches", "in"}, OtherWord{"feet", "ft"},
+    OtherWord{"sec", "s"},
+    OtherWord{"second", "s"}, OtherWord{"seconds", "s"}, OtherWord{"ton", "t"}, OtherWord{"tons", "t"}, OtherWord{"tonne", "t"},
+    OtherWord{"tonnes", "t"}, OtherWord{"newton", "N"}};
+
+/// The allowed name that `read` says in another word, else the one nearest to it by edit distance; an empty view when none is near.
 inline std::string_view nearest_name(std::string_view read, std::span<const std::string_view> allowed) {
+  if (std::find(allowed.begin(), allowed.end(), read) == allowed.end())
+    for (const OtherWord& other : other_words)
+      if (edit_distance(read, other.word) == 0 && std::find(allowed.begin(), allowed.end(), other.name) != allowed.end()) return other.name;
   // One slip in three letters is a typing mistake; more is another word.
   std::size_t nearest_distance = std::max<std::size_t>(1, read.size() / 3) + 1;
   std::string_view nearest;

@@ -67,6 +67,7 @@ class GapLink final : public Contact {
     log_.add(step);
     record_peak(step);
     state_.keep(law_, step.motion_end.penetration, step.motion_end.rate);
+    log_.store(presses(state_.phase) ? laws::stored_energy(law_, step.motion_end.penetration, state_.impact) : 0);
   }
 
   void on_event(int event, double time, const LinkMotion& motion) override {

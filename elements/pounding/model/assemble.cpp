@@ -92,7 +92,6 @@ System assemble(const Model& model, bool with_links) {
   const std::vector<int> first = offsets(model);
   const int n = total_size(model);
   const GroundPlan plan = ground_plan(model);
-  const double peak = plan.peak();
   System system;
   Triplets mass, damping, stiffness, closing;
   system.grounds = plan.motions;
@@ -110,13 +109,13 @@ System assemble(const Model& model, bool with_links) {
       for (int j = 0; j < 3; ++j)
         if (const int ground = plan.supports[i].at(k, j); ground >= 0)
           system.load.col(ground).segment(first[i], s.size()) += s.supports[k].load.col(j);
-    // Errors are compared with the motion so far; before there is any, with a hundredth of what the ground can cause.
     Group group{first[i], s.size(), 1e-12, 1e-9, s.by_mass, s.by_stiffness};
-    group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
     // A free body has no period; the ground moves it for as long as it moves, which a second stands for.
     const double w = std::max(s.frequencies[0], 2 * M_PI);
-    group.displacement_floor = std::max(group.displacement_floor, 1e-2 * peak / (w * w));
-    group.velocity_floor = std::max(group.velocity_floor, 1e-2 * peak / w);
+    // Errors are compared with the motion so far; before there is any, with a part of what the ground can cause.
+    if (const double least = plan.least_displacement(w); least > 0) group.displacement_floor = least;
+    if (const double least = plan.least_velocity(w); least > 0) group.velocity_floor = least;
+    group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
     group.elastic = s.elastic.get();
     system.groups.push_back(group);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include <pounding/core/units.hpp>
 #include <pounding/model/contact_law.hpp>
 #include <pounding/model/contact_stiffness.hpp>
+#include <pounding/model/drawing.hpp>
 #include <pounding/model/facing.hpp>
 
 namespace pounding {
@@ -18,6 +20,8 @@ namespace {
 
 // Default sliding velocity: slower than this, friction grows with the velocity [m/s].
 constexpr double usual_sliding = 5e-3;
+// What rests at a gap of zero overlaps by the rounding of its displacements at rest, and by no more than this [m].
+constexpr double touching = 1e-12;
 
 [[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
 [[noreturn]] void refuse_idle(ModelOption option, const std::string& text) { throw ModelError(option, text).as_idle(); }
@@ -26,32 +30,6 @@ std::string text_of(const PairEnd& end, const Structure& s) {
   if (end.elevation) return fmt::format("{}@{:.6g}m", s.name, *end.elevation);
   if (!end.node.empty()) return fmt::format("{}:{}", s.name, end.node);
   return end.is_numbered && end.floor ? fmt::format("{}.{}", s.name, *end.floor + 1) : s.name;
-}
-
-// Positions of the contact points along the common edge of two floors.
-std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a, const Structure& b, Side side) {
-  const auto edge = [](const PairEnd& end, const Structure& s, Side own) -> std::optional<std::array<double, 2>> {
-    if (!end.floor || s.dimension < 3) return {};
-    return s.surface->edge(*end.floor, own);
-  };
-  const auto first = edge(pair.left, a, side), second = edge(pair.right, b, opposite(side));
-  if (!first && !second) {
-    if (points.value_or(1) > 1)
-      refuse_idle(ModelOption::points, "several points need floors of structures in space on both sides; leave it out");
-    return {0};
-  }
-  const std::array<double, 2> own = first.value_or(*second), other = second.value_or(*first);
-  double low = std::max(own[0], other[0]), high = std::min(own[1], other[1]);
-  if (low > high)
-    refuse(ModelOption::link, fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m; "
-                          "move one by its origin, or link nodes", a.name, b.name, own[0], own[1], other[0], other[1]));
-  const bool wide = first && second && high > low;
-  const int count = points.value_or(wide ? 2 : 1);
-  if (count > 1 && !wide) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
-  if (count == 1) return {0.5 * (low + high)};
-  std::vector<double> along;
-  for (int i = 0; i < count; ++i) along.push_back(low + (high - low) * i / (count - 1));
-  return along;
 }
 
 LinkEnd place_end(const PairEnd& end, const Structure& s, Side side, double along, ModelOption option) {
@@ -73,6 +51,44 @@ LinkEnd place_end(const PairEnd& end, const Structure& s, Side side, double alon
     refuse(option, fmt::format("{}: {}", s.name, error.what()));
   }
   return found;
+}
+
+// Positions of the contact points along the common edge of two floors.
+std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a, const Structure& b, Side side) {
+  const auto edge = [](const PairEnd& end, const Structure& s, Side own) -> std::optional<std::array<double, 2>> {
+    if (!end.floor || s.dimension < 3) return {};
+    return s.surface->edge(*end.floor, own);
+  };
+  const auto first = edge(pair.left, a, side), second = edge(pair.right, b, opposite(side));
+  if (!first && !second) {
+    if (points.value_or(1) > 1)
+      refuse_idle(ModelOption::points, "several points need floors of structures in space on both sides; leave it out");
+    return {0};
+  }
+  if (!first || !second) {
+    if (points.value_or(1) > 1) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
+    const auto [low, high] = first ? *first : *second;
+    const double middle = 0.5 * (low + high);
+    const Structure& s = first ? b : a;
+    if (s.is_rigid() || s.dimension < 3) return {middle};
+    // A node or a column is hit where it stands.
+    const LinkEnd met = first ? place_end(pair.right, b, opposite(side), middle, ModelOption::right)
+                              : place_end(pair.left, a, side, middle, ModelOption::left);
+    const int across = side == Side::plus_x || side == Side::minus_x ? 1 : 0;
+    return {std::clamp(met.point.position[across], low, high)};
+  }
+  const std::array<double, 2> own = *first, other = *second;
+  double low = std::max(own[0], other[0]), high = std::min(own[1], other[1]);
+  if (low > high)
+    refuse(ModelOption::link, fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m; "
+                          "move one by its origin, or link nodes", a.name, b.name, own[0], own[1], other[0], other[1]));
+  const bool wide = high > low;
+  const int count = points.value_or(wide ? 2 : 1);
+  if (count > 1 && !wide) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
+  if (count == 1) return {0.5 * (low + high)};
+  std::vector<double> along;
+  for (int i = 0; i < count; ++i) along.push_back(low + (high - low) * i / (count - 1));
+  return along;
 }
 
 double displacement_along(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction) {
@@ -119,8 +135,8 @@ void check_name(const std::string& name, const LinkOptions& options, const std::
              fmt::format("a link \"{}\" exists already; give this one a name of its own, such as name: second", name));
 }
 
-void check_options(const LinkOptions& options, const ContactLaw& law) {
-  if (options.gap.empty()) refuse(ModelOption::gap, "the gap is missing; give it, as in {.gap = 0.02}");
+void check_options(const LinkOptions& options, const ContactLaw& law, bool is_drawn) {
+  if (options.gap.empty() && !is_drawn) refuse(ModelOption::gap, "the gap is missing; give it, as in {.gap = 0.02}");
   if (options.points && (*options.points < 1 || *options.points > 100))
     refuse(ModelOption::points, fmt::format("takes an integer from 1 to 100; {} was given", *options.points));
   if (options.reduced_mass && !(*options.reduced_mass > 0 && std::isfinite(*options.reduced_mass)))
@@ -131,12 +147,14 @@ void check_options(const LinkOptions& options, const ContactLaw& law) {
     refuse_idle(ModelOption::sliding_velocity, "belongs to friction; type friction: 0.3 beside it, or leave it out");
 }
 
-std::vector<double> gaps_of(const LinkOptions& options, int count) {
+// Nothing where the drawing tells.
+std::vector<std::optional<double>> gaps_of(const LinkOptions& options, int count) {
+  if (options.gap.empty()) return std::vector<std::optional<double>>(count);
   try {
     const std::vector<double> gaps = options.gap.of_each(count, "gap");
     for (const double gap : gaps)
       if (!(gap >= 0) || std::isinf(gap)) throw std::invalid_argument("gap must be finite and not negative");
-    return gaps;
+    return {gaps.begin(), gaps.end()};
   } catch (const std::invalid_argument& error) {
     refuse(ModelOption::gap, error.what());
   }
@@ -182,10 +200,12 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
 void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
   const double overlap =
       displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
-  if (overlap > 0)
-    refuse(ModelOption::gap,
-           fmt::format("{} and {} overlap by {} at the start; a gap of {} or more keeps them apart", a.name, b.name,
-                       format_quantity(overlap, dimension::length), format_quantity(overlap + link.gap, dimension::length)));
+  if (!(overlap > touching)) return;
+  const std::string by = format_quantity(overlap, dimension::length);
+  const std::string apart = are_drawn(a, b) ? fmt::format("they lean towards each other under their loads: move {} away by {} or more with its origin",
+                                                          b.name, by)
+                                            : fmt::format("a gap of {} or more keeps them apart", format_quantity(overlap + link.gap, dimension::length));
+  refuse(ModelOption::gap, fmt::format("{} and {} overlap by {} at the start; {}", a.name, b.name, by, apart));
 }
 
 }  // namespace
@@ -195,9 +215,10 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
   const std::vector<LinkPair> pairs = pairs_of(*this, left, right, options.floors);
   const Structure &a = structures[left.structure], &b = structures[right.structure];
   const Side side = facing_side(a, b);
-  check_options(options, law);
+  const bool is_drawn = are_drawn(a, b);
+  check_options(options, law, is_drawn);
   const int count = static_cast<int>(pairs.size());
-  const std::vector<double> gaps = gaps_of(options, count);
+  const std::vector<std::optional<double>> gaps = gaps_of(options, count);
   for (int i = 0; i < count; ++i) {
     const std::vector<double> along = along_the_edge(options.points, pairs[i], a, b, side);
     for (std::size_t k = 0; k < along.size(); ++k) {
@@ -207,7 +228,7 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
       require_inertia(link.left, a, side, ModelOption::left);
       require_inertia(link.right, b, side, ModelOption::right);
       link.direction = outward(side);
-      link.gap = gaps[i];
+      link.gap = is_drawn ? drawn_gap(*this, link.left, link.right, side, gaps[i]) : *gaps[i];
       link.name = name_of(options, pairs[i], a, b, i, count == 1);
       if (along.size() > 1) link.name += fmt::format("#{}", k + 1);
       check_name(link.name, options, links);

@@ -1,10 +1,26 @@
 #include <pounding/model/model.hpp>
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
 
 namespace pounding {
+namespace {
+
+// "structure left: frame, 8 floors, 960 t, first periods 1.43 s and 0.46 s"
+std::string describe(const Structure& s) {
+  std::string text = fmt::format("structure {}: {}", s.name, s.kind);
+  if (s.is_rigid()) return text;
+  if (!s.is_free) text += fmt::format(", {} floor{}", s.floors.size(), s.floors.size() == 1 ? "" : "s");
+  text += ", " + format_quantity(s.total_mass()[0], dimension::mass, 6);
+  if (s.is_free) return text;
+  const auto period = [&](int mode) { return fmt::format("{:.4g} s", 2 * M_PI / s.frequencies[mode]); };
+  return text + (s.frequencies.size() > 1 ? fmt::format(", first periods {} and {}", period(0), period(1)) : ", period " + period(0));
+}
+
+}  // namespace
 
 std::string describe(const Model& model) {
   std::string text = model.title.empty() ? "" : model.title + "\n";
@@ -15,6 +31,7 @@ std::string describe(const Model& model) {
     text += fmt::format("ground motion{}  {}, peak {:.4g} m/s^2 ({:.4g} g)\n", axes[i], motion.source(), motion.peak(),
                         motion.peak() / standard_gravity);
   }
+  for (const Structure& s : model.structures) text += describe(s) + '\n';
   for (const Link& link : model.links) {
     text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
                         link.formula, 1e3 * link.gap);

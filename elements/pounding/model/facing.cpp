@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/model/drawing.hpp>
+
 namespace pounding {
 namespace {
 
@@ -129,25 +131,31 @@ PairEnd end_of(const ContactLocation& location, const Structure& s, ModelOption 
 }  // namespace
 
 Side facing_side(const Structure& a, const Structure& b) {
-  const auto first = a.surface->plan(), second = b.surface->plan();
-  if (!first || !second) return Side::plus_x;
-  const auto [ax0, ax1, ay0, ay1] = *first;
-  const auto [bx0, bx1, by0, by1] = *second;
-  const double rounding = 1e-9 * std::max({1.0, std::abs(ax1), std::abs(bx1), std::abs(ay1), std::abs(by1)});
-  const auto beside = [&](double a0, double a1, double b0, double b1, Side plus, Side minus) -> std::optional<Side> {
+  if (!are_drawn(a, b)) return Side::plus_x;
+  const auto [ax0, ax1, ay0, ay1] = *a.surface->plan();
+  const auto [bx0, bx1, by0, by1] = *b.surface->plan();
+  const auto beside = [](double a0, double a1, double b0, double b1, Side plus, Side minus) -> std::optional<Side> {
     // Two without width at one place: neither is beside the other.
-    if (a1 - a0 + b1 - b0 <= rounding && std::abs(b0 - a0) <= rounding) return {};
-    if (b0 >= a1 - rounding) return plus;
-    if (a0 >= b1 - rounding) return minus;
+    if (a1 - a0 + b1 - b0 <= drawn_rounding && std::abs(b0 - a0) <= drawn_rounding) return {};
+    if (b0 >= a1 - drawn_rounding) return plus;
+    if (a0 >= b1 - drawn_rounding) return minus;
     return {};
   };
+  const auto left_first = [&](Side side) {
+    if (side == Side::minus_x)
+      refuse(ModelOption::between, fmt::format("{0} stands on the left of {1}: it reaches from x = {2:.6g} m to {3:.6g} m, and {1} from "
+                               "x = {4:.6g} m to {5:.6g} m; name the left one first, between: [{0}, {1}]",
+                               b.name, a.name, bx0, bx1, ax0, ax1));
+    return side;
+  };
   std::optional<Side> along_x = beside(ax0, ax1, bx0, bx1, Side::plus_x, Side::minus_x);
-  if (a.dimension < 3 && b.dimension < 3) return along_x.value_or(Side::plus_x);
+  // Plane frames may reach over each other at other heights: their ends tell whether they overlap.
+  if (a.dimension < 3 || b.dimension < 3) return left_first(along_x.value_or(Side::plus_x));
   std::optional<Side> along_y = beside(ay0, ay1, by0, by1, Side::plus_y, Side::minus_y);
   // A frame whose end lies in the line of the other one's edge is apart from it the other way only.
   const double apart_x = std::max(bx0 - ax1, ax0 - bx1), apart_y = std::max(by0 - ay1, ay0 - by1);
-  if (along_x && along_y && apart_x > rounding && apart_y <= rounding) along_y.reset();
-  if (along_x && along_y && apart_y > rounding && apart_x <= rounding) along_x.reset();
+  if (along_x && along_y && apart_x > drawn_rounding && apart_y <= drawn_rounding) along_y.reset();
+  if (along_x && along_y && apart_y > drawn_rounding && apart_x <= drawn_rounding) along_x.reset();
   std::vector<Side> sides;
   for (const auto& side : {along_x, along_y})
     if (side) sides.push_back(*side);
@@ -159,7 +167,7 @@ Side facing_side(const Structure& a, const Structure& b) {
   if (sides.size() > 1)
     refuse(ModelOption::between, fmt::format("{} and {} stand apart along x and along y: no side of the one faces the other; "
                              "move one by its origin", a.name, b.name));
-  return sides.front();
+  return left_first(sides.front());
 }
 
 void require_floor(const Structure& s, int number, const std::string& text) {

@@ -29,7 +29,8 @@ std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, 
                                std::optional<FacingFloors> floors);
 
 /// The side of the first structure that faces the second one, by where they stand in plan; plus_x for those without a place.
-/// Throws ModelError for structures that stand on each other, or apart along x and along y.
+/// Throws ModelError for structures in space that stand on each other, or apart along x and along y, and where the second one
+/// stands on the left, which is where x is less.
 Side facing_side(const Structure& first, const Structure& second);
 
 /// Throws std::invalid_argument unless the structure has the floor with this number, from 1; `text` is how the user named it.

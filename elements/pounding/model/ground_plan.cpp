@@ -1,6 +1,7 @@
 #include <pounding/model/ground_plan.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -9,6 +10,9 @@
 
 namespace pounding {
 namespace {
+
+// Errors are compared with at least this part of the static response to the largest acceleration.
+constexpr double least_part = 1e-2;
 
 // Delay of a travelling wave at a position after its arrival at the first support of all [s].
 double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
@@ -52,12 +56,6 @@ GroundPlan ground_plan(const Model& model) {
   return plan;
 }
 
-double GroundPlan::peak() const {
-  double largest = 0;
-  for (const GroundMotion& motion : motions) largest = std::max(largest, motion.peak());
-  return largest;
-}
-
 double GroundPlan::duration() const {
   double last = 0;
   for (const GroundMotion& motion : motions) last = std::max(last, motion.duration());
@@ -71,10 +69,30 @@ double GroundPlan::sample_step() const {
   return shortest;
 }
 
-double GroundPlan::shortest_period() const {
+double GroundPlan::longest_step(double t) const {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const GroundMotion& motion : motions) shortest = std::min(shortest, motion.shortest_period());
+  for (const GroundMotion& motion : motions) shortest = std::min(shortest, motion.longest_step(t));
   return shortest;
+}
+
+double GroundPlan::least_displacement(double w) const {
+  double largest = 0;
+  for (const GroundMotion& motion : motions) {
+    const double last_velocity = std::abs(motion.velocity(motion.duration()) - motion.initial_velocity());
+    largest = std::max(largest, std::min({least_part * motion.peak() / (w * w), motion.peak_velocity() / w,
+                                          motion.peak_displacement() + last_velocity / w}));
+  }
+  return largest;
+}
+
+double GroundPlan::least_velocity(double w) const {
+  double largest = 0;
+  for (const GroundMotion& motion : motions) {
+    const double last_velocity = std::abs(motion.velocity(motion.duration()) - motion.initial_velocity());
+    largest = std::max(largest, std::min({least_part * motion.peak() / w, motion.peak_velocity(),
+                                          w * motion.peak_displacement() + last_velocity}));
+  }
+  return largest;
 }
 
 }  // namespace pounding

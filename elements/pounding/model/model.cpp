@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/model/plausible.hpp>
 
 namespace pounding {
 namespace {
@@ -211,6 +213,9 @@ void Model::check_settings() const {
     refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step, analysis.duration));
   if (const double radius = analysis.scheme.spectral_radius; !(radius >= 0 && radius <= 1))
     refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
+  for (const std::string& name : accept)
+    if (std::find(doubt_names.begin(), doubt_names.end(), name) == doubt_names.end())
+      throw ModelError(ModelOption::accept, fmt::format("unknown warning \"{}\".{}", name, suggestion(name, doubt_names)));
   if (!is_time(checkpoint.every) || !is_time(checkpoint.every_simulated))
     throw ModelError(ModelOption::checkpoint, "every and every_simulated must be finite and not negative");
 }

@@ -118,7 +118,9 @@ enum class FacingFloors {
 
 /// Options of a link beside its law.
 struct LinkOptions {
-  OneOrEach gap{};                       ///< >= 0 [m]; with `floors` one for all or one each from the ground up
+  /// >= 0 [m]; with `floors` one for all or one each from the ground up. Between frames it may be left out: it is the distance drawn,
+  /// and one that differs from it is refused.
+  OneOrEach gap{};
   std::optional<FacingFloors> floors{};  ///< links all of these; without it the two ends name one pair
   /// "left.1-right.1" unless given; of several pairs the first is "name.1".
   std::optional<std::string> name{};
@@ -130,6 +132,12 @@ struct LinkOptions {
   std::optional<double> reduced_mass{};
   /// Estimates the stiffness of the law for the masses at the two ends, instead of the one that the law was given.
   std::optional<StiffnessEstimate> stiffness{};
+};
+
+/// Something in a model that can be and was probably not meant.
+struct Doubt {
+  std::string name;  ///< that Model::accept silences it by
+  std::string text;  ///< where, the number, and the likely cause
 };
 
 /// The source_text of a model that was not read from a text.
@@ -147,6 +155,8 @@ class Model {
   bool compare_no_pounding = false;  ///< whether a run also runs the structures without links, before
   /// Multiplies the stiffness of every contact that is linked from now on, to see how the answer depends on it.
   double stiffness_factor = 1;
+  std::vector<std::string> accept;   ///< names of the doubts, see plausible.hpp, that are meant as they are
+  std::vector<Doubt> read_doubts;    ///< those of the reader, about how numbers were written
   /// Finds what damping and first periods need. petsc::lowest_modes does so for frames of many thousand unknowns.
   ModeSolver mode_solver = dense_modes;
   std::string source_text{built_by_code};  ///< the input as given
@@ -160,8 +170,9 @@ class Model {
   /// are missing, given twice, out of range or without a meaning for this structure.
   StructureHandle add(const std::string& name, Structure structure, const StructureOptions& options = {});
 
-  /// Links two structures, the left one first. Geometry is the truth where it is drawn: the sides that face each other follow from
-  /// where frames stand. Throws ModelError for ends, floors, gaps and laws that cannot be.
+  /// Links two structures, the left one first. Geometry is the truth where it is drawn: the sides that face each other and the gap
+  /// follow from where frames stand. Throws ModelError for ends, floors, gaps and laws that cannot be, and for what contradicts
+  /// the drawing.
   void link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options, const ContactLaw& law);
 
   /// Fills in what was left out (duration, output step), lets the ground act on the structures and checks the whole. A run does
@@ -199,7 +210,8 @@ std::vector<int> offsets(const Model& model);
 /// Initial displacements and velocities of the assembled system.
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model);
 
-/// A model in a few lines, one each: title, ground motions, links with their laws, gaps and masses.
+/// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links with their laws,
+/// gaps and masses.
 std::string describe(const Model& model);
 
 }  // namespace pounding

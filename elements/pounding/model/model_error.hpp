@@ -11,6 +11,7 @@ enum class ModelOption {
   // of the model
   analysis,
   checkpoint,
+  accept,
   structures,
   wave,
   ground_component,

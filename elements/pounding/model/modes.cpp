@@ -39,14 +39,6 @@ Eigen::MatrixXd floor_motion(const Structure& s, const Eigen::VectorXd& q) {
 
 int count_of(const Structure& s, int max_count) { return along_x_only(s) ? s.size() : std::min(max_count, s.size()); }
 
-Eigen::Vector3d total_mass(const Structure& s) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int j = 0; j < 3; ++j)
-    for (const Support& support : s.supports)
-      for (const Support& other : s.supports) sum[j] += support.influence.col(j).dot(other.load.col(j));
-  return sum;
-}
-
 Eigen::MatrixX3d whole_load(const Structure& s) {
   Eigen::MatrixX3d load = Eigen::MatrixX3d::Zero(s.size(), 3);
   for (const Support& support : s.supports) load += support.load;
@@ -110,7 +102,7 @@ std::string table_along_x(const std::vector<Mode>& found, double total) {
 
 std::string table_of_frame(const Structure& s, const std::vector<Mode>& found) {
   const std::vector<int> along = s.dimension == 3 ? std::vector{0, 1, 2} : std::vector{0, 2};
-  const Eigen::Vector3d total = total_mass(s);
+  const Eigen::Vector3d total = s.total_mass();
   std::string text = "mode   period (s)  frequency (Hz)  damping (%)";
   for (const int j : along) text += fmt::format("  participation {}  effective mass {} (%)", axes[j], axes[j]);
   text += '\n';
@@ -177,7 +169,7 @@ std::string modes_table(const Model& model, int max_count, const ModeSolver& sol
   std::string text;
   for (const Structure& s : model.structures) {
     if (s.is_rigid()) continue;
-    const double total = total_mass(s)[0];
+    const double total = s.total_mass()[0];
     text += fmt::format("{} ({}, {} floor{}, {:.6g} t, damping: {})\n", s.name, s.kind, s.floors.size(),
                         s.floors.size() == 1 ? "" : "s", total / 1e3, s.damping_note);
     const std::vector<Mode> found = modes(s, count_of(s, max_count), solver);

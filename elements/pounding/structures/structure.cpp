@@ -39,4 +39,12 @@ ContactPoint Surface::node(const std::string&) const {
 
 SparseMatrix Structure::whole_damping() const { return by_mass * mass + by_stiffness * stiffness + damping; }
 
+Eigen::Vector3d Structure::total_mass() const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int j = 0; j < 3; ++j)
+    for (const Support& support : supports)
+      for (const Support& other : supports) sum[j] += support.influence.col(j).dot(other.load.col(j));
+  return sum;
+}
+
 }  // namespace pounding

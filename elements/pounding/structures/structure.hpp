@@ -108,11 +108,13 @@ struct MemberReport {
   std::vector<int> places;                     ///< of each component among the twelve of a member
 };
 
-/// For pictures.
+/// For pictures, and for warnings of the implausible.
 struct Geometry {
   std::vector<std::string> node_names, member_names;
   std::vector<Eigen::Vector3d> positions;    ///< of the nodes [m]
   std::vector<std::array<int, 2>> members;   ///< nodes of each
+  std::vector<double> depths, moduli;        ///< of each: the larger of those of a square and of a rectangle of its area and
+                                             ///< inertia [m]; Young's modulus [Pa]
   std::vector<int> floor_of_node;            ///< -1 for none
 };
 
@@ -161,6 +163,8 @@ struct Structure {
   bool has_storeys() const { return !floors.empty() && !floors.front().storey_shear.empty(); }
   /// The whole damping matrix.
   SparseMatrix whole_damping() const;
+  /// The mass that the ground moves along x, y, z, by all supports together [kg].
+  Eigen::Vector3d total_mass() const;
 };
 
 }  // namespace pounding

@@ -41,7 +41,7 @@ struct CachedFactor {
   double memory() const;
 };
 
-/// Step levels: level k is the step max_step / 2^k. Each level has a factor that is kept; a step off the levels has one that
+/// Step levels: level k is the longest step over 2^k. Each level has a factor that is kept; a step off the levels has one that
 /// lasts until the next step. Which factor serves a step depends on that step alone, so that results do not depend on the
 /// steps before it. Functions are collective on the communicator of the matrices unless they say that they are not.
 class CachedFactors {
@@ -49,7 +49,7 @@ class CachedFactors {
   /// `matrices` must outlive this. Adds each factorization to `factorizations`.
   CachedFactors(const SystemMatrices& matrices, const SparseOptions& options, int unknowns, int links, long& factorizations);
 
-  /// Makes the factor of this matrix the current one. `step_level` is given for a step that is max_step / 2^level.
+  /// Makes the factor of this matrix the current one. `step_level` is given for a step that is the longest over 2^level.
   void select(const EffectiveMatrix& matrix, std::optional<int> step_level);
   /// The factor that select() chose. Not collective.
   CachedFactor& current() { return *current_; }

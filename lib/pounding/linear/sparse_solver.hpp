@@ -15,7 +15,7 @@ namespace pounding::petsc {
 /// With at least as many groups as processes, each process has whole groups and solves them by itself, without messages.
 /// Otherwise the rows are cut evenly, and one parallel factor (MUMPS) serves all.
 ///
-/// Steps max_step / 2^k have a cached factor each, and columns Z = A^-1 B of the links as they become active. A step of any
+/// Steps that are the longest one over 2^k have a cached factor each, and columns Z = A^-1 B of the links as they become active. A step of any
 /// other length is solved by conjugate gradients with the factor of the nearest step level, or, where many links press, by a
 /// factor of its own. Solutions depend on the step alone, not on what was solved before it.
 ///

@@ -58,9 +58,9 @@ class StructureSolver {
   /// equilibrium.
   virtual void recover(Eigen::Ref<Eigen::VectorXd> x) const = 0;
 
-  /// True if steps max_step / 2^k are cheaper than others.
+  /// True if steps that are the longest one over 2^k are cheaper than others.
   virtual bool prefers_dyadic_steps() const { return false; }
-  /// Sets A for the next solves. `step_level` = k if the step is max_step / 2^k, so that its factor is cached.
+  /// Sets A for the next solves. `step_level` = k if the step is the longest over 2^k, so that its factor is cached.
   virtual void set_matrix(const EffectiveMatrix& matrix, std::optional<int> step_level) = 0;
   /// Replaces x by A^-1 x. False when the solve failed.
   virtual bool solve(Eigen::Ref<Eigen::VectorXd> x) = 0;

@@ -17,25 +17,27 @@ namespace {
 
 using petsc::check;
 
-// The longest step as a part of the shortest of all first periods, and of the duration. Error control shortens steps further.
+// The longest step as a part of the shortest of all first periods, and of the duration. Motions of the ground shorten it while they
+// last, and error control further.
 constexpr double max_part_of_period = 0.1;
 constexpr double max_part_of_duration = 1.0 / 16;
-// The first step that is wanted, as a part of the longest.
+// The first step that is wanted, as a part of the longest there.
 constexpr double first_part = 1.0 / 64;
 
 double max_step(const Model& model) {
   double longest = max_part_of_duration * model.analysis.duration;
   if (model.analysis.max_step > 0) longest = std::min(longest, model.analysis.max_step);
-  const GroundPlan ground = ground_plan(model);
-  const double sample = ground.sample_step();
-  if (sample > 0) return std::min(sample, model.analysis.max_step > 0 ? longest : model.analysis.duration);
-  longest = std::min(longest, max_part_of_period * ground.shortest_period());
+  double free = longest;
   for (const Structure& s : model.structures) {
     if (s.is_rigid() || s.is_free) continue;
-    longest = std::min(longest, max_part_of_period * 2 * M_PI / s.frequencies[0]);
+    free = std::min(free, max_part_of_period * 2 * M_PI / s.frequencies[0]);
   }
-  return longest;
+  // Samples of a record are never divided for the periods of the structures alone.
+  const double sample = ground_plan(model).sample_step();
+  return std::max(free, std::min(sample, model.analysis.max_step > 0 ? longest : model.analysis.duration));
 }
+
+double first_step(const Model& model) { return first_part * std::min(max_step(model), ground_plan(model).longest_step(0)); }
 
 // PETSc reads these for every TS; here they would change nothing.
 void refuse_idle_options() {
@@ -74,11 +76,10 @@ void set_defaults(TS ts, const Model& model) {
   check(TSSetMaxSteps(ts, PETSC_MAX_INT));
   check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
   check(TSSetTolerances(ts, 0, nullptr, analysis.tolerance, nullptr));
-  const double longest = max_step(model);
   TSAdapt adapt = nullptr;
   check(TSGetAdapt(ts, &adapt));
-  check(TSAdaptSetStepLimits(adapt, 1e-18, longest));
-  check(TSSetTimeStep(ts, first_part * longest));
+  check(TSAdaptSetStepLimits(adapt, 1e-18, max_step(model)));
+  check(TSSetTimeStep(ts, first_step(model)));
 }
 
 void read_command_line(TS ts) {

@@ -24,7 +24,8 @@ constexpr double simpson_sum(double f0, double v0, double fm, double vm, double 
   return f0 * v0 + 4 * fm * vm + f1 * v1;
 }
 
-/// Sums of the work in every kept step, by Simpson's rule with the rates of the cubic at mid-step.
+/// Sums of the work in every kept step, by Simpson's rule with the rates of the cubic at mid-step; short motions of the ground count as
+/// ShortMotions says.
 class EnergyLedger {
  public:
   explicit EnergyLedger(const System& system) : friction_(system.frictions.size(), 0.0) {}
@@ -49,6 +50,8 @@ class EnergyLedger {
   double on_ground_ = 0;            // of the link forces on the motion of the ground
   double given_ = 0;
   std::vector<double> friction_;
+  // Room to work in.
+  Eigen::VectorXd vm_, cvm_;  // rates and damping forces at mid-step
   mutable Eigen::VectorXd momentum_;
 };
 

@@ -31,6 +31,7 @@ Equations::Equations(const System& of_system, StructureSolver& of_solver, bool c
       solver(of_solver),
       links(of_system),
       supports(of_system, of_solver),
+      short_motions(of_system, of_solver),
       pseudo_forces(of_system),
       rigid(rigid_contacts(of_system, of_solver)),
       width(carries ? 4 : 3) {
@@ -42,7 +43,7 @@ Instant Equations::zero_instant() const {
   x.motion = Eigen::MatrixXd::Zero(solver.size(), Instant::columns);
   x.force = Eigen::VectorXd::Zero(links.size());
   x.relative = Eigen::MatrixXd::Zero(links.size(), width);
-  x.ground = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
+  x.ground = x.ground_carried = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
   if (links.moved()) x.by_ground = Eigen::MatrixXd::Zero(links.size(), 3);
   if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
   return x;
@@ -57,6 +58,7 @@ Trial Equations::zero_trial() const {
   trial.ground_middle = trial.end.ground;
   trial.squares_u.assign(system.groups.size(), 0.0);
   trial.squares_v.assign(system.groups.size(), 0.0);
+  trial.squares_slow.assign(system.groups.size(), 0.0);
   return trial;
 }
 
@@ -116,6 +118,7 @@ void Equations::balance(Instant& x) const {
   solver.damping_times(x.motion.col(v), x.motion.col(kv), x.motion.col(cv));
   gather(x);
   supports.accelerations(x.time, x.ground);
+  x.ground_carried = x.ground;
   if (links.moved()) supports.relative_motion(x.time, x.ground, x.by_ground);
   const Eigen::VectorXd& push = supports.push(x.ground);
   auto acceleration = x.motion.col(a);
@@ -134,10 +137,16 @@ void Equations::balance_middle(const Instant& x, Trial& trial) const {
   using enum Instant::Column;
   const double h = trial.h;
   const Instant& y = trial.end;
+  std::optional<GroundDefect> missed;
+  if (trial.short_motions) missed = ShortMotions::of_cubic(*trial.short_motions, h);
   for (int i = 0; i < links.size(); ++i) {
-    const double relative_displacement =
+    double relative_displacement =
         0.5 * (x.relative(i, u) + y.relative(i, u)) + h / 8 * (x.relative(i, v) - y.relative(i, v));
-    const double rate = 0.5 * (x.relative(i, v) + y.relative(i, v)) + h / 8 * (x.relative(i, a) - y.relative(i, a));
+    double rate = 0.5 * (x.relative(i, v) + y.relative(i, v)) + h / 8 * (x.relative(i, a) - y.relative(i, a));
+    if (missed) {
+      relative_displacement += short_motions.closing(i, missed->u);
+      rate += short_motions.closing(i, missed->v);
+    }
     trial.middle[i] = {links.deformation(i, relative_displacement + links.ground_part(trial.by_ground_middle, i, u)),
                        rate + links.ground_part(trial.by_ground_middle, i, v)};
   }
@@ -148,8 +157,10 @@ void Equations::balance_middle(const Instant& x, Trial& trial) const {
   double* r = trial.a_middle.data();
   for (int i = 0; i < n; ++i)
     r[i] = -push[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) - h / 8 * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
+  if (missed) trial.a_middle -= short_motions.forces(*missed);
   if (pseudo_forces.any()) {
     displacement_ = 0.5 * (x.motion.col(u) + y.motion.col(u)) + h / 8 * (x.motion.col(v) - y.motion.col(v));
+    if (missed) displacement_ += short_motions.shift(missed->u);
     pseudo_force(displacement_, force_);
     trial.a_middle -= force_;
   }

@@ -9,6 +9,7 @@
 #include <pounding/stepping/link_set.hpp>
 #include <pounding/stepping/pseudo_forces.hpp>
 #include <pounding/stepping/rigid_impacts.hpp>
+#include <pounding/stepping/short_motions.hpp>
 #include <pounding/stepping/step_state.hpp>
 #include <pounding/stepping/support_excitation.hpp>
 
@@ -26,6 +27,7 @@ struct Equations {
   StructureSolver& solver;
   const LinkSet links;
   SupportExcitation supports;
+  const ShortMotions short_motions;
   const PseudoForces pseudo_forces;
   const RigidContacts rigid;
   const int width;  ///< columns of Instant::motion that have products: u v a, and carried where the scheme has it

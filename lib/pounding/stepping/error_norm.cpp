@@ -16,6 +16,8 @@ constexpr double embedded_share = 0.05;
 constexpr double min_contact_rate = 1e-3;
 constexpr double min_contact_penetration = 1e-4;
 
+constexpr std::size_t sums_of_group = 5;
+
 double allowed_error(const Scheme& scheme, double tolerance) {
   const double allowed =
       scheme.kind == Scheme::Kind::esdirk4 ? embedded_share * tolerance : local_share * tolerance * std::sqrt(tolerance);
@@ -49,7 +51,8 @@ ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double to
   scales_.velocity.assign(system.groups.size(), 0.0);
   rate_scale_.assign(static_cast<std::size_t>(links), 0.0);
   penetration_scale_.assign(static_cast<std::size_t>(links), 0.0);
-  sums_.resize(4 * system.groups.size());
+  slow_velocity_.assign(system.groups.size(), 0.0);
+  sums_.resize(sums_of_group * system.groups.size());
 }
 
 double ErrorNorm::ratio(Trial& trial, const StepError& error, const std::vector<int>& active) {
@@ -87,19 +90,25 @@ double ErrorNorm::group_error(Trial& trial, const StepError& error) {
       uu += w[i] * u1[i] * u1[i];
       vv += w[i] * v1[i] * v1[i];
     }
-    double* sums = sums_.data() + 4 * s.group;
+    double* sums = sums_.data() + sums_of_group * s.group;
     sums[0] += eu, sums[1] += ev, sums[2] += uu, sums[3] += vv;
+  }
+  if (trial.short_motions) {
+    const Eigen::VectorXd slow = trial.end.motion.col(Instant::v) + equations_.short_motions.velocity_at_end(trial);
+    for (const StructureSolver::Segment& s : solver.segments())
+      for (int i = s.first; i < s.first + s.count; ++i) sums_[sums_of_group * s.group + 4] += w[i] * slow[i] * slow[i];
   }
   solver.combine(sums_);
   double square = 0;
   for (std::size_t k = 0; k < scales_.displacement.size(); ++k) {
-    const double* sums = sums_.data() + 4 * k;
+    const double* sums = sums_.data() + sums_of_group * k;
     const double mass = solver.group_masses()[k];
-    const double scale_u = scales_.displacement[k], scale_v = scales_.velocity[k];
+    const double scale_u = scales_.displacement[k], scale_v = slow_velocity_[k];
     trial.squares_u[k] = sums[2];
     trial.squares_v[k] = sums[3];
+    trial.squares_slow[k] = sums[trial.short_motions ? 4 : 3];
     square = std::max({square, sums[0] / std::max(scale_u * scale_u * mass, sums[2]),
-                       sums[1] / std::max(scale_v * scale_v * mass, sums[3])});
+                       sums[1] / std::max(scale_v * scale_v * mass, trial.squares_slow[k])});
     if (!std::isfinite(sums[0] + sums[1] + sums[2] + sums[3])) square = std::numeric_limits<double>::infinity();
   }
   return std::sqrt(square);
@@ -127,23 +136,20 @@ void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::v
   for (const StructureSolver::Segment& s : solver.segments())
     for (int i = s.first; i < s.first + s.count; ++i) {
       const double ui = x.at(Instant::u)[i], vi = x.at(Instant::v)[i];
-      sums_[4 * s.group + 2] += w[i] * ui * ui;
-      sums_[4 * s.group + 3] += w[i] * vi * vi;
+      sums_[sums_of_group * s.group + 2] += w[i] * ui * ui;
+      sums_[sums_of_group * s.group + 3] += w[i] * vi * vi;
     }
   solver.combine(sums_);
   for (std::size_t k = 0; k < squares_u.size(); ++k) {
-    squares_u[k] = sums_[4 * k + 2];
-    squares_v[k] = sums_[4 * k + 3];
+    squares_u[k] = sums_[sums_of_group * k + 2];
+    squares_v[k] = sums_[sums_of_group * k + 3];
   }
 }
 
-void ErrorNorm::grow(const std::vector<double>& squares_u, const std::vector<double>& squares_v) {
-  const auto raise = [](double& scale, double square, double mass) {
-    if (square > scale * scale * mass) scale = std::sqrt(square / mass);
-  };
-  for (std::size_t k = 0; k < scales_.displacement.size(); ++k) {
-    raise(scales_.displacement[k], squares_u[k], equations_.solver.group_masses()[k]);
-    raise(scales_.velocity[k], squares_v[k], equations_.solver.group_masses()[k]);
+void ErrorNorm::raise(std::vector<double>& scales, const std::vector<double>& squares) const {
+  for (std::size_t k = 0; k < scales.size(); ++k) {
+    const double mass = equations_.solver.group_masses()[k];
+    if (squares[k] > scales[k] * scales[k] * mass) scales[k] = std::sqrt(squares[k] / mass);
   }
 }
 
@@ -151,14 +157,21 @@ void ErrorNorm::start(const Instant& now) {
   const std::vector<Group>& groups = equations_.system.groups;
   std::vector<double> squares_u(groups.size()), squares_v(groups.size());
   measure(now, squares_u, squares_v);
-  grow(squares_u, squares_v);
+  raise(scales_.displacement, squares_u);
+  raise(scales_.velocity, squares_v);
+  raise(slow_velocity_, squares_v);
   for (std::size_t k = 0; k < groups.size(); ++k) {
     scales_.displacement[k] = std::max(scales_.displacement[k], groups[k].displacement_floor);
     scales_.velocity[k] = std::max(scales_.velocity[k], groups[k].velocity_floor);
+    slow_velocity_[k] = std::max(slow_velocity_[k], groups[k].velocity_floor);
   }
 }
 
-void ErrorNorm::learn(const Trial& kept) { grow(kept.squares_u, kept.squares_v); }
+void ErrorNorm::learn(const Trial& kept) {
+  raise(scales_.displacement, kept.squares_u);
+  raise(scales_.velocity, kept.squares_v);
+  raise(slow_velocity_, kept.squares_slow);
+}
 
 void ErrorNorm::learn(int contact, const LinkMotion& end) {
   rate_scale_[contact] = std::max(rate_scale_[contact], std::abs(end.rate));
@@ -200,23 +213,34 @@ double ErrorNorm::product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) co
 void ErrorNorm::archive(Archive& archive) {
   archive(scales_.displacement);
   archive(scales_.velocity);
+  archive(slow_velocity_);
   archive(rate_scale_);
   archive(penetration_scale_);
 }
 
-void add_simpson_error(const Instant& begin, const Trial& t, double part, StepError& error) {
+void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& t, double part, StepError& error) {
   using enum Instant::Column;
   const double h = t.h;
   const double *u0 = begin.at(u), *v0 = begin.at(v), *a0 = begin.at(a);
   const double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(a), *am = t.a_middle.data();
   double *error_u = error.u.data(), *error_v = error.v.data();
   const int n = static_cast<int>(error.u.size());
-  for (int i = 0; i < n; ++i) {
-    const double ev = part * (h / 6 * (a0[i] + 4 * am[i] + a1[i]) - (v1[i] - v0[i]));
-    const double eu = part * (h * h / 6 * (a0[i] + 2 * am[i]) - (u1[i] - u0[i] - h * v0[i]));
-    if (std::abs(ev) > std::abs(error_v[i])) error_v[i] = ev;
-    if (std::abs(eu) > std::abs(error_u[i])) error_u[i] = eu;
+  const auto add = [&](const auto& ground_in_u, const auto& ground_in_v) {
+    for (int i = 0; i < n; ++i) {
+      const double ev = part * (h / 6 * (a0[i] + 4 * am[i] + a1[i]) - (v1[i] - v0[i]) + ground_in_v(i));
+      const double eu = part * (h * h / 6 * (a0[i] + 2 * am[i]) - (u1[i] - u0[i] - h * v0[i]) + ground_in_u(i));
+      if (std::abs(ev) > std::abs(error_v[i])) error_v[i] = ev;
+      if (std::abs(eu) > std::abs(error_u[i])) error_u[i] = eu;
+    }
+  };
+  if (!t.short_motions) {
+    const auto none = [](int) { return 0.0; };
+    return add(none, none);
   }
+  const Eigen::MatrixXd &x = t.short_motions->begin, &m = t.short_motions->middle, &y = t.short_motions->end;
+  const Eigen::VectorXd missed_u = short_motions.shift(h * h / 6 * (x.col(a) + 2 * m.col(a)) - (y.col(u) - x.col(u) - h * x.col(v)));
+  const Eigen::VectorXd missed_v = short_motions.shift(h / 6 * (x.col(a) + 4 * m.col(a) + y.col(a)) - (y.col(v) - x.col(v)));
+  add([&](int i) { return missed_u[i]; }, [&](int i) { return missed_v[i]; });
 }
 
 }  // namespace pounding

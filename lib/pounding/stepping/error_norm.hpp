@@ -42,24 +42,28 @@ class ErrorNorm {
 
  private:
   void measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v);
-  void grow(const std::vector<double>& squares_u, const std::vector<double>& squares_v);
+  void raise(std::vector<double>& scales, const std::vector<double>& squares) const;
   double group_error(Trial& trial, const StepError& error);
   double contact_error(int contact, const Trial& trial) const;
 
   const Equations& equations_;
   double allowed_;  // relative error of one step
   MotionScales scales_;
+  // By group: velocities that errors are relative to, without what short motions of the ground give. A pulse that leaves a small
+  // motion behind would else hide errors in it.
+  std::vector<double> slow_velocity_;
   std::vector<double> rate_scale_, penetration_scale_;  // by link, of the present impact
   std::vector<double> rest_size_;              // by group, of ElasticForces::at_rest()
   std::vector<std::vector<int>> link_groups_;  // groups that a link joins
   int worst_link_ = -1;
-  std::vector<double> sums_;  // by group: errors in u and v, u, v squared
+  std::vector<double> sums_;  // by group: errors in u and v, u, v, slow v squared
   Eigen::MatrixXd errors_, link_errors_;
 };
 
 /// Adds the error by Simpson's rule: the step's own velocities and displacements against the integral of the accelerations
 /// from dynamic equilibrium at its ends and its middle. It sees forces that are not smooth, such as a dashpot that grows
 /// with d^(1/4) from the touch. In each coordinate the larger of this error, times `part`, and the present one stays.
-void add_simpson_error(const Instant& begin, const Trial& trial, double part, StepError& error);
+/// Accelerations count without those of short motions of the ground, which the step integrates exactly.
+void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& trial, double part, StepError& error);
 
 }  // namespace pounding

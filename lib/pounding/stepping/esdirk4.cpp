@@ -50,6 +50,7 @@ class Esdirk4Scheme final : public TimeScheme {
     std::copy_n(x.at(a), n, stages_.col(0).data());
     std::copy_n(x.at(ka), n, stages_.col(1).data());
     std::copy_n(x.at(ca), n, stages_.col(2).data());
+    if (t.short_motions) short_accelerations_ = t.short_motions->begin.col(a);
     link_accelerations_.resize(eq_.links.size(), stage_count);
     if (eq_.links.size() > 0) link_accelerations_.col(0) = x.relative.col(a);
     t.end.force = x.force;
@@ -75,6 +76,11 @@ class Esdirk4Scheme final : public TimeScheme {
     double* r = r_.data();
     for (int k = 0; k < n; ++k) r[k] = -push[k] - ku0[k] - cv0[k] - ci * h * kv0[k];
     subtract[i - 1](n, h, stages_.data(), r);
+    if (t.short_motions) {
+      const ShortMotionStep& step = *t.short_motions;
+      missed_ = defect(i, h, step.begin, last ? step.end : middle ? step.middle : eq_.short_motions.at(x.time + ci * h, ground, x));
+      r_ -= eq_.short_motions.forces(missed_);
+    }
     const Stage stage{shift * shift * h * h, shift * h, 1};
     const auto free_motion = [&](int link, double g) {
       double relative_displacement = x.relative(link, u) + ci * h * x.relative(link, v) + shift * shift * h * h * g;
@@ -83,6 +89,10 @@ class Esdirk4Scheme final : public TimeScheme {
         relative_displacement += h * h * squared[i][j] * link_accelerations_(link, j);
         rate += h * esdirk4::a[i][j] * link_accelerations_(link, j);
       }
+      if (t.short_motions) {
+        relative_displacement += eq_.short_motions.closing(link, missed_.u);
+        rate += eq_.short_motions.closing(link, missed_.v);
+      }
       return FreeLink{{eq_.links.deformation(link, relative_displacement + eq_.links.ground_part(by_ground, link, u)),
                        rate + eq_.links.ground_part(by_ground, link, v)},
                       g + eq_.links.ground_part(by_ground, link, a)};
@@ -90,6 +100,7 @@ class Esdirk4Scheme final : public TimeScheme {
     if (eq_.pseudo_forces.any()) {
       free_displacement_ = x.motion.col(u) + ci * h * x.motion.col(v);
       for (int j = 0; j < i; ++j) free_displacement_ += h * h * squared[i][j] * acceleration(j);
+      if (t.short_motions) free_displacement_ += eq_.short_motions.shift(missed_.u);
       guess_ = acceleration(i - 1);
       if (!solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, r_, t.end.force)) return false;
     } else if (!solver_.solve(stage, free_motion, r_, t.end.force)) {
@@ -101,6 +112,31 @@ class Esdirk4Scheme final : public TimeScheme {
     eq_.solver.stiffness_times(acceleration(i), stages_.col(3 * i + 1));
     eq_.solver.damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
     return true;
+  }
+
+  // How far stage i misses the short motions of the ground, which stand at `motion` there. Keeps their accelerations.
+  GroundDefect defect(int i, double h, const Eigen::MatrixXd& begin, const Eigen::MatrixXd& motion) {
+    short_accelerations_.conservativeResize(Eigen::NoChange, i + 1);
+    short_accelerations_.col(i) = motion.col(a);
+    GroundDefect missed{begin.col(u) + esdirk4::c[i] * h * begin.col(v) - motion.col(u), begin.col(v) - motion.col(v)};
+    for (int j = 0; j <= i; ++j) {
+      missed.u += h * h * squared[i][j] * short_accelerations_.col(j);
+      missed.v += h * esdirk4::a[i][j] * short_accelerations_.col(j);
+    }
+    return missed;
+  }
+
+  // Adds what the short motions of the ground are to the end of the step and to its errors, after the sums over the stages.
+  void correct_end(Trial& t, StepError& error) const {
+    t.end.motion.col(u) += eq_.short_motions.shift(missed_.u);
+    t.end.motion.col(v) += eq_.short_motions.shift(missed_.v);
+    Eigen::VectorXd by_u = Eigen::VectorXd::Zero(missed_.u.size()), by_v = by_u;
+    for (int j = 0; j < stage_count; ++j) {
+      by_u += t.h * t.h * esdirk4::error.displacement[j] * short_accelerations_.col(j);
+      by_v += t.h * esdirk4::error.velocity[j] * short_accelerations_.col(j);
+    }
+    error.u += eq_.short_motions.shift(by_u);
+    error.v += eq_.short_motions.shift(by_v);
   }
 
   // The end of the step, its middle and its errors from the accelerations of all stages.
@@ -126,13 +162,14 @@ class Esdirk4Scheme final : public TimeScheme {
         error_v[k] += error_by_v * aj[k];
       }
     }
+    if (t.short_motions) correct_end(t, error);
     eq_.hold_end(x, t.end);
     if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
     std::copy_n(acceleration(stage_count - 1).data(), n, t.end.at(a));
     eq_.multiply(t.end, u, 3);
     eq_.gather(t.end);
     eq_.balance_middle(x, t);
-    if (solver_.linked()) add_simpson_error(x, t, simpson_part, error);
+    if (solver_.linked()) add_simpson_error(eq_.short_motions, x, t, simpson_part, error);
   }
 
   Equations& eq_;
@@ -141,6 +178,8 @@ class Esdirk4Scheme final : public TimeScheme {
   Eigen::MatrixXd by_ground_;
   Eigen::MatrixXd stages_;              // three columns a stage: acceleration, K and C times it
   Eigen::MatrixXd link_accelerations_;  // closing, [link, stage]
+  Eigen::MatrixXd short_accelerations_; // of the short motions of the ground, [motion, stage]
+  GroundDefect missed_;                 // in the present stage
   Eigen::VectorXd guess_, free_displacement_;
 };
 

@@ -16,9 +16,9 @@ class EventFunctions {
   /// Event function 0 of an open contact: the touch.
   static constexpr int touch = 0;
 
-  /// All arguments must outlive it. `max_step`: longest step of the run [s].
-  EventFunctions(const LinkSet& links, const RigidContacts& rigid, const MotionScales& scales, double max_step)
-      : links_(links), rigid_(rigid), scales_(scales), max_step_(max_step) {}
+  /// All arguments must outlive it. `longest_step`: at present, see Stepper::longest_step() [s].
+  EventFunctions(const LinkSet& links, const RigidContacts& rigid, const MotionScales& scales, const double& longest_step)
+      : links_(links), rigid_(rigid), scales_(scales), longest_step_(longest_step) {}
 
   /// The links and the scales that it was made with.
   const LinkSet& links() const { return links_; }
@@ -44,7 +44,7 @@ class EventFunctions {
   const LinkSet& links_;
   const RigidContacts& rigid_;
   const MotionScales& scales_;
-  double max_step_;
+  const double& longest_step_;
 };
 
 }  // namespace pounding

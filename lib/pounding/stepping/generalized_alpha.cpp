@@ -40,6 +40,19 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     const double *cv0 = x.at(cv), *ca0 = x.at(ca), *cc0 = x.at(c_own);
     const double by_c_in_u = h * h * (0.5 - beta), by_c_in_v = h * (1 - gamma);
     ground_ = alpha_f * t.end.ground + (1 - alpha_f) * x.ground;
+    if (eq_.short_motions.any()) {
+      // Accelerations of the ground that those of the scheme answer to, at the beginning and the end of the step.
+      ground_begin_ = x.ground;
+      if (carries) ground_begin_ += part * (x.ground_carried - x.ground);
+      t.end.ground_carried = (ground_ - (1 - alpha_m) * ground_begin_) / alpha_m;
+    }
+    if (t.short_motions) {
+      const Eigen::MatrixXd &begin = t.short_motions->begin, &end = t.short_motions->end;
+      const Eigen::VectorXd first = eq_.short_motions.at(x.time, ground_begin_, x).col(a);
+      const Eigen::VectorXd last = eq_.short_motions.at(t.end.time, t.end.ground_carried, x).col(a);
+      missed_ = {begin.col(u) + h * begin.col(v) + by_c_in_u * first + beta * h * h * last - end.col(u),
+                 begin.col(v) + by_c_in_v * first + gamma * h * last - end.col(v)};
+    }
 
     double *work = work_.data(), *r = r_.data();
     for (int i = 0; i < n; ++i) work[i] = a0[i] + part * (c0[i] - a0[i]);
@@ -49,6 +62,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       r[i] = (alpha_m - 1) * r[i] - push[i] - ku0[i] - cv0[i] -
              alpha_f * (h * kv0[i] + by_c_in_u * (ka0[i] + part * (kc0[i] - ka0[i])) +
                         by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
+    if (t.short_motions) r_ -= alpha_f * eq_.short_motions.forces(missed_);
     if (stages_.linked()) eq_.solver.add_forces(alpha_f - 1, x.force, r_);
 
     t.end.force.setZero();
@@ -56,9 +70,14 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     const Stage stage{beta * h * h, gamma * h, alpha_f};
     const auto free_motion = [&](int i, double g) {
       const double sa = x.relative(i, a), s = carries ? sa + part * (x.relative(i, carried) - sa) : sa;
-      const double relative_displacement = x.relative(i, u) + h * x.relative(i, v) + by_c_in_u * s + beta * h * h * g;
+      double relative_displacement = x.relative(i, u) + h * x.relative(i, v) + by_c_in_u * s + beta * h * h * g;
+      double rate = x.relative(i, v) + by_c_in_v * s + gamma * h * g;
+      if (t.short_motions) {
+        relative_displacement += eq_.short_motions.closing(i, missed_.u);
+        rate += eq_.short_motions.closing(i, missed_.v);
+      }
       FreeLink link{{eq_.links.deformation(i, relative_displacement + eq_.links.ground_part(t.end.by_ground, i, u)),
-                     x.relative(i, v) + by_c_in_v * s + gamma * h * g + eq_.links.ground_part(t.end.by_ground, i, v)},
+                     rate + eq_.links.ground_part(t.end.by_ground, i, v)},
                     g};
       if (eq_.links.moved()) {
         // At the time that the scheme's acceleration belongs to.
@@ -71,6 +90,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       r_ -= (1 - alpha_f) * x.pseudo_force;
       guess_ = x.motion.col(a) + part * (x.motion.col(own) - x.motion.col(a));
       free_displacement_ = x.motion.col(u) + h * x.motion.col(v) + by_c_in_u * guess_;
+      if (t.short_motions) free_displacement_ += eq_.short_motions.shift(missed_.u);
       if (!stages_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, r_, t.end.force)) return false;
     } else if (!stages_.solve(stage, free_motion, r_, t.end.force)) {
       return false;
@@ -83,6 +103,10 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       v1[i] = v0[i] + by_c_in_v * s + gamma * h * acceleration;
       a1[i] = acceleration;
     }
+    if (t.short_motions) {
+      t.end.motion.col(u) += eq_.short_motions.shift(missed_.u);
+      t.end.motion.col(v) += eq_.short_motions.shift(missed_.v);
+    }
     eq_.hold_end(x, t.end);
     if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
     if (carries)
@@ -94,7 +118,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
 
     error.u.setZero();
     error.v.setZero();
-    add_simpson_error(x, t, 1, error);
+    add_simpson_error(eq_.short_motions, x, t, 1, error);
     return true;
   }
 
@@ -115,7 +139,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
   Equations& eq_;
   StageSolver& stages_;
   GeneralizedAlpha k_;
-  Eigen::VectorXd work_, r_, ground_;
+  Eigen::VectorXd work_, r_, ground_, ground_begin_;
+  GroundDefect missed_;  // of the short motions of the ground
   Eigen::VectorXd guess_, free_displacement_;
 };
 

@@ -70,7 +70,8 @@ void StepController::count_event_in_place(double step) {
 double StepController::advance(double wanted, double end, StepSizePolicy& policy) {
   const bool fixed = policy.fixed();
   for (;;) {
-    const Aim goal = aim(wanted, end, fixed);
+    const double longest = stepper_.longest_step();
+    const Aim goal = aim(fixed ? wanted : std::min(wanted, longest), end, fixed);
     check_length(goal.step);
     ++trials_;
     if (!stepper_.try_step(goal.step, goal.end)) {
@@ -84,8 +85,8 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
       wanted = std::min(verdict.next, goal.step / 2);
       continue;
     }
-    // A short step to a breakpoint says nothing against the longer one that was wanted.
-    const double good = goal.end ? std::max(verdict.next, wanted) : verdict.next;
+    // A short step to a breakpoint says nothing against the longer one that was wanted. What the ground forbids is not remembered.
+    const double good = std::min(goal.end ? std::max(verdict.next, wanted) : verdict.next, longest);
     const bool was_in_contact = stepper_.in_contact();
     const std::optional<double> located = stepper_.locate_event();
     if (located && *located == 0) {

@@ -52,7 +52,7 @@ class ErrorControl final : public StepSizePolicy {
 
 /// Advances a Stepper by kept steps. With x- and x+ for the state before and after the events of an instant:
 ///
-///     h <- wanted step, cut at the next breakpoint of the ground motion or the end
+///     h <- wanted step, cut by Stepper::longest_step() and at the next breakpoint of the ground motion or the end
 ///     loop  trial <- try_step(x+, h)                 pure: scheme, link forces, pseudo-forces
 ///           if not solved, or error(trial) > 1:      shorten h; continue
 ///           event <- first zero of an event function in the trial; each guess is a re-integrated step

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <pounding/core/archive_eigen.hpp>
@@ -49,6 +50,7 @@ struct Instant {
 
   double time = 0;
   Eigen::VectorXd ground;        ///< accelerations of the grounds [m/s^2]
+  Eigen::VectorXd ground_carried;  ///< those that `carried` answers to [m/s^2]
   Eigen::MatrixXd motion;        ///< [coordinate, Column]
   Eigen::VectorXd force;         ///< of every link [N]
   Eigen::MatrixXd relative;      ///< B^T of the motion, [link, u v a carried]
@@ -63,12 +65,19 @@ struct Instant {
   void archive(Archive& archive) {
     archive(time);
     archive(ground);
+    archive(ground_carried);
     archive(motion);
     archive(force);
     archive(relative);
     archive(by_ground);
     archive(pseudo_force);
   }
+};
+
+/// Motion of the ground in a step by those of its motions that are short (ShortMotions), zero for those that do not act in the step:
+/// [motion, u v a].
+struct ShortMotionStep {
+  Eigen::MatrixXd begin, middle, end;
 };
 
 /// One step, tried or kept.
@@ -80,8 +89,10 @@ struct Trial {
   std::vector<LinkMotion> middle;     ///< of every link at mid-step
   Eigen::VectorXd ground_middle;      ///< accelerations [m/s^2]
   Eigen::MatrixXd by_ground_middle;   ///< as Instant::by_ground
+  std::optional<ShortMotionStep> short_motions;  ///< nothing where none acts
   double error = 0;                   ///< over the allowed one
   std::vector<double> squares_u, squares_v;  ///< sums of m u^2 and m v^2 by group, at the end
+  std::vector<double> squares_slow;          ///< as squares_v, without the velocity that short motions of the ground give
 
   /// Writes all members, or reads them back.
   void archive(Archive& archive) {
@@ -95,6 +106,7 @@ struct Trial {
     archive(error);
     archive(squares_u);
     archive(squares_v);
+    archive(squares_slow);
   }
 };
 

@@ -28,12 +28,14 @@ std::unique_ptr<TimeScheme> make_scheme(const Scheme& scheme, Equations& equatio
 Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOptions& options)
     : options_(checked(options)),
       equations_(system, solver, carries_acceleration(options.scheme)),
+      dyadic_(system, options.max_step),
       norm_(equations_, options.scheme, options.tolerance),
       stages_(equations_, norm_),
       scheme_(make_scheme(options.scheme, equations_, stages_)),
       history_(equations_),
       error_{Eigen::VectorXd::Zero(solver.size()), Eigen::VectorXd::Zero(solver.size())},
-      functions_(equations_.links, equations_.rigid, norm_.scales(), options.max_step),
+      longest_step_(options.max_step),
+      functions_(equations_.links, equations_.rigid, norm_.scales(), longest_step_),
       locator_(functions_),
       ledger_(system),
       contact_events_(equations_, functions_, norm_, ledger_, options.tolerance),
@@ -46,12 +48,18 @@ void Stepper::balance_now() {
   output_.now_changed();
 }
 
+// What the ground does from the present time on.
+void Stepper::look_ahead() {
+  equations_.supports.find_break_after(time());
+  longest_step_ = std::min(options_.max_step, equations_.supports.longest_step(time()));
+}
+
 void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
   const Energies before = started_ ? energies() : Energies{};
   const StructureSolver& solver = equations_.solver;
   Instant& now = history_.change_now();
   now.time = time;
-  equations_.supports.find_break_after(time);
+  look_ahead();
   now.motion.setZero();
   now.motion.col(Instant::u) = solver.coordinates(u);
   now.motion.col(Instant::v) = solver.coordinates(v);
@@ -76,18 +84,12 @@ double Stepper::step_towards(double wanted, double left) const {
     const double even = std::ldexp(std::floor(32 * mantissa) / 32, exponent);
     return left / std::ceil(left / even * (1 - 1e-9));
   }
-  const double ratio = std::log2(options_.max_step / (wanted * (1 + 1e-9)));
-  const double dyadic = std::ldexp(options_.max_step, -std::max(0, static_cast<int>(std::ceil(ratio))));
+  const double dyadic = dyadic_.at_most(wanted);
   return left <= dyadic * (1 + 1e-9) ? left : dyadic;
 }
 
-// k if h is the dyadic step max_step/2^k.
 std::optional<int> Stepper::step_level(double h) const {
-  if (!equations_.solver.prefers_dyadic_steps()) return std::nullopt;
-  int exponent = 0;
-  const double mantissa = std::frexp(options_.max_step / h, &exponent);
-  if (std::abs(mantissa - 0.5) < 1e-9 && exponent >= 1) return exponent - 1;
-  return std::nullopt;
+  return equations_.solver.prefers_dyadic_steps() ? dyadic_.level(h) : std::nullopt;
 }
 
 bool Stepper::try_step(double h, std::optional<double> end) {
@@ -103,6 +105,7 @@ bool Stepper::try_step(double h, std::optional<double> end) {
     supports.relative_motion(now.time + 0.5 * h, trial.ground_middle, trial.by_ground_middle);
     supports.relative_motion(trial.end.time, trial.end.ground, trial.end.by_ground);
   }
+  equations_.short_motions.follow(now, trial);
   if (!stages_.begin(scheme_->matrix(h), step_level(h))) return false;
   if (!scheme_->try_step(now, history_.kept().h, trial, error_)) {
     if (stages_.failed_link() >= 0) troublesome_link_ = stages_.failed_link();
@@ -152,7 +155,7 @@ void Stepper::accept() {
   if (y.time >= next_break()) {
     equations_.supports.accelerations(y.time, ground_after_);
     ground_jumps = ground_after_ != y.ground;
-    equations_.supports.find_break_after(y.time);
+    look_ahead();
   }
   if (!located_.empty())
     apply_located(false);
@@ -181,6 +184,7 @@ void Stepper::archive(Archive& archive) {
   stages_.archive(archive);
   contact_events_.archive(archive);
   equations_.supports.archive(archive);
+  archive(longest_step_);
   for (Contact* contact : equations_.system.contacts) contact->archive(archive);
   for (Spring* spring : equations_.system.springs) spring->archive(archive);
   output_.forget();

@@ -12,6 +12,7 @@
 #include <pounding/model/scheme.hpp>
 #include <pounding/stepping/contact_events.hpp>
 #include <pounding/stepping/dense_output.hpp>
+#include <pounding/stepping/dyadic_steps.hpp>
 #include <pounding/stepping/energy_ledger.hpp>
 #include <pounding/stepping/error_norm.hpp>
 #include <pounding/stepping/event_locator.hpp>
@@ -25,7 +26,7 @@ namespace pounding {
 struct StepperOptions {
   double tolerance = 1e-4;  ///< relative, on displacements and forces; between 0 and 1
   Scheme scheme = {};
-  double max_step = 0;      ///< longest step [s]; dyadic steps are max_step/2^k
+  double max_step = 0;      ///< longest step [s]; shorter while the ground moves, see Stepper::longest_step()
 };
 
 /// Steps with the link forces condensed out: each stage solves the structures once with a matrix that does not change, then
@@ -68,6 +69,8 @@ class Stepper {
   double time() const { return history_.now().time; }
   /// The next breakpoint (corner or jump) of any ground motion [s]; infinity for none.
   double next_break() const { return equations_.supports.next_break(); }
+  /// Longest step until then: the max_step of the options, or what resolves the motions of the ground [s].
+  double longest_step() const { return longest_step_; }
   /// The present state, after any events; the beginning of the last kept step; and the end of that step before events. The
   /// last one is the same object as state() if nothing changed there.
   const State& state() const { return output_.now(); }
@@ -116,17 +119,20 @@ class Stepper {
   void archive(Archive& archive);
 
  private:
+  void look_ahead();
   std::optional<int> step_level(double h) const;
   void apply_located(bool in_place);
   void balance_now();
 
   StepperOptions options_;
   Equations equations_;
+  const DyadicSteps dyadic_;
   ErrorNorm norm_;
   StageSolver stages_;
   std::unique_ptr<TimeScheme> scheme_;
   StepHistory history_;
   StepError error_;
+  double longest_step_;
   EventFunctions functions_;
   EventLocator locator_;
   EnergyLedger ledger_;

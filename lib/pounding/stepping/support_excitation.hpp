@@ -76,6 +76,13 @@ class SupportExcitation {
       for (double t = motion.next_break(time); t <= same; t = motion.next_break(t)) next_break_ = std::max(next_break_, t);
   }
 
+  /// Longest step from `time` to the next breakpoint that resolves the motions, see GroundMotion::longest_step [s].
+  double longest_step(double time) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const GroundMotion& motion : system_.grounds) shortest = std::min(shortest, motion.longest_step(time));
+    return shortest;
+  }
+
   /// Writes the next breakpoint, or reads it back.
   void archive(Archive& archive) {
     archive(first_break_);

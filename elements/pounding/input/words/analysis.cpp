@@ -1,6 +1,7 @@
 #include <pounding/input/words/sections.hpp>
 
 #include <pounding/model/model.hpp>
+#include <pounding/model/plausible.hpp>
 
 namespace pounding::words {
 namespace {
@@ -26,7 +27,10 @@ constexpr Word model_words[] = {
      .example = "{every: 60 s}"},
     {.key = "compare", .takes = Takes::choice, .choices = comparisons, .noun = "comparison", .otherwise = "no comparison",
      .meaning = "no_pounding also runs the structures without links and reports the ratio of the peaks.",
-     .example = "no_pounding"}};
+     .example = "no_pounding"},
+    {.key = "accept", .takes = Takes::choice, .form = Form::list, .choices = doubt_names, .noun = "warning", .otherwise = "no warning",
+     .since = "0.2.0", .meaning = "Warnings about what is implausible that are meant as they are, and not printed.",
+     .example = "[period]"}};
 
 constexpr Word analysis_words[] = {
     {.key = "duration", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,

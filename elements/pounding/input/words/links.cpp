@@ -27,8 +27,9 @@ constexpr Word link_words[] = {
                 "where a floor that faces none hits the column there.",
      .example = "all"},
     {.key = "gap", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::length,
-     .bounds = bounds::non_negative, .need = Need::required,
-     .meaning = "Distance between the two at rest: one for all pairs of floors, or a list from the ground up.",
+     .bounds = bounds::non_negative, .otherwise = "the distance drawn between frames; needed where nothing is drawn",
+     .meaning = "Distance between the two at rest: one for all pairs of floors, or a list from the ground up. Between frames it may "
+                "differ from the distance drawn by 0.1 mm or a thousandth.",
      .example = "20 mm"},
     {.key = "name", .takes = Takes::text, .otherwise = "the two ends, left.1-right.1",
      .meaning = "Name in reports and results; of several pairs the first is name.1.", .example = "roof"},

@@ -1,0 +1,16 @@
+#pragma once
+/// The grammar of units.
+
+#include <string_view>
+
+#include <pounding/core/units.hpp>
+
+namespace pounding {
+
+constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
+constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
+
+/// Reads "kN/m^1.5", "N s/m", "m/s2"; `text` begins and ends with other letters than blanks. Throws as parse_unit.
+Unit read_unit(std::string_view text);
+
+}  // namespace pounding

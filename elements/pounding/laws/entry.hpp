@@ -1,0 +1,96 @@
+#pragma once
+/// What a law is called and takes: its settings, its entry in the catalogue, and the law that a wrong name probably meant.
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <pounding/laws/nearest_name.hpp>
+#include <pounding/laws/table.hpp>
+
+namespace pounding::laws {
+
+/// A law as an input names it. SI units.
+struct Settings {
+  std::string law;
+  std::string formula;                                  ///< empty: "exact", when a restitution is given
+  std::optional<double> restitution{};                  ///< (0, 1]
+  std::optional<double> impact_velocity{};              ///< fixed design velocity [m/s]
+  double reduced_mass = 0;                              ///< of the colliding bodies [kg]; unused by some laws
+  std::map<std::string, double, std::less<>> values{};  ///< the law's own parameters
+};
+
+/// One law of the catalogue, read from the tables of its struct.
+struct Entry {
+  std::string_view name, shape, summary, source;
+  std::string_view symbols;  ///< what the letters of the shape mean, with units, beside F, d, d', v and m
+  std::string_view range;    ///< where the law holds
+  std::string_view beware;   ///< jumps, tension, what depends on the speed
+  std::span<const ParameterInfo> parameters;  ///< beside restitution, impact_velocity and reduced_mass
+  std::span<const Formula> formulas;          ///< "exact" first; empty when there is no damping to choose
+  bool takes_restitution = false, takes_impact_velocity = false, takes_reduced_mass = false;
+  bool may_pull = false, leaves_indentation = false, instantaneous = false;
+  Quantity number;       ///< the dimensionless damping number that formulas give; its name is empty without damping
+  Quantity coefficient;  ///< what damping_for returns
+
+  /// The first parameter that gives the damping instead of a restitution; empty when there is none.
+  std::string_view direct_damping() const noexcept {
+    const auto found = std::ranges::find(parameters, Need::damping, &ParameterInfo::need);
+    return found == parameters.end() ? std::string_view{} : found->name;
+  }
+};
+
+/// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the reduced
+/// mass of floors of 100 t and 150 t [kg].
+inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5, typical_reduced_mass = 6e4;
+
+/// Settings of a law from the typical values of its table, calibrated to the typical restitution.
+inline Settings typical_settings(const Entry& entry) {
+  Settings s{.law = std::string(entry.name), .formula = {}, .reduced_mass = typical_reduced_mass};
+  if (entry.takes_restitution) s.restitution = typical_restitution;
+  for (const ParameterInfo& p : entry.parameters)
+    if (p.need != Need::damping) s.values.emplace(p.name, p.typical);
+  return s;
+}
+
+namespace by_name {
+
+/// The `name` of each of these.
+template <class Range>
+std::vector<std::string_view> names(const Range& range) {
+  std::vector<std::string_view> result;
+  for (const auto& item : range) result.push_back(item.name);
+  return result;
+}
+
+}  // namespace by_name
+
+/// The end of the message about a law that is not in the catalogue: the one that was probably meant, how to type a damping formula
+/// that stands in its place, or all laws. A formula is known by its name or by its first author's.
+inline std::string law_suggestion(std::string_view read, std::span<const Entry> catalogue) {
+  const std::vector<std::string_view> laws = by_name::names(catalogue);
+  if (!nearest_name(read, laws).empty()) return suggestion(read, laws);
+  std::vector<std::string_view> formulas;
+  for (const Entry& entry : catalogue)
+    for (const Formula& formula : entry.formulas)
+      if (formula.name != "exact") formulas.push_back(formula.name);
+  std::string_view meant = nearest_name(read, formulas);
+  if (meant.empty())  // the shortest that begins so: of ye_2009 and ye_2009_linear the first
+    for (const std::string_view formula : formulas)
+      if (formula.size() > read.size() && formula[read.size()] == '_' && edit_distance(read, formula.substr(0, read.size())) == 0 &&
+          (meant.empty() || formula.size() < meant.size()))
+        meant = formula;
+  if (meant.empty()) return suggestion(read, laws);
+  std::string with;
+  for (const Entry& entry : catalogue)
+    if (std::ranges::find(entry.formulas, meant, &Formula::name) != entry.formulas.end())
+      with += (with.empty() ? "" : " or ") + std::string(entry.name);
+  return " \"" + std::string(meant) + "\" is a formula for the damping of a law; type law: " + with + ", formula: " + std::string(meant) + ".";
+}
+
+}  // namespace pounding::laws

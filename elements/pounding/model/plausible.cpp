@@ -1,0 +1,113 @@
+#include <pounding/model/plausible.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
+
+namespace pounding {
+namespace {
+
+constexpr double shortest_period = 0.02, longest_period = 20;  // [s]
+constexpr double widest_gap = 2;                               // [m]
+constexpr double lightest_floor = 1e3;                         // [kg]
+constexpr double softest_material = 1e6;                       // [Pa]
+constexpr double deepest_penetration = 0.05;                   // [m]
+constexpr double coarsest_tolerance = 1e-2;
+
+// Bodies are no buildings: balls and trucks may be light.
+bool stands(const Structure& s) { return !s.is_rigid() && !s.is_free; }
+
+void doubt_period(const Structure& s, std::vector<Doubt>& doubts) {
+  const double period = 2 * M_PI / s.frequencies[0];
+  if (period >= shortest_period && period <= longest_period) return;
+  doubts.push_back({"period", fmt::format("structure {}: the first period is {:.4g} s, and those of structures lie from {:g} s to {:g} s; are "
+                                          "masses and stiffnesses in kg and N/m, or with their units?",
+                                          s.name, period, shortest_period, longest_period)});
+}
+
+void doubt_mass(const Structure& s, std::vector<Doubt>& doubts) {
+  const auto lightest = std::min_element(s.floors.begin(), s.floors.end(),
+                                         [](const Floor& a, const Floor& b) { return a.mass < b.mass; });
+  if (lightest == s.floors.end() || lightest->mass >= lightest_floor) return;
+  doubts.push_back({"mass", fmt::format("structure {}: floor {} has {}, under 1 t; a bare mass is in kg, type its unit, as in 250 t", s.name,
+                                        lightest->label, format_quantity(lightest->mass, dimension::mass))});
+}
+
+// Height of the highest storey, the first one from the lowest node [m]; of the whole frame where it has no floors.
+double highest_storey(const Structure& s) {
+  const auto less = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); };
+  const auto [low, high] = std::minmax_element(s.geometry.positions.begin(), s.geometry.positions.end(), less);
+  double below = low->z(), highest = 0;
+  for (const Floor& floor : s.floors) {
+    highest = std::max(highest, *floor.elevation - below);
+    below = *floor.elevation;
+  }
+  return s.floors.empty() ? high->z() - low->z() : highest;
+}
+
+void doubt_members(const Structure& s, std::vector<Doubt>& doubts) {
+  const Geometry& g = s.geometry;
+  if (g.members.empty()) return;
+  const auto deepest = std::max_element(g.depths.begin(), g.depths.end());
+  const auto name_of = [&](std::ptrdiff_t member) -> const std::string& { return g.member_names[member]; };
+  const auto metres = [](double length) { return format_quantity(length, dimension::length); };
+  if (const double storey = highest_storey(s); *deepest > storey)
+    doubts.push_back({"section", fmt::format("structure {}: member {} is some {} deep, more than a storey of {}; a bare length is in m, type its "
+                                             "unit, as in 400 mm",
+                                             s.name, name_of(deepest - g.depths.begin()), metres(*deepest), metres(storey))});
+  const auto softest = std::min_element(g.moduli.begin(), g.moduli.end());
+  if (*softest < softest_material)
+    doubts.push_back({"E", fmt::format("structure {}: member {} has E = {}, under 1 MPa; a bare E is in Pa, type its unit, as in 30 GPa", s.name,
+                                       name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress))});
+}
+
+void doubt_gaps(const Model& model, std::vector<Doubt>& doubts) {
+  const auto widest = std::max_element(model.links.begin(), model.links.end(), [](const Link& a, const Link& b) { return a.gap < b.gap; });
+  if (widest == model.links.end() || widest->gap <= widest_gap) return;
+  doubts.push_back({"gap", fmt::format("link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and look at the "
+                                       "origins",
+                                       widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
+}
+
+// The texts of those that the model does not accept.
+std::vector<std::string> texts(const Model& model, const std::vector<Doubt>& doubts) {
+  std::vector<std::string> all;
+  for (const Doubt& doubt : doubts)
+    if (std::find(model.accept.begin(), model.accept.end(), doubt.name) == model.accept.end())
+      all.push_back(fmt::format("{} (where it is meant: accept: [{}])", doubt.text, doubt.name));
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> implausible(const Model& model) {
+  std::vector<Doubt> doubts = model.read_doubts;
+  for (const Structure& s : model.structures) {
+    if (!stands(s)) continue;
+    doubt_period(s, doubts);
+    doubt_mass(s, doubts);
+    doubt_members(s, doubts);
+  }
+  doubt_gaps(model, doubts);
+  if (model.analysis.tolerance > coarsest_tolerance)
+    doubts.push_back({"tolerance", fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
+                                               model.analysis.tolerance, 100 * model.analysis.tolerance)});
+  return texts(model, doubts);
+}
+
+std::vector<std::string> implausible(const Model& model, std::span<const double> penetrations) {
+  std::vector<Doubt> doubts;
+  const auto deepest = std::max_element(penetrations.begin(), penetrations.end());
+  if (deepest != penetrations.end() && *deepest > deepest_penetration)
+    doubts.push_back({"penetration", fmt::format("link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft, look at the unit "
+                                                 "of its stiffness",
+                                                 model.links.at(static_cast<std::size_t>(deepest - penetrations.begin())).name,
+                                                 format_quantity(*deepest, dimension::length), 1e3 * deepest_penetration)});
+  return texts(model, doubts);
+}
+
+}  // namespace pounding
