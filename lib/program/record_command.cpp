@@ -19,13 +19,29 @@ namespace pounding::program {
 namespace {
 
 struct RecordArguments {
-  std::string file, units, channel;
+  std::string file, units, channel, step;
+  bool displacement = false;
   SpectrumWords spectrum;
   bool json = false;
 };
 
+double read_step(const std::string& text) {
+  if (text.empty()) return 0;
+  double step = 0;
+  try {
+    step = parse_quantity(text, dimension::time);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--step: {}", error.what()));
+  }
+  if (!(step > 0)) throw InputError(fmt::format("--step: takes a time > 0 such as \"0.01 s\"; \"{}\" is outside", text));
+  return step;
+}
+
 Record read(const RecordArguments& words) {
-  return read_record(find_record(words.file, {}), {.units = words.units, .channel = words.channel});
+  return read_record(find_record(words.file, {}), {.units = words.units,
+                                                   .channel = words.channel,
+                                                   .step = read_step(words.step),
+                                                   .displacement = words.displacement});
 }
 
 nlohmann::json as_json(const Record& record) {
@@ -49,7 +65,7 @@ nlohmann::json as_json(const Record& record) {
           {"significant_duration", m.significant_duration()}};
 }
 
-void print_info(const Record& record) {
+void print_info(const Record& record, bool is_displacement) {
   const RecordMeasures& m = record.measures;
   const auto stated = [](const std::string& text) { return text.empty() ? "not stated" : text; };
   const auto line = [](const char* name, const std::string& value) { fmt::print("{:<22} {}\n", name, value); };
@@ -64,7 +80,7 @@ void print_info(const Record& record) {
   line("duration", fmt::format("{:g} s", record.samples.times.back()));
   line("PGA", fmt::format("{:.4g} m/s^2 ({:.4g} g)", m.pga, m.pga / standard_gravity));
   line("PGV", fmt::format("{:.4g} m/s", m.pgv));
-  line("PGD", fmt::format("{:.4g} m (baseline not corrected)", m.pgd));
+  line("PGD", fmt::format("{:.4g} m{}", m.pgd, is_displacement ? "" : " (baseline not corrected)"));
   line("Arias intensity", fmt::format("{:.4g} m/s", m.arias));
   line("significant duration",
        fmt::format("{:.4g} s (5 % at {:.4g} s, 95 % at {:.4g} s)", m.significant_duration(), m.t5, m.t95));
@@ -87,10 +103,12 @@ void add_record(CLI::App& app) {
 
   const auto add = [&](const char* name, const char* what) {
     CLI::App* const command = record->add_subcommand(name, what);
-    command->add_option("file", words->file, "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USGS SMC, or two columns, time and acceleration")
+    command->add_option("file", words->file, "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USGS SMC, or columns of numbers")
         ->required();
-    command->add_option("--units", words->units, "Unit when the file states none: g, m/s^2, cm/s^2, gal");
+    command->add_option("--units", words->units, "Unit when the file states none: g, m/s^2, cm/s^2, gal; of displacements m, cm, mm, in");
     command->add_option("--channel", words->channel, "Number or component, as in the file, when it has several channels");
+    command->add_option("--step", words->step, "Time between two values of a file without times, such as 0.01 s");
+    command->add_flag("--displacement", words->displacement, "The file holds displacements");
     return command;
   };
   CLI::App* const info = add("info", "Points, spacing, peaks, Arias intensity, significant duration");
@@ -100,7 +118,7 @@ void add_record(CLI::App& app) {
     // Old headers are not always UTF-8, which JSON demands.
     constexpr auto on_bad_text = nlohmann::json::error_handler_t::replace;
     if (words->json) fmt::print("{}\n", as_json(read_now).dump(2, ' ', false, on_bad_text));
-    else print_info(read_now);
+    else print_info(read_now, words->displacement);
   });
 
   CLI::App* const spectrum = add("spectrum", "Elastic response spectrum");

@@ -336,7 +336,7 @@ TEST_F(GroundMotionSection, SyntheticIsRead) {
 TEST_F(GroundMotionSection, ExactlyOneKindIsTaken) {
   EXPECT_EQ(error("{harmonic: {}, record: a.csv}"),
             "m.yaml:1:2: harmonic: \"record\" and \"harmonic\" are both given; keep one of them");
-  EXPECT_EQ(error("{}"), "m.yaml:1:1: takes one of record, harmonic, pulse, synthetic; for a still ground leave "
+  EXPECT_EQ(error("{}"), "m.yaml:1:1: takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave "
                          "\"ground_motion\" out");
   EXPECT_EQ(error("{harmnic: {}}"), "m.yaml:1:2: unknown key \"harmnic\". Did you mean \"harmonic\"?");
   EXPECT_EQ(error("{harmonic: {amplitude: 1, period: 1, duration: 1}, scale: 2}"),

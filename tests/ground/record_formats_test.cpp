@@ -153,6 +153,9 @@ TEST(EsmRecord, IsReadWithItsHeader) {
 
 TEST(EsmRecord, ErrorsSayWhere) {
   EXPECT_EQ(error_of(esm("VELOCITY", "cm/s")), "r.txt:16: holds \"VELOCITY\"; take the file of accelerations");
+  EXPECT_EQ(error_of(esm("ACCELERATION", "cm/s^2"), {.displacement = true}),
+            "r.txt:16: holds \"ACCELERATION\"; take the file of displacements");
+  EXPECT_DOUBLE_EQ(read(esm("DISPLACEMENT", "cm"), {.displacement = true}).initial_displacement, 0.01 * nine[0]);
   EXPECT_EQ(error_of(esm("ACCELERATION", "cm/s")),
             "r.txt:13: \"cm/s\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
   EXPECT_EQ(error_of(esm() + "1.0\n"), "r.txt:74: more values than the 9 that NDATA states");
@@ -457,7 +460,7 @@ TEST(CosmosRecord, ErrorsSayWhere) {
 TEST(RecordFormats, AnUnknownFormatListsTheKnownOnes) {
   EXPECT_EQ(error_of("Uncorrected accelerogram 20160214_001343_NBLC_20 GNS Science\nSite NBLC\nand so on\n"),
             "r.txt: a record in none of the formats that are read: K-NET, ESM, COSMOS V1 and V2, CSMIP V1 and V2, USGS SMC, "
-            "PEER AT2, two columns");
+            "PEER AT2, columns of numbers");
 }
 
 TEST(RecordFormats, ChannelIsRefusedWhereNoneIsNamed) {

@@ -152,12 +152,14 @@ TEST(TwoColumns, ErrorsSayWhere) {
   EXPECT_EQ(error_of("0 0\n0.1 x\n", "g"), "r.txt:2: \"x\" is not a finite number");
   EXPECT_EQ(error_of("0 0\n0.1 nan\n", "g"), "r.txt:2: \"nan\" is not a finite number");
   EXPECT_EQ(error_of("0,0\n0.1,\n", "g"), "r.txt:2: \"\" is not a finite number");
-  EXPECT_EQ(error_of("0 0\n0.1\n", "g"), "r.txt:2: 1 column; two are read, time and acceleration");
-  EXPECT_EQ(error_of("0 0 0\n0.1 1 1\n", "g"), "r.txt:1: 3 columns; two are read, time and acceleration");
-  EXPECT_EQ(error_of("t,x (g),y (g)\n0,0,0\n"), "r.txt:1: 3 columns; two are read, time and acceleration");
+  EXPECT_EQ(error_of("0 0\n0.1\n", "g"), "r.txt:2: 1 number; the line before has 2");
+  EXPECT_EQ(error_of("0 0\n0.1 1\n0.2 1 1\n", "g"), "r.txt:3: 3 numbers; the lines before have 2");
   EXPECT_EQ(error_of("0 0\n0.1 1\n0.1 2\n", "g"), "r.txt:3: time 0.1 does not come after the one before it");
   EXPECT_EQ(error_of("-0.1 0\n0.1 1\n", "g"), "r.txt:1: time -0.1 is before 0, where every run begins");
   EXPECT_EQ(error_of("0 0\nt,a\n", "g"), "r.txt:2: \"t\" is not a finite number");
+  EXPECT_EQ(error_of("0 0\n0.1 -0.2\n-0.3 0.1\n", "g"), "r.txt:3: time -0.3 is before 0, where every run begins");
+  EXPECT_EQ(error_of("0.1 0.2\n0.05 0.1\n", "g"), "r.txt:2: time 0.05 does not come after the one before it; values at a fixed step "
+                                                 "need \"step:\", such as step: 0.01 s");
   EXPECT_EQ(error_of("time,acc (g)\n0,0\n"), "r.txt: 1 sample; a record has two or more lines of time and acceleration");
   EXPECT_EQ(error_of(""), "r.txt: 0 samples; a record has two or more lines of time and acceleration");
 }
@@ -166,12 +168,13 @@ TEST(TwoColumns, UnitErrorsSayWhatToDo) {
   EXPECT_EQ(error_of("0 0\n0.1 1\n"),
             "r.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
   EXPECT_EQ(error_of("time,acc (mm)\n0,0\n0.1,1\n"),
-            "r.txt:1: \"mm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
+            "r.txt:1: \"mm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for displacements type "
+            "displacement: {record: FILE}");
   EXPECT_EQ(error_of("time,acc (g)\n0,0\n0.1,1\n", "m/s^2"),
             "r.txt:1: the file states g, but \"units\" says m/s^2; remove \"units\"");
   EXPECT_NO_THROW(read("time,acc (cm/s^2)\n0,0\n0.1,1\n", "gal"));
-  EXPECT_EQ(error_of("time (mm),acc (g)\n0,0\n0.1,1\n"), "r.txt:1: \"mm\" is not the unit of a time");
-  EXPECT_EQ(error_of("time (q),acc (g)\n0,0\n0.1,1\n").substr(0, 25), "r.txt:1: unknown unit \"q\"");
+  EXPECT_EQ(error_of("time (mm),acc (g)\n0,0\n0.1,1\n"), "r.txt:1: \"mm\" is not the unit of a time; type s or ms");
+  EXPECT_EQ(error_of("time (q),acc (g)\n0,0\n0.1,1\n"), "r.txt:1: \"q\" is not the unit of a time; type s or ms");
 }
 
 TEST(Record, MissingFileIsNamed) {
@@ -313,7 +316,27 @@ TEST_F(RecordCommand, SpectrumIsATableOnTheScreen) {
   EXPECT_NE(text.find("damping 5 %\n"), std::string::npos) << text;
 }
 
+TEST_F(RecordCommand, TakesTheOptionsOfTheInput) {
+  std::ofstream(file_) << "# t[s] ns[gal] ew[gal]\n0 1 2\n1 200 400\n2 0 0\n";
+  EXPECT_EQ(nlohmann::json::parse(run("record info --json --channel ew " + file_))["pga"], 4.0);
+  std::ofstream(file_) << "0 1 2\n-3 0\n";
+  const auto values = nlohmann::json::parse(run("record info --json --units m/s^2 --step '500 ms' " + file_));
+  EXPECT_EQ(values["npts"], 5);
+  EXPECT_EQ(values["dt"], 0.5);
+  EXPECT_EQ(values["pga"], 3.0);
+  EXPECT_NE(run("record spectrum --units g --step 0.5 " + file_).find("3 values a line in g, 5 points every 0.5 s"), std::string::npos);
+  // A cubic: 3 t^2 - t^3 in mm.
+  std::ofstream(file_) << "0 0\n0.5 0.625\n1 2\n";
+  const auto moved = nlohmann::json::parse(run("record info --json --displacement --units mm " + file_));
+  EXPECT_NEAR(moved["pga"].get<double>(), 6e-3, 1e-12);
+  EXPECT_NEAR(moved["pgd"].get<double>(), 2e-3, 1e-12);
+  EXPECT_NE(run("record info --displacement --units mm " + file_).find("PGD                    0.002 m\n"), std::string::npos);
+}
+
 TEST_F(RecordCommand, WrongOptionsSayWhatToType) {
+  EXPECT_EQ(error("record info --step 0 " + file_), "--step: takes a time > 0 such as \"0.01 s\"; \"0\" is outside");
+  EXPECT_EQ(error("record info --step 5mm " + file_), "--step: takes a time such as \"0.5 s\"; \"5mm\" is a length");
+  EXPECT_EQ(error("record info --step 1 " + file_), file_ + ":2: the first column holds times, every 1 s; remove \"step\"");
   const std::string takes = "--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such as "
                             "0.02:4:50; ";
   for (const std::string bad : {"1", "1:2", "0:1:5", "2:1:5", "0.1:1:2.5", "a:b:c", "0.1:1:1"})

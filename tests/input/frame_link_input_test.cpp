@@ -271,10 +271,14 @@ TEST(FrameGround, AWaveRunsSomewhere) {
   refused(moved("{" + motion + "{velocity: 500 m/s, direction: [0, 0]}}"),
           "1:104: ground_motion.wave.direction: has no length; type direction: [0.6, 0.8]");
   refused(moved("{wave: {velocity: 500 m/s}}"),
-          "1:16: ground_motion: takes one of record, harmonic, pulse, synthetic; for a still ground leave \"ground_motion\" out");
+          "1:16: ground_motion: takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave \"ground_motion\" out");
   refused(moved("{" + motion + "{velocity: 500 m/s, direction: y}}"),
           "1:67: ground_motion.wave: reaches all supports at once; give the frames an origin each, or leave it out");
   EXPECT_NO_THROW(test::model_of(moved("{" + motion + "{velocity: 500 m/s}}")));
+  refused(moved("{displacement: {harmonic: {amplitude: 1 mm, period: 1, duration: 1}}, wave: {velocity: 500 m/s}}"),
+          "1:87: ground_motion.wave: the ground motion begins with a velocity, which it cannot take up at once where the wave arrives; "
+          "take a motion that begins at rest");
+  EXPECT_NO_THROW(test::model_of(moved("{displacement: {harmonic: {amplitude: 1 mm, period: 1, duration: 1, phase: 90 deg}}, wave: {velocity: 500 m/s}}")));
   refused(with(grids, "    damping: 5 %\n  b", "    damping: 5 %\n    ground_motion: {" + motion + "{velocity: 500 m/s}}\n  b"),
           "5:20: structures.a.ground_motion: a wave belongs to the ground_motion of all structures; give this one a delay");
 }
@@ -288,6 +292,9 @@ TEST(FrameGround, ADelayNeedsAMotion) {
   refused(with(late, "0.2 s", "0.2 m"),
           "5:12: structures.a.delay: takes a time such as \"0.5 s\"; \"0.2 m\" is a length");
   EXPECT_NO_THROW(test::model_of(moved(harmonic, late)));
+  refused(moved("{harmonic: {amplitude: 1, period: 1, duration: 1, initial_velocity: 1}}", late),
+          "6:5: structures.a.delay: the ground motion begins with a velocity, which it cannot take up at once after a delay; leave the "
+          "delay out, or give harmonics another phase");
   refused(with(lone, "d: fixed}", "d: {fix: fixed, delay: 0.2 s}}"),
           "2:3: structures.a: support d has a delay, and nothing moves the ground here; give a ground_motion, or leave the delay out");
 }

@@ -261,7 +261,7 @@ TEST(AnalysisInput, TakesWhatTheIntegratorCanDo) {
 
 TEST(GroundMotionInput, IsOneKindInItsUnits) {
   refused(ground("{}"),
-          "1:16: ground_motion: takes one of record, harmonic, pulse, synthetic; for a still ground leave "
+          "1:16: ground_motion: takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave "
           R"("ground_motion" out)");
   refused(ground("{harmonc: {amplitude: 3}}"),
           R"(1:17: ground_motion: unknown key "harmonc". Did you mean "harmonic"?)");

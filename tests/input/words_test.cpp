@@ -47,6 +47,9 @@ std::string refusal(const std::string& text) {
 
 void write_records() {
   std::ofstream(testing::TempDir() + "plain.csv") << "0, 0\n0.1, 1\n0.2, -1\n0.3, 0\n";
+  std::ofstream(testing::TempDir() + "values.txt") << "0 1 -1\n0\n";
+  std::ofstream(testing::TempDir() + "moved.csv") << "t [s], d [mm]\n0, 0\n0.5, 3\n1, 2\n";
+  std::ofstream(testing::TempDir() + "channels.csv") << "t [s]; ns [mm]; ew [mm]\n0; 0; 0\n0,5; 3; 1\n1; 2; 4\n";
   std::string knet =
       "Origin Time       2001/02/03 04:05:00\nLat.              40.0\nLong.             142.5\nDepth. (km)       30\n"
       "Mag.              6.2\nStation Code      ABC001\nStation Lat.      41.5000\nStation Long.     140.9000\n"

@@ -25,6 +25,7 @@ struct GroundSection {
   /// Along x.
   GroundSection(GroundMotion motion) : components{std::move(motion), GroundMotion(), GroundMotion()} {}
   GroundSection(const Harmonic& motion) : GroundSection(GroundMotion(motion)) {}
+  GroundSection(const HarmonicSum& motion) : GroundSection(GroundMotion(motion)) {}
   GroundSection(const Pulse& motion) : GroundSection(GroundMotion(motion)) {}
   GroundSection(GroundComponents motions) : components(std::move(motions)) {}
 

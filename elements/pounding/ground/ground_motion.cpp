@@ -10,24 +10,17 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/ground/closed_forms.hpp>
 
 namespace pounding {
 namespace {
 
+using namespace closed_forms;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double two_pi = 2 * std::numbers::pi;
 
 // Longest step as a part of the shortest period of a closed form.
 constexpr double max_part_of_period = 0.1;
-
-void require_finite(double value, const char* what) {
-  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("ground motion: {} is not finite", what));
-}
-
-void require_positive(double value, const char* what) {
-  if (!(std::isfinite(value) && value > 0))
-    throw std::invalid_argument(fmt::format("ground motion: {} is {:g}; it must be finite and > 0", what, value));
-}
 
 void check(const Samples& samples) {
   const auto& [times, accelerations, uniform] = samples;
@@ -42,54 +35,6 @@ void check(const Samples& samples) {
   }
   if (uniform && !evenly_spaced(times))
     throw std::invalid_argument("ground motion: samples that claim to be uniform are not evenly spaced");
-}
-
-template <class Closed>
-double end_of(const Closed& motion) {
-  return motion.start + motion.duration;
-}
-
-double inside(const Harmonic& motion, double t) { return motion.amplitude * std::sin(two_pi * (t - motion.start) / motion.period); }
-
-double inside(const Pulse& pulse, double t) {
-  const double part = (t - pulse.start) / pulse.duration;
-  switch (pulse.shape) {
-    case Pulse::Shape::half_sine: return pulse.amplitude * std::sin(std::numbers::pi * part);
-    case Pulse::Shape::sine: return pulse.amplitude * std::sin(two_pi * part);
-    case Pulse::Shape::rectangle: return pulse.amplitude;
-  }
-  return 0;
-}
-
-struct Moved {
-  double velocity = 0, displacement = 0;
-};
-
-// Integrals of a = amplitude sin(w s) from rest at s = 0.
-Moved moved_by_sine(double amplitude, double w, double s) {
-  const double half = std::sin(0.5 * w * s);
-  return {2 * amplitude / w * half * half, amplitude / w * (s - std::sin(w * s) / w)};
-}
-
-// s after the start.
-Moved moved_inside(const Harmonic& motion, double s) { return moved_by_sine(motion.amplitude, two_pi / motion.period, s); }
-
-Moved moved_inside(const Pulse& pulse, double s) {
-  switch (pulse.shape) {
-    case Pulse::Shape::half_sine: return moved_by_sine(pulse.amplitude, std::numbers::pi / pulse.duration, s);
-    case Pulse::Shape::sine: return moved_by_sine(pulse.amplitude, two_pi / pulse.duration, s);
-    case Pulse::Shape::rectangle: return {pulse.amplitude * s, 0.5 * pulse.amplitude * s * s};
-  }
-  return {};
-}
-
-template <class Closed>
-Moved moved(const Closed& motion, double t) {
-  const double s = t - motion.start;
-  if (!(s > 0)) return {};
-  if (s <= motion.duration) return moved_inside(motion, s);
-  const Moved end = moved_inside(motion, motion.duration);
-  return {end.velocity, end.displacement + end.velocity * (s - motion.duration)};
 }
 
 const char* name_of(Pulse::Shape shape) {
@@ -123,11 +68,16 @@ GroundMotion::GroundMotion(Harmonic motion) : motion_(motion) {
   require_positive(motion.period, "period");
   require_positive(motion.duration, "duration");
   require_finite(motion.start, "start");
-  const bool reaches_amplitude = motion.duration >= motion.period / 4;
-  peak_ = std::abs(reaches_amplitude ? motion.amplitude : inside(motion, end_of(motion)));
-  describe(motion, motion.period / 2);
-  source_ = fmt::format("harmonic, {} at {:g} s for {:g} s",
-                        format_quantity(motion.amplitude, dimension::acceleration), motion.period, motion.duration);
+  require_finite(motion.phase, "phase");
+  // The sine is at its crest, or trough, a quarter of a period after each of its zeros.
+  const double turns = motion.phase / (2 * std::numbers::pi);
+  const double first_crest = (0.25 + 0.5 * std::ceil((turns - 0.25) / 0.5) - turns) * motion.period;
+  peak_ = motion.duration >= first_crest
+              ? std::abs(motion.amplitude)
+              : std::max(std::abs(inside(motion, motion.start)), std::abs(inside(motion, end_of(motion))));
+  describe(motion, {(0.5 * std::ceil(2 * turns) - turns) * motion.period, (0.5 * std::ceil(2 * turns) + 0.5 - turns) * motion.period});
+  if (motion.phase != 0) peak_displacement_ = largest_of(motion).displacement;
+  source_ = fmt::format("harmonic, {} for {:g} s", described(motion.amplitude, motion.period, motion.phase), motion.duration);
 }
 
 GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
@@ -135,7 +85,7 @@ GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
   require_finite(motion.start, "start");
   require_positive(motion.duration, "duration");
   peak_ = std::abs(motion.amplitude);
-  describe(motion, motion.shape == Pulse::Shape::sine ? motion.duration / 2 : motion.duration);
+  describe(motion, {motion.shape == Pulse::Shape::sine ? motion.duration / 2 : motion.duration});
   source_ = fmt::format("{} pulse, {} for {:g} s from {:g} s", name_of(motion.shape),
                         format_quantity(motion.amplitude, dimension::acceleration), motion.duration, motion.start);
 }
@@ -154,12 +104,13 @@ GroundMotion::GroundMotion(Samples motion, std::string source) : source_(std::mo
   motion_ = std::move(record);
 }
 
-// The velocity of a closed form is largest after `gains_speed` seconds; it never turns, so the displacement is largest at the end.
+// The velocity of a closed form is largest at one of the times after the start. Where it never turns, the displacement is at the end.
 template <class Closed>
-void GroundMotion::describe(const Closed& motion, double gains_speed) {
+void GroundMotion::describe(const Closed& motion, std::initializer_list<double> fastest) {
   start_ = motion.start;
   duration_ = end_of(motion);
-  peak_velocity_ = std::abs(moved_inside(motion, std::min(motion.duration, gains_speed)).velocity);
+  for (const double after : fastest)
+    peak_velocity_ = std::max(peak_velocity_, std::abs(moved_inside(motion, std::min(motion.duration, after)).velocity));
   peak_displacement_ = std::abs(moved_inside(motion, motion.duration).displacement);
 }
 
@@ -201,8 +152,7 @@ double GroundMotion::sampled(const Samples& samples, double t) const noexcept {
 double GroundMotion::acceleration(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
-                 [t](const Harmonic& motion) { return t >= motion.start && t < end_of(motion) ? inside(motion, t) : 0; },
-                 [t](const Pulse& pulse) { return t >= pulse.start && t < end_of(pulse) ? inside(pulse, t) : 0; },
+                 [t](const auto& closed) { return t >= closed.start && t < end_of(closed) ? inside(closed, t) : 0; },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
                    return t >= times.front() && t < times.back() ? sampled(*shared, t) : 0;
@@ -213,8 +163,7 @@ double GroundMotion::acceleration(double t) const noexcept {
 double GroundMotion::acceleration_before(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
-                 [t](const Harmonic& motion) { return t > motion.start && t <= end_of(motion) ? inside(motion, t) : 0; },
-                 [t](const Pulse& pulse) { return t > pulse.start && t <= end_of(pulse) ? inside(pulse, t) : 0; },
+                 [t](const auto& closed) { return t > closed.start && t <= end_of(closed) ? inside(closed, t) : 0; },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
                    return t > times.front() && t <= times.back() ? sampled(*shared, t) : 0;
@@ -223,7 +172,7 @@ double GroundMotion::acceleration_before(double t) const noexcept {
 }
 
 // A straight line from sample i on: its integrals are those up to the sample and a parabola, a cubic.
-double GroundMotion::velocity(double t) const noexcept {
+double GroundMotion::velocity_from_rest(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
                  [t](const auto& closed) { return moved(closed, t).velocity; },
@@ -238,7 +187,7 @@ double GroundMotion::velocity(double t) const noexcept {
       motion_);
 }
 
-double GroundMotion::displacement(double t) const noexcept {
+double GroundMotion::displacement_from_rest(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return 0.0; },
                  [t](const auto& closed) { return moved(closed, t).displacement; },
@@ -256,6 +205,9 @@ double GroundMotion::displacement(double t) const noexcept {
 GroundMotion GroundMotion::delayed(double delay) const {
   require_finite(delay, "delay");
   if (delay == 0) return *this;
+  if (initial_velocity_ != 0)
+    throw std::invalid_argument(fmt::format("ground motion: begins with a velocity of {}, which it cannot take up at once after a "
+                                            "delay", format_quantity(initial_velocity_, dimension::velocity)));
   const auto later = [&](auto closed) {
     closed.start += delay;
     return GroundMotion(closed);
@@ -267,7 +219,20 @@ GroundMotion GroundMotion::delayed(double delay) const {
                                              return GroundMotion(std::move(samples));
                                            }},
                                 motion_);
+  out.initial_displacement_ = initial_displacement_;
   if (!is_still()) out.source_ = fmt::format("{}, {:g} s later", source_, delay);
+  return out;
+}
+
+GroundMotion GroundMotion::with_initial_motion(double velocity, double displacement) const {
+  require_finite(velocity, "initial velocity");
+  require_finite(displacement, "initial displacement");
+  if (is_still()) throw std::invalid_argument("ground motion: a ground at rest has no initial velocity or displacement");
+  GroundMotion out = *this;
+  out.initial_velocity_ = velocity;
+  out.initial_displacement_ = displacement;
+  if (velocity != 0) out.source_ += fmt::format(", from {}", format_quantity(velocity, dimension::velocity));
+  if (displacement != 0) out.source_ += fmt::format(", from {}", format_quantity(displacement, dimension::length));
   return out;
 }
 
@@ -275,8 +240,7 @@ double GroundMotion::next_break(double t) const noexcept {
   const auto next_of_two = [t](double begin, double end) { return t < begin ? begin : t < end ? end : infinity; };
   return std::visit(
       Overloaded{[](const Still&) { return infinity; },
-                 [&](const Harmonic& motion) { return next_of_two(motion.start, end_of(motion)); },
-                 [&](const Pulse& pulse) { return next_of_two(pulse.start, end_of(pulse)); },
+                 [&](const auto& closed) { return next_of_two(closed.start, end_of(closed)); },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
                    if (t < times.front()) return times.front();
@@ -294,6 +258,7 @@ double GroundMotion::sample_step() const noexcept { return per_step_ > 0 ? 1 / p
 
 double GroundMotion::shortest_period() const noexcept {
   if (const auto* const harmonic = std::get_if<Harmonic>(&motion_)) return harmonic->period;
+  if (const auto* const sum = std::get_if<HarmonicSum>(&motion_)) return sum->shortest_period();
   const auto* const pulse = std::get_if<Pulse>(&motion_);
   if (pulse == nullptr || pulse->shape == Pulse::Shape::rectangle) return infinity;
   return pulse->shape == Pulse::Shape::sine ? pulse->duration : 2 * pulse->duration;

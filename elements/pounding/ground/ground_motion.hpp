@@ -3,22 +3,26 @@
 /// between them, and its exact integrals.
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include <pounding/ground/harmonic_sum.hpp>
 
 namespace pounding {
 
 /// No motion: collisions that start from an initial velocity.
 struct Still {};
 
-/// a = A sin(2 pi (t - start)/T) for start <= t < start + duration, zero before and after.
+/// a = A sin(2 pi (t - start)/T + phase) for start <= t < start + duration, zero before and after.
 struct Harmonic {
   double amplitude;  ///< A [m/s^2]
   double period;     ///< T [s]
   double duration;   ///< [s]
   double start = 0;  ///< [s]
+  double phase = 0;  ///< [rad]
 };
 
 /// One pulse that starts at `start`: half sine, full sine, or rectangle.
@@ -48,23 +52,32 @@ class GroundMotion {
   /// Throws std::invalid_argument when a value is not finite, times do not increase, a duration or period is not positive, there
   /// are fewer than two samples, or samples marked as uniform are not.
   explicit GroundMotion(Harmonic motion);
+  explicit GroundMotion(HarmonicSum motion);
   explicit GroundMotion(Pulse motion);
   explicit GroundMotion(Samples motion, std::string source = {});
+  /// This motion on a ground that has a velocity [m/s] and a displacement [m] at t = 0 already. A harmonic acceleration does not drift
+  /// with the velocity -A T/(2 pi) cos(phase). Throws std::invalid_argument when a value is not finite, and for a ground at rest.
+  GroundMotion with_initial_motion(double velocity, double displacement = 0) const;
 
   /// Acceleration at time t [m/s^2]; exactly the sample at the time of a sample. At a jump (start and end of a rectangle, a record
   /// that begins or ends away from zero) the value just after it.
   double acceleration(double t) const noexcept;
   /// Acceleration just before t [m/s^2]: differs from acceleration(t) only at a jump.
   double acceleration_before(double t) const noexcept;
-  /// Exact integrals of the acceleration from rest [m/s], [m]. After the last sample the ground keeps its final velocity: no
-  /// baseline is corrected.
-  double velocity(double t) const noexcept;
-  double displacement(double t) const noexcept;
+  /// Exact integrals of the acceleration from the initial motion, else from rest [m/s], [m]. After the last sample the ground keeps
+  /// its final velocity: no baseline is corrected.
+  double velocity(double t) const noexcept { return initial_velocity_ + velocity_from_rest(t); }
+  double displacement(double t) const noexcept {
+    return initial_displacement_ + initial_velocity_ * t + displacement_from_rest(t);
+  }
+  /// Velocity [m/s] and displacement [m] of the ground at t = 0.
+  double initial_velocity() const noexcept { return initial_velocity_; }
+  double initial_displacement() const noexcept { return initial_displacement_; }
   /// First time after t at which the acceleration or its slope jumps [s]; infinity for none. An integrator that ends a step
   /// there sees a smooth right-hand side inside every step.
   double next_break(double t) const noexcept;
-  /// Largest absolute acceleration [m/s^2], and velocity [m/s] and displacement [m] until the motion is over; those of a record at
-  /// its samples.
+  /// Largest absolute acceleration [m/s^2], and velocity [m/s] and displacement [m] until the motion is over, both from rest; those of a
+  /// record at its samples. Of a sum of harmonics see HarmonicSum::peak(); velocity and displacement are the largest of 16 a period.
   double peak() const noexcept { return peak_; }
   double peak_velocity() const noexcept { return peak_velocity_; }
   double peak_displacement() const noexcept { return peak_displacement_; }
@@ -81,7 +94,8 @@ class GroundMotion {
   double longest_step(double t) const noexcept;
   /// Samples of a record; null for a closed form.
   const Samples* samples() const noexcept;
-  /// This motion, later by `delay` [s]; breaks and integrals move along.
+  /// This motion, later by `delay` [s]; breaks and integrals move along. Throws std::invalid_argument for a motion with an initial
+  /// velocity, which the ground would have to take up at once.
   GroundMotion delayed(double delay) const;
   bool is_still() const noexcept { return std::holds_alternative<Still>(motion_); }
   /// Kind and origin of the motion, one line for reports.
@@ -95,12 +109,15 @@ class GroundMotion {
   };
   using SharedSamples = std::shared_ptr<const Record>;
   template <class Closed>
-  void describe(const Closed& motion, double gains_speed);
+  void describe(const Closed& motion, std::initializer_list<double> fastest);
   std::size_t interval(const Samples& samples, double t) const noexcept;
   double sampled(const Samples& samples, double t) const noexcept;
+  double velocity_from_rest(double t) const noexcept;
+  double displacement_from_rest(double t) const noexcept;
 
-  std::variant<Still, Harmonic, Pulse, SharedSamples> motion_;
+  std::variant<Still, Harmonic, HarmonicSum, Pulse, SharedSamples> motion_;
   double per_step_ = 0;  ///< uniform samples in a second [1/s]; 0 otherwise
+  double initial_velocity_ = 0, initial_displacement_ = 0;
   double peak_ = 0, peak_velocity_ = 0, peak_displacement_ = 0;
   double start_ = 0, duration_ = 0;
   std::string source_;

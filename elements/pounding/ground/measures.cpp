@@ -49,7 +49,7 @@ double time_of_square(const Piece& piece, double target) {
 
 }  // namespace
 
-RecordMeasures measure(const Samples& samples) {
+RecordMeasures measure(const Samples& samples, double initial_velocity, double initial_displacement) {
   const std::vector<double>&times = samples.times, &accelerations = samples.accelerations;
   const auto piece = [&](std::size_t i) {
     return Piece{times[i + 1] - times[i], accelerations[i], accelerations[i + 1]};
@@ -57,7 +57,7 @@ RecordMeasures measure(const Samples& samples) {
   RecordMeasures result;
   for (const double a : accelerations) result.pga = std::max(result.pga, std::abs(a));
 
-  double v = 0, u = 0, square = 0;
+  double v = initial_velocity, u = initial_displacement, square = 0;
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     Piece now = piece(i);
     now.v0 = v;

@@ -1,5 +1,6 @@
 #include <pounding/ground/record.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/ground/displacement_motion.hpp>
 #include <pounding/ground/records/format.hpp>
 
 namespace pounding {
@@ -25,6 +27,26 @@ std::string Record::summary() const {
   return remark.empty() ? text : text + ", " + remark;
 }
 
+namespace {
+
+// A step that the user says must be the one that the file states.
+void require_step(const Record& record, double said) {
+  if (said == 0 || std::abs(record.step() - said) <= 1e-6 * said) return;
+  const std::string stated = record.samples.uniform ? fmt::format("a step of {:g} s", record.step()) : "times without a fixed step";
+  throw InputError(fmt::format("{}: the file states {}, but \"step\" says {:g} s; remove \"step\"", record.file, stated, said));
+}
+
+// Turns displacements, as the formats leave them, into accelerations.
+void derive_accelerations(Record& record, double initial_velocity) {
+  std::vector<double>& values = record.samples.accelerations;
+  record.initial_velocity = initial_velocity;
+  record.initial_displacement = values.front();
+  values = spline_accelerations(record.samples.times, values, initial_velocity);
+  record.remark += record.remark.empty() ? "displacements" : ", displacements";
+}
+
+}  // namespace
+
 Record read_record_text(std::string_view text, const std::string& name, const RecordOptions& options) {
   const records::Lines lines(text, name);
   std::vector<std::string_view> names;
@@ -34,7 +56,9 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
     Record record = format->read(lines, options);
     record.file = name;
     record.samples.uniform = evenly_spaced(record.samples.times);
-    record.measures = measure(record.samples);
+    require_step(record, options.step);
+    if (options.displacement) derive_accelerations(record, options.initial_velocity);
+    record.measures = measure(record.samples, record.initial_velocity, record.initial_displacement);
     return record;
   }
   throw InputError(fmt::format("{}: a record in none of the formats that are read: {}", name, fmt::join(names, ", ")));
@@ -72,7 +96,10 @@ GroundMotion scaled(const Record& record, double factor) {
   Samples samples = record.samples;
   for (double& a : samples.accelerations) a *= factor;
   const std::string scale = factor == 1 ? std::string() : fmt::format(", times {:.4g}", factor);
-  return GroundMotion(std::move(samples), record.summary() + scale);
+  const GroundMotion motion(std::move(samples), record.summary() + scale);
+  if (record.initial_velocity == 0 && record.initial_displacement == 0) return motion;
+  const double velocity = factor * record.initial_velocity;
+  return motion.with_initial_motion(velocity, factor * record.initial_displacement - velocity * record.samples.times.front());
 }
 
 }  // namespace pounding

@@ -1,8 +1,11 @@
 #include <pounding/input/ground_input.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/ground/displacement_motion.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/ground/synthetic.hpp>
 #include <pounding/input/words/sections.hpp>
@@ -18,22 +22,35 @@
 namespace pounding {
 namespace {
 
-constexpr std::array<std::string_view, 4> kinds = {"record", "harmonic", "pulse", "synthetic"};
+constexpr std::array<std::string_view, 6> kinds = {"record", "harmonic", "sum", "pulse", "synthetic", "displacement"};
 
-GroundMotion read_record_motion(const Input& section, std::initializer_list<std::string_view> beside) {
-  std::vector<std::string_view> allowed{"record", "channel", "units", "scale", "pga"};
+/// Quantity by which a motion is given.
+enum class Given { acceleration, displacement };
+
+GroundMotion read_record_motion(const Input& section, std::initializer_list<std::string_view> beside, Given given) {
+  std::vector<std::string_view> allowed{"record", "channel", "units", "step", "scale", "initial_velocity"};
+  if (given == Given::acceleration) allowed.push_back("pga");
   allowed.insert(allowed.end(), beside);
   section.only_keys(allowed);
   const Input file = section.at("record");
   const auto channel = section.find("channel");
   const auto units = section.find("units");
   const auto scale = section.find("scale");
-  const auto pga = section.find("pga");
+  const auto pga = given == Given::acceleration ? section.find("pga") : std::nullopt;
   if (scale && pga) pga->fail_at_key("\"scale\" and \"pga\" both set the strength; keep one of them");
 
+  double factor = 1;
+  if (scale) {
+    factor = scale->as_quantity();
+    if (factor == 0) scale->fail("takes a number other than 0; leave \"ground_motion\" out for a still ground");
+  }
+  const double velocity = section.quantity("initial_velocity");
   RecordOptions options;
   if (units) options.units = units->as_text();
   if (channel) options.channel = channel->as_text();
+  options.step = section.find_quantity("step").value_or(0);
+  options.displacement = given == Given::displacement;
+  options.initial_velocity = velocity / factor;
   const Record record = [&] {
     try {
       return read_record(find_record(file.as_text(), section.directory()), options);
@@ -41,23 +58,67 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
       file.fail(error.what());
     }
   }();
-  double factor = 1;
-  if (scale) {
-    factor = scale->as_quantity();
-    if (factor == 0) scale->fail("takes a number other than 0; leave \"ground_motion\" out for a still ground");
-  }
   if (pga) {
     if (record.measures.pga == 0) pga->fail("the record is zero throughout and cannot be scaled to a peak");
     factor = pga->as_quantity() / record.measures.pga;
   }
-  return scaled(record, factor);
+  const GroundMotion motion = scaled(record, factor);
+  return given == Given::displacement || velocity == 0 ? motion : motion.with_initial_motion(velocity);
 }
 
-GroundMotion read_harmonic(const Input& node) {
+/// An angle [rad]. A bare number above a full turn is one in degrees.
+double read_phase(const Input& node) {
+  const auto phase = node.find("phase");
+  if (!phase) return 0;
+  const std::string text = phase->as_text();
+  const double angle = phase->as_quantity(dimension::none, bounds::any);
+  if (text.find('%') != std::string::npos) phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", text));
+  if (!(std::abs(angle) <= 2 * std::numbers::pi))
+    phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg", text,
+                            angle * 180 / std::numbers::pi));
+  return angle;
+}
+
+GroundMotion read_harmonic(const Input& node, Given given) {
   node.only_keys();
-  return GroundMotion(Harmonic{.amplitude = node.quantity("amplitude"),
-                               .period = node.quantity("period"),
-                               .duration = node.quantity("duration")});
+  const Harmonic harmonic{.amplitude = node.quantity("amplitude"),
+                          .period = node.quantity("period"),
+                          .duration = node.quantity("duration"),
+                          .phase = read_phase(node)};
+  if (given == Given::displacement) return motion_of_displacement(harmonic);
+  return GroundMotion(harmonic).with_initial_motion(node.quantity("initial_velocity"));
+}
+
+/// `sum` with `duration` beside it.
+GroundMotion read_sum(const Input& section, std::initializer_list<std::string_view> beside, Given given) {
+  std::vector<std::string_view> allowed{"sum", "duration"};
+  if (given == Given::acceleration) allowed.push_back("initial_velocity");
+  allowed.insert(allowed.end(), beside);
+  section.only_keys(allowed);
+  const Input list = section.at("sum");
+  HarmonicSum sum{.parts = {}, .duration = section.quantity("duration")};
+  for (const Input& part : list.items()) {
+    part.only_keys();
+    sum.parts.push_back({.amplitude = part.quantity("amplitude"), .period = part.quantity("period"), .phase = read_phase(part)});
+  }
+  if (sum.parts.empty()) list.fail("takes one harmonic or more; type sum: [{amplitude: 0.2 g, period: 0.5 s}]");
+  if (given == Given::displacement) return motion_of_displacement(sum);
+  return GroundMotion(sum).with_initial_motion(section.quantity("initial_velocity"));
+}
+
+GroundMotion read_displacement(const Input& node) {
+  std::optional<std::string_view> kind;
+  for (const std::string_view candidate : {"record", "harmonic", "sum"}) {
+    const auto found = node.find(candidate);
+    if (!found) continue;
+    if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; keep one of them", *kind, candidate));
+    kind = candidate;
+  }
+  if (kind == "record") return read_record_motion(node, {}, Given::displacement);
+  if (kind == "sum") return read_sum(node, {}, Given::displacement);
+  node.only_keys({"record", "harmonic", "sum"});
+  if (!kind) node.fail("takes one of record, harmonic, sum; type displacement: {harmonic: {amplitude: 20 mm, period: 1 s, duration: 10 s}}");
+  return read_harmonic(node.at("harmonic"), Given::displacement);
 }
 
 GroundMotion read_pulse(const Input& node) {
@@ -128,18 +189,25 @@ GroundMotion read_motion(const Input& section, std::initializer_list<std::string
     if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; keep one of them", *kind, candidate));
     kind = candidate;
   }
-  if (kind == "record") return read_record_motion(section, beside);
+  if (kind == "record") return read_record_motion(section, beside, Given::acceleration);
+  if (kind == "sum") return read_sum(section, beside, Given::acceleration);
   if (!kind) {
     section.only_keys(allowed);
-    section.fail("takes one of record, harmonic, pulse, synthetic; for a still ground leave \"ground_motion\" out");
+    section.fail("takes one of record, harmonic, sum, pulse, synthetic, displacement; for a still ground leave \"ground_motion\" out");
   }
-  if (const auto channel = section.find("channel")) channel->fail_at_key("belongs to a record");
+  for (const std::string_view key : {"channel", "step"})
+    if (const auto found = section.find(key)) found->fail_at_key("belongs to a record");
+  if (const auto duration = section.find("duration"))
+    duration->fail_at_key(fmt::format("belongs to a sum; type {}: {{..., duration: {}}}", *kind, duration->as_text()));
+  if (const auto velocity = section.find("initial_velocity"))
+    velocity->fail_at_key("belongs to a record, a harmonic (inside it) or a sum");
   for (const std::string_view key : {"units", "scale", "pga"})
     if (const auto found = section.find(key))
       found->fail_at_key(fmt::format("belongs to a record; a {} states its own strength", *kind));
   section.only_keys(allowed);
   const Input node = section.at(*kind);
-  if (kind == "harmonic") return read_harmonic(node);
+  if (kind == "harmonic") return read_harmonic(node, Given::acceleration);
+  if (kind == "displacement") return read_displacement(node);
   if (kind == "pulse") return read_pulse(node);
   return read_synthetic(node);
 }

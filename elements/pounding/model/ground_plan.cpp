@@ -78,7 +78,7 @@ double GroundPlan::longest_step(double t) const {
 double GroundPlan::least_displacement(double w) const {
   double largest = 0;
   for (const GroundMotion& motion : motions) {
-    const double last_velocity = std::abs(motion.velocity(motion.duration()));
+    const double last_velocity = std::abs(motion.velocity(motion.duration()) - motion.initial_velocity());
     largest = std::max(largest, std::min({least_part * motion.peak() / (w * w), motion.peak_velocity() / w,
                                           motion.peak_displacement() + last_velocity / w}));
   }
@@ -88,7 +88,7 @@ double GroundPlan::least_displacement(double w) const {
 double GroundPlan::least_velocity(double w) const {
   double largest = 0;
   for (const GroundMotion& motion : motions) {
-    const double last_velocity = std::abs(motion.velocity(motion.duration()));
+    const double last_velocity = std::abs(motion.velocity(motion.duration()) - motion.initial_velocity());
     largest = std::max(largest, std::min({least_part * motion.peak() / w, motion.peak_velocity(),
                                           w * motion.peak_displacement() + last_velocity}));
   }

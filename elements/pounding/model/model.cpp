@@ -103,6 +103,11 @@ void refuse_idle_components(const GroundComponents& ground, int dimension, int s
                           of_one ? "the structure does not move" : "no structure moves"));
 }
 
+// A ground that waits is at rest, and would have to take its velocity up at once.
+bool begins_with_velocity(const GroundComponents& ground) {
+  return std::any_of(ground.begin(), ground.end(), [](const GroundMotion& motion) { return motion.initial_velocity() != 0; });
+}
+
 }  // namespace
 
 void require_structure_name(const std::string& name) {
@@ -151,6 +156,11 @@ std::vector<Support> Model::supports_on_ground(int structure) const {
       if (!support.motion) support.motion = *own.motion;
   }
   for (Support& support : supports) support.delay += own.delay;
+  for (const Support& support : supports)
+    if (support.delay > 0 && begins_with_velocity(support.motion ? *support.motion : ground.components))
+      throw ModelError(ModelOption::delay, structure,
+                       "the ground motion begins with a velocity, which it cannot take up at once after a delay; leave the delay out, "
+                       "or give harmonics another phase");
   if (!is_still(ground.components)) return supports;
   for (const Support& support : supports) {
     if (support.motion || support.delay == 0) continue;
@@ -176,6 +186,9 @@ void Model::check_ground() const {
     if (!s.is_rigid()) dimension = std::max(dimension, s.dimension);
   refuse_idle_components(ground.components, dimension, -1);
   if (!ground.wave) return;
+  if (begins_with_velocity(ground.components))
+    throw ModelError(ModelOption::wave, "the ground motion begins with a velocity, which it cannot take up at once where the wave "
+                                        "arrives; take a motion that begins at rest");
   // A wave that arrives everywhere at once would say nothing.
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
   for (const Structure& s : structures)

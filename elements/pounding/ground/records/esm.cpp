@@ -42,8 +42,9 @@ std::string value(const Lines& lines, std::string_view key) {
 Record read(const Lines& lines, const RecordOptions& options) {
   lines.at(header_length - 1, "the end of the header of 64 lines");
   const Entry type = entry(lines, "DATA_TYPE");
-  if (upper(type.value) != "ACCELERATION")
-    lines.fail(type.line, fmt::format("holds \"{}\"; take the file of accelerations", type.value));
+  const std::string_view wanted = options.displacement ? "DISPLACEMENT" : "ACCELERATION";
+  if (upper(type.value) != wanted)
+    lines.fail(type.line, fmt::format("holds \"{}\"; take the file of {}s", type.value, options.displacement ? "displacement" : "acceleration"));
   Record record;
   record.format = "ESM";
   record.title = single_spaced(value(lines, "EVENT_NAME") + " " + value(lines, "EVENT_DATE_YYYYMMDD"));

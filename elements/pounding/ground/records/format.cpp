@@ -9,13 +9,13 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/ground/number_table.hpp>
 
 namespace pounding::records {
 namespace {
 
 constexpr std::string_view blanks = " \t";
 
-char small(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 
 }  // namespace
@@ -129,25 +129,15 @@ bool ends_numbers(std::string_view line) {
 
 }  // namespace
 
-bool says_end(std::string_view line) {
-  static const std::regex end = pattern(R"(^[^a-z0-9]*end[^a-z0-9]*(of)?[^a-z0-9]*(data|file|record)?[^a-z0-9]*$)");
-  return line.find_first_of("nN") != std::string_view::npos && captured(line, end).has_value();  // numbers are quick to tell
-}
-
 std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated) {
   std::vector<double> values;
   std::size_t last_line = begin - 1;
-  for (std::size_t i = begin; i < lines.size(); ++i) {
-    if (says_end(lines[i])) {
-      if (values.size() < stated.count) fail_early(lines, last_line, values.size(), stated);
-      continue;
-    }
+  for (std::size_t i = begin; i < lines.size() && !ends_data(lines[i]); ++i)
     for (const std::string_view word : split_at_blanks(lines[i])) {
       if (values.size() == stated.count) fail_late(lines, i, stated);
       values.push_back(lines.number(i, word));
       last_line = i;
     }
-  }
   if (values.size() < stated.count) fail_early(lines, last_line, values.size(), stated);
   return values;
 }
@@ -194,51 +184,6 @@ std::vector<double> even_times(std::size_t count, double dt) {
   std::vector<double> times(count);
   for (std::size_t i = 0; i < count; ++i) times[i] = static_cast<double>(i) * dt;
   return times;
-}
-
-namespace {
-
-/// The unit of an acceleration as records spell it ("G", "CM/SEC/SEC", "m/s**2", "g/10"); nothing when it is none.
-std::optional<double> acceleration_unit(std::string_view text) {
-  std::string unit;
-  for (const char c : trimmed(text)) unit += small(c);
-  if (unit == "g/10") return standard_gravity / 10;
-  if (unit == "mg") return standard_gravity / 1000;  // no record states milligrams
-  for (std::size_t at; (at = unit.find("sec")) != std::string::npos;) unit.erase(at + 1, 2);
-  for (std::size_t at; (at = unit.find("**")) != std::string::npos; unit.erase(at + 1, 1)) unit[at] = '^';
-  try {
-    const Unit parsed = parse_unit(unit);
-    if (parsed.dimension == dimension::acceleration) return parsed.factor;
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string& stated, const RecordOptions& options,
-                   std::string& unit) {
-  std::optional<double> said;
-  if (!options.units.empty()) {
-    said = acceleration_unit(options.units);
-    if (!said) throw InputError(fmt::format("{}: units: \"{}\" is not the unit of an acceleration; type {}", lines.name(),
-                                            options.units, unit_advice));
-  }
-  if (stated.empty()) {
-    if (!said) throw InputError(fmt::format("{}: the file does not state the unit of its accelerations; add \"units:\" "
-                                            "with {}", lines.name(), unit_advice));
-    unit = options.units;
-    return *said;
-  }
-  const std::optional<double> factor = acceleration_unit(stated);
-  if (!factor)
-    lines.fail(stated_at,
-               fmt::format("\"{}\" is not the unit of an acceleration; allowed are {}", stated, unit_advice));
-  if (said && std::abs(*said - *factor) > 1e-9 * *factor)
-    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" says {}; remove \"units\"", stated, options.units));
-  unit = stated;
-  return *factor;
 }
 
 std::string Channel::text() const {

@@ -41,7 +41,8 @@ struct Format {
   std::string_view name;  ///< for messages and reports
   /// Whether a file is of this format, by its content; formats before it in formats.inc were asked first and did not recognise it.
   bool (*recognises)(const Lines& lines);
-  /// Reads the record; read_record() fills `file`, `uniform` and `measures` afterwards. Throws InputError with "file:line: ".
+  /// Reads the record; read_record() fills `file`, `uniform` and `measures` afterwards, and turns displacements [m], which stand for
+  /// the accelerations until then, into accelerations. Throws InputError with "file:line: ".
   Record (*read)(const Lines& lines, const RecordOptions& options);
 };
 
@@ -80,11 +81,8 @@ struct Stated {
   std::string by;  ///< "NPTS", "line 46"
 };
 
-/// Whether a line says that the data end there: "*** End Data ***", "END-OF-FILE".
-bool says_end(std::string_view line);
-
-/// Numbers parted by blanks, from line `begin` to the end of the file or to the line that says_end. Fails when there are fewer or
-/// more than stated.
+/// Numbers parted by blanks, from line `begin` to the end of the file, or to a line such as "*** End Data ***". Fails when there are
+/// fewer or more than stated.
 std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated);
 
 /// Numbers in columns as Fortran writes them, often without a blank between: (8F10.3) is {8, 10}.
@@ -106,15 +104,34 @@ std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Co
 /// 0, dt, 2 dt, ... [s]
 std::vector<double> even_times(std::size_t count, double dt);
 
-// Units.
+// Units, of accelerations or, where the options say so, of displacements.
 
-/// Units of acceleration that a user may type.
-inline constexpr std::string_view unit_advice = "g, m/s^2, cm/s^2 or gal";
+/// A unit that the header of a file states, and the line where it does.
+struct StatedUnit {
+  std::string text;
+  std::size_t line;
+};
 
-/// The acceleration [m/s^2] that 1 in the file stands for, from what the file states (empty: nothing) and what the user
-/// says; `unit` becomes what was taken. Fails when neither or both and not alike, and for what is no acceleration.
+/// The value in SI of the unit of an acceleration, or displacement, as records spell it ("G", "CM/SEC/SEC", "m/s**2", "g/10"); nothing
+/// when it is none.
+std::optional<double> unit_of_values(std::string_view text, const RecordOptions& options);
+
+/// Seconds in the unit of a time ("s", "sec", "ms"); nothing when it is none.
+std::optional<double> unit_of_time(std::string_view text);
+
+/// Whether a text is the unit of a time, a length, a velocity or an acceleration.
+bool is_unit(std::string_view text);
+
+/// Units of values in the prose of lines 0 to `end`: "acc (g)", "acceleration[m/s^2]", "units are g", "in cm/s/s"; not "0.32 g".
+std::vector<StatedUnit> stated_units(const Lines& lines, std::size_t end, const RecordOptions& options);
+
+/// Value in SI of 1 in the file [m/s^2], or [m], from what the file states (empty: nothing) and what the user says; `unit` becomes what
+/// was taken. Fails when neither or both and not alike, and for another dimension.
 double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string& stated, const RecordOptions& options,
                    std::string& unit);
+
+/// Agrees likewise where the file may state units in several places; where they differ, the user must say one of them.
+double agreed_unit(const Lines& lines, const std::vector<StatedUnit>& stated, const RecordOptions& options, std::string& unit);
 
 // Channels.
 

@@ -1,4 +1,5 @@
 #include <array>
+#include <numbers>
 
 #include <pounding/input/words/sections.hpp>
 
@@ -19,20 +20,34 @@ constexpr std::array motion_words{
          .example = "90 deg"},
     Word{.key = "units", .takes = Takes::text, .otherwise = "that of the file",
          .meaning = "Unit of the accelerations in a record that states none.", .example = "g"},
+    Word{.key = "step", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+         .otherwise = "that of the file", .since = "0.2.0",
+         .meaning = "Time between two values of a record without times; the first is at time 0.", .example = "0.01 s"},
     Word{.key = "scale", .takes = Takes::quantity, .otherwise = "1",
          .meaning = "Factor on the record's accelerations, not 0; a negative one turns the direction. Give scale or pga.",
          .example = "1.5"},
     Word{.key = "pga", .takes = Takes::quantity, .dimension = dimension::acceleration, .bounds = bounds::positive,
          .otherwise = "that of the record",
          .meaning = "Largest absolute acceleration to which the record is scaled. Give scale or pga.", .example = "0.35 g"},
+    Word{.key = "initial_velocity", .takes = Takes::quantity, .dimension = dimension::velocity, .otherwise = "0 m/s", .since = "0.2.0",
+         .meaning = "Velocity of the ground at time 0, beside a record or a sum. It matters where supports move differently.",
+         .example = "0.1 m/s"},
     Word{.key = "harmonic", .inside = &harmonic, .need = Need::exactly_one,
-         .meaning = "a = A sin(2 pi t/T), zero after the duration.",
+         .meaning = "a = A sin(2 pi t/T + phase), zero after the duration.",
          .example = "{amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}"},
+    Word{.key = "sum", .form = Form::list, .least = 1, .inside = &sum_part, .need = Need::exactly_one, .since = "0.2.0",
+         .meaning = "Harmonics that are added; their duration stands beside them.",
+         .example = "[{amplitude: 0.2 g, period: 0.5 s}, {amplitude: 0.1 g, period: 0.2 s, phase: 90 deg}]"},
+    Word{.key = "duration", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive, .otherwise = "none: a sum needs it",
+         .since = "0.2.0", .meaning = "Length of a sum of harmonics, which begins at time 0.", .example = "10 s"},
     Word{.key = "pulse", .inside = &pulse, .need = Need::exactly_one, .meaning = "One pulse of acceleration.",
          .example = "{shape: sine, amplitude: 0.2 g, duration: 1.6 s}"},
     Word{.key = "synthetic", .inside = &synthetic, .need = Need::exactly_one,
          .meaning = "An artificial earthquake: noise through the filter of Clough and Penzien, under an envelope.",
-         .example = "{seed: 1, duration: 10 s, pga: 0.3 g, soil: firm}"}};
+         .example = "{seed: 1, duration: 10 s, pga: 0.3 g, soil: firm}"},
+    Word{.key = "displacement", .inside = &displacement, .need = Need::exactly_one, .since = "0.2.0",
+         .meaning = "Displacement of the ground instead of its acceleration.",
+         .example = "{harmonic: {amplitude: 20 mm, period: 0.5 s, duration: 10 s}}"}};
 
 constexpr Word components_word{
     .key = "components", .inside = &components, .need = Need::exactly_one,
@@ -64,13 +79,47 @@ constexpr Word wave_words[] = {
      .otherwise = "x", .meaning = "Direction in plan in which the wave travels: x, y, or two numbers along x and y.",
      .example = "[0.6, 0.8]"}};
 
-constexpr Word harmonic_words[] = {
-    {.key = "amplitude", .takes = Takes::quantity, .dimension = dimension::acceleration, .need = Need::required,
-     .meaning = "Largest acceleration A. Positive begins towards +x, the right.", .example = "0.35 g"},
-    {.key = "period", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
-     .need = Need::required, .meaning = "Period T of the motion.", .example = "0.5 s"},
-    {.key = "duration", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
-     .need = Need::required, .meaning = "Length of the motion, which begins at time 0.", .example = "3 s"}};
+constexpr Word amplitude_word{.key = "amplitude", .takes = Takes::quantity, .dimension = dimension::acceleration, .need = Need::required,
+                              .meaning = "Largest acceleration A. Positive begins towards +x, the right.", .example = "0.35 g"};
+constexpr Word length_word{.key = "amplitude", .takes = Takes::quantity, .dimension = dimension::length, .need = Need::required, .since = "0.2.0",
+                           .meaning = "Largest displacement. Positive begins towards +x, the right.", .example = "20 mm"};
+constexpr Word period_word{.key = "period", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+                           .need = Need::required, .meaning = "Period T of the motion.", .example = "0.5 s"};
+constexpr Word duration_word{.key = "duration", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+                             .need = Need::required, .meaning = "Length of the motion, which begins at time 0.", .example = "3 s"};
+constexpr Word phase_word{.key = "phase", .takes = Takes::quantity, .unit = "rad", .bounds = {.low = -2 * std::numbers::pi, .high = 2 * std::numbers::pi},
+                          .noun = "an angle", .otherwise = "0", .since = "0.2.0",
+                          .meaning = "Angle of the sine at time 0, at most a full turn; a bare number is in rad.", .example = "90 deg"};
+constexpr Word velocity_of_ground{.key = "initial_velocity", .takes = Takes::quantity, .dimension = dimension::velocity, .otherwise = "0 m/s",
+                                  .since = "0.2.0",
+                                  .meaning = "Velocity of the ground at time 0. With -A T/(2 pi) cos(phase) the ground does not drift.",
+                                  .example = "-0.3 m/s"};
+
+constexpr Word harmonic_words[] = {amplitude_word, period_word, duration_word, phase_word, velocity_of_ground};
+constexpr Word sum_part_words[] = {amplitude_word, period_word, phase_word};
+constexpr Word moved_harmonic_words[] = {length_word, period_word, duration_word, phase_word};
+constexpr Word moved_part_words[] = {length_word, period_word, phase_word};
+
+constexpr Word displacement_words[] = {
+    {.key = "record", .takes = Takes::text, .need = Need::exactly_one, .since = "0.2.0",
+     .meaning = "File of displacements: PEER, ESM, or columns of numbers. A cubic spline goes through them.", .example = "moved.csv"},
+    {.key = "channel", .takes = Takes::text, .otherwise = "the only channel of the file", .since = "0.2.0",
+     .meaning = "Channel of a file that holds several: its number from 1, or its name.", .example = "2"},
+    {.key = "units", .takes = Takes::text, .otherwise = "that of the file", .since = "0.2.0",
+     .meaning = "Unit of the displacements in a file that states none: m, cm, mm or in.", .example = "mm"},
+    {.key = "step", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive, .otherwise = "that of the file",
+     .since = "0.2.0", .meaning = "Time between two values of a file without times; the first is at time 0.", .example = "0.01 s"},
+    {.key = "scale", .takes = Takes::quantity, .otherwise = "1", .since = "0.2.0",
+     .meaning = "Factor on the displacements of a record, not 0.", .example = "1.5"},
+    {.key = "initial_velocity", .takes = Takes::quantity, .dimension = dimension::velocity, .otherwise = "0 m/s", .since = "0.2.0",
+     .meaning = "Velocity of the ground at the first displacement of a record.", .example = "0.1 m/s"},
+    {.key = "harmonic", .inside = &moved_harmonic, .need = Need::exactly_one, .since = "0.2.0",
+     .meaning = "d = D sin(2 pi t/T + phase).", .example = "{amplitude: 20 mm, period: 0.5 s, duration: 10 s}"},
+    {.key = "sum", .form = Form::list, .least = 1, .inside = &moved_part, .need = Need::exactly_one, .since = "0.2.0",
+     .meaning = "Harmonics that are added; their duration stands beside them.",
+     .example = "[{amplitude: 20 mm, period: 0.5 s}, {amplitude: 5 mm, period: 0.2 s}]"},
+    {.key = "duration", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive, .otherwise = "none: a sum needs it",
+     .since = "0.2.0", .meaning = "Length of a sum of harmonics, which begins at time 0.", .example = "10 s"}};
 
 constexpr Word pulse_words[] = {
     {.key = "shape", .takes = Takes::choice, .choices = shapes, .noun = "pulse shape", .need = Need::required,
@@ -126,7 +175,14 @@ constinit const Section motion{.name = "motion", .place = "ground_motion.compone
 constinit const Section wave{.name = "wave", .place = "ground_motion.wave",
                              .meaning = "A wave that reaches the supports one after the other.", .words = wave_words};
 constinit const Section harmonic{.name = "harmonic", .place = "ground_motion.harmonic",
-                                 .meaning = "a = A sin(2 pi t/T), zero after the duration.", .words = harmonic_words};
+                                 .meaning = "a = A sin(2 pi t/T + phase), zero after the duration.", .words = harmonic_words};
+constinit const Section sum_part{.name = "sum", .place = "ground_motion.sum[]", .meaning = "One harmonic of a sum.", .words = sum_part_words};
+constinit const Section displacement{.name = "displacement", .place = "ground_motion.displacement",
+                                     .meaning = "Displacement of the ground: a record, a harmonic or a sum.", .words = displacement_words};
+constinit const Section moved_harmonic{.name = "displacement_harmonic", .place = "ground_motion.displacement.harmonic",
+                                       .meaning = "d = D sin(2 pi t/T + phase).", .words = moved_harmonic_words};
+constinit const Section moved_part{.name = "displacement_sum", .place = "ground_motion.displacement.sum[]",
+                                   .meaning = "One harmonic of a sum of displacements.", .words = moved_part_words};
 constinit const Section pulse{.name = "pulse", .place = "ground_motion.pulse", .meaning = "One pulse of acceleration.",
                               .words = pulse_words};
 constinit const Section synthetic{.name = "synthetic", .place = "ground_motion.synthetic",

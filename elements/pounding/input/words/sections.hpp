@@ -13,7 +13,8 @@ namespace pounding::words {
 extern const Section model, analysis, checkpoint;
 
 /// Motions of the ground: ground.cpp. A `motion` is one along one axis.
-extern const Section ground_motion, components, motion, wave, harmonic, pulse, synthetic;
+extern const Section ground_motion, components, motion, wave, harmonic, sum_part, pulse, synthetic;
+extern const Section displacement, moved_harmonic, moved_part;
 
 /// Structures of all kinds and their damping: structures.cpp.
 extern const Section structure, body, oscillator, shear_building, wall, damping, rayleigh, modal;

@@ -21,7 +21,8 @@ namespace words {
 namespace {
 
 constexpr const Section* all[] = {
-    &model,       &ground_motion,   &components,       &motion,       &wave,       &harmonic, &pulse,   &synthetic,
+    &model,       &ground_motion,   &components,       &motion,       &wave,       &harmonic, &sum_part, &pulse, &synthetic,
+    &displacement, &moved_harmonic, &moved_part,
     &structure,   &body,            &oscillator,       &shear_building, &wall,     &damping,  &rayleigh, &modal,
     &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
     &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,

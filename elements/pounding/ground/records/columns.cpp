@@ -1,0 +1,204 @@
+/// Numbers in columns, as text or CSV: a column of times and one or more of values; or, at a step that the user states, values alone, one
+/// or several a line in the order of reading, or one column of them.
+
+#include <pounding/ground/records/format.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/ground/number_table.hpp>
+
+namespace pounding::records {
+namespace {
+
+constexpr std::string_view step_advice = "values at a fixed step need \"step:\", such as step: 0.01 s";
+
+/// Name of a column: "acc (m/s^2)" is "acc" in m/s^2, and "acc (NS)" is all name.
+struct Name {
+  std::string name, unit;
+  std::string bracket;  ///< what stands in brackets
+};
+
+/// Splits the bracket off that holds a unit, or what is meant as one.
+Name read_name(std::string text) {
+  std::erase(text, '"');
+  const std::size_t begin = text.find_first_of("(["), end = text.find_last_of(")]");
+  if (begin == std::string::npos || end == std::string::npos || end < begin) return {text, {}, {}};
+  const std::string inside(trimmed(std::string_view(text).substr(begin + 1, end - begin - 1)));
+  const bool is_formula = inside.find_first_of("/^") != std::string::npos;
+  if (!is_formula && !is_unit(inside)) return {text, {}, inside};
+  return {std::string(trimmed(std::string_view(text).substr(0, begin))), inside, inside};
+}
+
+/// The header of a table, whose last line may name the columns.
+struct Header {
+  std::vector<Name> columns;  ///< one a column; without names where no line names them
+  std::size_t line = 0;       ///< of the names
+  bool is_comment = false;
+
+  /// Whether the columns surely have these names: one states a unit, or marks part them.
+  bool is_sure(const Lines& lines) const {
+    const auto states = [](const Name& name) { return !name.unit.empty(); };
+    const auto is_named = [](const Name& name) { return !name.name.empty(); };
+    return std::any_of(columns.begin(), columns.end(), states) ||
+           (std::all_of(columns.begin(), columns.end(), is_named) && lines[line].find_first_of(";,\t") != std::string_view::npos);
+  }
+};
+
+/// Whether a comment with as many words as there are columns names them: it states no units, or that of a time in front of times, or of
+/// what is wanted; "# depth 5 (km)" and "# acc (g), smoothed" do not.
+bool names_columns(const std::vector<Name>& columns, const RecordOptions& options) {
+  const auto states = [](const Name& name) { return !name.unit.empty(); };
+  const auto fits = [&](const Name& name) { return unit_of_values(name.unit, options).has_value(); };
+  if (std::none_of(columns.begin(), columns.end(), states)) return true;
+  if (options.step == 0 && states(columns.front())) return unit_of_time(columns.front().unit).has_value();
+  return std::any_of(columns.begin(), columns.end(), fits);
+}
+
+Header read_header(const Lines& lines, const NumberTable& table, const RecordOptions& options) {
+  const std::size_t count = table.columns(0);
+  Header header{.columns = std::vector<Name>(count)};
+  for (std::size_t i = table.header_end(); i-- > 0;) {
+    if (trimmed(lines[i]).empty()) continue;
+    const std::vector<std::string> names = column_names(lines[i]);
+    if (names.size() != count) break;
+    std::transform(names.begin(), names.end(), header.columns.begin(), read_name);
+    header.line = i;
+    header.is_comment = trimmed(lines[i]).find_first_of("#%") == 0;
+    if (header.is_comment && !names_columns(header.columns, options)) header.columns.assign(count, {});
+    break;
+  }
+  return header;
+}
+
+/// Seconds in the unit that the name of the times states.
+double time_unit(const Lines& lines, const Header& header) {
+  const std::string& stated = header.columns.front().bracket;
+  if (stated.empty() || (header.is_comment && header.columns.front().unit.empty())) return 1;
+  const std::optional<double> unit = unit_of_time(stated);
+  if (!unit) lines.fail(header.line, fmt::format("\"{}\" is not the unit of a time; type s or ms", stated));
+  return *unit;
+}
+
+/// Refuses rows of another length than the first; the last may be shorter where values follow each other.
+void check_lengths(const Lines& lines, const NumberTable& table, bool last_may_be_shorter) {
+  const std::size_t count = table.columns(0);
+  for (std::size_t row = 1; row < table.rows(); ++row) {
+    const std::size_t here = table.columns(row);
+    if (here == count || (last_may_be_shorter && row + 1 == table.rows() && here < count)) continue;
+    lines.fail(table.line(row), fmt::format("{} number{}; the line{} before {} {}", here, here == 1 ? "" : "s", row == 1 ? "" : "s",
+                                            row == 1 ? "has" : "have", count));
+  }
+}
+
+std::vector<double> read_times(const Lines& lines, const NumberTable& table, double unit) {
+  std::vector<double> times = table.column(0);
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    const std::string advice = table.columns(0) > 2 || row == 1 ? fmt::format("; {}", step_advice) : "";
+    if (times[row] < 0)
+      lines.fail(table.line(row), fmt::format("time {} is before 0, where every run begins{}", times[row], row == 0 ? "" : advice));
+    if (row > 0 && !(times[row] > times[row - 1]))
+      lines.fail(table.line(row), fmt::format("time {} does not come after the one before it{}", times[row], advice));
+  }
+  for (double& time : times) time *= unit;
+  return times;
+}
+
+/// Refuses a step beside a column that increases as times do.
+void refuse_times(const Lines& lines, const NumberTable& table, double unit) {
+  const std::vector<double> first = table.column(0);
+  if (table.columns(0) < 2 || first.size() < 3) return;
+  const double mean = (first.back() - first.front()) / static_cast<double>(first.size() - 1);
+  for (std::size_t i = 1; i < first.size(); ++i)
+    if (!(first[i] > first[i - 1]) || (table.columns(0) > 2 && std::abs(first[i] - first[i - 1] - mean) > 0.1 * mean)) return;
+  lines.fail(table.line(0), fmt::format("the first column holds times, every {:g} s; remove \"step\"", mean * unit));
+}
+
+/// The columns that may be meant: those that do not state the unit of something else.
+std::vector<Channel> channels_of(const Header& header, std::size_t first, const RecordOptions& options) {
+  std::vector<Channel> all, fitting;
+  for (std::size_t i = first; i < header.columns.size(); ++i) {
+    const Name& column = header.columns[i];
+    all.push_back({std::to_string(i - first + 1), column.name, fmt::format("column {}", i + 1), i});
+    if (column.unit.empty() || unit_of_values(column.unit, options)) fitting.push_back(all.back());
+  }
+  return fitting.empty() ? all : fitting;
+}
+
+double unit_of_column(const Lines& lines, const Header& header, const NumberTable& table, std::size_t column,
+                      const RecordOptions& options, std::string& unit) {
+  const std::string& stated = header.columns[column].unit;
+  if (!stated.empty()) return agreed_unit(lines, header.line, stated, options, unit);
+  return agreed_unit(lines, stated_units(lines, table.header_end(), options), options, unit);
+}
+
+void require_samples(const Lines& lines, std::size_t count, std::string_view what) {
+  if (count >= 2) return;
+  throw InputError(fmt::format("{}: {} sample{}; a record has two or more {}", lines.name(), count, count == 1 ? "" : "s", what));
+}
+
+Record read_at_step(const Lines& lines, const NumberTable& table, const Header& header, const RecordOptions& options) {
+  const std::size_t count = table.columns(0);
+  refuse_times(lines, table, unit_of_time(header.columns.front().unit).value_or(1));
+  if (table.commas_are_ambiguous())
+    lines.fail(table.line(0), fmt::format("\"{}\" may be one value with a decimal comma or two values; write decimal points, or part "
+                                          "the values by semicolons", trimmed(lines[table.line(0)])));
+  Record record;
+  std::size_t column = 0;
+  if (count == 1 || (options.channel.empty() && !header.is_sure(lines))) {
+    refuse_channel(lines, options);
+    check_lengths(lines, table, true);
+    record.format = count == 1 ? "one column" : fmt::format("{} values a line", count);
+    record.samples.accelerations = table.values();
+  } else {
+    check_lengths(lines, table, false);
+    const Channel channel = chosen(lines, channels_of(header, 0, options), options);
+    column = channel.begin;
+    record.format = fmt::format("{} columns", count);
+    record.channel = channel.text();
+    record.samples.accelerations = table.column(column);
+  }
+  require_samples(lines, record.samples.accelerations.size(), "values");
+  const double unit = unit_of_column(lines, header, table, column, options, record.unit);
+  for (double& a : record.samples.accelerations) a *= unit;
+  record.samples.times = even_times(record.samples.accelerations.size(), options.step);
+  return record;
+}
+
+Record read(const Lines& lines, const RecordOptions& options) {
+  const NumberTable table(lines);
+  if (table.rows() == 0) require_samples(lines, 0, "lines of time and acceleration");
+  const Header header = read_header(lines, table, options);
+  if (options.step > 0) return read_at_step(lines, table, header, options);
+  const std::size_t count = table.columns(0);
+  if (count == 1) lines.fail(table.line(0), fmt::format("one column; time and acceleration are two, and {}", step_advice));
+
+  Record record;
+  std::size_t column = 1;
+  check_lengths(lines, table, false);
+  record.samples.times = read_times(lines, table, time_unit(lines, header));
+  if (count == 2) {
+    refuse_channel(lines, options);
+    record.format = "two columns";
+  } else {
+    const Channel channel = chosen(lines, channels_of(header, 1, options), options);
+    column = channel.begin;
+    record.format = fmt::format("{} columns", count);
+    record.channel = channel.text();
+  }
+  require_samples(lines, table.rows(), "lines of time and acceleration");
+  record.samples.accelerations = table.column(column);
+  const double unit = unit_of_column(lines, header, table, column, options, record.unit);
+  for (double& a : record.samples.accelerations) a *= unit;
+  return record;
+}
+
+}  // namespace
+
+constinit const Format columns{"columns of numbers", holds_numbers, read};
+
+}  // namespace pounding::records
