@@ -148,7 +148,7 @@ TEST(LawInput, IsKnownByName) {
           R"(5:47: links[0].law: unknown law "cushion". Allowed: linear_spring, kelvin_voigt, )"
           "kelvin_voigt_no_tension, komodromos, modified_linear_viscoelastic, modified_kelvin, hertz, "
           "hertz_damped, jankowski, bilinear_hertz, viscous_hertz, kuwabara_kono, adams_impact, limited_damper, "
-          "stereomechanical.");
+          "stereomechanical, elastoplastic.");
 }
 
 TEST(LawInput, KnowsItsFormulas) {
@@ -198,7 +198,10 @@ TEST(LawInput, TakesItsDampingOnceAndOnlyOnce) {
 
 TEST(LawInput, TakesARestitutionAboveZeroAndUpToOne) {
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0"),
-          R"(5:93: links[0].restitution: takes a number in (0, 1] such as "5 %"; "0" is outside)");
+          "5:93: links[0].restitution: restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
+          "with stereomechanical and kelvin_voigt they stick at 0");
+  refused(law("stereomechanical, restitution: -0.1"),
+          R"(5:78: links[0].restitution: takes a number in [0, 1] such as "5 %"; "-0.1" is outside)");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 1.2"),
           R"(5:93: links[0].restitution: takes a number in (0, 1] such as "5 %"; "1.2" is outside)");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: -0.5"),
@@ -220,10 +223,10 @@ TEST(LawInput, TakesOnlyWhatItUses) {
   refused(law("hertz, stiffness: 2.75e9, impact_velocity: 1 m/s"),
           "5:90: links[0].impact_velocity: hertz takes no impact_velocity: nothing in it depends on one");
   refused(law("hertz, stiffness: 2.75e9, damping_ratio: 0.1"),
-          R"(5:73: links[0]: unknown key "damping_ratio". Allowed: between, floors, gap, name, points, friction, sliding_velocity, law, formula, )"
+          R"(5:73: links[0]: unknown key "damping_ratio". Allowed: between, floors, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
           "restitution, impact_velocity, reduced_mass, stiffness, exponent.");
   refused(law("stereomechanical, restitution: 0.5, stiffness: 1e9"),
-          R"(5:83: links[0]: unknown key "stiffness". Allowed: between, floors, gap, name, points, friction, sliding_velocity, law, formula, )"
+          R"(5:83: links[0]: unknown key "stiffness". Allowed: between, floors, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
           "restitution, impact_velocity, reduced_mass.");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0.65, damping_ratoi: 0.1"),
           R"(5:99: links[0]: unknown key "damping_ratoi". Did you mean "damping_factor"?)");

@@ -10,6 +10,15 @@
 #include <pounding/laws/all.hpp>
 
 namespace pounding {
+namespace {
+
+// A zero is left to the law, which says what it means or which laws take it.
+double read_restitution(const Input& node, const laws::Entry& entry) {
+  if (node.as_quantity(dimension::none) == 0) return 0;
+  return node.as_quantity(dimension::none, entry.sticks_at_zero ? bounds::from_0_to_1 : bounds::above_0_to_1);
+}
+
+}  // namespace
 
 laws::Settings read_law(const Input& link, std::span<const std::string_view> link_keys) {
   std::vector<std::string_view> names;
@@ -27,12 +36,13 @@ laws::Settings read_law(const Input& link, std::span<const std::string_view> lin
   double exponent = 1.5;
   if (const auto node = link.find("exponent")) exponent = node->as_number(bounds::positive);
   for (const laws::ParameterInfo& parameter : entry.parameters)
-    if (parameter.need == laws::Need::required && !link.has(parameter.name))
+    if (laws::must_be_given(entry.parameters, parameter, [&](std::string_view name) { return link.has(name); }) &&
+        !link.has(parameter.name))
       law_node.fail(fmt::format("{0} needs {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name, parameter.meaning,
                                 parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
 
   if (const auto restitution = link.find("restitution"))
-    settings.restitution = restitution->as_quantity(dimension::none, bounds::above_0_to_1);
+    settings.restitution = read_restitution(*restitution, entry);
   if (const auto velocity = link.find("impact_velocity"))
     settings.impact_velocity = velocity->as_quantity(dimension::velocity, bounds::positive);
   if (const auto formula = link.find("formula")) {

@@ -19,7 +19,7 @@
 namespace pounding {
 namespace {
 
-constexpr std::string_view keys[] = {"between", "floors", "gap", "name", "points", "friction", "sliding_velocity"};
+constexpr std::string_view keys[] = {"between", "floors", "gap", "preload", "name", "points", "friction", "sliding_velocity"};
 
 int structure_named(const std::string& name, const Input& node, const Model& model) {
   std::vector<std::string_view> names;
@@ -75,6 +75,7 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
     case ModelOption::right: return between.items()[1];
     case ModelOption::floors: return at("floors");
     case ModelOption::gap: return at("gap");
+    case ModelOption::preload: return at("preload");
     case ModelOption::link_name: return at("name");
     case ModelOption::points: return at("points");
     case ModelOption::friction: return at("friction");
@@ -93,7 +94,8 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
 
 LinkOptions read_options(const Input& node, int count) {
   LinkOptions options;
-  options.gap = node.at("gap", "20 mm").as_quantities(count, dimension::length, bounds::non_negative);
+  if (const auto preload = node.find("preload")) options.preload = preload->as_bool();
+  options.gap = node.at("gap", "20 mm").as_quantities(count, dimension::length, options.preload ? bounds::any : bounds::non_negative);
   if (const auto name = node.find("name")) options.name = name->as_text();
   if (const auto points = node.find("points")) options.points = static_cast<int>(points->as_integer(1, 100));
   if (const auto friction = node.find("friction")) options.friction = friction->as_quantity(dimension::none, bounds::non_negative);

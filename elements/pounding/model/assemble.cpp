@@ -117,6 +117,9 @@ System assemble(const Model& model, bool with_links) {
     const double w = std::max(s.frequencies[0], 2 * M_PI);
     group.displacement_floor = std::max(group.displacement_floor, 1e-2 * peak / (w * w));
     group.velocity_floor = std::max(group.velocity_floor, 1e-2 * peak / w);
+    // A structure at rest under a preload moves at this speed when it is let go.
+    if (with_links && s.preload_displacement.size() > 0)
+      group.velocity_floor = std::max(group.velocity_floor, 1e-2 * w * s.preload_displacement.cwiseAbs().maxCoeff());
     group.elastic = s.elastic.get();
     system.groups.push_back(group);
   }
@@ -192,13 +195,14 @@ System assemble(const Model& model, bool with_links) {
   return system;
 }
 
-std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model) {
+std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links) {
   const std::vector<int> first = offsets(model);
   const int n = total_size(model);
   Eigen::VectorXd u(n), v(n);
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     u.segment(first[i], s.size()) = s.initial_displacement;
+    if (with_links && s.preload_displacement.size() > 0) u.segment(first[i], s.size()) += s.preload_displacement;
     v.segment(first[i], s.size()) = s.initial_velocity;
   }
   return {u, v};

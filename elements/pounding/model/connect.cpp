@@ -134,7 +134,12 @@ std::vector<double> gaps_of(const LinkOptions& options, int count) {
   try {
     const std::vector<double> gaps = options.gap.of_each(count, "gap");
     for (const double gap : gaps)
-      if (!(gap >= 0) || std::isinf(gap)) throw std::invalid_argument("gap must be finite and not negative");
+      if (!std::isfinite(gap) || (gap < 0 && !options.preload))
+        throw std::invalid_argument(gap < 0 && std::isfinite(gap)
+                                        ? "gap must be finite and not negative; with preload: true a negative one presses from the start"
+                                        : "gap must be finite and not negative");
+    if (options.preload && std::none_of(gaps.begin(), gaps.end(), [](double gap) { return gap < 0; }))
+      refuse_idle(ModelOption::preload, "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
     return gaps;
   } catch (const std::invalid_argument& error) {
     refuse(ModelOption::gap, error.what());
@@ -198,6 +203,7 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
       require_inertia(link.right, b, side, ModelOption::right);
       link.direction = outward(side);
       link.gap = gaps[i];
+      link.preload = link.gap < 0;
       link.name = name_of(options, pairs[i], a, b, i, count == 1);
       if (along.size() > 1) link.name += fmt::format("#{}", k + 1);
       check_name(link.name, options, links);
@@ -206,7 +212,7 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
       set_law(link, options, law, reduced_mass(link.left.point.mass / share, link.right.point.mass / share),
               static_cast<int>(links.size()));
       set_friction(link, options, a, b);
-      refuse_overlap(link, a, b);
+      if (!link.preload) refuse_overlap(link, a, b);
       links.push_back(std::move(link));
     }
   }

@@ -28,6 +28,7 @@ enum class ModelOption {
   right,
   floors,
   gap,
+  preload,
   link_name,
   points,
   friction,

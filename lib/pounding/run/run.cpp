@@ -54,7 +54,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   outcome.summary.without_pounding = std::move(without_pounding);
 
   const System system = assemble(model, with_links);
-  const auto [u, v] = initial_state(model);
+  const auto [u, v] = initial_state(model, with_links);
   const TsSetup setup = set_up_ts(model, u, v, options.comm);
   results.integrator = setup.stepper.scheme.name();
   const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, setup.solver, options.comm);
@@ -91,7 +91,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
 // The run that `compare: no_pounding` asks for. A failure is written to the output of the run that was to follow.
 std::vector<StructureSummary> run_without_links(const Model& model, const RunOptions& options) {
   // Wrong options and an output that cannot be written are found before the first of the two runs.
-  const auto [u, v] = initial_state(model);
+  const auto [u, v] = initial_state(model, false);
   set_up_ts(model, u, v, options.comm);
   const petsc::Ranks ranks(options.comm);
   const auto write = [&](const Results& results) {
