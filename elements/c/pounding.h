@@ -82,7 +82,7 @@ PND_API void pnd_destroy(pnd_law *law);
 /* ---- An impact ---- */
 
 /* History of the impacts of a link. Zeros are two bodies that never touched; a host whose bodies are pressed together from the
- * start calls pnd_accept at that state, with the rate 0. All doubles, so that a host may keep it among
+ * start calls pnd_accept at that state, with the rate 0, and gives the law an impact_velocity where it takes one. All doubles, so that a host may keep it among
  * its own state variables; a copy of it takes a step back. */
 typedef struct pnd_contact {
   double touching;            /* 1 while an impact lasts, else 0 */

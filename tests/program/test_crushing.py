@@ -35,7 +35,7 @@ analysis: {{duration: {duration}, tolerance: 1e-7}}
 class Crushing(ProgramTest):
     def impacts(self, model):
         """Rows of the impacts, and the summary."""
-        self.write("model.yaml", model)
+        self.write(model)
         summary = json.loads(self.pounding("run", "model.yaml", "--json", "-o", "out.h5").stdout)
         with h5py.File(self.folder / "out.h5") as file:
             return file["impacts"][()], summary
@@ -73,7 +73,7 @@ class Crushing(ProgramTest):
                     "run at tolerance 1e-7")
         # The ball comes back with 0.6 m/s, meets the other one at 2 m/s, and returns with its speed.
         rows, _ = self.impacts(BALL.format(first=1.0, second=2.0, duration=0.5))
-        wall = [row for row in rows if row["link"] == 0]
+        wall = [row for row in rows if row["link"] == b"wall"]
         self.assertEqual(len(wall), 2)
         book.near("restitution on sound surfaces [-]", wall[0]["restitution"], e, 1e-6)
         book.near("second closing speed [m/s]", wall[1]["v_approach"], 2.0, 1e-6)
@@ -86,7 +86,7 @@ class Crushing(ProgramTest):
         book.near("second largest force [N]", wall[1]["peak_force"], k * deepest, 1e-6 * k * deepest)
         # Slower than the first rebound nothing is crushed.
         rows, _ = self.impacts(BALL.format(first=1.0, second=0.5, duration=1.2))
-        wall = [row for row in rows if row["link"] == 0]
+        wall = [row for row in rows if row["link"] == b"wall"]
         self.assertEqual(len(wall), 2)
         book.near("restitution on crushed surfaces, softer than before [-]", wall[1]["restitution"], 1, 1e-6)
 

@@ -138,8 +138,6 @@ std::vector<double> gaps_of(const LinkOptions& options, int count) {
         throw std::invalid_argument(gap < 0 && std::isfinite(gap)
                                         ? "gap must be finite and not negative; with preload: true a negative one presses from the start"
                                         : "gap must be finite and not negative");
-    if (options.preload && std::none_of(gaps.begin(), gaps.end(), [](double gap) { return gap < 0; }))
-      refuse_idle(ModelOption::preload, "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
     return gaps;
   } catch (const std::invalid_argument& error) {
     refuse(ModelOption::gap, error.what());
@@ -193,6 +191,8 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
   check_options(options, law);
   const int count = static_cast<int>(pairs.size());
   const std::vector<double> gaps = gaps_of(options, count);
+  if (options.preload && std::none_of(gaps.begin(), gaps.end(), [](double gap) { return gap < 0; }))
+    refuse_idle(ModelOption::preload, "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
   for (int i = 0; i < count; ++i) {
     const std::vector<double> along = along_the_edge(options.points, pairs[i], a, b, side);
     for (std::size_t k = 0; k < along.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <ctime>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -114,6 +115,13 @@ std::vector<StructureSummary> run_without_links(const Model& model, const RunOpt
   }
 }
 
+// A preloaded contact presses from the start, but time has not passed.
+bool has_run(const Link& link) {
+  const std::span<const ImpactRow> impacts = link.contact->impacts();
+  if (link.preload && impacts.size() == 1 && impacts[0].impulse == 0) return false;
+  return !impacts.empty() || link.contact->phase() != ContactPhase::open;
+}
+
 }  // namespace
 
 Outcome run(const Model& model, const RunOptions& options) {
@@ -121,7 +129,7 @@ Outcome run(const Model& model, const RunOptions& options) {
     throw std::logic_error("RunOptions::comm is null; make the options after PETSc has started");
   if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() first");
   for (const Link& link : model.links)
-    if (!link.contact->impacts().empty() || link.contact->phase() != ContactPhase::open)
+    if (has_run(link))
       throw std::logic_error("this model has been run; read it again");
   if (!options.resume.empty()) {
     const InterruptedRun earlier = read_interrupted_run(options.resume);
