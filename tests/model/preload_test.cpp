@@ -68,7 +68,7 @@ TEST(Preload, OfSeveralFloorsIsFoundTogether) {
   model.analysis.duration = 1;
   const StructureHandle a = model.add("a", make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = 3e7}), {.damping = 0.05}),
                         b = model.add("b", make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = 6e7}), {.damping = 0.05});
-  model.link(a, b, {.gap = {-2e-3, -3e-3}, .floors = FacingFloors::all, .preload = true}, laws::Hertz{.stiffness = 2.75e9});
+  model.link(a, b, {.gap = {-2e-3, -3e-3}, .preload = true, .floors = FacingFloors::all}, laws::Hertz{.stiffness = 2.75e9});
   model.complete();
   const auto [u, v] = initial_state(model);
   for (int floor = 0; floor < 2; ++floor) {

@@ -80,6 +80,10 @@ TEST(Preload, StaysAtRestUntilTheGroundMoves) {
     }
     EXPECT_GT(run.results.energy.input.back(), 100);
     EXPECT_NEAR(energy_error(run.results), 0, 1e-9 * run.results.energy.input.back());
+    const LinkHistory& link = run.results.links[0];
+    EXPECT_EQ(link.time.front(), 0);
+    EXPECT_GT(link.force.front(), 0);
+    for (const double force : link.force) EXPECT_NEAR(force / link.force.front(), 1, 1e-9);
   }
 }
 
