@@ -29,6 +29,7 @@ install(SCRIPT cmake/install_headers.cmake)
 install(FILES elements/c/pounding.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY python/pounding DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding/python FILES_MATCHING PATTERN "*.py"
   PATTERN __pycache__ EXCLUDE)
+install(FILES python/pounding/model.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/pounding)
 
 # The CMake package.
 foreach(export IN LISTS exports)

@@ -1,4 +1,4 @@
-# Completion of pounding in bash: commands and options as its --help lists them, names of laws, and files.
+# Completion of pounding in bash: commands and options as its --help lists them, names of laws, words of the input, and files.
 _pounding() {
   local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
   local -a commands=()
@@ -10,6 +10,10 @@ _pounding() {
   COMPREPLY=()
   if [[ $before == --law || ${commands[*]} == laws ]] && [[ $word != -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$("$program" laws 2> /dev/null | sed -n 's/^\([a-z_]\+\)  .*/\1/p')" -- "$word")
+    return
+  fi
+  if [[ ${commands[*]} == words && $word != -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$("$program" words 2> /dev/null | sed -n 's/^ *\([A-Za-z_]\+\) .*/\1/p' | sort -u)" -- "$word")
     return
   fi
   local help

@@ -1,5 +1,5 @@
 #compdef pounding
-# Completion of pounding in zsh: commands and options as its --help lists them, names of laws, and files.
+# Completion of pounding in zsh: commands and options as its --help lists them, names of laws, words of the input, and files.
 _pounding() {
   local help
   local -a found
@@ -15,6 +15,9 @@ _pounding() {
     compadd -a found
   elif [[ $words[CURRENT-1] == --law || $words[2] == laws ]]; then
     found=(${(f)"$($words[1] laws 2> /dev/null | sed -n 's/^\([a-z_]\+\)  .*/\1/p')"})
+    compadd -a found
+  elif [[ $words[2] == words ]]; then
+    found=(${(fu)"$($words[1] words 2> /dev/null | sed -n 's/^ *\([A-Za-z_]\+\) .*/\1/p')"})
     compadd -a found
   else
     found=(${(f)"$(sed -n '/^Subcommands:/,/^$/ s/^  \([a-z]\+\)  *\(.*\)/\1:\2/p' <<< $help)"})

@@ -1,6 +1,5 @@
 /// `animate`: drawn by Python.
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -19,7 +18,8 @@ void add_animate(CLI::App& app) {
   CLI::App* command = app.add_subcommand("animate", "Draw a results file in motion");
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
   command->add_option("-o,--output", options->film,
-                      "film: .gif, .mp4 (needs ffmpeg), or .png for one file a frame (default: RESULTS with .gif)");
+                      "film: .gif, .mp4 (needs ffmpeg), or .png for one file a frame (default: RESULTS.gif in the current "
+                      "folder)");
   // Numbers are passed on as typed; reading and printing them again could change them.
   command->add_option("--scale", options->scale, "how many times as large displacements and gaps are drawn")
       ->check(CLI::Number);
@@ -29,13 +29,12 @@ void add_animate(CLI::App& app) {
   command->add_option("--to", options->to, "time of the last frame [s]")->check(CLI::Number);
   command->add_option("--title", options->title, "title instead of that of the run");
   command->callback([options] {
-    const std::string film = options->film.empty() ? std::filesystem::path(options->results).replace_extension(".gif").string()
-                                                   : options->film;
-    std::vector<std::string> words{"-o", film};
+    std::vector<std::string> words;
+    if (!options->film.empty()) words = {"-o", options->film};
     for (const auto& [name, value] : {std::pair{"--scale=", &options->scale}, {"--frames=", &options->frames},
                                       {"--from=", &options->from}, {"--to=", &options->to}, {"--title=", &options->title}})
       if (!value->empty()) words.push_back(name + *value);
-    run_python({.module = "animation", .product = "animation", .shows_progress = true}, words, {options->results});
+    run_python({.module = "animation", .product = "animation", .shows_progress = true, .prints = true}, words, {options->results});
   });
 }
 

@@ -11,10 +11,12 @@ void add_laws(CLI::App& app);       ///< `laws [NAME]`
 void add_calibrate(CLI::App& app);  ///< `calibrate --law ... --restitution ...`
 void add_record(CLI::App& app);     ///< `record info|spectrum`
 void add_modes(CLI::App& app);      ///< `modes MODEL.yaml`
+void add_sensitivity(CLI::App& app);  ///< `sensitivity MODEL.yaml`
 void add_plot(CLI::App& app);       ///< `plot RESULTS.h5`
 void add_animate(CLI::App& app);    ///< `animate RESULTS.h5`
 void add_export(CLI::App& app);     ///< `export RESULTS.h5`
 void add_reproduce(CLI::App& app);  ///< `reproduce`
+void add_words(CLI::App& app);      ///< `words [NAME]`
 
 /// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.
 void draw(const std::string& results, const std::string& picture);

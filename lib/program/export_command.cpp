@@ -1,8 +1,8 @@
 /// `export`: written by Python.
 
-#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "program/commands.hpp"
 #include "program/python_process.hpp"
@@ -16,12 +16,11 @@ void add_export(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a results file for ParaView");
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
-  command->add_option("-o,--output", options->output, "file: .xdmf (default: RESULTS with .xdmf)");
+  command->add_option("-o,--output", options->output, "file: .xdmf (default: RESULTS.xdmf in the current folder)");
   command->callback([options] {
-    const std::string output = options->output.empty()
-                                   ? std::filesystem::path(options->results).replace_extension(".xdmf").string()
-                                   : options->output;
-    run_python({.module = "export", .product = "export"}, {"-o", output}, {options->results});
+    std::vector<std::string> words;
+    if (!options->output.empty()) words = {"-o", options->output};
+    run_python({.module = "export", .product = "export", .prints = true}, words, {options->results});
   });
 }
 

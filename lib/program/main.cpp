@@ -43,6 +43,8 @@ int main(int argc, char** argv) {
   using namespace pounding::program;
   add_run(app);
   add_modes(app);
+  add_sensitivity(app);
+  add_words(app);
   add_laws(app);
   add_calibrate(app);
   add_record(app);

@@ -24,7 +24,7 @@ void add_modes(CLI::App& app) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--json", words->json, "Print one JSON object");
-  command->add_flag("--plot", words->plot, "Draw the shapes beside the input file");
+  command->add_flag("--plot", words->plot, "Draw the shapes: MODEL_modes.png in the current folder");
   command->add_option("-o,--output", words->picture, "Name of the picture");
   command->callback([words] {
     const petsc::Environment environment;
@@ -34,7 +34,7 @@ void add_modes(CLI::App& app) {
     std::fputs(text.c_str(), stdout);
     if (!words->plot && words->picture.empty()) return;
     const std::string picture = words->picture.empty()
-                                    ? std::filesystem::path(words->model).replace_extension("").string() + "_modes.png"
+                                    ? std::filesystem::path(words->model).stem().string() + "_modes.png"
                                     : words->picture;
     draw_modes(modes_json(model, words->count, petsc::lowest_modes, true), picture, model.title);
     if (!words->json) std::printf("picture      %s\n", picture.c_str());

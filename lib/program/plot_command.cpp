@@ -70,23 +70,20 @@ void add_plot(CLI::App& app) {
   CLI::App* command = app.add_subcommand("plot", "Draw a results file");
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
   command->add_option("-o,--output", options->picture,
-                      "picture: .png, .pdf or .svg (default: RESULTS with .png; of the other pictures RESULTS-model.png ...)");
+                      "picture: .png, .pdf or .svg (default: RESULTS.png in the current folder; of the other pictures "
+                      "RESULTS-model.png ...)");
   command->add_option("--title", options->title, "title instead of that of the run");
   command->add_option("--picture", options->kind,
                       "run (histories and impacts), model (the structures at rest) or profiles (extremes over the height)")
       ->check(CLI::IsMember({"run", "model", "profiles"}));
   command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
   command->callback([options] {
-    fs::path picture = options->picture;
-    if (picture.empty()) {
-      picture = fs::path(options->results).replace_extension();
-      picture += options->kind == "run" ? ".png" : "-" + options->kind + ".png";
-    }
-    std::vector<std::string> words{"-o", picture.string()};
+    std::vector<std::string> words;
+    if (!options->picture.empty()) words = {"-o", options->picture};
     if (!options->title.empty()) words.push_back("--title=" + options->title);
     if (options->kind != "run") words.push_back("--picture=" + options->kind);
     if (!options->floors.empty()) words.push_back("--floors=" + options->floors);
-    run_python({.module = "plots", .product = "picture"}, words, {options->results});
+    run_python({.module = "plots", .product = "picture", .prints = true}, words, {options->results});
   });
 }
 

@@ -59,10 +59,10 @@ constexpr int terminal_in_child = 3;
 struct Outcome {
   int spawn_error = 0;  ///< error number when the process could not start
   int exit_code = 0;    ///< 128 + signal when it was killed
-  std::string output;   ///< what it printed, errors included
+  std::string output;   ///< what it printed and we did not, errors included
 };
 
-Outcome run_process(std::vector<std::string> arguments, bool with_terminal) {
+Outcome run_process(std::vector<std::string> arguments, bool with_terminal, bool prints) {
   std::vector<std::string> environment = environment_with_module_path();
   Outcome outcome;
   // A number above the descriptors that the child opens, so that none of them overwrites it.
@@ -78,11 +78,11 @@ Outcome run_process(std::vector<std::string> arguments, bool with_terminal) {
     return outcome;
   }
 
-  // Output of Python must not mix with ours: --json promises one object on standard output.
+  // Unless it is asked for, output of Python must not mix with ours: --json promises one object on standard output.
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  if (!prints) posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
   // Last, because the pipe may have had this number before it was moved.
   if (with_terminal) posix_spawn_file_actions_adddup2(&actions, terminal, terminal_in_child);
@@ -129,7 +129,7 @@ void run_python(const PythonTask& task, const std::vector<std::string>& options,
   arguments.emplace_back("--");
   arguments.insert(arguments.end(), files.begin(), files.end());
 
-  const Outcome outcome = run_process(std::move(arguments), shows_progress);
+  const Outcome outcome = run_process(std::move(arguments), shows_progress, task.prints);
   const std::string failure = "no " + task.product + ": ";
   if (outcome.spawn_error != 0)
     throw InputError(failure + "\"" + python + "\" cannot be started: " + std::strerror(outcome.spawn_error) + ". " +

@@ -11,6 +11,7 @@ struct PythonTask {
   std::string module;           ///< of the package pounding: "plots"
   std::string product;          ///< for messages: "no picture: ..."
   bool shows_progress = false;  ///< the module takes --progress-to; used where standard error is a terminal
+  bool prints = false;          ///< what the module prints goes to our standard output, instead of nowhere
 };
 
 /// Runs `python3 -m pounding.MODULE OPTIONS -- FILES` and waits for it. Throws InputError with Python's message when it fails, and

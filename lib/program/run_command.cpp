@@ -111,7 +111,7 @@ void run_task(const RunArguments& words, const Task& task) {
   RunOptions run_options;
   const bool plot = words.plot || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;
-  if (keep) run_options.output = resume ? words.resume : with_ending(model_file, ".h5");
+  if (keep) run_options.output = resume ? words.resume : with_ending(std::filesystem::path(model_file).filename(), ".h5");
   if (!words.output.empty()) run_options.output = words.output;
   run_options.resume = words.resume;
   run_options.command = fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file,
@@ -176,8 +176,8 @@ void add_run(CLI::App& app) {
   run_command->add_option("--resume", words->resume,
                           "Results file of a run that was killed, stopped or cut: goes on in it with the model that it holds; "
                           "MODEL and the PETSc options of the beginning need not be named again");
-  run_command->add_option("-o,--output", words->output, "Results file (HDF5)");
-  run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file");
+  run_command->add_option("-o,--output", words->output, "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder");
+  run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file; -o OUT.h5 says where");
   run_command->add_option("--picture", words->picture, "Name of the picture");
   run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
   run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but errors");

@@ -15,7 +15,7 @@ author = "The pounding authors"
 copyright = "2026, The pounding authors; BSD-3 licence"
 version = release = re.search(r"project\(pounding\s+VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "pages", "header_reference"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "pages", "lesson_pages", "header_reference"]
 root_doc = "python/docs/index"
 include_patterns = ["python/docs/**", "examples/**", "elements/pounding/laws/pages/*", "tests/verification/**",
                     "tests/benchmarks/README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]

@@ -11,7 +11,7 @@
     results.plot("force").savefig("force.pdf")
 
 Everything is loaded when it is first used: results files need numpy and h5py, pictures matplotlib as well.
-`python3 -m pounding animate RESULTS.h5 -o FILE.gif` and so on run the parts that draw and convert from a shell.
+`python3 -m pounding ...` is the program: `python3 -m pounding run MODEL.yaml`.
 """
 
 from __future__ import annotations

@@ -1,20 +1,32 @@
-"""`python3 -m pounding plot|animate|export|modes ...`: the parts of the program that draw and convert."""
+"""`python3 -m pounding ...`, and the command `pounding` of the wheel: the program that lies in this package. In a folder of sources
+alone, which holds no program, its parts that draw and convert: plot, animate and export."""
 
 from __future__ import annotations
 
 import importlib
+import os
 import sys
+from pathlib import Path
 
-MODULES = {"plot": "plots", "animate": "animation", "export": "export", "modes": "mode_shapes"}
+#: The program, as the wheel and the build tree hold it.
+PROGRAM = Path(__file__).parent / "bin/pounding"
+MODULES = {"plot": "plots", "animate": "animation", "export": "export"}
 
 
-def main(arguments: list[str]) -> int:
-    """Hands the rest of the command line to one module. Returns its code, or 2 after a message."""
+def main(arguments: list[str] | None = None) -> int:
+    """Becomes the program with these words, those of the command line unless given. Without a program hands them to one module.
+    Returns its code, or 2 after a message."""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    if PROGRAM.is_file():
+        # Pictures are drawn by this Python, which has the package.
+        os.environ.setdefault("POUNDING_PYTHON", sys.executable)
+        os.execv(PROGRAM, ["pounding", *arguments])
     if not arguments or arguments[0] not in MODULES:
-        print(f"type python3 -m pounding {'|'.join(MODULES)} --help", file=sys.stderr)
+        print(f"{PROGRAM} is missing, and without it there is only python3 -m pounding {'|'.join(MODULES)} --help. Type "
+              "`python3 -m pip install .` in the source directory", file=sys.stderr)
         return 2
     return importlib.import_module(f"pounding.{MODULES[arguments[0]]}").main(arguments[1:])
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pounding import told
 from pounding._native import core
 from pounding.models import Model, as_model
 from pounding.pictures.html import table
@@ -18,8 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@dataclass(frozen=True)
-class Mode:
+@dataclass(frozen=True, repr=False)
+class Mode(told.Told, lines=told.mode):
     """One mode of a structure."""
 
     period: float  #: [s]; infinite for a free body
@@ -29,7 +30,7 @@ class Mode:
     shape: np.ndarray  #: [floor], of a frame [floor, direction]; 1 at the top, of a frame at its largest translation
 
 
-class Modes(Mapping[str, list[Mode]]):
+class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
     """Modes of every structure, longest period first: `modes["left"][0].period`."""
 
     def __init__(self, found: Sequence[core.StructureModes], title: str) -> None:
@@ -44,9 +45,6 @@ class Modes(Mapping[str, list[Mode]]):
 
     def __len__(self) -> int:
         return len(self._modes)
-
-    def __repr__(self) -> str:
-        return f"<pounding.Modes: {', '.join(f'{len(found)} of {name}' for name, found in self._modes.items())}>"
 
     def _repr_html_(self) -> str:
         names = [name for name, found in self.items() if found]

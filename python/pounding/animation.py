@@ -1,4 +1,4 @@
-"""A run in motion: `python3 -m pounding.animation RESULTS.h5 -o FILE.gif|.mp4|.png`.
+"""A run in motion: `python3 -m pounding.animation RESULTS.h5 [-o FILE.gif|.mp4|.png]`.
 
 Frames move with the displacements of their nodes, or of their floors where the file has no nodes; other structures are
 sticks with masses. All displacements are relative to the ground and drawn larger than they are, as are the gaps, so that
@@ -26,7 +26,10 @@ from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from pounding import told
+from pounding.outputs import output_for, tell
 from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes
+from pounding.pictures.panels import legend_below
 from pounding.results import NotResults, RunData
 from pounding.pictures.scene import Motion, Scene
 from pounding.pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
@@ -76,7 +79,8 @@ def pressed(run: RunData, times: np.ndarray) -> np.ndarray:
         for i, (before, now) in enumerate(zip(since, times)):
             first, last = np.searchsorted(link.time, [before, now], side="right")
             inside = link.penetration[first:last] > 0
-            struck = np.any((impacts["t_start"] <= now) & (impacts["t_end"] > before))
+            # An impact that lasts has no end yet.
+            struck = np.any((impacts["t_start"] <= now) & ~(impacts["t_end"] <= before))
             if not inside.any() and not struck:
                 continue
             peak = largest([link.force[first:last][inside]])
@@ -85,8 +89,8 @@ def pressed(run: RunData, times: np.ndarray) -> np.ndarray:
     return strengths
 
 
-@dataclass(frozen=True)
-class Film:
+@dataclass(frozen=True, repr=False)
+class Film(told.Told, lines=told.film):
     """Frames that are drawn one after the other."""
 
     figure: Figure
@@ -100,9 +104,6 @@ class Film:
             save(self, path)
             data = base64.b64encode(path.read_bytes()).decode()
         return f'<img alt="film" src="data:image/gif;base64,{data}">'
-
-    def __repr__(self) -> str:
-        return f"<pounding.animation.Film: {self.frames} frames, {self.speed:.3g} a second>"
 
 
 def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: str | None = None) -> Film:
@@ -130,9 +131,7 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
         if not scene.has_places or scale != 1:
             # Gaps are enlarged, so that coordinates across them would be wrong.
             hide_x(axes)
-        handles = list(drawing.lines.values())
-        if handles:
-            figure.legend(handles=handles, loc="outside lower center", ncols=5)
+        legend_below(figure, list(drawing.lines.values()), list(drawing.lines), 5)
         head(figure, run.title if title is None else title)
         clock = axes.set_title("", fontweight="normal")
         gaps = f"displacements{' and gaps' if run.links else ''} {scale:g} times as large"
@@ -187,12 +186,16 @@ def check_output(path: str | PathLike[str]) -> None:
 
 
 def _save_frames(film: Film, path: Path, progress: Callable[[int, int], None] | None) -> None:
-    digits = max(4, len(str(film.frames)))
     for frame in range(film.frames):
         film.draw(frame)
-        film.figure.savefig(path.with_name(f"{path.stem}_{frame + 1:0{digits}}.png"), dpi=DPI)
+        film.figure.savefig(_frame_path(path, frame + 1, film.frames), dpi=DPI)
         if progress:
             progress(frame + 1, film.frames)
+
+
+def _frame_path(path: Path, number: int, frames: int) -> Path:
+    """NAME_0001.png of NAME.png."""
+    return path.with_name(f"{path.stem}_{number:0{max(4, len(str(frames)))}}.png")
 
 
 def _size(scene: Scene, room: np.ndarray) -> tuple[float, float]:
@@ -228,7 +231,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the animation not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.animation", description="Animate the results of a run.")
     parser.add_argument("results", help="file that `pounding run` wrote")
-    parser.add_argument("-o", "--output", required=True, help="file to write: .gif, .mp4, or .png for one file a frame")
+    parser.add_argument("-o", "--output", help="file to write: .gif, .mp4, or .png for one file a frame (default: RESULTS.gif in "
+                                               "the current folder)")
     parser.add_argument("--scale", type=float, help="how many times as large displacements are drawn")
     parser.add_argument("--frames", type=int, help="how many")
     parser.add_argument("--from", type=float, dest="start", help="time of the first one [s]")
@@ -236,8 +240,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--title", help="title instead of that of the run")
     parser.add_argument("--progress-to", type=int, help="number of an open file for a progress line")
     options = parser.parse_args(arguments)
+    output = output_for(options.results, options.output, ".gif")
     try:
-        check_output(options.output)
+        check_output(output)
         run = RunData.read(options.results)
         film = animate(run, frame_times(run, options.frames, options.start, options.end), options.scale, options.title)
     except (OSError, NotResults) as error:
@@ -247,10 +252,14 @@ def main(arguments: list[str] | None = None) -> int:
         print(error, file=sys.stderr)
         return 2
     try:
-        save(film, options.output, _progress(options.progress_to))
+        save(film, output, _progress(options.progress_to))
     except (OSError, ValueError) as error:
-        print(f"cannot write {options.output}: {error}", file=sys.stderr)
+        print(f"cannot write {output}: {error}", file=sys.stderr)
         return 2
+    if output.suffix == ".png":
+        tell("frames", f"{_frame_path(output, 1, film.frames)} to {_frame_path(output, film.frames, film.frames).name}")
+    else:
+        tell("film", output)
     return 0
 
 

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from pounding import told
 from pounding._native import core
 from pounding.errors import InputError
 
@@ -51,8 +52,8 @@ class Response(NamedTuple):
     by_rate: Values  #: dF/dd' [N s/m]
 
 
-@dataclass(frozen=True)
-class FreeImpact:
+@dataclass(frozen=True, repr=False)
+class FreeImpact(told.Told, lines=told.free_impact):
     """Result of free impacts of two bodies; every array has the shape of the closing speeds."""
 
     restitution: Values  #: separation speed over closing speed [-]
@@ -157,6 +158,9 @@ class Law:
         """Every parameter, the damping number and the damping coefficient at this closing speed [m/s]: name -> (value, SI
         unit)."""
         return {name: (value, unit) for name, value, unit in self._with_mass(None).describe(closing_speed)}
+
+    def __str__(self) -> str:
+        return "\n".join(told.law(self))
 
     def __repr__(self) -> str:
         given = {"restitution": self.restitution, "formula": self.formula, "impact_velocity": self.impact_velocity,

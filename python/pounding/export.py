@@ -1,4 +1,4 @@
-"""A run for ParaView: `python3 -m pounding.export RESULTS.h5 -o NAME.xdmf`.
+"""A run for ParaView: `python3 -m pounding.export RESULTS.h5 [-o NAME.xdmf]`.
 
 NAME.xdmf is text that points into HDF5 files. It points into the results where datasets fit as they are; the rest
 (displacements of sticks, of plane frames, of frames with a part of their nodes) is written beside it to NAME.data.h5.
@@ -20,6 +20,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from pounding.outputs import output_for, tell
 from pounding.results import MemberForces, NotResults, RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
@@ -29,8 +30,8 @@ from pounding.pictures.style import BadRequest
 BLOCK = 200
 
 
-def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]) -> None:
-    """Writes `path` for the run that was read from the file `results`.
+def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]) -> Path:
+    """Writes `path` for the run that was read from the file `results`, and the file of data beside it, which is returned.
 
     Raises BadRequest when the suffix is not .xdmf or the run has no times, OSError when nothing can be written."""
     path = Path(path)
@@ -54,6 +55,7 @@ def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]
             grid.write(series, i, float(time))
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
+    return companion
 
 
 class _Data:
@@ -158,20 +160,21 @@ def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the export not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.export", description="Write the results of a run for ParaView.")
     parser.add_argument("results", help="file that `pounding run` wrote")
-    parser.add_argument("-o", "--output", required=True, help="file to write: .xdmf")
+    parser.add_argument("-o", "--output", help="file to write: .xdmf (default: RESULTS.xdmf in the current folder)")
     options = parser.parse_args(arguments)
     try:
         run = RunData.read(options.results)
     except (OSError, NotResults) as error:
         print(f"cannot read {options.results}: {error}", file=sys.stderr)
         return 2
+    output = output_for(options.results, options.output, ".xdmf")
     try:
-        export(options.results, run, options.output)
+        tell("export", output, export(options.results, run, output))
     except BadRequest as error:
         print(error, file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"cannot write {options.output}: {error}", file=sys.stderr)
+        print(f"cannot write {output}: {error}", file=sys.stderr)
         return 2
     return 0
 

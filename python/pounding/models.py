@@ -10,7 +10,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
-from pounding import yaml_text
+from pounding import told, yaml_text
 from pounding._native import core
 from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
@@ -19,7 +19,7 @@ from pounding.records import POUNDING_RECORDS, data_folder
 PARTS = ("title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare")
 
 
-class Model:
+class Model(told.Told, lines=told.model):
     """A model in the words of an input file (README, "Input"): nested dicts and lists whose quantities are texts with units
     ("20 mm") or numbers in SI.
 
@@ -85,9 +85,6 @@ class Model:
         return isinstance(other, Model) and self._parts() == other._parts()
 
     __hash__ = None  # type: ignore[assignment]
-
-    def __repr__(self) -> str:
-        return f"<pounding.Model {self.title or ''!r}: {len(self.structures or ())} structures, {len(self.links or ())} links>"
 
     def _repr_html_(self) -> str:
         return text_html(self.to_yaml())

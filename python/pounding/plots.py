@@ -1,4 +1,4 @@
-"""Pictures of a run: `python3 -m pounding.plots RESULTS.h5 -o OUT.png [--title TEXT]`.
+"""Pictures of a run: `python3 -m pounding.plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
 
 `standard_figure` is the whole picture; the functions `draw_...` draw one panel each on given axes, for notebooks and papers.
 Lengths are drawn in mm, forces and energies in the unit that suits their size. The command line also draws the model and the
@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import sys
 
+from pounding.outputs import output_for
 from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_loops, draw_restitution, draw_strongest_loop
@@ -37,7 +38,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the picture not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.plots", description="Draw the results of a run.")
     parser.add_argument("results", help="file that `pounding run` wrote")
-    parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
+    parser.add_argument("-o", "--output", help="picture to write: .png, .pdf or .svg (default: RESULTS.png in the current "
+                                               "folder; of the other pictures RESULTS-model.png ...)")
     parser.add_argument("--title", help="title instead of that of the run")
     parser.add_argument("--picture", choices=("run", "model", "profiles"), default="run",
                         help="the standard picture, the structures at rest, or extreme values over the height")
@@ -58,7 +60,8 @@ def main(arguments: list[str] | None = None) -> int:
     except BadRequest as error:
         print(error, file=sys.stderr)
         return 2
-    return write_picture(figure, options.output)
+    output = output_for(options.results, options.output, ".png" if options.picture == "run" else f"-{options.picture}.png")
+    return write_picture(figure, output)
 
 
 if __name__ == "__main__":

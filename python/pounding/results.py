@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import h5py
 import numpy as np
 
+from pounding import told
 from pounding.errors import InputError
 
 Data = TypeVar("Data", bound="RunData")
@@ -21,8 +22,8 @@ class NotResults(InputError):
     """A file that is there, but not one that `pounding run` wrote."""
 
 
-@dataclass(frozen=True)
-class Geometry:
+@dataclass(frozen=True, repr=False)
+class Geometry(told.Told, lines=told.geometry):
     """Nodes and members of a frame, as it stands at rest."""
 
     nodes: np.ndarray  #: [node, 3] x, y, z [m], z up
@@ -32,8 +33,8 @@ class Geometry:
     member_names: list[str]
 
 
-@dataclass(frozen=True)
-class NodeMotion:
+@dataclass(frozen=True, repr=False)
+class NodeMotion(told.Told, lines=told.node_motion):
     """Motion of the nodes that the input asked for."""
 
     names: list[str]
@@ -43,8 +44,8 @@ class NodeMotion:
     acceleration: np.ndarray  #: [time, node, direction] absolute [m/s^2], [rad/s^2]
 
 
-@dataclass(frozen=True)
-class MemberForces:
+@dataclass(frozen=True, repr=False)
+class MemberForces(told.Told, lines=told.member_forces):
     """Forces on the ends of the members that the input asked for, in their local axes."""
 
     names: list[str]
@@ -52,8 +53,8 @@ class MemberForces:
     end_forces: np.ndarray  #: [time, member, component] [N], [N m]
 
 
-@dataclass(frozen=True)
-class FloorMotion:
+@dataclass(frozen=True, repr=False)
+class FloorMotion(told.Told, lines=told.floor_motion):
     """Motion of the floors in one direction."""
 
     displacement: np.ndarray  #: [time, floor] relative to the ground [m]; along rz [rad], likewise below
@@ -64,8 +65,8 @@ class FloorMotion:
     base_shear: np.ndarray | None  #: [time] [N]; None where the file has none
 
 
-@dataclass(frozen=True)
-class Structure:
+@dataclass(frozen=True, repr=False)
+class Structure(told.Told, lines=told.structure):
     """One structure. `displacement`, `velocity`, `acceleration`, `drift` and `storey_shear` are along x; other directions are
     in `along`, as in `along["y"].drift`."""
 
@@ -115,8 +116,8 @@ class Structure:
         return not self.floors and self.geometry is None
 
 
-@dataclass(frozen=True)
-class Link:
+@dataclass(frozen=True, repr=False)
+class Link(told.Told, lines=told.link):
     """One link. It has its own times, dense inside contacts."""
 
     name: str
@@ -139,7 +140,7 @@ class Link:
 
 
 @dataclass(frozen=True, repr=False)
-class RunData:
+class RunData(told.Told, lines=told.run):
     """Everything that the results file of a run holds. `pounding.Run` adds pictures and tables."""
 
     title: str
@@ -150,7 +151,7 @@ class RunData:
     links: dict[str, Link]  #: in the order of the input
     #: Structured array, one row an impact, in the order of their beginnings: `link` (its name, str), t_start, t_end, t_release
     #: [s], v_approach, v_separation [m/s], restitution, peak_force [N] (NaN for a rigid impact), t_peak [s], peak_penetration
-    #: [m], impulse [N s], energy_lost [J].
+    #: [m], impulse [N s], energy_lost, energy_stored [J]. t_end and t_release are NaN while a contact presses.
     impacts: np.ndarray
     energy: dict[str, np.ndarray]  #: time [s]; input, kinetic, strain, damping, hysteretic, impact, error [J]
     summary: dict[str, Any]  #: the object of `pounding run --json`
@@ -183,10 +184,6 @@ class RunData:
             Path(path).write_bytes(self.source)
         else:
             shutil.copyfile(self.source, path)
-
-    def __repr__(self) -> str:
-        return (f"<pounding.{type(self).__name__} {self.title!r}: {self.status}, {len(self.structures)} structures, "
-                f"{len(self.links)} links, {len(self.impacts)} impacts>")
 
 
 def _contents(file: h5py.File, name: str) -> dict[str, Any]:

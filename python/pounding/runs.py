@@ -48,12 +48,14 @@ class Run(RunData):
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
         """A table for each group of the file, with its own time [s] as index: "impacts", "energy", "ground", "links/NAME",
-        "structures/NAME" with columns (quantity, floor, direction). In SI. Raises ImportError without pandas."""
+        "structures/NAME" with columns (quantity, floor, direction); where the input asked for them "structures/NAME/nodes" with
+        (quantity, node, direction) and "structures/NAME/members" with (member, component). In SI. Raises ImportError without
+        pandas."""
         return _needing("pandas", "pounding.tables").to_pandas(self)
 
     def to_xarray(self) -> dict[str, xarray.Dataset]:
-        """As `to_pandas`, but as datasets with the dimensions time, floor and direction, and with units. Raises ImportError
-        without xarray."""
+        """As `to_pandas`, but as datasets with the dimensions time, floor or node, and direction, or time, member and component,
+        and with units. Raises ImportError without xarray."""
         return _needing("xarray", "pounding.tables").to_xarray(self)
 
     def _repr_html_(self) -> str:

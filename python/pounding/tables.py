@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pounding.results import FloorMotion, RunData, Structure
+from pounding.results import FloorMotion, MemberForces, NodeMotion, RunData, Structure
 
 if TYPE_CHECKING:
     import pandas
@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 #: Units of the histories of a floor; rotations (rx, ry, rz) are in rad.
 UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N"}
+#: Units of the histories of a node; along rx, ry, rz rad stands instead of m.
+NODE_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 #: Units of the histories of a link.
 LINK_UNITS = {"penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
 
@@ -28,14 +30,21 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
     for name, link in run.links.items():
         tables[f"links/{name}"] = pandas.DataFrame({key: getattr(link, key) for key in LINK_UNITS}, _index(link.time))
     for name, structure in run.structures.items():
-        columns = {(key, floor, direction): getattr(motion, key)[:, i]
+        columns: dict[tuple[str, ...], np.ndarray] = {
+            (key, floor, direction): getattr(motion, key)[:, i]
                    for direction, motion in structure.along.items() for key in UNITS
                    for i, floor in enumerate(structure.floors) if i < getattr(motion, key).shape[1]}
-        names = ["quantity", "floor", "direction"]
-        tables[f"structures/{name}"] = pandas.DataFrame(
-            np.column_stack(list(columns.values())) if columns else np.empty((len(run.time), 0)), _index(run.time),
-            pandas.MultiIndex.from_tuples(list(columns), names=names) if columns else
-            pandas.MultiIndex.from_arrays([[], [], []], names=names))
+        tables[f"structures/{name}"] = _table(run.time, columns, ["quantity", "floor", "direction"])
+        if structure.nodes is not None:
+            moved = structure.nodes
+            columns = {(key, node, direction): getattr(moved, key)[:, i, j] for key in NODE_UNITS
+                       for i, node in enumerate(moved.names) for j, direction in enumerate(moved.directions)}
+            tables[f"structures/{name}/nodes"] = _table(run.time, columns, ["quantity", "node", "direction"])
+        if structure.members is not None:
+            forces = structure.members
+            columns = {(member, component): forces.end_forces[:, i, j] for i, member in enumerate(forces.names)
+                       for j, component in enumerate(forces.components)}
+            tables[f"structures/{name}/members"] = _table(run.time, columns, ["member", "component"])
     return tables
 
 
@@ -57,6 +66,12 @@ def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
     for name, structure in run.structures.items():
         sets[f"structures/{name}"] = dataset(run.time, _motion(structure), floor=structure.floors,
                                              direction=structure.directions)
+        if structure.nodes is not None:
+            sets[f"structures/{name}/nodes"] = dataset(run.time, _node_motion(structure.nodes), node=structure.nodes.names,
+                                                       direction=structure.nodes.directions)
+        if structure.members is not None:
+            sets[f"structures/{name}/members"] = dataset(run.time, _end_forces(structure.members), member=structure.members.names,
+                                                         component=structure.members.components)
     return sets
 
 
@@ -67,9 +82,26 @@ def _motion(structure: Structure) -> dict[str, Any]:
                   {"units": unit}) for key, unit in UNITS.items()}
 
 
+def _node_motion(nodes: NodeMotion) -> dict[str, Any]:
+    return {key: (("time", "node", "direction"), getattr(nodes, key), {"units": unit}) for key, unit in NODE_UNITS.items()}
+
+
+def _end_forces(members: MemberForces) -> dict[str, Any]:
+    return {"end_forces": (("time", "member", "component"), members.end_forces, {"units": "N, N m"})}
+
+
 def _padded(motion: FloorMotion, key: str, floors: int) -> np.ndarray:
     values = getattr(motion, key)
     return values if values.shape[1] == floors else np.full((len(values), floors), np.nan)
+
+
+def _table(time: np.ndarray, columns: dict[tuple[str, ...], np.ndarray], names: list[str]) -> pandas.DataFrame:
+    import pandas
+
+    heads = (pandas.MultiIndex.from_tuples(list(columns), names=names) if columns else
+             pandas.MultiIndex.from_arrays([[] for _ in names], names=names))
+    values = np.column_stack(list(columns.values())) if columns else np.empty((len(time), 0))
+    return pandas.DataFrame(values, _index(time), heads)
 
 
 def _index(time: np.ndarray) -> pandas.Index:

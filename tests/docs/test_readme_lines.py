@@ -47,7 +47,7 @@ class Lines(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
-        shutil.copytree(ROOT / "examples", self.folder / "examples")  # results are written beside a model
+        shutil.copytree(ROOT / "examples", self.folder / "examples")
 
     def done(self, *words, **environment):
         """Output of a command, which must succeed."""
@@ -55,6 +55,20 @@ class Lines(unittest.TestCase):
                              env=os.environ | environment)
         self.assertEqual((run.returncode, run.stderr), (0, ""), f"{words}\n{run.stdout[-2000:]}\n{run.stderr[-2000:]}")
         return run.stdout
+
+    def in_main(self, text, given, last):
+        """A program: the includes of a block, and the rest of it as the body of main."""
+        includes = "\n".join(re.findall(r"(?m)^#include.*$", text))
+        rest = re.sub(r"(?m)^#include.*$", "", text)
+        return f"#include <stdio.h>\n{includes}\nint main(void) {{\n{given}\n{rest}\n{last}\n}}\n"
+
+    def run_c(self, text):
+        """Compiles and runs a block of C, which makes a law and ends with it alive."""
+        c, cxx, library = part("POUNDING_CC"), part("POUNDING_CXX"), part("POUNDING_C_LIBRARY")
+        (self.folder / "host.c").write_text(self.in_main(text, "double penetration = 2e-3, rate = 0.3;", "pnd_destroy(law);\nreturn 0;"))
+        self.done(c, "-std=c99", "-Wall", "-Werror", "-Wno-unused-parameter", "-I", ROOT / "elements/c", "-c", "host.c", "-o", "host.o")
+        self.done(cxx, "host.o", library, f"-Wl,-rpath,{Path(library).parent}", "-o", "host")
+        self.assertEqual(self.done(self.folder / "host"), "")
 
 
 class Commands(Lines):
@@ -154,12 +168,6 @@ class Programs(Lines):
                     count += 1
         self.assertGreaterEqual(count, 3)
 
-    def in_main(self, text, given, last):
-        """A program: the includes of a block, and the rest of it as the body of main."""
-        includes = "\n".join(re.findall(r"(?m)^#include.*$", text))
-        rest = re.sub(r"(?m)^#include.*$", "", text)
-        return f"#include <stdio.h>\n{includes}\nint main(void) {{\n{given}\n{rest}\n{last}\n}}\n"
-
     def test_ThoseInCxxCompileAndRun(self):
         compiler, count = part("POUNDING_CXX"), 0
         for page in PAGES:
@@ -172,14 +180,11 @@ class Programs(Lines):
         self.assertGreaterEqual(count, 1)
 
     def test_ThoseInCCompileAndRun(self):
-        c, cxx, library, count = part("POUNDING_CC"), part("POUNDING_CXX"), part("POUNDING_C_LIBRARY"), 0
+        count = 0
         for page in PAGES:
             for text, _ in blocks(page, "c"):
                 with self.subTest(page.name):
-                    (self.folder / "host.c").write_text(self.in_main(text, "double penetration = 2e-3, rate = 0.3;", "pnd_destroy(law);\nreturn 0;"))
-                    self.done(c, "-std=c99", "-Wall", "-Werror", "-Wno-unused-parameter", "-I", ROOT / "elements/c", "-c", "host.c", "-o", "host.o")
-                    self.done(cxx, "host.o", library, f"-Wl,-rpath,{Path(library).parent}", "-o", "host")
-                    self.assertEqual(self.done(self.folder / "host"), "")
+                    self.run_c(text)
                     count += 1
         self.assertGreaterEqual(count, 1)
 

@@ -3,7 +3,13 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -21,7 +27,32 @@ std::string error_of(const std::function<void()>& action) {
   return "no error";
 }
 
+// Keys of these tests; a reader's own stand in the catalogue.
+constexpr std::string_view laws[] = {"hertz", "hertz_damped"};
+constexpr words::Word quantity(std::string_view key, const Dimension& dimension, const Bounds& allowed = bounds::any) {
+  return {.key = key, .takes = words::Takes::quantity, .dimension = dimension, .bounds = allowed};
+}
+constexpr words::Word integer(std::string_view key, const Bounds& allowed = bounds::any) {
+  return {.key = key, .takes = words::Takes::integer, .bounds = allowed};
+}
+constexpr words::Word quantities[] = {quantity("gap", dimension::length),
+                                      quantity("ratio", dimension::none),
+                                      quantity("stiffness", dimension::stiffness),
+                                      quantity("hertz", dimension::hertz_stiffness),
+                                      quantity("period", dimension::time),
+                                      quantity("v", dimension::velocity),
+                                      {.key = "mass", .takes = words::Takes::quantity, .dimension = dimension::mass, .example = "100 t"},
+                                      {.key = "start", .takes = words::Takes::quantity, .dimension = dimension::time, .otherwise = "7 ms"},
+                                      {.key = "end", .takes = words::Takes::quantity, .dimension = dimension::time, .otherwise = "never"}};
+const words::Section test_section{.name = "test", .place = "", .meaning = "", .words = quantities};
+
 Input model(const std::string& text) { return Input::read_text(text, "model.yaml"); }
+// The same, read by one word after the other.
+Input model(const std::string& text, std::span<const words::Word> table) {
+  static std::vector<std::unique_ptr<words::Section>> sections;
+  sections.push_back(std::make_unique<words::Section>(words::Section{.name = "test", .place = "", .meaning = "", .words = table}));
+  return model(text).in(*sections.back());
+}
 
 std::string error_in(const std::string& text) {
   return error_of([&] { model(text); });
@@ -85,7 +116,7 @@ TEST(Input, UnknownKeyIsReportedAtItsOwnPlaceWithTheNearestKnown) {
 
 TEST(Input, MissingKeySaysWhatToType) {
   const Input input = model("left:\n  period: 1 s\n");
-  EXPECT_EQ(error_of([&] { input.at("left").quantity("mass", dimension::mass); }),
+  EXPECT_EQ(error_of([&] { input.at("left").in(test_section).quantity("mass"); }),
             "model.yaml:2:3: left: key \"mass\" is missing; type \"mass: 100 t\"");
   EXPECT_EQ(error_of([&] { input.at("right"); }), "model.yaml:1:1: key \"right\" is missing");
   EXPECT_FALSE(input.has("right"));
@@ -93,59 +124,103 @@ TEST(Input, MissingKeySaysWhatToType) {
 }
 
 TEST(Input, QuantitiesAreConverted) {
-  const Input input = model("{gap: 20 mm, ratio: 5 %, stiffness: 2.75e9, period: '0.8 s'}");
-  EXPECT_DOUBLE_EQ(input.quantity("gap", dimension::length), 0.02);
-  EXPECT_DOUBLE_EQ(input.at("ratio").as_number(), 0.05);
-  EXPECT_DOUBLE_EQ(input.quantity("stiffness", dimension::hertz_stiffness), 2.75e9);
-  EXPECT_DOUBLE_EQ(input.quantity("period", dimension::time), 0.8);
-  EXPECT_EQ(input.quantity_or("start", dimension::time, 7), 7);
-  EXPECT_DOUBLE_EQ(input.quantity_or("gap", dimension::length, 7), 0.02);
+  const Input input = model("{gap: 20 mm, ratio: 5 %, hertz: 2.75e9, period: '0.8 s'}").in(test_section);
+  EXPECT_DOUBLE_EQ(input.quantity("gap"), 0.02);
+  EXPECT_DOUBLE_EQ(input.at("ratio").as_quantity(), 0.05);
+  EXPECT_DOUBLE_EQ(input.quantity("hertz"), 2.75e9);
+  EXPECT_DOUBLE_EQ(input.quantity("period"), 0.8);
+}
+
+TEST(Input, AbsentQuantityIsTheDefaultOfItsWord) {
+  const Input input = model("gap: 20 mm").in(test_section);
+  EXPECT_DOUBLE_EQ(input.quantity("start"), 0.007);
+  EXPECT_DOUBLE_EQ(*input.find_quantity("gap"), 0.02);
+  EXPECT_EQ(input.find_quantity("start"), std::nullopt);
+  EXPECT_EQ(error_of([&] { input.quantity("end"); }), "model.yaml:1:1: key \"end\" is missing");
+}
+
+TEST(Input, NothingIsReadBesideTheCatalogue) {
+  const Input input = model("{gap: 20 mm, gpa: 3}").in(test_section);
+  EXPECT_THROW(input.find("gpa"), std::logic_error);
+  EXPECT_THROW(input.has("gpa"), std::logic_error);
+  EXPECT_THROW(input.at("gpa"), std::logic_error);
+  EXPECT_TRUE(input.knows("gap"));
+  EXPECT_FALSE(input.knows("gpa"));
+  EXPECT_THROW(model("gap: 20 mm").at("gap").as_quantity(), std::logic_error);
+  EXPECT_THROW(model("gap: 20 mm").only_keys(), std::logic_error);
+  EXPECT_EQ(error_of([&] { input.only_keys(); }), "model.yaml:1:14: unknown key \"gpa\". Did you mean \"gap\"?");
+}
+
+TEST(Input, ListsAndNamesKeepTheWordOfTheirKey) {
+  constexpr words::Word table[] = {
+      {.key = "pair", .takes = words::Takes::quantity, .form = words::Form::list, .dimension = dimension::length},
+      {.key = "masses", .takes = words::Takes::quantity, .form = words::Form::named, .inside = &test_section,
+       .dimension = dimension::mass}};
+  const Input input = model("{pair: [1 mm, 2 mm], masses: {gap: 3 t, b: {mass: 4 t}}}", table);
+  EXPECT_DOUBLE_EQ(input.at("pair").items()[1].as_quantity(), 0.002);
+  const auto masses = input.at("masses").entries();
+  EXPECT_DOUBLE_EQ(masses[0].second.as_quantity(), 3000) << "the name of a user is no key, whatever it is";
+  EXPECT_DOUBLE_EQ(masses[1].second.quantity("mass"), 4000);
 }
 
 TEST(Input, WrongQuantityNamesPlaceKeyValueAndExample) {
-  const Input link = model("links:\n  - {law: hertz, gap: 20 kN, mass: [1], stiffness: , v: nan}\n").at("links").items()[0];
-  EXPECT_EQ(error_of([&] { link.quantity("gap", dimension::length); }),
+  const Input link =
+      model("links:\n  - {law: hertz, gap: 20 kN, mass: [1], stiffness: , v: nan}\n").at("links").items()[0].in(test_section);
+  EXPECT_EQ(error_of([&] { link.quantity("gap"); }),
             "model.yaml:2:23: links[0].gap: takes a length such as \"20 mm\"; \"20 kN\" is a force");
-  EXPECT_EQ(error_of([&] { link.quantity("mass", dimension::mass); }),
+  EXPECT_EQ(error_of([&] { link.quantity("mass"); }),
             "model.yaml:2:36: links[0].mass: takes a mass such as \"100 t\"; a list was read");
-  EXPECT_EQ(error_of([&] { link.quantity("stiffness", dimension::stiffness); }),
+  EXPECT_EQ(error_of([&] { link.quantity("stiffness"); }),
             "model.yaml:2:41: links[0].stiffness: takes a stiffness such as \"93500 kN/m\"; nothing was read");
-  EXPECT_EQ(error_of([&] { link.quantity("v", dimension::velocity); }),
+  EXPECT_EQ(error_of([&] { link.quantity("v"); }),
             "model.yaml:2:57: links[0].v: takes a velocity such as \"0.3 m/s\"; \"nan\" is not a finite number");
 }
 
 TEST(Input, ValueOutsideItsBoundsIsRefused) {
-  const Input input = model("gap: -5 mm\nzero: 0\none: 1\n");
-  EXPECT_EQ(error_of([&] { input.quantity("gap", dimension::length, bounds::non_negative); }),
+  const std::string text = "gap: -5 mm\nzero: 0\none: 1\n";
+  const auto read = [&](const std::string& key, const Dimension& dimension, const Bounds& allowed) {
+    return model(text).at(key).as_quantity(dimension, allowed);
+  };
+  const auto error = [&](const std::string& key, const Dimension& dimension, const Bounds& allowed) {
+    return error_of([&] { read(key, dimension, allowed); });
+  };
+  EXPECT_EQ(error("gap", dimension::length, bounds::non_negative),
             "model.yaml:1:6: gap: takes a length >= 0 such as \"20 mm\"; \"-5 mm\" is outside");
-  EXPECT_EQ(error_of([&] { input.quantity("zero", dimension::mass, bounds::positive); }),
+  EXPECT_EQ(error("zero", dimension::mass, bounds::positive),
             "model.yaml:2:7: zero: takes a mass > 0 such as \"100 t\"; \"0\" is outside");
-  EXPECT_EQ(error_of([&] { input.at("zero").as_number(bounds::above_0_to_1); }),
+  EXPECT_EQ(error("zero", dimension::none, bounds::above_0_to_1),
             "model.yaml:2:7: zero: takes a number in (0, 1] such as \"5 %\"; \"0\" is outside");
-  EXPECT_EQ(error_of([&] { input.at("one").as_number(bounds::from_0_below_1); }),
+  EXPECT_EQ(error("one", dimension::none, bounds::from_0_below_1),
             "model.yaml:3:6: one: takes a number in [0, 1) such as \"5 %\"; \"1\" is outside");
-  EXPECT_EQ(error_of([&] { input.at("one").as_number({.high = 0.5}); }),
+  EXPECT_EQ(error("one", dimension::none, {.high = 0.5}),
             "model.yaml:3:6: one: takes a number <= 0.5 such as \"5 %\"; \"1\" is outside");
-  EXPECT_EQ(input.at("one").as_number(bounds::above_0_to_1), 1);
-  EXPECT_EQ(input.at("zero").as_number(bounds::from_0_below_1), 0);
-  EXPECT_EQ(input.at("zero").as_number(bounds::non_negative), 0);
+  EXPECT_EQ(read("one", dimension::none, bounds::above_0_to_1), 1);
+  EXPECT_EQ(read("zero", dimension::none, bounds::from_0_below_1), 0);
+  EXPECT_EQ(read("zero", dimension::none, bounds::non_negative), 0);
+  constexpr words::Word table[] = {quantity("zero", dimension::mass, bounds::positive)};
+  EXPECT_EQ(error_of([&] { model("zero: 0", table).quantity("zero"); }),
+            "model.yaml:1:7: zero: takes a mass > 0 such as \"100 t\"; \"0\" is outside");
 }
 
 TEST(Input, OneValueOrAListFromTheGroundUp) {
-  const Input input = model("one: 250 t\nthree: [1 t, 2 t, 3]\nbad: [1 t, 2 mm, 3 t]\n");
-  EXPECT_EQ(input.at("one").as_quantities(3, dimension::mass), (std::vector<double>{250e3, 250e3, 250e3}));
-  EXPECT_EQ(input.at("three").as_quantities(3, dimension::mass), (std::vector<double>{1e3, 2e3, 3}));
-  EXPECT_EQ(error_of([&] { input.at("three").as_quantities(4, dimension::mass, bounds::positive); }),
+  constexpr words::Word table[] = {quantity("one", dimension::mass), quantity("three", dimension::mass, bounds::positive),
+                                   quantity("bad", dimension::mass)};
+  const Input input = model("one: 250 t\nthree: [1 t, 2 t, 3]\nbad: [1 t, 2 mm, 3 t]\n", table);
+  EXPECT_EQ(input.at("one").as_quantities(3), (std::vector<double>{250e3, 250e3, 250e3}));
+  EXPECT_EQ(input.at("three").as_quantities(3), (std::vector<double>{1e3, 2e3, 3}));
+  EXPECT_EQ(error_of([&] { input.at("three").as_quantities(4); }),
             "model.yaml:2:8: three: takes a mass > 0 such as \"100 t\" or a list of 4 from the ground up; a list of 3 was read");
-  EXPECT_EQ(error_of([&] { input.at("bad").as_quantities(3, dimension::mass); }),
+  EXPECT_EQ(error_of([&] { input.at("bad").as_quantities(3); }),
             "model.yaml:3:12: bad[1]: takes a mass such as \"100 t\"; \"2 mm\" is a length");
 }
 
 TEST(Input, IntegersAreWholeAndInRange) {
-  const Input input = model("{n: 8, real: 8.0, text: eight, low: -1, list: [1], none: }");
+  constexpr words::Word table[] = {integer("n"),   integer("real", {.low = 1}), integer("text"),
+                                   integer("low"), integer("list"),             integer("none")};
+  const Input input = model("{n: 8, real: 8.0, text: eight, low: -1, list: [1], none: }", table);
   EXPECT_EQ(input.at("n").as_integer(), 8);
   EXPECT_EQ(input.at("low").as_integer(), -1);
-  EXPECT_EQ(error_of([&] { input.at("real").as_integer(1); }),
+  EXPECT_EQ(error_of([&] { input.at("real").as_integer(); }),
             "model.yaml:1:14: real: takes an integer >= 1; \"8.0\" is not one");
   EXPECT_EQ(error_of([&] { input.at("text").as_integer(); }),
             "model.yaml:1:25: text: takes an integer; \"eight\" is not one");
@@ -167,10 +242,15 @@ TEST(Input, BooleansAreTrueOrFalse) {
 }
 
 TEST(Input, ChoiceOffersTheNearestName) {
-  const Input input = model("law: hertz_damp\n");
-  EXPECT_EQ(error_of([&] { input.at("law").as_choice("law", {"hertz", "hertz_damped"}); }),
-            "model.yaml:1:6: law: unknown law \"hertz_damp\". Did you mean \"hertz_damped\"?");
-  EXPECT_EQ(input.at("law").as_choice("law", {"hertz_damp"}), "hertz_damp");
+  constexpr words::Word table[] = {{.key = "law", .takes = words::Takes::choice, .choices = laws, .noun = "contact law"},
+                                   {.key = "other", .takes = words::Takes::choice, .choices = laws}};
+  const Input input = model("law: hertz_damp\nother: hertz_damp\n", table);
+  EXPECT_EQ(error_of([&] { input.at("law").as_choice(); }),
+            "model.yaml:1:6: law: unknown contact law \"hertz_damp\". Did you mean \"hertz_damped\"?");
+  EXPECT_EQ(error_of([&] { input.at("other").as_choice(); }),
+            "model.yaml:2:8: other: unknown other \"hertz_damp\". Did you mean \"hertz_damped\"?");
+  constexpr std::string_view asked[] = {"hertz_damp"};
+  EXPECT_EQ(input.at("law").as_choice("law", asked), "hertz_damp");
 }
 
 TEST(Input, WrongKindOfNodeIsRefused) {
@@ -187,7 +267,8 @@ TEST(Input, WrongKindOfNodeIsRefused) {
 }
 
 TEST(Input, EntriesKeepTheOrderOfTheFile) {
-  const auto entries = model("z: 1\na: 2\nm: 3\n").entries();
+  constexpr words::Word table[] = {integer("m")};
+  const auto entries = model("z: 1\na: 2\nm: 3\n", table).entries();
   ASSERT_EQ(entries.size(), 3u);
   EXPECT_EQ(entries[0].first, "z");
   EXPECT_EQ(entries[1].first, "a");

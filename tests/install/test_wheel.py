@@ -1,6 +1,7 @@
 """The package as it was installed, and what its extras are for."""
 
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -21,6 +22,23 @@ class Wheel(unittest.TestCase):
     def test_brings_the_laws_for_opensees(self):
         with self.assertRaisesRegex(ValueError, 'Did you mean "hertz"'):
             link_process.Law("hertzz", "exact", {})
+
+
+class Command(unittest.TestCase):
+    def pounding(self, *words, folder=None):
+        done = subprocess.run([Path(sys.executable).with_name("pounding"), *words], cwd=folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def test_is_the_program(self):
+        self.assertEqual(self.pounding("--version"), f"pounding {pounding.__version__}\n")
+
+    def test_runs_and_draws(self):
+        with tempfile.TemporaryDirectory() as folder:
+            printed = self.pounding("run", MODEL, "--plot", folder=folder)
+            self.assertTrue(printed.endswith("\nresults      model.h5\npicture      model.png\n"), printed)
+            self.assertEqual(self.pounding("export", "model.h5", folder=folder), "export       model.xdmf\nexport       model.data.h5\n")
+            self.assertEqual(len(pounding.read(Path(folder) / "model.h5").impacts), 5)
 
 
 class Extras(unittest.TestCase):

@@ -359,6 +359,28 @@ TEST(GapLink, ElastoplasticWidensItsGapWithTheDeepestPenetrationOfAll) {
   EXPECT_DOUBLE_EQ(link.gap(), 0.1 + 0.64 * 6.2e-3) << "3 mm beyond an indentation of 3.2 mm";
 }
 
+TEST(GapLink, WorkOfAnImpactIsLostOrStoredWhileItLasts) {
+  auto link = touched();  // F = 1000 d + 20 d'
+  link.accept({.begin = 0, .end = 0.1, .motion_begin = {0, 2}, .motion_middle = {0.1, 2}, .motion_end = {0.2, 2},
+               .force_begin = 40, .force_middle = 140, .force_end = 240});
+  EXPECT_NEAR(link.impacts()[0].energy_stored, 0.5 * 1000 * 0.2 * 0.2, 1e-12);
+  EXPECT_NEAR(link.impacts()[0].energy_lost, link.work() - 20, 1e-12);
+  EXPECT_TRUE(still_presses(link.impacts()[0]));
+  Archive written;
+  link.archive(written);
+  Archive read(written.bytes());
+  auto other = touched();
+  other.archive(read);
+  for (GapLink<MyLaw>* each : {&link, &other}) {
+    each->on_event(0, 0.1, {0.2, 0});
+    each->on_event(1, 0.1, {0.2, -2});
+    EXPECT_EQ(each->phase(), ContactPhase::slack);
+    EXPECT_EQ(each->impacts()[0].energy_stored, 0) << "the force has gone";
+    EXPECT_EQ(each->impacts()[0].energy_lost, each->work());
+    EXPECT_FALSE(still_presses(each->impacts()[0]));
+  }
+}
+
 TEST(MakeGapLink, GivesEachLawItsOwnKindOfContact) {
   EXPECT_TRUE(make_gap_link(laws::Stereomechanical{.restitution = 0.5}, 0.1, 2)->is_rigid());
   const auto soft = make_gap_link(laws::LinearSpring{.stiffness = 1000}, 0.1, 2);

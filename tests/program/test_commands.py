@@ -11,7 +11,7 @@ import h5py
 from support import LONG, OSCILLATORS, PROGRAM, UNSOLVABLE, ProgramTest
 
 SUMMARY_KEYS = ["status", "links", "structures", "energy", "solver"]
-LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost"]
+LINK_KEYS = ["name", "impacts", "peak_force", "peak_penetration", "impulse", "energy_lost", "energy_stored", "presses"]
 STRUCTURE_KEYS = ["peak_displacement", "peak_drift", "peak_acceleration"]
 ENERGY_KEYS = ["input", "kinetic", "strain", "damping", "hysteretic", "impact", "error"]
 SOLVER_KEYS = ["integrator", "steps", "rejected", "events", "wall_seconds"]

@@ -154,15 +154,22 @@ class Command(unittest.TestCase):
         self.results = self.directory / "-run.h5"
         subprocess.run([WRITER, "alone", self.results], check=True)
 
-    def test_film_stands_beside_the_results(self):
-        done = subprocess.run([PROGRAM, "animate", "--frames", "3", self.results], capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
-        with Image.open(self.results.with_suffix(".gif")) as film:
+    def test_film_is_written_into_the_current_folder_and_named(self):
+        place = self.directory / "elsewhere"
+        place.mkdir()
+        done = subprocess.run([PROGRAM, "animate", "--frames", "3", self.results], capture_output=True, text=True, cwd=place)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "film         -run.gif\n", ""))
+        with Image.open(place / "-run.gif") as film:
             self.assertEqual(film.n_frames, 3)
+        self.assertFalse(self.results.with_suffix(".gif").exists())
+        done = subprocess.run([PROGRAM, "animate", "--frames", "2", "-o", "still.png", self.results], capture_output=True, text=True,
+                              cwd=place)
+        self.assertEqual((done.returncode, done.stdout), (0, "frames       still_0001.png to still_0002.png\n"))
 
     def test_progress_is_shown_on_a_terminal(self):
         master, terminal = pty.openpty()
-        done = subprocess.run([PROGRAM, "animate", "--frames", "3", self.results], stdout=subprocess.DEVNULL, stderr=terminal)
+        done = subprocess.run([PROGRAM, "animate", "--frames", "3", self.results], stdout=subprocess.DEVNULL, stderr=terminal,
+                              cwd=self.directory)
         os.close(terminal)
         shown = b""
         with contextlib.suppress(OSError):

@@ -124,11 +124,15 @@ class Exports(unittest.TestCase):
             self.export(2)
         self.assertEqual(read(self.results).status, "done")
 
-    def test_command_writes_beside_the_results(self):
+    def test_command_writes_into_the_current_folder_and_names_its_files(self):
         frame_samples.write(self.results, 3)
-        done = subprocess.run([PROGRAM, "export", self.results], capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
-        self.assertTrue((self.directory / "run.xdmf").exists())
+        place = self.directory / "elsewhere"
+        place.mkdir()
+        done = subprocess.run([PROGRAM, "export", self.results], capture_output=True, text=True, cwd=place)
+        self.assertEqual((done.returncode, done.stdout, done.stderr),
+                         (0, "export       run.xdmf\nexport       run.data.h5\n", ""))
+        self.assertEqual(sorted(path.name for path in place.iterdir()), ["run.data.h5", "run.xdmf"])
+        self.assertFalse((self.directory / "run.xdmf").exists())
         done = subprocess.run([PROGRAM, "export", self.results, "-o", "x.vtk"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
         self.assertIn('no export: cannot write x.vtk: ".vtk" is not .xdmf', done.stderr)

@@ -157,6 +157,19 @@ class FreeImpact(unittest.TestCase):
         self.assertGreater(element.impacts()[0]["v_separation"], 0)
         element.end()
 
+    def test_an_elastic_contact_that_still_presses_has_lost_nothing(self):
+        element = Element({"law": "hertz", "formula": "", "values": {"stiffness": 2e9}}, 0.0).connect()
+        element.trial(0.0, (0.0, 0.0), (0.5, 0.0))
+        element.keep()
+        for i in range(1, 201):
+            element.trial(1e-5 * i, (5e-6 * i, 0.0), (0.5, 0.0))
+            element.keep()
+        [impact] = element.impacts()
+        stored = 2e9 * 1e-3**2.5 / 2.5
+        self.assertAlmostEqual(impact["energy_stored"] / stored, 1, delta=1e-4)
+        self.assertAlmostEqual(impact["energy_lost"] / stored, 0, delta=1e-3)
+        element.end()
+
     def test_times_are_those_of_free_flight(self):
         impacts, _ = collide(HERTZ_DAMPED, 1e-4)
         free = pounding.laws["hertz_damped"](**HERTZ_DAMPED["values"]).free_impact(1.0, REDUCED)

@@ -34,10 +34,14 @@ class PlotCommand(unittest.TestCase):
         path.chmod(stat.S_IRWXU)
         return path
 
-    def test_picture_stands_beside_the_results(self):
+    def test_picture_is_written_into_the_current_folder_and_named(self):
+        kept, self.directory = self.directory, self.directory / "elsewhere"
+        self.directory.mkdir()
         done = self.plot(self.results)
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
-        self.assertEqual(self.results.with_suffix(".png").read_bytes()[1:4], b"PNG")
+        name = self.results.with_suffix(".png").name
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, f"picture      {name}\n", ""))
+        self.assertEqual((self.directory / name).read_bytes()[1:4], b"PNG")
+        self.assertEqual(sorted(path.name for path in kept.iterdir()), [self.results.name, "elsewhere"])
 
     def test_name_and_kind_can_be_chosen(self):
         done = self.plot(self.results, "-o", "other.svg", "--title", "Chosen")

@@ -14,7 +14,7 @@ import h5py
 import numpy as np
 
 from pounding import plots
-from pounding.pictures import style
+from pounding.pictures import figures, style
 from pounding.pictures.style import BadRequest
 from pounding.results import NotResults
 from pounding.runs import read
@@ -100,8 +100,72 @@ class Pictures(unittest.TestCase):
         run = read(self.files["towers"])
         axes = axes_titled(self.figure("towers", floors={"stiff": "2"}), "Displacements")
         lines = {line.get_label(): line.get_ydata() for line in axes.lines}
-        self.assertEqual(axes.get_legend_handles_labels()[1], ["slender, floor 6", "stiff, floor 2"])
+        # The neighbour is shown at the floor that faces it.
+        self.assertEqual(axes.get_legend_handles_labels()[1],
+                         ["slender, floor 2", "slender, top", "stiff, floor 2", "gap, 40 mm at rest"])
         np.testing.assert_allclose(lines["stiff, floor 2"], 40 + 1e3 * run.structures["stiff"].displacement[:, 1])
+
+    def test_a_floor_against_a_column_faces_the_column_at_its_height(self):
+        run = read(self.files["towers"])
+        last = run.links.pop("slender.6-stiff.6")
+        run.links["slender.6-stiff"] = dataclasses.replace(last, name="slender.6-stiff", right_floor=0, right_end="17 m up")
+        run = dataclasses.replace(run, impacts=run.impacts[run.impacts["link"] != last.name])
+        axes = axes_titled(plots.standard_figure(run), "Displacements")
+        lines = {line.get_label(): line.get_ydata() for line in axes.lines}
+        self.assertEqual(axes.get_legend_handles_labels()[1],
+                         ["slender, floor 6", "stiff, 17 m up", "stiff, top", "gap, 40 mm at rest"])
+        opening = -np.interp(run.time, last.time, last.penetration)
+        np.testing.assert_allclose(lines["stiff, 17 m up"] - lines["slender, floor 6"], 1e3 * opening, atol=1e-9)
+
+    def test_no_gap_is_shaded_between_places_that_no_link_joins(self):
+        run = read(self.files["two"])
+        link = run.links["left.1-right.1"]
+        run.links["left.1-right.1"] = dataclasses.replace(link, left_floor=0, left_end="node a", right_floor=0, right_end="node b")
+        axes = axes_titled(plots.standard_figure(run), "Displacements")
+        self.assertEqual(axes.get_legend_handles_labels()[1], ["left", "right"])
+
+    def test_restitutions_show_what_was_asked_and_leave_room_for_the_usual_ones(self):
+        run = read(self.files["two"])
+        text = "links:\n  - name: left.1-right.1\n    parameters:\n      restitution: 0.65  # -\nanalysis:\n  restitution: 7\n"
+        run = dataclasses.replace(run, resolved_yaml=text)
+        run.impacts["restitution"][0] = 6.3
+        axes = axes_titled(plots.standard_figure(run), "Restitution")
+        self.assertIn("asked 0.65", [each.get_text() for each in axes.texts])
+        self.assertIn("1 above 1.5, up to 6.3", [each.get_text() for each in axes.texts])
+        self.assertEqual([line.get_ydata()[0] for line in axes.lines if len(set(line.get_ydata())) == 1 and line.get_linestyle() == "--"],
+                         [0.65])
+        self.assertEqual(axes.get_ylim(), (0, 1.5))
+
+    def test_an_impact_that_lasts_has_a_loop(self):
+        run = read(self.files["two"])
+        strongest = np.argmax(run.impacts["peak_force"])
+        for name in ("t_end", "t_release", "v_separation", "restitution"):
+            run.impacts[name][strongest] = np.nan
+        axes = axes_titled(plots.standard_figure(run), "Strongest")
+        self.assertGreater(axes.lines[0].get_xdata().size, 10)
+        self.assertIn("still pressed", axes.get_xlabel())
+
+    def test_legends_fit_the_size_that_fits_a_column_of_a_paper(self):
+        run = read(self.files["towers"])
+        for picture in (*figures.WHOLE, *figures.PANELS):
+            for size in ((3.3, 2.4), None):
+                if picture == "profiles" and size:
+                    continue
+                figure = figures.figure(run, picture, "", size)
+                figure.draw_without_rendering()
+                for legend in [*figure.legends, *(axes.get_legend() for axes in figure.axes)]:
+                    if legend is not None:
+                        box = legend.get_window_extent().transformed(figure.transFigure.inverted())
+                        self.assertTrue(box.x0 >= -0.001 and box.x1 <= 1.001 and box.y0 >= -0.001 and box.y1 <= 1.001,
+                                        (picture, size, box))
+
+    def test_a_small_figure_has_the_panels_that_fit(self):
+        run = read(self.files["towers"])
+        for size, count in (((5, 9), 8), ((5, 6.5), 4), ((5, 4), 2), ((3.3, 2.4), 1)):
+            figure = run.plot("run", size=size)
+            self.assertEqual((tuple(figure.get_size_inches()), len(figure.axes)), (size, count))
+            self.assertIn("Displacements", "".join(titles(figure)))
+            self.assertEqual(figure.axes[-1].get_xlabel().split()[0], "Time" if count < 8 else "Closing")
 
     def test_floors_that_do_not_exist_are_refused(self):
         for floors, words in (({"stif": "1"}, "there is no structure stif; there is slender, stiff"),

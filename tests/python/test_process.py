@@ -50,6 +50,11 @@ class Importing(unittest.TestCase):
         """
         self.assertEqual(python(code), "")
 
+    def test_the_package_runs_the_program(self):
+        done = subprocess.run([sys.executable, "-m", "pounding", "--version"], capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout, python("import pounding; print('pounding', pounding.__version__)"))
+
     def test_links_for_opensees_are_there_without_opensees(self):
         self.assertEqual(python("""
             import sys

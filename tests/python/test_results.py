@@ -94,7 +94,7 @@ class ResultsFile(unittest.TestCase):
         self.assertEqual(
             impacts.dtype.names,
             ("link", "t_start", "t_end", "t_release", "v_approach", "v_separation", "restitution", "peak_force",
-             "t_peak", "peak_penetration", "impulse", "energy_lost"))
+             "t_peak", "peak_penetration", "impulse", "energy_lost", "energy_stored"))
         self.assertEqual(len(self.file["impacts"].attrs["units"]), len(impacts.dtype.names))
         self.assertGreater(len(impacts), 3)
         self.assertTrue(np.all(impacts["t_start"] < impacts["t_peak"]))

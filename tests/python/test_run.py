@@ -18,6 +18,7 @@ import h5py
 import numpy as np
 
 import pounding
+import frame_samples
 from test_models import TWO_OSCILLATORS, two_oscillators
 
 FRAMES = TWO_OSCILLATORS.parents[1] / "07_plane_frames/model.yaml"
@@ -415,6 +416,27 @@ class Tables(RunTest):
         np.testing.assert_array_equal(drift.sel(floor="2", direction="x"), self.results.structures["left"].drift[:, 1])
         self.assertEqual(float(sets["energy"]["input"][-1]), self.results.energy["input"][-1])
         self.assertEqual(str(sets["impacts"]["link"].values[0]), "left.2-right")
+
+    def test_nodes_and_members_are_there_where_the_input_asked_for_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "run.h5"
+            frame_samples.write(path, 3)
+            run = pounding.read(path)
+            tables, sets = run.to_pandas(), run.to_xarray()
+            for name, structure in run.structures.items():
+                for part in ("nodes", "members"):
+                    self.assertEqual(f"structures/{name}/{part}" in tables, getattr(structure, part) is not None)
+                    self.assertEqual(f"structures/{name}/{part}" in sets, getattr(structure, part) is not None)
+            name, structure = next((name, one) for name, one in run.structures.items() if one.nodes and one.members)
+            node, member = structure.nodes.names[-1], structure.members.names[-1]
+            direction, component = structure.nodes.directions[1], structure.members.components[2]
+            moved, forces = structure.nodes.velocity[:, -1, 1], structure.members.end_forces[:, -1, 2]
+            np.testing.assert_array_equal(tables[f"structures/{name}/nodes"]["velocity", node, direction], moved)
+            np.testing.assert_array_equal(tables[f"structures/{name}/members"][member, component], forces)
+            np.testing.assert_array_equal(sets[f"structures/{name}/nodes"]["velocity"].sel(node=node, direction=direction), moved)
+            found = sets[f"structures/{name}/members"]["end_forces"]
+            np.testing.assert_array_equal(found.sel(member=member, component=component), forces)
+            self.assertEqual(found.dims, ("time", "member", "component"))
 
     def test_bodies_without_storeys_have_tables_too(self):
         model = UNSOLVABLE.copy()

@@ -76,6 +76,7 @@ Results small_run() {
   impact.peak_penetration = 1e-3;
   impact.impulse = 2e5;
   impact.energy_lost = 400;
+  impact.energy_stored = 30;
   ImpactRow at_rest;
   at_rest.t_start = at_rest.t_end = 0.9;
   at_rest.restitution = std::numeric_limits<double>::quiet_NaN();
@@ -270,12 +271,12 @@ TEST_F(ResultsFile, ImpactsAreOneTable) {
   const std::pair<const char*, double> expected[] = {
       {"t_start", 0.4},     {"t_end", 0.5},        {"t_release", 0.49}, {"v_approach", 0.5},
       {"v_separation", 0.3}, {"restitution", 0.6},  {"peak_force", 4e6}, {"t_peak", 0.45},
-      {"peak_penetration", 1e-3}, {"impulse", 2e5}, {"energy_lost", 400}};
+      {"peak_penetration", 1e-3}, {"impulse", 2e5}, {"energy_lost", 400}, {"energy_stored", 30}};
   for (const auto& [field, value] : expected) EXPECT_EQ(file.impact_field(field).at(0), value) << field;
   EXPECT_TRUE(std::isnan(file.impact_field("restitution").at(1))) << "a touch at rest";
   EXPECT_EQ(file.text_attributes("/impacts", "units"),
-            (Texts{"text", "s", "s", "s", "m/s", "m/s", "1", "N", "s", "m", "N s", "J"}));
-  EXPECT_EQ(file.text_attributes("/impacts", "field_long_names").size(), 12u);
+            (Texts{"text", "s", "s", "s", "m/s", "m/s", "1", "N", "s", "m", "N s", "J", "J"}));
+  EXPECT_EQ(file.text_attributes("/impacts", "field_long_names").size(), 13u);
 }
 
 TEST_F(ResultsFile, EveryDatasetHasUnitsAndLongName) {

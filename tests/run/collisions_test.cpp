@@ -42,6 +42,47 @@ TEST_P(TwoBodies, KeepTheirMomentumAndObeyTheIdentitiesOfAnImpact) {
 
 INSTANTIATE_TEST_SUITE_P(EveryLaw, TwoBodies, testing::ValuesIn(test::every_law), test::law_name);
 
+/// Two bodies that meet at 1 m/s after 10 ms, by this law, in a run that ends in the middle of their impact.
+Outcome ended_in_contact(const std::string& law, double duration) {
+  return run_text("structures:\n"
+                  "  a: {body: {mass: 100 t}, initial_velocity: 1.2 m/s}\n"
+                  "  b: {body: {mass: 150 t}, initial_velocity: 0.2 m/s}\n"
+                  "links:\n  - {between: [a, b], gap: 10 mm, law: " +
+                  law + "}\nanalysis: {duration: " + fmt::format("{}", duration) + ", tolerance: 1e-7}\n");
+}
+
+TEST(AContactThatStillPresses, OfASpringHasLostNothing) {
+  for (const double share : {0.3, 1.0, 1.6}) {  // of the time until the bodies turn
+    const double k = 93.5e6, m = 6e4, wait = share * std::acos(0.0) * std::sqrt(m / k);
+    const Outcome run = ended_in_contact("linear_spring, stiffness: 93.5 MN/m", 0.01 + wait);
+    const double d = std::sqrt(m / k) * std::sin(wait * std::sqrt(k / m));
+    ASSERT_EQ(run.results.impacts.size(), 1u);
+    EXPECT_NEAR(run.results.impacts[0].energy_stored, 0.5 * k * d * d, 1e-6 * m);
+    EXPECT_NEAR(run.results.impacts[0].energy_lost, 0, 1e-6 * m);
+    EXPECT_TRUE(run.summary.links[0].presses);
+    EXPECT_EQ(run.summary.links[0].energy_stored, run.results.impacts[0].energy_stored);
+    EXPECT_NE(to_table(run.summary).find("a-b still presses at the end of the run, with "), std::string::npos);
+  }
+}
+
+TEST(AContactThatStillPresses, SplitsTheWorkIntoWhatIsLostAndWhatComesBack) {
+  const Outcome run = ended_in_contact("hertz_damped, stiffness: 2.75e9, restitution: 0.6", 0.02);
+  ASSERT_EQ(run.results.impacts.size(), 1u);
+  const ImpactRow& row = run.results.impacts[0];
+  const LinkHistory& link = run.results.links[0];
+  EXPECT_NEAR(row.energy_stored, 2.75e9 * std::pow(link.penetration.back(), 2.5) / 2.5, 1e-10 * row.energy_stored);
+  const double speed = link.velocity.back(), taken = 0.5 * 6e4 * (1 - speed * speed);
+  EXPECT_NEAR(row.energy_lost + row.energy_stored, taken, 1e-6 * taken);
+  EXPECT_GT(row.energy_lost, 0.05 * taken);
+}
+
+TEST(AnImpactThatIsOver, StoresNothing) {
+  const Outcome run = ended_in_contact("hertz_damped, stiffness: 2.75e9, restitution: 0.6", 0.3);
+  EXPECT_EQ(run.results.impacts[0].energy_stored, 0);
+  EXPECT_FALSE(run.summary.links[0].presses);
+  EXPECT_EQ(to_table(run.summary).find("still presses"), std::string::npos);
+}
+
 TEST(MirroredOscillators, EqualOneOscillatorAgainstAWallOfHalfTheGap) {
   test::Book book("Collisions whose outcome is known without integration",
                   "Code_Aster's SDND102: the mirror plane between two equal oscillators is a rigid wall, and a link "

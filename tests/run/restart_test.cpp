@@ -45,7 +45,7 @@ std::map<std::string, Bits> bits_of(Outcome outcome) {
   for (const ImpactRow& row : outcome.results.impacts) {
     const Bits values = bits_of({static_cast<double>(row.link), row.t_start, row.t_end, row.t_release, row.v_approach,
                                  row.v_separation, row.restitution, row.peak_force, row.t_peak, row.peak_penetration,
-                                 row.impulse, row.energy_lost});
+                                 row.impulse, row.energy_lost, row.energy_stored});
     Bits& impacts = all["impacts"];
     impacts.insert(impacts.end(), values.begin(), values.end());
   }

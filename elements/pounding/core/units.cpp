@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/unit_names.hpp>
 
 namespace pounding {
 namespace {
@@ -252,6 +253,13 @@ Unit parse_unit(std::string_view unit) {
 }
 
 Dimension parse_unit_dimension(std::string_view unit) { return parse_unit(unit).dimension; }
+
+std::vector<std::string_view> unit_names(const Dimension& dimension) {
+  std::vector<std::string_view> names;
+  for (const NamedUnit& unit : named_units)
+    if (unit.unit.dimension == dimension) names.push_back(unit.name);
+  return names;
+}
 
 bool parse_number(std::string_view text, double& value) {
   const std::string_view number = trimmed(text);

@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -228,28 +229,76 @@ class Frame {
   std::map<int, Row> follows_;                                  // displacement -> displacements of its master
 };
 
+/// Cross-sections of the columns or the beams of a grid: one for all, one for each storey from the ground up, or, for each storey,
+/// one for each line.
+class GridSections {
+ public:
+  GridSections() = default;
+  GridSections(const Section& all) : sections_{{all}} {}
+  GridSections(const std::vector<Section>& by_storey) {
+    for (const Section& section : by_storey) sections_.push_back({section});
+  }
+  GridSections(std::vector<std::vector<Section>> by_storey_and_line) : sections_(std::move(by_storey_and_line)) {}
+
+  /// That of a storey, from 1, on a line, from 0.
+  const Section& at(int storey, int line) const;
+  /// Throws std::invalid_argument for lists that are neither one long nor as long as there are storeys and lines.
+  void check(int storeys, int lines, const std::string& name) const;
+
+ private:
+  std::vector<std::vector<Section>> sections_{{Section{}}};  // [storey or 1][line or 1]
+};
+
+/// A member that may be cut into equal parts, with nodes between them: there it can bow, and a contact can hit it.
+struct CutMember {
+  Section section;
+  Material material;
+  BeamOptions options{};  ///< releases and offsets are those of the two outer ends
+  Eigen::Vector3d load = Eigen::Vector3d::Zero();  ///< static, per length, global axes [N/m]
+  int parts = 1;                                   ///< 1 to 100
+};
+
+/// Adds the parts of a member and the nodes between them, and returns the members. Several parts are named "name/1", "name/2" ... from
+/// the start on, and each node as the part that ends there. Throws std::invalid_argument as Frame::add_member does.
+std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end, const CutMember& member);
+
+/// A member of a grid that differs from the others.
+struct GridMember {
+  std::optional<Section> section{};
+  std::optional<Material> material{};
+  std::optional<BeamOptions> options{};  ///< releases, offsets and kind of mass
+  Eigen::Vector3d load = Eigen::Vector3d::Zero();  ///< static, per length, global axes [N/m]
+  int parts = 1;                                   ///< see CutMember
+};
+
 /// A regular frame: columns on a grid, beams along x and y at every floor, all feet fixed. SI units.
 /// Lists hold one value for all, or one each: storeys and floors from the ground up, bays from the origin on.
-/// In messages its nodes are "S.I", in space "S.I.K", its members "column S.I", "beam x S.I" and "beam y S.I.K" with the
-/// numbers of their upper or first node, and the masters of rigid floors in space "floor S".
+/// Its nodes are named "S.I", in space "S.I.K", its members "column S.I", "beam x S.I" and "beam y S.I.K" with the
+/// numbers of their upper or first node, and the masters of rigid floors in space "floor S". Lines of columns are counted along x, then
+/// along y; lines of beams along x are those of their first columns, and so are those along y.
 struct GridFrame {
   int storeys = 1;
   int bays_x = 1;
   int bays_y = 0;  ///< 0: plane frame
   std::vector<double> storey_height{}, bay_width_x{}, bay_width_y{};  ///< [m]
-  Section column, beam;  ///< local z of beams points upwards, local y of columns along global y
+  GridSections column, beam;  ///< local z of beams points upwards, local y of columns along global y
   Material material;
   BeamMass mass = BeamMass::lumped;  ///< of the members, when the material has a density
   /// [kg] a floor, shared by the nodes as their half bays on each side of the width; acts in every translation.
   std::vector<double> floor_mass{};
   bool rigid_floors = false;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< foot of the first column
+  std::map<std::string, GridMember> members{};       ///< those that differ, by their names
 
   /// Storey 0 is the ground, i counts columns along x, k along y; all from 0. Throws std::invalid_argument outside the grid.
   int node(int storey, int i, int k = 0) const;
   /// The master of a rigid floor, storey >= 1: in space a node of its own at the centre of the floor's mass, in a plane
   /// frame the floor's first node.
   int floor(int storey) const;
+  /// What the name of a node is made of: "2.1", in space "2.1.0".
+  std::string place(int storey, int i, int k = 0) const;
+  /// The names of its members, in the order in which they are made.
+  std::vector<std::string> member_names() const;
 };
 
 /// Throws std::invalid_argument for a grid that cannot be, in the name of its member.

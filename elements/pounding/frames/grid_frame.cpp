@@ -1,9 +1,11 @@
 #include <pounding/frames/frame_model.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 
+#include <pounding/core/names.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 
 namespace pounding {
@@ -42,7 +44,37 @@ std::vector<double> shares(const std::vector<double>& widths) {
   return share;
 }
 
+// A member of the grid as the others, but for what the grid says of it.
+void add_grid_member(Frame& frame, const std::string& name, int start, int end, const Section& usual, const GridFrame& grid) {
+  const auto found = grid.members.find(name);
+  const GridMember own = found == grid.members.end() ? GridMember{} : found->second;
+  add_member_in_parts(frame, name, start, end,
+                      {.section = own.section.value_or(usual),
+                       .material = own.material.value_or(grid.material),
+                       .options = own.options.value_or(BeamOptions{.mass = grid.mass}),
+                       .load = own.load,
+                       .parts = own.parts});
+}
+
 }  // namespace
+
+// "S.I" in the plane, "S.I.K" in space.
+std::string GridFrame::place(int storey, int i, int k) const {
+  const std::string plane = std::to_string(storey) + "." + std::to_string(i);
+  return bays_y == 0 ? plane : plane + "." + std::to_string(k);
+}
+
+std::vector<std::string> GridFrame::member_names() const {
+  std::vector<std::string> names;
+  for (int storey = 1; storey <= storeys; ++storey)
+    for (int k = 0; k <= bays_y; ++k)
+      for (int i = 0; i <= bays_x; ++i) {
+        names.push_back("column " + place(storey, i, k));
+        if (i < bays_x) names.push_back("beam x " + place(storey, i, k));
+        if (k < bays_y) names.push_back("beam y " + place(storey, i, k));
+      }
+  return names;
+}
 
 int GridFrame::node(int storey, int i, int k) const {
   if (storey < 0 || storey > storeys || i < 0 || i > bays_x || k < 0 || k > bays_y)
@@ -53,7 +85,49 @@ int GridFrame::node(int storey, int i, int k) const {
 int GridFrame::floor(int storey) const {
   const int first = node(storey, 0);
   if (storey == 0) refuse("the ground is no floor");
-  return bays_y == 0 ? first : node(storeys, bays_x, bays_y) + storey;
+  if (bays_y == 0) return first;
+  int between = 0;
+  for (const auto& [name, member] : members) between += member.parts - 1;
+  return node(storeys, bays_x, bays_y) + between + storey;
+}
+
+const Section& GridSections::at(int storey, int line) const {
+  const std::vector<Section>& of_storey = sections_[sections_.size() == 1 ? 0 : storey - 1];
+  return of_storey[of_storey.size() == 1 ? 0 : line];
+}
+
+void GridSections::check(int storeys, int lines, const std::string& name) const {
+  if (sections_.size() != 1 && static_cast<int>(sections_.size()) != storeys)
+    refuse(name + ": one section, or " + std::to_string(storeys) + " from the ground up");
+  for (const std::vector<Section>& of_storey : sections_)
+    if (of_storey.size() != 1 && static_cast<int>(of_storey.size()) != lines)
+      refuse(name + ": one section in a storey, or " + std::to_string(lines) + " from the first line on");
+}
+
+std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int start, int end, const CutMember& member) {
+  if (member.parts < 1 || member.parts > 100) refuse(name + ": takes 1 to 100 parts");
+  const Vector3d first = frame.position(start) + member.options.start_offset;
+  const Vector3d last = frame.position(end) + member.options.end_offset;
+  std::vector<int> added;
+  for (int part = 1, from = start; part <= member.parts; ++part) {
+    const bool is_last = part == member.parts;
+    const std::string of_part = member.parts == 1 ? name : name + "/" + std::to_string(part);
+    const int to = is_last ? end : frame.add_node(first + (last - first) * part / member.parts, of_part);
+    BeamOptions options = member.options;
+    if (part > 1) {
+      options.start_releases.clear();
+      options.start_offset.setZero();
+    }
+    if (!is_last) {
+      options.end_releases.clear();
+      options.end_offset.setZero();
+    }
+    added.push_back(frame.add_member(from, to, member.section, member.material, options));
+    frame.set_name(added.back(), of_part);
+    if (!member.load.isZero()) frame.add_member_load(added.back(), member.load);
+    from = to;
+  }
+  return added;
 }
 
 GridParts add_grid(FrameModel& model, const GridFrame& grid) {
@@ -70,10 +144,6 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
                                                                  : spread(grid.floor_mass, grid.storeys, "floor_mass", true);
   const std::vector<double> share_x = shares(width_x), share_y = shares(width_y);
 
-  const auto at = [&](int storey, int i, int k) {
-    const std::string plane = std::to_string(storey) + "." + std::to_string(i);
-    return is_plane ? plane : plane + "." + std::to_string(k);
-  };
   const auto each = [&](int storey, auto&& act) {
     for (int k = 0; k <= grid.bays_y; ++k)
       for (int i = 0; i <= grid.bays_x; ++i) act(grid.node(storey, i, k), i, k);
@@ -83,7 +153,7 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
   for (int storey = 0; storey <= grid.storeys; ++storey) {
     FrameFloor floor{.label = std::to_string(storey), .nodes = {}, .elevation = z[storey] + grid.origin.z()};
     each(storey, [&](int, int i, int k) {
-      floor.nodes.push_back(frame.add_node(Vector3d(x[i], y[k], z[storey]) + grid.origin, at(storey, i, k)));
+      floor.nodes.push_back(frame.add_node(Vector3d(x[i], y[k], z[storey]) + grid.origin, grid.place(storey, i, k)));
     });
     if (storey == 0) {
       parts.feet = floor.nodes;
@@ -93,15 +163,21 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
     model.floors.push_back(std::move(floor));
   }
 
-  const BeamOptions options{.mass = grid.mass};
+  const std::vector<std::string> known = grid.member_names();
+  for (const auto& [name, member] : grid.members)
+    if (std::find(known.begin(), known.end(), name) == known.end()) refuse(unknown_name("member", name, known));
+  const int lines_of_columns = (grid.bays_x + 1) * (grid.bays_y + 1);
+  grid.column.check(grid.storeys, lines_of_columns, "columns");
+  grid.beam.check(grid.storeys, is_plane ? grid.bays_x : lines_of_columns, "beams");
   for (int storey = 1; storey <= grid.storeys; ++storey)
     each(storey, [&](int node, int i, int k) {
+      const int line = k * (grid.bays_x + 1) + i;
       const auto member = [&](const char* kind, int from, int to, const Section& section) {
-        frame.set_name(frame.add_member(from, to, section, grid.material, options), kind + at(storey, i, k));
+        add_grid_member(frame, kind + grid.place(storey, i, k), from, to, section, grid);
       };
-      member("column ", grid.node(storey - 1, i, k), node, grid.column);
-      if (i < grid.bays_x) member("beam x ", node, grid.node(storey, i + 1, k), grid.beam);
-      if (k < grid.bays_y) member("beam y ", node, grid.node(storey, i, k + 1), grid.beam);
+      member("column ", grid.node(storey - 1, i, k), node, grid.column.at(storey, line));
+      if (i < grid.bays_x) member("beam x ", node, grid.node(storey, i + 1, k), grid.beam.at(storey, line));
+      if (k < grid.bays_y) member("beam y ", node, grid.node(storey, i, k + 1), grid.beam.at(storey, line));
     });
   return parts;
 }

@@ -12,6 +12,7 @@
 #include <pounding/core/names.hpp>
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/input/frame_parts_input.hpp>
+#include <pounding/input/words/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -50,12 +51,12 @@ class Reader {
 
   void read_mass(int node, const Input& value) {
     if (!value.is_map()) {
-      const double mass = value.as_quantity(dimension::mass, bounds::non_negative);
+      const double mass = value.as_quantity();
       return placed(value, [&] { model_.frame.add_mass(node, mass); });
     }
     for (const auto& [key, each] : value.entries()) {
       const Dof dof = parts_.words().dof_at_key(key, each);
-      const double mass = each.as_quantity(of_mass(dof), bounds::non_negative);
+      const double mass = each.as_quantity();
       placed(each, [&] { model_.frame.add_mass(node, dof, mass); });
     }
   }
@@ -64,20 +65,20 @@ class Reader {
     if (!value.is_map()) value.fail("takes forces with their directions; type {uz: -10 kN}");
     for (const auto& [key, each] : value.entries()) {
       const Dof dof = parts_.words().dof_at_key(key, each);
-      placed(each, [&] { model_.frame.add_load(node, dof, each.as_quantity(of_load(dof))); });
+      placed(each, [&] { model_.frame.add_load(node, dof, each.as_quantity()); });
     }
   }
 
   void read_spring(const Input& node) {
-    node.only_keys({"node", "between", "dof", "stiffness", "damping"});
+    node.only_keys();
     const auto at = node.find("node"), between = node.find("between");
     if (at && between) between->fail_at_key("a spring stands at one node or between two; keep one of node and between");
     if (!at && !between) node.fail("its place is missing; type node: a for a spring to the ground, or between: [a, b]");
-    const Dof dof = parts_.words().dof(node.at("dof", "ux"));
+    const Dof dof = parts_.words().dof(node.at("dof"));
     const auto stiffness = node.find("stiffness"), damping = node.find("damping");
     if (!stiffness && !damping) node.fail("has neither stiffness nor damping; type stiffness: 1 MN/m");
-    const double k = stiffness ? stiffness->as_quantity(of_spring(dof), bounds::non_negative) : 0;
-    const double c = damping ? damping->as_quantity(of_dashpot(dof), bounds::non_negative) : 0;
+    const double k = stiffness ? stiffness->as_quantity(of_spring(dof)) : 0;
+    const double c = damping ? damping->as_quantity(of_dashpot(dof)) : 0;
     if (at) {
       const int a = parts_.node_of(*at);
       return placed(node, [&] {
@@ -94,10 +95,10 @@ class Reader {
   }
 
   void read_tie(const Input& node) {
-    node.only_keys({"master", "nodes", "dofs", "rigid"});
-    const Input at = node.at("master", "a");
+    node.only_keys();
+    const Input at = node.at("master");
     const int master = parts_.node_of(at);
-    const std::vector<int> nodes = parts_.nodes_of(node.at("nodes", "[b, c]"));
+    const std::vector<int> nodes = parts_.nodes_of(node.at("nodes"));
     const auto dofs = node.find("dofs"), rigid = node.find("rigid");
     if (dofs && rigid) rigid->fail_at_key("a rigid tie holds all displacements; keep one of dofs and rigid");
     if (!dofs && !(rigid && rigid->as_bool())) node.fail("what is tied is missing; type dofs: [ux], or rigid: true");
@@ -141,16 +142,16 @@ class Reader {
   }
 
   void read_floor(const Input& node) {
-    node.only_keys({"nodes", "elevation", "rigid", "label"});
+    node.only_keys();
     FrameFloor floor;
-    const Input list = node.at("nodes", "[b, c]");
+    const Input list = node.at("nodes");
     floor.nodes = parts_.nodes_of(list);
     for (std::size_t i = 0; i < floor.nodes.size(); ++i)
       for (const FrameFloor* other : all_with(floor, i))
         list.items()[i].fail(other == &floor ? std::string("stands twice in this floor; keep it once")
                                              : fmt::format("belongs to floor {} already", other->label));
     floor.elevation = model_.frame.position(floor.nodes.front()).z();
-    if (const auto elevation = node.find("elevation")) floor.elevation = elevation->as_quantity(dimension::length) + parts_.origin().z();
+    if (const auto elevation = node.find("elevation")) floor.elevation = elevation->as_quantity() + parts_.origin().z();
     const auto label = node.find("label");
     floor.label = label ? label->as_text() : std::to_string(model_.floors.size() + 1);
     for (const FrameFloor& other : model_.floors)
@@ -194,7 +195,7 @@ class Reader {
   void read_gravity() {
     const auto geometry = body_.find("geometry"), gravity = body_.find("gravity");
     if (geometry) {
-      const std::string choice = geometry->as_choice("geometry", {"linear", "p_delta", "corotational"});
+      const std::string choice = geometry->as_choice();
       model_.geometry = choice == "p_delta"        ? FrameGeometry::p_delta
                         : choice == "corotational" ? FrameGeometry::corotational
                                                    : FrameGeometry::linear;
@@ -225,7 +226,7 @@ class Reader {
   void read_report() {
     const auto report = body_.find("report");
     if (!report) return;
-    report->only_keys({"nodes", "members"});
+    report->only_keys();
     if (const auto nodes = report->find("nodes"))
       model_.reported_nodes = read_wish(*nodes, "node", parts_.node_numbers(), model_.given_nodes());
     if (const auto members = report->find("members"))
@@ -252,10 +253,9 @@ class Reader {
 
 }  // namespace
 
-FrameInput read_frame(const Input& body) {
-  body.only_keys({"dimension", "origin", "material", "materials", "sections", "grid", "nodes", "members", "supports",
-                  "floors", "masses", "loads", "springs", "ties", "mass", "gravity", "geometry", "report", "damping",
-                  "initial_velocity", "initial_displacement"});
+FrameInput read_frame(const Input& node) {
+  const Input body = node.in(words::frame);
+  body.only_keys();
   return Reader(body).read();
 }
 

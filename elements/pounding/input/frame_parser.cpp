@@ -24,7 +24,7 @@ int read_dimension(const Input& body) {
       if (!spatial && node.is_list() && node.items().size() == 3) spatial.emplace(node);
   const auto given = body.find("dimension");
   if (!given) return spatial ? 3 : 2;
-  const int dimension = static_cast<int>(given->as_integer(2, 3));
+  const int dimension = static_cast<int>(given->as_integer());
   if (dimension == 2 && spatial)
     spatial->fail("is for a frame in space, and its dimension is given as 2; type dimension: 3, or leave y out");
   return dimension;
@@ -32,8 +32,6 @@ int read_dimension(const Input& body) {
 
 }  // namespace
 
-const Dimension& of_mass(Dof dof) { return is_translation(dof) ? dimension::mass : dimension::rotational_inertia; }
-const Dimension& of_load(Dof dof) { return is_translation(dof) ? dimension::force : dimension::energy; }
 const Dimension& of_spring(Dof dof) { return is_translation(dof) ? dimension::stiffness : dimension::energy; }
 const Dimension& of_dashpot(Dof dof) { return is_translation(dof) ? dimension::damping : turning_damping; }
 
@@ -66,21 +64,21 @@ std::vector<Dof> FrameParser::dofs(const Input& list) const {
   return dofs;
 }
 
-Eigen::Vector3d FrameParser::vector(const Input& node, const Dimension& unit, std::string_view example) const {
+Eigen::Vector3d FrameParser::vector(const Input& node, std::string_view example) const {
   const auto count = static_cast<std::size_t>(dimension_);
   if (!node.is_list() || node.items().size() != count)
     node.fail(fmt::format("takes {} in a frame {}; type {}", dimension_ == 2 ? "[x, z]" : "[x, y, z]",
                           dimension_ == 2 ? "in the plane" : "in space", example));
   const std::vector<Input> items = node.items();
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();
-  vector.x() = items.front().as_quantity(unit);
-  if (dimension_ == 3) vector.y() = items[1].as_quantity(unit);
-  vector.z() = items.back().as_quantity(unit);
+  vector.x() = items.front().as_quantity();
+  if (dimension_ == 3) vector.y() = items[1].as_quantity();
+  vector.z() = items.back().as_quantity();
   return vector;
 }
 
 std::vector<Dof> FrameParser::fixed_by(const Input& word) const {
-  const std::string kind = word.as_choice("support", {"fixed", "pinned", "roller"});
+  const std::string kind = word.as_choice();
   if (kind == "roller") return {Dof::uz};
   std::vector<Dof> dofs;
   for (const Dof dof : dofs_of(dimension_))
@@ -101,23 +99,23 @@ SupportWish FrameParser::support(const Input& node) const {
     wish.fixed = fixed_by(node);
     return wish;
   }
-  node.only_keys({"fix", "springs", "dashpots", "delay", "ground_motion"});
+  node.only_keys();
   if (const auto fix = node.find("fix")) wish.fixed = fix->is_scalar() ? fixed_by(*fix) : dofs(*fix);
-  const auto pairs = [&](std::string_view key, const Dimension& (*unit)(Dof), auto& into) {
+  const auto pairs = [&](std::string_view key, auto& into) {
     const auto given = node.find(key);
     if (!given) return;
     for (const auto& [dof_name, value] : given->entries()) {
       const Dof dof = dof_at_key(dof_name, value);
       if (std::find(wish.fixed.begin(), wish.fixed.end(), dof) != wish.fixed.end())
         value.fail_at_key(fmt::format("{} is fixed here too; keep one of the two", dof_name));
-      into.emplace_back(dof, value.as_quantity(unit(dof), bounds::positive));
+      into.emplace_back(dof, value.as_quantity());
     }
   };
-  pairs("springs", of_spring, wish.springs);
-  pairs("dashpots", of_dashpot, wish.dashpots);
+  pairs("springs", wish.springs);
+  pairs("dashpots", wish.dashpots);
   if (wish.fixed.empty() && wish.springs.empty() && wish.dashpots.empty())
     node.fail("holds nothing; type fix: [ux, uz], or springs: {ux: 20 MN/m}");
-  wish.delay = node.quantity_or("delay", dimension::time, 0, bounds::non_negative);
+  wish.delay = node.quantity("delay");
   if (const auto motion = node.find("ground_motion")) wish.motion = ground(*motion);
   return wish;
 }

@@ -15,9 +15,7 @@
 
 namespace pounding {
 
-/// Dimensions of what holds or loads a displacement: other ones for translations than for rotations.
-const Dimension& of_mass(Dof dof);
-const Dimension& of_load(Dof dof);
+/// Dimensions of what holds a displacement: other ones for translations than for rotations.
 const Dimension& of_spring(Dof dof);
 const Dimension& of_dashpot(Dof dof);
 
@@ -45,7 +43,7 @@ class FrameParser {
   /// A list of them.
   std::vector<Dof> dofs(const Input& list) const;
   /// [x, z] in the plane, [x, y, z] in space; `example` is for the message.
-  Eigen::Vector3d vector(const Input& node, const Dimension& unit, std::string_view example) const;
+  Eigen::Vector3d vector(const Input& node, std::string_view example) const;
   /// `fixed`, `pinned` or `roller`, or a map of what it fixes and of its springs, dashpots, delay and motion.
   SupportWish support(const Input& node) const;
 

@@ -1,5 +1,7 @@
 #include <pounding/input/frame_parts_input.hpp>
 
+#include <algorithm>
+
 #include <pounding/core/names.hpp>
 #include <pounding/input/frame_bays.hpp>
 
@@ -13,12 +15,18 @@ FramePartsInput::FramePartsInput(const Input& body) : body_(body), words_(body),
     body_.fail("a frame needs nodes; type grid: {storeys: 5, bays: 3, ...}, or nodes: {a: [0, 0], b: [0, 3 m]}");
   read_origin();
   if (const auto mass = body_.find("mass"))
-    if (mass->as_choice("mass of members", {"lumped", "consistent"}) == "consistent") mass_kind_ = BeamMass::consistent;
+    if (mass->as_choice() == "consistent") mass_kind_ = BeamMass::consistent;
   if (const auto grid = body_.find("grid")) read_grid(*grid);
   if (const auto nodes = body_.find("nodes"))
     for (const auto& [name, node] : nodes->entries()) read_node(name, node);
   if (const auto members = body_.find("members"))
-    for (const auto& [name, node] : members->entries()) read_member(name, node);
+    for (const auto& [name, node] : members->entries())
+      if (!is_of_grid(name)) read_member(name, node);
+}
+
+// Names of the user's members have no dot.
+bool FramePartsInput::is_of_grid(const std::string& name) const {
+  return body_.has("grid") && name.find('.') != std::string::npos;
 }
 
 std::vector<std::string> FramePartsInput::node_names() const {
@@ -56,35 +64,60 @@ void FramePartsInput::read_origin() {
     node->fail(dimension_ == 2 ? "takes [x] or [x, z]; type origin: [12 m, 0]"
                                : "takes [x, y] or [x, y, z]; type origin: [12 m, 0, 0]");
   std::vector<double> values;
-  for (const Input& item : node->items()) values.push_back(item.as_quantity(dimension::length));
+  for (const Input& item : node->items()) values.push_back(item.as_quantity());
   origin_.x() = values[0];
   if (dimension_ == 3) origin_.y() = values[1];
   if (count > least) origin_.z() = values.back();
 }
 
 void FramePartsInput::read_grid(const Input& node) {
-  node.only_keys({"storeys", "bays", "storey_height", "bay_width", "columns", "beams", "floor_mass", "rigid_floors"});
+  node.only_keys();
   GridFrame grid;
-  grid.storeys = static_cast<int>(node.at("storeys", "5").as_integer(1, 1000));
+  grid.storeys = static_cast<int>(node.at("storeys").as_integer());
   const auto [along_x, along_y] = read_bays(node, dimension_);
   grid.bays_x = static_cast<int>(along_x.size());
   grid.bays_y = static_cast<int>(along_y.size());
   grid.bay_width_x = along_x;
   grid.bay_width_y = along_y;
-  grid.storey_height = node.at("storey_height", "3.2 m").as_quantities(grid.storeys, dimension::length, bounds::positive);
-  grid.column = library_.section(node.at("columns", "{rectangle: [0.4 m, 0.4 m]}"));
-  grid.beam = library_.section(node.at("beams", "{rectangle: [0.3 m, 0.5 m]}"));
+  grid.storey_height = node.at("storey_height").as_quantities(grid.storeys);
+  const int lines_of_columns = (grid.bays_x + 1) * (grid.bays_y + 1);
+  grid.column = library_.sections_of_grid(node.at("columns"), grid.storeys, lines_of_columns);
+  grid.beam = library_.sections_of_grid(node.at("beams"), grid.storeys, dimension_ == 2 ? grid.bays_x : lines_of_columns);
   grid.material = library_.default_material(node);
   grid.mass = mass_kind_;
   if (const auto mass = node.find("floor_mass"))
-    grid.floor_mass = mass->as_quantities(grid.storeys, dimension::mass, bounds::non_negative);
+    grid.floor_mass = mass->as_quantities(grid.storeys);
   grid.origin = origin_;
+  if (const auto members = body_.find("members")) read_members_of_grid(*members, grid);
   grid_ = placed(node, [&] { return add_grid(frame.model, grid); });
   const Frame& made = frame.model.frame;
   for (int i = 0; i < made.nodes(); ++i) nodes_.emplace(made.node_name(i), i);
   for (int i = 0; i < made.members(); ++i) members_.emplace(made.member_name(i), i);
   frame.node_places.assign(made.nodes(), node);
   frame.member_places.assign(made.members(), node);
+}
+
+// What the input says of members of the grid by their names.
+void FramePartsInput::read_members_of_grid(const Input& members, GridFrame& grid) const {
+  const std::vector<std::string> known = grid.member_names();
+  for (const auto& [name, node] : members.entries()) {
+    if (!is_of_grid(name)) continue;
+    if (std::find(known.begin(), known.end(), name) == known.end()) node.fail_at_key(unknown_name("member", name, known));
+    node.only_keys();
+    for (const std::string_view key : {"between", "truss"})
+      if (const auto found = node.find(key))
+        found->fail_at_key("belongs to a member of its own; one of the grid keeps its nodes and stays a beam");
+    GridMember& own = grid.members[name];
+    if (const auto section = node.find("section")) own.section = library_.section(*section);
+    if (const auto material = node.find("material")) own.material = library_.material(*material);
+    own.options = read_beam_options(node);
+    if (const auto load = node.find("load")) own.load = read_load(*load);
+    if (const auto parts = node.find("parts")) own.parts = static_cast<int>(parts->as_integer());
+  }
+}
+
+Vector3d FramePartsInput::read_load(const Input& load) const {
+  return words_.vector(load, dimension_ == 2 ? "[0, -10 kN/m]" : "[0, 0, -10 kN/m]");
 }
 
 void FramePartsInput::check_name(const std::string& name, const Input& place) const {
@@ -95,7 +128,7 @@ void FramePartsInput::check_name(const std::string& name, const Input& place) co
 void FramePartsInput::read_node(const std::string& name, const Input& node) {
   check_name(name, node);
   if (name == "feet" && body_.has("grid")) node.fail_at_key("\"feet\" are those of the grid; choose another name");
-  const Vector3d position = words_.vector(node, dimension::length, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]") + origin_;
+  const Vector3d position = words_.vector(node, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]") + origin_;
   nodes_.emplace(name, placed(node, [&] { return frame.model.frame.add_node(position, name); }));
   frame.node_places.push_back(node);
 }
@@ -108,28 +141,28 @@ void FramePartsInput::name_member(int member, const std::string& name, const Inp
 
 void FramePartsInput::add_truss(const std::string& name, const Input& node, const Input& truss, int start, int end,
                                 const Material& material) {
-  for (const std::string_view key : {"section", "releases", "offsets", "load", "reference"})
+  for (const std::string_view key : {"section", "releases", "offsets", "load", "parts", "reference"})
     if (const auto found = node.find(key)) found->fail_at_key("belongs to a beam; a truss takes its area only");
-  const double area = truss.as_quantity(dimension::area, bounds::positive);
+  const double area = truss.as_quantity();
   name_member(placed(node, [&] { return frame.model.frame.add_truss(start, end, area, material); }), name, node);
 }
 
 BeamOptions FramePartsInput::read_beam_options(const Input& node) const {
   BeamOptions options{.mass = mass_kind_};
   if (const auto releases = node.find("releases")) {
-    releases->only_keys({"start", "end"});
+    releases->only_keys();
     if (const auto at = releases->find("start")) options.start_releases = words_.dofs(*at);
     if (const auto at = releases->find("end")) options.end_releases = words_.dofs(*at);
   }
   if (const auto offsets = node.find("offsets")) {
     const std::string_view example = dimension_ == 2 ? "[0, 0.3 m]" : "[0, 0, 0.3 m]";
-    offsets->only_keys({"start", "end"});
-    if (const auto at = offsets->find("start")) options.start_offset = words_.vector(*at, dimension::length, example);
-    if (const auto at = offsets->find("end")) options.end_offset = words_.vector(*at, dimension::length, example);
+    offsets->only_keys();
+    if (const auto at = offsets->find("start")) options.start_offset = words_.vector(*at, example);
+    if (const auto at = offsets->find("end")) options.end_offset = words_.vector(*at, example);
   }
   if (const auto reference = node.find("reference")) {
     if (dimension_ == 2) reference->fail_at_key("is for frames in space; in the plane local y is y; leave it out");
-    options.reference = words_.vector(*reference, dimension::none, "[0, 1, 0]");
+    options.reference = words_.vector(*reference, "[0, 1, 0]");
   }
   return options;
 }
@@ -137,8 +170,8 @@ BeamOptions FramePartsInput::read_beam_options(const Input& node) const {
 void FramePartsInput::read_member(const std::string& name, const Input& node) {
   check_name(name, node);
   if (members_.contains(name)) node.fail_at_key("the grid has a member of this name; choose another one");
-  node.only_keys({"between", "section", "truss", "material", "releases", "offsets", "load", "reference"});
-  const Input between = node.at("between", "[a, b]");
+  node.only_keys();
+  const Input between = node.at("between");
   if (!between.is_list() || between.items().size() != 2) between.fail("takes two nodes; type between: [a, b]");
   const int start = node_of(between.items()[0]), end = node_of(between.items()[1]);
   const auto own_material = node.find("material");
@@ -146,15 +179,22 @@ void FramePartsInput::read_member(const std::string& name, const Input& node) {
   if (const auto truss = node.find("truss")) return add_truss(name, node, *truss, start, end, material);
   const auto section = node.find("section");
   if (!section) node.fail("the section is missing; type section: {rectangle: [0.4 m, 0.6 m]}, or truss: 20 cm^2");
-  const BeamOptions options = read_beam_options(node);
-  const int member = placed(node, [&] {
-    return frame.model.frame.add_member(start, end, library_.section(*section), material, options);
-  });
-  name_member(member, name, node);
+  Frame& made = frame.model.frame;
+  const int nodes = made.nodes();
+  const auto parts = node.find("parts");
+  const CutMember beam{.section = library_.section(*section),
+                       .material = material,
+                       .options = read_beam_options(node),
+                       .parts = parts ? static_cast<int>(parts->as_integer()) : 1};
+  const std::vector<int> members = placed(node, [&] { return add_member_in_parts(made, name, start, end, beam); });
+  for (const int member : members) name_member(member, made.member_name(member), node);
+  for (int added = nodes; added < made.nodes(); ++added) {
+    nodes_.emplace(made.node_name(added), added);
+    frame.node_places.push_back(node);
+  }
   if (const auto load = node.find("load")) {
-    const std::string_view example = dimension_ == 2 ? "[0, -10 kN/m]" : "[0, 0, -10 kN/m]";
-    const Vector3d per_length = words_.vector(*load, dimension::stiffness, example);
-    placed(*load, [&] { frame.model.frame.add_member_load(member, per_length); });
+    const Vector3d per_length = read_load(*load);
+    for (const int member : members) placed(*load, [&] { made.add_member_load(member, per_length); });
   }
 }
 

@@ -51,6 +51,9 @@ class FramePartsInput {
   std::vector<std::string> node_names() const;
   void read_origin();
   void read_grid(const Input& grid);
+  bool is_of_grid(const std::string& name) const;
+  void read_members_of_grid(const Input& members, GridFrame& grid) const;
+  Eigen::Vector3d read_load(const Input& load) const;
   void read_node(const std::string& name, const Input& node);
   void read_member(const std::string& name, const Input& node);
   BeamOptions read_beam_options(const Input& node) const;

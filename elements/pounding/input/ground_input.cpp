@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +13,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/ground/synthetic.hpp>
+#include <pounding/input/words/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -43,43 +43,42 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
   }();
   double factor = 1;
   if (scale) {
-    factor = scale->as_number();
+    factor = scale->as_quantity();
     if (factor == 0) scale->fail("takes a number other than 0; leave \"ground_motion\" out for a still ground");
   }
   if (pga) {
     if (record.measures.pga == 0) pga->fail("the record is zero throughout and cannot be scaled to a peak");
-    factor = pga->as_quantity(dimension::acceleration, bounds::positive) / record.measures.pga;
+    factor = pga->as_quantity() / record.measures.pga;
   }
   return scaled(record, factor);
 }
 
 GroundMotion read_harmonic(const Input& node) {
-  node.only_keys({"amplitude", "period", "duration"});
-  return GroundMotion(Harmonic{.amplitude = node.quantity("amplitude", dimension::acceleration),
-                               .period = node.quantity("period", dimension::time, bounds::positive),
-                               .duration = node.quantity("duration", dimension::time, bounds::positive)});
+  node.only_keys();
+  return GroundMotion(Harmonic{.amplitude = node.quantity("amplitude"),
+                               .period = node.quantity("period"),
+                               .duration = node.quantity("duration")});
 }
 
 GroundMotion read_pulse(const Input& node) {
-  node.only_keys({"shape", "amplitude", "duration", "start"});
-  const std::string name =
-      node.at("shape", "half_sine").as_choice("pulse shape", {"half_sine", "sine", "rectangle"});
+  node.only_keys();
+  const std::string name = node.at("shape").as_choice();
   const Pulse::Shape shape = name == "half_sine" ? Pulse::Shape::half_sine
                              : name == "sine"    ? Pulse::Shape::sine
                                                  : Pulse::Shape::rectangle;
   return GroundMotion(Pulse{.shape = shape,
-                            .amplitude = node.quantity("amplitude", dimension::acceleration),
-                            .duration = node.quantity("duration", dimension::time, bounds::positive),
-                            .start = node.quantity_or("start", dimension::time, 0, bounds::non_negative)});
+                            .amplitude = node.quantity("amplitude"),
+                            .duration = node.quantity("duration"),
+                            .start = node.quantity("start")});
 }
 
 /// A circular frequency. In units 1 Hz and 1 rad/s are the same number, so the one that is not meant is refused.
 double read_omega(const Input& node, std::string_view key) {
-  const Input value = node.at(key, "15 rad/s");
+  const Input value = node.at(key);
   if (value.as_text().find("Hz") != std::string::npos)
     value.fail(fmt::format("takes a circular frequency such as \"15 rad/s\"; \"{}\" is in Hz, multiply by 2 pi",
                            value.as_text()));
-  return value.as_quantity(dimension::frequency, bounds::positive);
+  return value.as_quantity();
 }
 
 GroundFilter read_filter(const Input& node) {
@@ -88,27 +87,25 @@ GroundFilter read_filter(const Input& node) {
     if (const auto soil = node.find("soil"))
       soil->fail_at_key(fmt::format("\"soil\" and \"{}\" both set the filter; keep one of them", key));
     return {.omega_g = read_omega(node, "omega_g"),
-            .zeta_g = node.quantity("zeta_g", dimension::none, bounds::above_0_to_1),
+            .zeta_g = node.quantity("zeta_g"),
             .omega_f = read_omega(node, "omega_f"),
-            .zeta_f = node.quantity("zeta_f", dimension::none, bounds::above_0_to_1)};
+            .zeta_f = node.quantity("zeta_f")};
   }
   const auto given = node.find("soil");
-  const std::string soil = given ? given->as_choice("soil", {"firm", "medium", "soft"}) : "firm";
+  const std::string soil = given ? given->as_choice() : "firm";
   return soil == "firm" ? firm_soil : soil == "medium" ? medium_soil : soft_soil;
 }
 
 GroundMotion read_synthetic(const Input& node) {
-  node.only_keys({"seed", "duration", "pga", "soil", "omega_g", "zeta_g", "omega_f", "zeta_f", "step", "rise",
-                  "strong_until"});
+  node.only_keys();
   SyntheticOptions options;
-  options.seed = static_cast<std::uint64_t>(
-      node.at("seed", "1").as_integer(0, std::numeric_limits<long long>::max()));
-  options.duration = node.quantity("duration", dimension::time, bounds::positive);
-  options.pga = node.quantity("pga", dimension::acceleration, bounds::positive);
+  options.seed = static_cast<std::uint64_t>(node.at("seed").as_integer());
+  options.duration = node.quantity("duration");
+  options.pga = node.quantity("pga");
   options.filter = read_filter(node);
-  options.step = node.quantity_or("step", dimension::time, options.step, bounds::positive);
-  options.rise = node.quantity_or("rise", dimension::none, options.rise);
-  options.strong_until = node.quantity_or("strong_until", dimension::none, options.strong_until);
+  options.step = node.quantity("step");
+  options.rise = node.quantity("rise");
+  options.strong_until = node.quantity("strong_until");
   try {
     return synthetic_motion(options);
   } catch (const std::invalid_argument& error) {
@@ -148,18 +145,18 @@ GroundMotion read_motion(const Input& section, std::initializer_list<std::string
 }
 
 TravellingWave read_wave(const Input& node) {
-  node.only_keys({"velocity", "direction"});
+  node.only_keys();
   TravellingWave wave;
-  wave.velocity = node.at("velocity", "500 m/s").as_quantity(dimension::velocity, bounds::positive);
+  wave.velocity = node.quantity("velocity");
   const std::optional<Input> direction = node.find("direction");
   if (!direction) return wave;
   if (!direction->is_list()) {
-    if (direction->as_choice("direction", {"x", "y"}) == "y") wave.direction = Eigen::Vector3d::UnitY();
+    if (direction->as_choice() == "y") wave.direction = Eigen::Vector3d::UnitY();
     return wave;
   }
   const std::vector<Input> parts = direction->items();
   if (parts.size() != 2) direction->fail("takes x, y, or two numbers; type direction: [0.6, 0.8]");
-  wave.direction = Eigen::Vector3d(parts[0].as_number(), parts[1].as_number(), 0);
+  wave.direction = Eigen::Vector3d(parts[0].as_quantity(), parts[1].as_quantity(), 0);
   if (!(wave.direction.norm() > 0)) direction->fail("has no length; type direction: [0.6, 0.8]");
   wave.direction.normalize();
   return wave;
@@ -167,9 +164,10 @@ TravellingWave read_wave(const Input& node) {
 
 }  // namespace
 
-GroundMotion read_ground_motion(const Input& section) { return read_motion(section, {}); }
+GroundMotion read_ground_motion(const Input& section) { return read_motion(section.in(words::motion), {}); }
 
-GroundSection read_ground_section(const Input& section) {
+GroundSection read_ground_section(const Input& node) {
+  const Input section = node.in(words::ground_motion);
   GroundSection ground;
   if (const auto wave = section.find("wave")) ground.wave = read_wave(*wave);
   const std::optional<Input> components = section.find("components");
@@ -178,7 +176,7 @@ GroundSection read_ground_section(const Input& section) {
     return ground;
   }
   section.only_keys({"components", "wave"});
-  components->only_keys({"x", "y", "z"});
+  components->only_keys();
   constexpr std::string_view names[] = {"x", "y", "z"};
   bool any = false;
   for (int i = 0; i < 3; ++i)

@@ -3,7 +3,9 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <set>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -24,23 +26,13 @@ std::string allowed_text(const Dimension& dimension, const Bounds& allowed) {
   return fmt::format("{}{} such as \"{}\"", quantity_name(dimension), allowed.text(), quantity_example(dimension));
 }
 
+// Whether the key of a map is a name that the user has chosen, and not a word.
+bool names_values(words::Form form, std::string_view key) {
+  if (form == words::Form::by_storey) return !key.empty() && key.front() >= '0' && key.front() <= '9';
+  return form == words::Form::named || form == words::Form::named_lists;
+}
+
 }  // namespace
-
-bool Bounds::contain(double value) const noexcept {
-  const bool above = without_low ? value > low : value >= low;
-  const bool below = without_high ? value < high : value <= high;
-  return above && below;
-}
-
-std::string Bounds::text() const {
-  const bool has_low = low > -std::numeric_limits<double>::infinity();
-  const bool has_high = high < std::numeric_limits<double>::infinity();
-  if (has_low && has_high)
-    return fmt::format(" in {}{:g}, {:g}{}", without_low ? '(' : '[', low, high, without_high ? ')' : ']');
-  if (has_low) return fmt::format(" {} {:g}", without_low ? ">" : ">=", low);
-  if (has_high) return fmt::format(" {} {:g}", without_high ? "<" : "<=", high);
-  return {};
-}
 
 Input Input::read_file(const std::string& path) {
   std::error_code ignored;
@@ -81,11 +73,34 @@ std::filesystem::path Input::directory() const { return std::filesystem::path(so
 
 Input Input::child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const {
   const YAML::Mark mark = key_node.Mark();
-  return {source_, value, joined(path_, key), std::string(key), Place{mark.line + 1, mark.column + 1}};
+  Input made(source_, value, joined(path_, key), std::string(key), Place{mark.line + 1, mark.column + 1});
+  const bool is_map_of_names = word_ && part_ == Part::value && names_values(word_->form, key);
+  if (is_map_of_names) {
+    made.word_ = word_;
+    made.section_ = section_;
+    made.part_ = Part::of_name;
+  } else if (const words::Word* known = section_ ? section_->find(key) : nullptr) {
+    made.word_ = known;
+    made.section_ = known->inside;
+  }
+  return made;
+}
+
+Input Input::in(const words::Section& section) const {
+  Input same = *this;
+  same.section_ = &section;
+  return same;
+}
+
+const words::Word& Input::word() const {
+  if (!word_) throw std::logic_error(fmt::format("{} is read and has no word in the catalogue of the input", path_));
+  return *word_;
 }
 
 std::optional<Input> Input::find(std::string_view key) const {
   expect_map();
+  if (section_ && !section_->find(key))
+    throw std::logic_error(fmt::format("the key {} is read in {} and is not in its table", key, section_->name));
   for (const auto& entry : node_)
     if (entry.first.Scalar() == key) return child(key, entry.first, entry.second);
   return std::nullopt;
@@ -93,7 +108,15 @@ std::optional<Input> Input::find(std::string_view key) const {
 
 Input Input::at(std::string_view key, std::string_view example) const {
   if (auto found = find(key)) return *std::move(found);
+  if (example.empty() && section_) example = section_->find(key)->example;
   fail(fmt::format("key \"{}\" is missing{}", key, example.empty() ? "" : fmt::format("; type \"{}: {}\"", key, example)));
+}
+
+void Input::only_keys() const {
+  if (!section_) throw std::logic_error(fmt::format("the keys of {} have no table", path_));
+  std::vector<std::string_view> keys;
+  for (const words::Word& each : section_->words) keys.push_back(each.key);
+  only_keys(keys);
 }
 
 void Input::only_keys(std::span<const std::string_view> allowed) const {
@@ -121,7 +144,10 @@ std::vector<Input> Input::items() const {
   std::vector<Input> members;
   for (const auto& member : node_) {
     const std::string index = fmt::format("[{}]", members.size());
-    members.push_back(Input(source_, member, path_ + index, key_ + index, place_));
+    Input& made = members.emplace_back(Input(source_, member, path_ + index, key_ + index, place_));
+    made.word_ = word_;
+    made.section_ = section_;
+    made.part_ = Part::item;
   }
   return members;
 }
@@ -132,7 +158,9 @@ std::string Input::as_text() const {
   return node_.Scalar();
 }
 
-double Input::as_number(const Bounds& allowed) const { return as_quantity(dimension::none, allowed); }
+double Input::as_quantity() const { return as_quantity(word().dimension, word().bounds); }
+
+double Input::as_quantity(const Dimension& dimension) const { return as_quantity(dimension, word().bounds); }
 
 double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) const {
   if (!is_scalar()) {
@@ -150,16 +178,23 @@ double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) con
   return value;
 }
 
-std::vector<double> Input::as_quantities(int count, const Dimension& dimension, const Bounds& allowed) const {
+std::vector<double> Input::as_quantities(int count) const {
   const auto wanted = static_cast<std::size_t>(count);
-  if (!is_list()) return std::vector<double>(wanted, as_quantity(dimension, allowed));
+  if (!is_list()) return std::vector<double>(wanted, as_quantity());
   const std::vector<Input> members = items();
   if (members.size() != wanted)
     fail(fmt::format("takes {} or a list of {} from the ground up; a list of {} was read",
-                     allowed_text(dimension, allowed), count, members.size()));
+                     allowed_text(word().dimension, word().bounds), count, members.size()));
   std::vector<double> values;
-  for (const Input& member : members) values.push_back(member.as_quantity(dimension, allowed));
+  for (const Input& member : members) values.push_back(member.as_quantity());
   return values;
+}
+
+long long Input::as_integer() const {
+  constexpr auto unlimited = std::numeric_limits<long long>();
+  const Bounds& allowed = word().bounds;
+  return as_integer(allowed.has_low() ? static_cast<long long>(allowed.low) : unlimited.min(),
+                    allowed.has_high() ? static_cast<long long>(allowed.high) : unlimited.max());
 }
 
 long long Input::as_integer(long long low, long long high) const {
@@ -185,6 +220,11 @@ bool Input::as_bool() const {
   return text == "true";
 }
 
+std::string Input::as_choice() const {
+  const bool in_place_of_all = part_ != Part::item && !word().instead.empty();
+  return as_choice(word().noun.empty() ? word().key : word().noun, in_place_of_all ? word().instead : word().choices);
+}
+
 std::string Input::as_choice(std::string_view what, std::span<const std::string_view> allowed) const {
   std::string read = as_text();
   for (const std::string_view name : allowed)
@@ -192,14 +232,16 @@ std::string Input::as_choice(std::string_view what, std::span<const std::string_
   fail(fmt::format("unknown {} \"{}\".{}", what, read, suggestion(read, allowed)));
 }
 
-double Input::quantity(std::string_view key, const Dimension& dimension, const Bounds& allowed) const {
-  return at(key, quantity_example(dimension)).as_quantity(dimension, allowed);
+double Input::quantity(std::string_view key) const {
+  const auto found = find(key);
+  if (found) return found->as_quantity();
+  if (const auto otherwise = section_ ? section_->find(key)->default_quantity() : std::nullopt) return *otherwise;
+  return at(key).as_quantity();
 }
 
-double Input::quantity_or(std::string_view key, const Dimension& dimension, double otherwise,
-                          const Bounds& allowed) const {
+std::optional<double> Input::find_quantity(std::string_view key) const {
   const auto found = find(key);
-  return found ? found->as_quantity(dimension, allowed) : otherwise;
+  return found ? std::optional(found->as_quantity()) : std::nullopt;
 }
 
 void Input::fail(std::string_view message) const { fail_at(place_, message); }

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <initializer_list>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,31 +14,16 @@
 #include <yaml-cpp/yaml.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/input/bounds.hpp>
+#include <pounding/input/words/word.hpp>
 
 namespace pounding {
 
-/// The numbers that a key allows.
-struct Bounds {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool without_low = false, without_high = false;  ///< the end itself is not allowed
-
-  /// Whether the key takes it.
-  bool contain(double value) const noexcept;
-  /// " > 0", " >= 0", " in (0, 1]", in SI; "" when every number is allowed.
-  std::string text() const;
-};
-
-namespace bounds {
-inline constexpr Bounds any{};
-inline constexpr Bounds positive{.low = 0, .without_low = true};
-inline constexpr Bounds non_negative{.low = 0};
-inline constexpr Bounds from_0_to_1{.low = 0, .high = 1};                            ///< [0, 1]
-inline constexpr Bounds above_0_to_1{.low = 0, .high = 1, .without_low = true};      ///< (0, 1]
-inline constexpr Bounds from_0_below_1{.low = 0, .high = 1, .without_high = true};   ///< [0, 1)
-}  // namespace bounds
-
 /// One node of a YAML file, with its place. Cheap to copy; the file's text lives as long as any of its nodes.
+///
+/// A node that is read by a section of the catalogue (words/sections.hpp) knows the words of its keys, and so do its children:
+/// their dimensions, bounds, choices, defaults and examples are those of the words. A key that is asked for and is not in the section
+/// is a std::logic_error, and so is a value that is asked for without a word.
 ///
 /// Every function that reads throws InputError with "file:line:column: key.path: " in front (counted from 1).
 class Input {
@@ -58,6 +42,9 @@ class Input {
     key_ = other.key_;
     place_ = other.place_;
     key_place_ = other.key_place_;
+    word_ = other.word_;
+    section_ = other.section_;
+    part_ = other.part_;
     return *this;
   }
 
@@ -77,12 +64,19 @@ class Input {
   bool is_list() const { return node_.IsSequence(); }
   bool is_scalar() const { return node_.IsScalar(); }
 
+  /// The same node, whose keys are those of this section from here on.
+  Input in(const words::Section& section) const;
+  /// Whether the section of this node has the key at all.
+  bool knows(std::string_view key) const { return section_ && section_->find(key); }
+
   /// The child with this key, or nothing.
   std::optional<Input> find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key).has_value(); }
-  /// The child with this key, which must be there. `example` completes the message: type "gap: 20 mm".
+  /// The child with this key, which must be there. `example` completes the message, by default that of the word: type "gap: 20 mm".
   Input at(std::string_view key, std::string_view example = {}) const;
-  /// Refuses every other key, at its own place, with the nearest allowed one.
+  /// Refuses every key that is not in the section, at its own place, with the nearest allowed one.
+  void only_keys() const;
+  /// Refuses every other key, some of those of the section.
   void only_keys(std::span<const std::string_view> allowed) const;
   void only_keys(std::initializer_list<std::string_view> allowed) const {
     only_keys(std::span(allowed.begin(), allowed.size()));
@@ -94,27 +88,26 @@ class Input {
 
   /// A scalar as it was written.
   std::string as_text() const;
-  /// A pure number; "5 %" is 0.05.
-  double as_number(const Bounds& allowed = bounds::any) const;
-  long long as_integer(long long low = std::numeric_limits<long long>::min(),
-                       long long high = std::numeric_limits<long long>::max()) const;
+  /// An integer in the bounds of the word, or in other ones that the model sets.
+  long long as_integer() const;
+  long long as_integer(long long low, long long high) const;
   /// true or false.
   bool as_bool() const;
-  /// A number in SI or with its unit.
-  double as_quantity(const Dimension& dimension, const Bounds& allowed = bounds::any) const;
+  /// A number in SI or with its unit, as the word says; "5 %" is 0.05. `dimension` and `allowed` are given where the model sets them.
+  double as_quantity() const;
+  double as_quantity(const Dimension& dimension) const;
+  double as_quantity(const Dimension& dimension, const Bounds& allowed) const;
   /// One quantity for all `count` places, or a list of `count` of them from the ground up.
-  std::vector<double> as_quantities(int count, const Dimension& dimension, const Bounds& allowed = bounds::any) const;
+  std::vector<double> as_quantities(int count) const;
+  /// One of the choices of the word, of a whole value one of those that stand in its place.
+  std::string as_choice() const;
   /// One of the names; `what` is what they name: unknown law "hertz_damp". Did you mean "hertz_damped"?
   std::string as_choice(std::string_view what, std::span<const std::string_view> allowed) const;
-  std::string as_choice(std::string_view what, std::initializer_list<std::string_view> allowed) const {
-    return as_choice(what, std::span(allowed.begin(), allowed.size()));
-  }
 
-  /// The quantity under a key that must be there.
-  double quantity(std::string_view key, const Dimension& dimension, const Bounds& allowed = bounds::any) const;
-  /// The quantity under a key, or `otherwise` when the key is absent.
-  double quantity_or(std::string_view key, const Dimension& dimension, double otherwise,
-                     const Bounds& allowed = bounds::any) const;
+  /// The quantity under a key, which must be there unless its word has a default.
+  double quantity(std::string_view key) const;
+  /// The quantity under a key, or nothing when the key is absent.
+  std::optional<double> find_quantity(std::string_view key) const;
 
   /// Throws InputError with this node's place in front.
   [[noreturn]] void fail(std::string_view message) const;
@@ -129,8 +122,12 @@ class Input {
     int line = 1, column = 1;
   };
 
+  /// Part of what stands under the key of the word.
+  enum class Part { value, of_name, item };
+
   Input(std::shared_ptr<const Source> source, YAML::Node node, std::string path, std::string key, Place key_place);
   Input child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const;
+  const words::Word& word() const;
   void expect_map() const;
   void refuse_repeated_keys(int depth = 0) const;
   [[noreturn]] void fail_at(const Place& place, std::string_view message) const;
@@ -139,6 +136,9 @@ class Input {
   YAML::Node node_;
   std::string path_, key_;
   Place place_, key_place_;
+  const words::Word* word_ = nullptr;
+  const words::Section* section_ = nullptr;
+  Part part_ = Part::value;
 };
 
 }  // namespace pounding

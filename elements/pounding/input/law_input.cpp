@@ -1,13 +1,14 @@
 #include <pounding/input/law_input.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include <pounding/laws/all.hpp>
+#include <pounding/input/stiffness_input.hpp>
+#include <pounding/input/words/sections.hpp>
+#include <pounding/laws/compiled.hpp>
 
 namespace pounding {
 namespace {
@@ -20,31 +21,24 @@ double read_restitution(const Input& node, const laws::Entry& entry) {
 
 }  // namespace
 
-laws::Settings read_law(const Input& link, std::span<const std::string_view> link_keys) {
-  std::vector<std::string_view> names;
-  for (const laws::Entry& entry : laws::catalogue()) names.push_back(entry.name);
-  laws::Settings settings;
-  const Input law_node = link.at("law", "hertz_damped");
-  settings.law = law_node.as_choice("law", names);
+LawInput read_law(const Input& node) {
+  LawInput read;
+  laws::Settings& settings = read.settings;
+  const Input law_node = node.at("law");
+  settings.law = law_node.as_choice();
   const laws::Entry& entry = laws::find_law(settings.law);
+  const Input link = node.in(words::link_with(entry));
+  link.only_keys();
 
-  std::vector<std::string_view> keys(link_keys.begin(), link_keys.end());
-  keys.insert(keys.end(), {"law", "formula", "restitution", "impact_velocity", "reduced_mass"});
-  for (const laws::ParameterInfo& parameter : entry.parameters) keys.push_back(parameter.name);
-  link.only_keys(keys);
-
-  double exponent = 1.5;
-  if (const auto node = link.find("exponent")) exponent = node->as_number(bounds::positive);
+  const double exponent = link.knows("exponent") ? link.quantity("exponent") : 1.5;
   for (const laws::ParameterInfo& parameter : entry.parameters)
     if (laws::must_be_given(entry.parameters, parameter, [&](std::string_view name) { return link.has(name); }) &&
         !link.has(parameter.name))
       law_node.fail(fmt::format("{0} needs {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name, parameter.meaning,
                                 parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
 
-  if (const auto restitution = link.find("restitution"))
-    settings.restitution = read_restitution(*restitution, entry);
-  if (const auto velocity = link.find("impact_velocity"))
-    settings.impact_velocity = velocity->as_quantity(dimension::velocity, bounds::positive);
+  if (const auto restitution = link.find("restitution")) settings.restitution = read_restitution(*restitution, entry);
+  settings.impact_velocity = link.find_quantity("impact_velocity");
   if (const auto formula = link.find("formula")) {
     std::vector<std::string_view> formulas;
     for (const laws::Formula& each : entry.formulas) formulas.push_back(each.name);
@@ -52,17 +46,22 @@ laws::Settings read_law(const Input& link, std::span<const std::string_view> lin
     settings.formula = formula->as_choice(fmt::format("formula of {}", settings.law), formulas);
   }
   // A unit such as "N/m^n" depends on the exponent that the link chose.
-  for (const laws::ParameterInfo& parameter : entry.parameters)
-    if (const auto node = link.find(parameter.name))
-      settings.values.emplace(
-          std::string(parameter.name),
-          node->as_quantity(parse_unit_dimension(laws::resolved_unit(parameter.unit, exponent))));
-  return settings;
+  for (const laws::ParameterInfo& parameter : entry.parameters) {
+    const auto value = link.find(parameter.name);
+    if (!value) continue;
+    if (parameter.name == "stiffness") read.stiffness = read_stiffness_estimate(*value);
+    if (parameter.name == "stiffness" && read.stiffness) continue;
+    settings.values.emplace(
+        std::string(parameter.name),
+        value->as_quantity(parse_unit_dimension(laws::resolved_unit(parameter.unit, exponent)), bounds::any));
+  }
+  return read;
 }
 
-Input place_of_law(const std::string& refusal, const Input& link) {
-  const Input law = link.at("law");
+Input place_of_law(const std::string& refusal, const Input& node) {
+  const Input law = node.at("law");
   const laws::Entry& entry = laws::find_law(law.as_text());
+  const Input link = node.in(words::link_with(entry));
   std::vector<std::string_view> keys{"formula", "restitution", "impact_velocity", "reduced_mass"};
   for (const laws::ParameterInfo& parameter : entry.parameters) keys.push_back(parameter.name);
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz_";

@@ -1,18 +1,24 @@
 #pragma once
 /// The law of a link in an input file.
 
-#include <span>
+#include <optional>
 #include <string>
-#include <string_view>
 
 #include <pounding/input/input.hpp>
 #include <pounding/laws/by_name.hpp>
+#include <pounding/model/contact_stiffness.hpp>
 
 namespace pounding {
 
-/// The law that a link names, with its parameters. The link may hold `link_keys` beside them and no other key. Throws InputError
-/// with the place.
-laws::Settings read_law(const Input& link, std::span<const std::string_view> link_keys);
+/// The law of a link as it is typed.
+struct LawInput {
+  laws::Settings settings;
+  std::optional<StiffnessEstimate> stiffness;  ///< where the settings have none
+};
+
+/// The law that a link names, with its parameters. Beside them the link may hold what every link can, and no other key. Throws
+/// InputError with the place.
+LawInput read_law(const Input& link);
 
 /// Location in the link of what its law refuses. The laws know no locations: it is the first of the link's keys that the text names.
 Input place_of_law(const std::string& refusal, const Input& link);

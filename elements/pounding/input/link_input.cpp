@@ -19,8 +19,6 @@
 namespace pounding {
 namespace {
 
-constexpr std::string_view keys[] = {"between", "floors", "gap", "preload", "name", "points", "friction", "sliding_velocity"};
-
 int structure_named(const std::string& name, const Input& node, const Model& model) {
   std::vector<std::string_view> names;
   for (const Structure& s : model.structures) names.push_back(s.name);
@@ -49,20 +47,20 @@ ContactLocation read_end(const Input& node, const Model& model) {
     if (dot != std::string::npos) end.floor = read_floor(text.substr(dot + 1), text, node, model.structures[end.structure]);
     return end;
   }
-  node.only_keys({"structure", "floor", "node", "elevation"});
-  const Input name = node.at("structure", "left");
+  node.only_keys();
+  const Input name = node.at("structure");
   end.structure = structure_named(name.as_text(), name, model);
   const std::optional<Input> floor = node.find("floor"), at_node = node.find("node"), elevation = node.find("elevation");
   if (floor.has_value() + at_node.has_value() + elevation.has_value() > 1)
     node.fail("takes one of floor, node and elevation; keep one of them");
   if (floor) end.floor = read_floor(floor->as_text(), floor->as_text(), *floor, model.structures[end.structure]);
   if (at_node) end.node = at_node->as_text();
-  if (elevation) end.elevation = elevation->as_quantity(dimension::length);
+  if (elevation) end.elevation = elevation->as_quantity();
   return end;
 }
 
 FacingFloors read_floors(const Input& node) {
-  const std::string choice = node.as_choice("choice of floors", {"all", "level", "any"});
+  const std::string choice = node.as_choice();
   return choice == "all" ? FacingFloors::all : choice == "level" ? FacingFloors::level : FacingFloors::any;
 }
 
@@ -95,20 +93,19 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
 LinkOptions read_options(const Input& node, int count) {
   LinkOptions options;
   if (const auto preload = node.find("preload")) options.preload = preload->as_bool();
-  options.gap = node.at("gap", "20 mm").as_quantities(count, dimension::length, options.preload ? bounds::any : bounds::non_negative);
+  options.gap = node.at("gap").as_quantities(count);
   if (const auto name = node.find("name")) options.name = name->as_text();
-  if (const auto points = node.find("points")) options.points = static_cast<int>(points->as_integer(1, 100));
-  if (const auto friction = node.find("friction")) options.friction = friction->as_quantity(dimension::none, bounds::non_negative);
-  if (const auto sliding = node.find("sliding_velocity"))
-    options.sliding_velocity = sliding->as_quantity(dimension::velocity, bounds::positive);
-  if (const auto mass = node.find("reduced_mass")) options.reduced_mass = mass->as_quantity(dimension::mass, bounds::positive);
+  if (const auto points = node.find("points")) options.points = static_cast<int>(points->as_integer());
+  options.friction = node.find_quantity("friction");
+  options.sliding_velocity = node.find_quantity("sliding_velocity");
+  options.reduced_mass = node.find_quantity("reduced_mass");
   return options;
 }
 
 }  // namespace
 
 void read_link(const Input& node, Model& model) {
-  const Input between = node.at("between", "[left, right]");
+  const Input between = node.at("between");
   if (!between.is_list() || between.items().size() != 2)
     between.fail("takes two structures, the left one first; type between: [left, right]");
   const std::vector<Input> ends = between.items();
@@ -120,7 +117,9 @@ void read_link(const Input& node, Model& model) {
     facing_side(model.structures[left.structure], model.structures[right.structure]);
     LinkOptions options = read_options(node, static_cast<int>(count));
     options.floors = floors;
-    model.link(left, right, options, read_law(node, keys));
+    const LawInput law = read_law(node);
+    options.stiffness = law.stiffness;
+    model.link(left, right, options, law.settings);
   } catch (const ModelError& error) {
     fail(error, node, between);
   }

@@ -9,6 +9,7 @@
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/structure_input.hpp>
+#include <pounding/input/words/sections.hpp>
 #include <pounding/model/ground_plan.hpp>
 
 namespace pounding {
@@ -16,33 +17,31 @@ namespace {
 
 AnalysisSettings read_analysis(const Input& node) {
   AnalysisSettings settings;
-  node.only_keys({"duration", "tolerance", "output_step", "integrator", "spectral_radius", "max_step"});
-  settings.duration = node.quantity_or("duration", dimension::time, 0, bounds::positive);
-  settings.tolerance = node.quantity_or("tolerance", dimension::none, settings.tolerance,
-                                         Bounds{.low = min_tolerance, .high = max_tolerance});
+  node.only_keys();
+  settings.duration = node.find_quantity("duration").value_or(0);
+  settings.tolerance = node.quantity("tolerance");
   if (const auto output_step = node.find("output_step")) {
     const double longest = settings.duration > 0 ? settings.duration : std::numeric_limits<double>::infinity();
     settings.output_step = output_step->as_quantity(dimension::time, Bounds{.low = 0, .high = longest, .without_low = true});
   }
   if (const auto integrator = node.find("integrator"))
-    settings.scheme.kind = Scheme::kind_of(integrator->as_choice("integrator", Scheme::names));
+    settings.scheme.kind = Scheme::kind_of(integrator->as_choice());
   if (const auto radius = node.find("spectral_radius")) {
     if (settings.scheme.kind != Scheme::Kind::generalized_alpha)
       radius->fail(node.find("integrator")
                        ? fmt::format("belongs to generalized_alpha; leave it out with integrator: {}", settings.scheme.name())
                        : "belongs to generalized_alpha; type integrator: generalized_alpha beside it");
-    settings.scheme.spectral_radius = radius->as_quantity(dimension::none, bounds::from_0_to_1);
+    settings.scheme.spectral_radius = radius->as_quantity();
   }
-  settings.max_step = node.quantity_or("max_step", dimension::time, 0, bounds::positive);
+  settings.max_step = node.find_quantity("max_step").value_or(0);
   return settings;
 }
 
 CheckpointSettings read_checkpoints(const Input& node) {
   if (!node.is_map() || node.entries().empty())
     node.fail("takes how often; type checkpoint: {every: 60 s} for run time, {every_simulated: 1 s} for simulated time");
-  node.only_keys({"every", "every_simulated"});
-  return {node.quantity_or("every", dimension::time, 0, bounds::positive),
-          node.quantity_or("every_simulated", dimension::time, 0, bounds::positive)};
+  node.only_keys();
+  return {node.find_quantity("every").value_or(0), node.find_quantity("every_simulated").value_or(0)};
 }
 
 Input component(const Input& motion, int axis) {
@@ -77,15 +76,17 @@ Input place_of(const ModelError& error, const Input& input) {
 
 }  // namespace
 
-Model read_model(const Input& input, const ModeSolver& modes) {
-  input.only_keys({"title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare"});
+Model read_model(const Input& file, const ModeSolver& modes, double stiffness_factor) {
+  const Input input = file.in(words::model);
+  input.only_keys();
   Model model;
   model.mode_solver = modes;
+  model.stiffness_factor = stiffness_factor;
   model.source_text = input.text();
   model.source_file = input.file();
   if (const auto title = input.find("title")) model.title = title->as_text();
   if (const auto motion = input.find("ground_motion")) model.ground = read_ground_section(*motion);
-  const Input structures = input.at("structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}");
+  const Input structures = input.at("structures");
   for (const auto& [name, place] : structures.entries()) read_structure(name, place, model);
   if (const auto links = input.find("links")) {
     if (!links->is_list())
@@ -95,7 +96,7 @@ Model read_model(const Input& input, const ModeSolver& modes) {
   if (const auto analysis = input.find("analysis")) model.analysis = read_analysis(*analysis);
   if (const auto checkpoint = input.find("checkpoint")) model.checkpoint = read_checkpoints(*checkpoint);
   if (const auto compare = input.find("compare")) {
-    compare->as_choice("comparison", {"no_pounding"});
+    compare->as_choice();
     model.compare_no_pounding = true;
   }
   try {

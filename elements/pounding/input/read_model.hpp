@@ -7,7 +7,7 @@
 namespace pounding {
 
 /// Reads, checks and completes a whole model; `modes` finds what damping and the first periods need. Throws InputError with file,
-/// line and column.
-Model read_model(const Input& input, const ModeSolver& modes = dense_modes);
+/// line and column. `stiffness_factor` multiplies the stiffness of every contact.
+Model read_model(const Input& input, const ModeSolver& modes = dense_modes, double stiffness_factor = 1);
 
 }  // namespace pounding

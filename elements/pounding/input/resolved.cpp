@@ -143,6 +143,7 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   emit(out, "reduced_mass", link.reduced_mass);
   out << YAML::Key << "reduced_mass_from" << YAML::Value
       << (link.reduced_mass_given ? "the input" : "the masses of the two floors");
+  if (!link.stiffness_from.empty()) out << YAML::Key << "stiffness_from" << YAML::Value << link.stiffness_from;
   if (link.friction > 0) {
     emit(out, "friction", link.friction);
     emit(out, "sliding_velocity", link.sliding_velocity);

@@ -4,8 +4,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include <pounding/frames/beam.hpp>
+#include <pounding/frames/frame.hpp>
 #include <pounding/input/input.hpp>
 
 namespace pounding {
@@ -25,10 +26,15 @@ class SectionLibrary {
   /// The node holds a name or a map.
   Section section(const Input& node) const;
   Material material(const Input& node) const;
+  /// The sections of the columns or the beams of a grid: one, a list from the ground up, or a map from storeys such as 1-3; the one of a
+  /// storey may be a list by line.
+  GridSections sections_of_grid(const Input& node, int storeys, int lines) const;
   /// The material of all members without one; `member` is the place of the error when there is none.
   Material default_material(const Input& member) const;
 
  private:
+  std::vector<Section> of_storey(const Input& node, int lines) const;
+
   int dimension_;
   std::map<std::string, Section> sections_;
   std::map<std::string, Material> materials_;

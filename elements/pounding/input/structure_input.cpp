@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -16,16 +15,9 @@
 namespace pounding {
 namespace {
 
-void only_keys(const Input& body, std::initializer_list<std::string_view> own, bool moves = true, bool damped = true) {
-  std::vector<std::string_view> keys(own);
-  if (damped) keys.push_back("damping");
-  if (moves) keys.insert(keys.end(), {"initial_velocity", "initial_displacement"});
-  body.only_keys(keys);
-}
-
 Structure read_body(const Input& body) {
-  only_keys(body, {"mass"}, true, false);
-  return make_body({.mass = body.at("mass", "100 t").as_quantity(dimension::mass, bounds::positive)});
+  body.only_keys();
+  return make_body({.mass = body.quantity("mass")});
 }
 
 void read_yielding(const Input& body, Structure& s) {
@@ -34,21 +26,21 @@ void read_yielding(const Input& body, Structure& s) {
     hardening->fail_at_key("belongs to storeys that yield; type yield_force: 2 MN beside it, or leave it out");
   if (!force) return;
   const int storeys = s.size();
-  const auto forces = force->as_quantities(storeys, dimension::force, bounds::positive);
-  const auto ratios = hardening ? hardening->as_quantities(storeys, dimension::none, bounds::from_0_below_1)
+  const auto forces = force->as_quantities(storeys);
+  const auto ratios = hardening ? hardening->as_quantities(storeys)
                                 : std::vector<double>(storeys, 0.0);
   let_storeys_yield(s, forces, ratios);
 }
 
 // The damping is read with that of every other structure.
 Structure read_oscillator(const Input& body) {
-  only_keys(body, {"mass", "period", "stiffness", "yield_force", "hardening"});
-  OscillatorOptions options{.mass = body.at("mass", "100 t").as_quantity(dimension::mass, bounds::positive)};
+  body.only_keys();
+  OscillatorOptions options{.mass = body.quantity("mass")};
   const std::optional<Input> period = body.find("period"), stiffness = body.find("stiffness");
   if (period && stiffness) stiffness->fail_at_key("give the period or the stiffness, not both");
   if (!period && !stiffness) body.fail("the stiffness is missing; type period: 0.8 s, or stiffness: 6.2 MN/m");
-  if (stiffness) options.stiffness = stiffness->as_quantity(dimension::stiffness, bounds::positive);
-  if (period) options.period = period->as_quantity(dimension::time, bounds::positive);
+  if (stiffness) options.stiffness = stiffness->as_quantity();
+  if (period) options.period = period->as_quantity();
   if (period && !std::isfinite(stiffness_of_period(options.mass, *options.period)))
     period->fail("is so short that the stiffness m (2 pi/T)^2 is no number");
   Structure s = make_oscillator(options);
@@ -57,12 +49,12 @@ Structure read_oscillator(const Input& body) {
 }
 
 Structure read_shear_building(const Input& body) {
-  only_keys(body, {"storeys", "mass", "stiffness", "height", "yield_force", "hardening"});
-  ShearBuildingOptions options{.storeys = static_cast<int>(body.at("storeys", "5").as_integer(1, 1000))};
+  body.only_keys();
+  ShearBuildingOptions options{.storeys = static_cast<int>(body.at("storeys").as_integer())};
   const int storeys = options.storeys;
-  options.mass = body.at("mass", "250 t").as_quantities(storeys, dimension::mass, bounds::positive);
-  options.stiffness = body.at("stiffness", "350 MN/m").as_quantities(storeys, dimension::stiffness, bounds::positive);
-  if (const auto height = body.find("height")) options.height = height->as_quantities(storeys, dimension::length, bounds::positive);
+  options.mass = body.at("mass").as_quantities(storeys);
+  options.stiffness = body.at("stiffness").as_quantities(storeys);
+  if (const auto height = body.find("height")) options.height = height->as_quantities(storeys);
   Structure s = make_shear_building(options);
   read_yielding(body, s);
   return s;
@@ -81,7 +73,7 @@ struct Kind {
   Structure (*read)(const Input& body);
 };
 
-// The words that can stand under the name of a structure. A new kind of structure has its line here.
+// The kinds of structures. A new one has its line here, and its key and its section in words/structures.cpp.
 constexpr Kind kinds[] = {{"body", read_body},
                           {"oscillator", read_oscillator},
                           {"shear_building", read_shear_building},
@@ -89,11 +81,10 @@ constexpr Kind kinds[] = {{"body", read_body},
                           {"wall", read_wall}};
 
 const Kind& kind_of(const Input& place) {
-  std::vector<std::string_view> words, keys{"damping", "initial_velocity", "initial_displacement", "delay", "ground_motion"};
+  std::vector<std::string_view> words;
   for (const Kind& kind : kinds) words.push_back(kind.word);
-  keys.insert(keys.end(), words.begin(), words.end());
   if (place.is_scalar() && place.as_text() == "wall") place.fail("a wall is written as {wall: {}}");
-  place.only_keys(keys);
+  place.only_keys();
   const Kind* chosen = nullptr;
   for (const Kind& kind : kinds) {
     if (!place.has(kind.word)) continue;
@@ -108,19 +99,19 @@ const Kind& kind_of(const Input& place) {
 
 // A key may stand under the kind's own word or beside it, not in both places.
 std::optional<Input> beside_or_inside(const Input& place, const Input& body, std::string_view key) {
-  const std::optional<Input> inside = body.is_map() ? body.find(key) : std::nullopt;
+  const std::optional<Input> inside = body.is_map() && body.knows(key) ? body.find(key) : std::nullopt;
   const std::optional<Input> beside = place.find(key);
   if (inside && beside) beside->fail_at_key(fmt::format("\"{}\" is given twice; keep one of the two", key));
   return inside ? inside : beside;
 }
 
 RayleighDamping read_rayleigh(const Input& node, const Structure& s) {
-  node.only_keys({"ratio", "modes", "periods"});
-  RayleighDamping damping{.ratio = node.at("ratio", "5 %").as_number(bounds::from_0_below_1)};
+  node.only_keys();
+  RayleighDamping damping{.ratio = node.quantity("ratio")};
   const std::optional<Input> modes = node.find("modes"), periods = node.find("periods");
   if (modes && periods) periods->fail_at_key("give modes or periods, not both");
   if (periods) {
-    const std::vector<double> t = periods->as_quantities(2, dimension::time, bounds::positive);
+    const std::vector<double> t = periods->as_quantities(2);
     damping.periods = {t[0], t[1]};
   }
   if (modes) {
@@ -133,20 +124,20 @@ RayleighDamping read_rayleigh(const Input& node, const Structure& s) {
 }
 
 Damping read_damping(const Input& node, const Structure& s) {
-  if (!node.is_map()) return node.as_number(bounds::from_0_below_1);
-  node.only_keys({"rayleigh", "modal"});
+  if (!node.is_map()) return node.as_quantity();
+  node.only_keys();
   const std::optional<Input> rayleigh = node.find("rayleigh"), modal = node.find("modal");
   if (rayleigh.has_value() == modal.has_value())
     node.fail("takes one of rayleigh and modal; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
   if (rayleigh) return read_rayleigh(*rayleigh, s);
-  modal->only_keys({"ratio"});
-  return ModalDamping{modal->at("ratio", "5 %").as_number(bounds::from_0_below_1)};
+  modal->only_keys();
+  return ModalDamping{modal->quantity("ratio")};
 }
 
 // Floors of a structure along x have one value each; a frame moves as a whole, and of a wall the model refuses any.
-OneOrEach read_initial_motion(const Input& node, const Structure& s, const Dimension& dimension) {
-  if (s.dimension > 1) return node.as_quantity(dimension);
-  return node.as_quantities(s.size(), dimension);
+OneOrEach read_initial_motion(const Input& node, const Structure& s) {
+  if (s.dimension > 1) return node.as_quantity();
+  return node.as_quantities(s.size());
 }
 
 // Reads one structure; what the model refuses is reported at its place in the input.
@@ -166,14 +157,14 @@ class StructureInput {
     const std::optional<Input> delay = place_.find("delay"), motion = place_.find("ground_motion");
     const bool is_damped = !s.is_rigid() && !s.is_free;
     if (damping_) options.damping = is_damped ? read_damping(*damping_, s) : Damping(0);
-    if (velocity_) options.initial_velocity = read_initial_motion(*velocity_, s, dimension::velocity);
-    if (displacement_) options.initial_displacement = read_initial_motion(*displacement_, s, dimension::length);
+    if (velocity_) options.initial_velocity = read_initial_motion(*velocity_, s);
+    if (displacement_) options.initial_displacement = read_initial_motion(*displacement_, s);
     if (motion) {
       GroundSection ground = read_ground_section(*motion);
       if (ground.wave) motion->fail("a wave belongs to the ground_motion of all structures; give this one a delay");
       options.ground_motion = std::move(ground.components);
     }
-    if (delay) options.delay = delay->as_quantity(dimension::time, bounds::non_negative);
+    if (delay) options.delay = delay->as_quantity();
     try {
       model.add(name_, std::move(s), options);
     } catch (const ModelError& error) {

@@ -118,7 +118,8 @@ class Contact {
 
   /// Work done on the link since the beginning, stored and lost [J]; with what it stored at the beginning.
   virtual double work() const noexcept = 0;
-  /// One row per impact, in the order of the touches; the last one is unfinished (t_end NaN) while the impact lasts.
+  /// One row per impact, in the order of the touches; the last one is unfinished (t_end NaN) while the impact lasts, and splits
+  /// its work so far into what is lost and what is stored.
   virtual std::span<const ImpactRow> impacts() const noexcept = 0;
   /// Reads or writes all that moves in accept(), on_event() and jumped().
   virtual void archive(Archive& archive) = 0;

@@ -49,7 +49,9 @@ class GapLink final : public Contact {
                                   "impact_velocity, or a law that needs none, such as linear_spring or hertz");
     state_.press(law_, penetration);
     log_.begin(0, 0);
-    log_.push(0, laws::stored_energy(law_, penetration, state_.impact));
+    const double stored = laws::stored_energy(law_, penetration, state_.impact);
+    log_.push(0, stored);
+    log_.store(stored);
   }
 
   laws::Response evaluate(const LinkMotion& motion) const noexcept override {
@@ -82,6 +84,7 @@ class GapLink final : public Contact {
     log_.add(step);
     record_peak(step);
     state_.keep(law_, step.motion_end.penetration, step.motion_end.rate);
+    log_.store(presses(state_.phase) ? laws::stored_energy(law_, step.motion_end.penetration, state_.impact) : 0);
   }
 
   void on_event(int event, double time, const LinkMotion& motion) override {

@@ -25,6 +25,7 @@ void ImpactLog::begin(double time, double closing_speed) {
   row.v_approach = closing_speed;
   row.t_peak = time;
   rows_.push_back(row);
+  work_of_impact_ = 0;
   open_ = true;
 }
 
@@ -36,8 +37,9 @@ void ImpactLog::add(const LinkStep& step) {
   const double work = h / 6 * (step.force_begin * step.motion_begin.rate + 4 * step.force_middle * step.motion_middle.rate +
                                step.force_end * step.motion_end.rate);
   row.impulse += impulse;
-  row.energy_lost += work;
+  work_of_impact_ += work;
   work_ += work;
+  store(row.energy_stored);
   row.peak_penetration = std::max({row.peak_penetration, step.motion_begin.penetration, step.motion_end.penetration});
   record_peak(step.begin, step.force_begin);
   record_peak(step.end, step.force_end);
@@ -50,7 +52,10 @@ void ImpactLog::record_peak(double time, double force) {
   row.t_peak = time;
 }
 
-void ImpactLog::release(double time) { rows_.back().t_release = time; }
+void ImpactLog::release(double time) {
+  rows_.back().t_release = time;
+  store(0);
+}
 
 void ImpactLog::engage() { rows_.back().t_release = unknown; }
 
@@ -61,20 +66,29 @@ void ImpactLog::end(double time, double rate) {
   if (row.peak_force == 0 && row.impulse > 0) row.peak_force = unknown;  // an impulse without duration
   row.v_separation = -rate;
   row.restitution = restitution(row.v_approach, -rate);
+  store(0);
   open_ = false;
 }
 
 void ImpactLog::push(double impulse, double work) {
   ImpactRow& row = rows_.back();
   row.impulse += impulse;
-  row.energy_lost += work;
+  work_of_impact_ += work;
   work_ += work;
+  store(row.energy_stored);
+}
+
+void ImpactLog::store(double energy) {
+  ImpactRow& row = rows_.back();
+  row.energy_stored = energy;
+  row.energy_lost = work_of_impact_ - energy;
 }
 
 void ImpactLog::archive(Archive& archive) {
   archive(open_);
   archive(rows_);
   archive(work_);
+  archive(work_of_impact_);
 }
 
 }  // namespace pounding

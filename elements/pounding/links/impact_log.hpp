@@ -19,6 +19,8 @@ class ImpactLog {
   void begin(double time, double closing_speed);
   /// Adds a kept step inside the impact: impulse and work by Simpson's rule, peaks at both ends.
   void add(const LinkStep& step);
+  /// The part of the work in this impact that the contact can give back now [J]; the rest counts as lost.
+  void store(double energy);
   /// The force [N] at a time [s] inside a step, where it may be the largest of the impact.
   void record_peak(double time, double force);
   /// The force fell to zero at this time [s]; the bodies still overlap, so it may come back.
@@ -44,7 +46,7 @@ class ImpactLog {
   int link_;
   bool open_ = false;
   std::vector<ImpactRow> rows_;
-  double work_ = 0;
+  double work_ = 0, work_of_impact_ = 0;  // in all impacts, in the last one
 };
 
 }  // namespace pounding

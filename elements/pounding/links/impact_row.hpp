@@ -1,6 +1,8 @@
 #pragma once
 /// One row of the table of impacts.
 
+#include <cmath>
+
 namespace pounding {
 
 /// One impact of one link, as in /impacts of the results file.
@@ -16,7 +18,11 @@ struct ImpactRow {
   double t_peak = 0;            ///< time of the peak force [s]
   double peak_penetration = 0;  ///< [m]
   double impulse = 0;           ///< integral of the force [N s]
-  double energy_lost = 0;       ///< work that the link took and did not give back [J]
+  double energy_lost = 0;       ///< work that the link took and dissipated [J]
+  double energy_stored = 0;     ///< work that a contact which still presses can give back [J]; zero once it is over
 };
+
+/// True while the contact presses: neither released nor over.
+inline bool still_presses(const ImpactRow& row) noexcept { return std::isnan(row.t_end) && std::isnan(row.t_release); }
 
 }  // namespace pounding

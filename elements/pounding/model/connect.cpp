@@ -10,6 +10,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/model/contact_law.hpp>
+#include <pounding/model/contact_stiffness.hpp>
 #include <pounding/model/facing.hpp>
 
 namespace pounding {
@@ -144,11 +145,20 @@ std::vector<double> gaps_of(const LinkOptions& options, int count) {
   }
 }
 
-void set_law(Link& link, const LinkOptions& options, const ContactLaw& law, double of_ends, int number) {
+// Points that press together share the masses of their floors.
+void set_law(Link& link, const LinkOptions& options, const ContactLaw& law, double share, double factor, int number) {
+  const double left = link.left.point.mass / share, right = link.right.point.mass / share;
+  const double of_ends = reduced_mass(left, right);
   link.reduced_mass_given = options.reduced_mass.has_value() || law.reduced_mass() > 0;
   link.reduced_mass = options.reduced_mass ? *options.reduced_mass : law.reduced_mass() > 0 ? law.reduced_mass() : of_ends;
   try {
-    ContactLaw::Made made = law.make(link.reduced_mass, link.gap, number);
+    ContactStiffness stiffness{.factor = factor};
+    if (options.stiffness) {
+      const CollidingMasses bodies{{left, right}, link.reduced_mass};
+      stiffness.estimate = [&, bodies](double exponent) { return estimated_stiffness(*options.stiffness, bodies, exponent); };
+      link.stiffness_from = describe(*options.stiffness, bodies);
+    }
+    ContactLaw::Made made = law.make(link.reduced_mass, link.gap, number, stiffness);
     link.law = std::move(made.name);
     link.formula = std::move(made.formula);
     link.parameters = std::move(made.parameters);
@@ -207,10 +217,7 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
       link.name = name_of(options, pairs[i], a, b, i, count == 1);
       if (along.size() > 1) link.name += fmt::format("#{}", k + 1);
       check_name(link.name, options, links);
-      // Points that press together share the masses of their floors.
-      const double share = static_cast<double>(along.size());
-      set_law(link, options, law, reduced_mass(link.left.point.mass / share, link.right.point.mass / share),
-              static_cast<int>(links.size()));
+      set_law(link, options, law, static_cast<double>(along.size()), stiffness_factor, static_cast<int>(links.size()));
       set_friction(link, options, a, b);
       if (!link.preload) refuse_overlap(link, a, b);
       links.push_back(std::move(link));

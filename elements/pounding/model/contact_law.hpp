@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -14,6 +16,30 @@
 #include <pounding/links/rigid_gap_link.hpp>
 
 namespace pounding {
+
+/// Throws std::invalid_argument.
+[[noreturn]] inline void refuse_estimate(std::string_view law) {
+  throw std::invalid_argument(std::string(law) + " takes no estimate of a stiffness");
+}
+
+/// The exponent n of a law whose stiffness is k in F = k d^n. Throws std::invalid_argument for a law without a stiffness, or one
+/// that tells no exponent.
+template <class Law>
+double stiffness_exponent(const Law& law) {
+  if constexpr (requires { law.stiffness; law.exponent; }) {
+    return law.exponent;
+  } else if constexpr (requires { law.stiffness; Law::parameters; }) {
+    for (const auto& parameter : Law::parameters)
+      if (parameter.info.name == "stiffness") return parameter.info.unit == "N/m" ? 1 : 1.5;
+  }
+  refuse_estimate(Law::name);
+}
+
+/// A stiffness other than the one that a law was given.
+struct ContactStiffness {
+  std::function<double(double exponent)> estimate{};  ///< k [N/m^n] for a law with this exponent n; empty: the law's own
+  double factor = 1;                                  ///< multiplies either
+};
 
 /// A law of the library, a law by name (laws::Settings), or a user's own struct of the form that laws/law.hpp describes. A model
 /// makes one contact a link of it and sets its reduced mass to that of the bodies at the link's ends, unless one is given.
@@ -35,8 +61,14 @@ class ContactLaw {
     }
   ContactLaw(const Law& law) {
     if constexpr (requires { law.reduced_mass; }) reduced_mass_ = law.reduced_mass;
-    make_ = [law](double reduced_mass, double gap, int link) {
+    make_ = [law](double reduced_mass, double gap, int link, const ContactStiffness& stiffness) {
       Law own = law;
+      if constexpr (requires { own.stiffness = 1.0; }) {
+        if (stiffness.estimate) own.stiffness = stiffness.estimate(stiffness_exponent(law));
+        own.stiffness *= stiffness.factor;
+      } else if (stiffness.estimate) {
+        refuse_estimate(Law::name);
+      }
       if constexpr (requires { own.reduced_mass; }) own.reduced_mass = reduced_mass;
       if constexpr (is_of_the_library<Law>(static_cast<laws::AnyLaw*>(nullptr))) return made(laws::AnyLaw(own), gap, link);
       else return made_of_own(own, gap, link);
@@ -45,8 +77,11 @@ class ContactLaw {
 
   /// The reduced mass that the law was given by its user [kg]; 0 for none.
   double reduced_mass() const noexcept { return reduced_mass_; }
-  /// A contact of this law with a gap [m] for the link with this number. Throws std::invalid_argument for what the law refuses.
-  Made make(double reduced_mass, double gap, int link) const { return make_(reduced_mass, gap, link); }
+  /// A contact of this law with a gap [m] for the link with this number. Throws std::invalid_argument for what the law refuses, and for
+  /// an estimated stiffness of a law that has none.
+  Made make(double reduced_mass, double gap, int link, const ContactStiffness& stiffness = {}) const {
+    return make_(reduced_mass, gap, link, stiffness);
+  }
 
  private:
   template <class Law, class... L>
@@ -72,7 +107,7 @@ class ContactLaw {
   }
 
   double reduced_mass_ = 0;
-  std::function<Made(double, double, int)> make_;
+  std::function<Made(double, double, int, const ContactStiffness&)> make_;
 };
 
 }  // namespace pounding

@@ -23,6 +23,10 @@ std::string describe(const Model& model) {
       text += fmt::format(", reduced mass {:.6g} t {}", link.reduced_mass / 1e3,
                           link.reduced_mass_given ? "(as given)" : "(of the two floors)");
     text += '\n';
+    if (!link.stiffness_from.empty())
+      for (const laws::ResolvedValue& value : link.parameters)
+        if (value.name == "stiffness")
+          text += fmt::format("     stiffness {:.4g} {} ({})\n", value.value, value.unit, link.stiffness_from);
   }
   return text;
 }

@@ -14,6 +14,7 @@
 #include <pounding/ground/components.hpp>
 #include <pounding/laws/by_name.hpp>
 #include <pounding/links/contact.hpp>
+#include <pounding/model/contact_stiffness.hpp>
 #include <pounding/model/model_error.hpp>
 #include <pounding/model/scheme.hpp>
 #include <pounding/model/system.hpp>
@@ -43,6 +44,7 @@ struct Link {
   std::string law, formula;
   double reduced_mass = 0;  ///< that the damping was calibrated with [kg]
   bool reduced_mass_given = false;
+  std::string stiffness_from;  ///< how the stiffness was estimated; empty where it was given
   std::vector<laws::ResolvedValue> parameters;  ///< of the law, calibrated damping included
   double friction = 0;            ///< Coulomb's coefficient
   double sliding_velocity = 0;    ///< of its regularisation, see Friction [m/s]
@@ -131,6 +133,8 @@ struct LinkOptions {
   std::optional<double> sliding_velocity{};  ///< of the friction's regularisation [m/s]; 5 mm/s
   /// That the damping is calibrated with [kg]; that of the two ends' own masses unless the law or this says otherwise.
   std::optional<double> reduced_mass{};
+  /// Estimates the stiffness of the law for the masses at the two ends, instead of the one that the law was given.
+  std::optional<StiffnessEstimate> stiffness{};
 };
 
 /// The source_text of a model that was not read from a text.
@@ -146,6 +150,8 @@ class Model {
   AnalysisSettings analysis;
   CheckpointSettings checkpoint;
   bool compare_no_pounding = false;  ///< whether a run also runs the structures without links, before
+  /// Multiplies the stiffness of every contact that is linked from now on, to see how the answer depends on it.
+  double stiffness_factor = 1;
   /// Finds what damping and first periods need. petsc::lowest_modes does so for frames of many thousand unknowns.
   ModeSolver mode_solver = dense_modes;
   std::string source_text{built_by_code};  ///< the input as given

@@ -172,7 +172,8 @@ constexpr ImpactField impact_fields[] = {
     {{"t_peak", "s", "time of the largest contact force"}, &ImpactRow::t_peak},
     {{"peak_penetration", "m", "largest penetration"}, &ImpactRow::peak_penetration},
     {{"impulse", "N s", "integral of the contact force"}, &ImpactRow::impulse},
-    {{"energy_lost", "J", "work that the link took and did not give back"}, &ImpactRow::energy_lost},
+    {{"energy_lost", "J", "work that the link took and dissipated"}, &ImpactRow::energy_lost},
+    {{"energy_stored", "J", "work that a contact which still presses can give back; else zero"}, &ImpactRow::energy_stored},
 };
 
 /// One table, one row an impact: the link's name as text of a fixed length, then the numbers.

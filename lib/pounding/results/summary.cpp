@@ -65,6 +65,9 @@ std::string links_table(const std::vector<LinkSummary>& links) {
     text += fmt::format("{:<{}}  {:>7}  {:>10}  {:>11.4f}  {:>10.4f}  {:>11.5f}\n", s.name, width, s.impacts, force,
                         1e3 * s.peak_penetration, s.impulse / 1e3, shown(s.energy_lost / 1e3, 5));
   }
+  for (const LinkSummary& s : links)
+    if (s.presses)
+      text += fmt::format("{} still presses at the end of the run, with {:.5f} kJ stored\n", s.name, shown(s.energy_stored / 1e3, 5));
   return text;
 }
 
@@ -80,6 +83,8 @@ LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impac
     s.peak_penetration = std::max(s.peak_penetration, row.peak_penetration);
     s.impulse += row.impulse;
     s.energy_lost += row.energy_lost;
+    s.energy_stored += row.energy_stored;
+    s.presses = s.presses || still_presses(row);
   }
   return s;
 }
@@ -92,7 +97,9 @@ std::string to_json(const Summary& summary) {
                      {"peak_force", number(s.peak_force)},
                      {"peak_penetration", s.peak_penetration},
                      {"impulse", s.impulse},
-                     {"energy_lost", s.energy_lost}});
+                     {"energy_lost", s.energy_lost},
+                     {"energy_stored", s.energy_stored},
+                     {"presses", s.presses}});
   const EnergySummary& e = summary.energy;
   Json all = {{"status", summary.status},
               {"links", links},

@@ -11,14 +11,16 @@
 
 namespace pounding {
 
-/// All impacts of one link: peaks over the impacts, sums of impulse and loss.
+/// All impacts of one link: peaks over the impacts, sums of impulse and loss; and what it holds at the end of the run.
 struct LinkSummary {
   std::string name;
   int impacts = 0;
   double peak_force = 0;        ///< [N]; NaN where every impact is rigid and so has no finite force
   double peak_penetration = 0;  ///< [m]
   double impulse = 0;           ///< [N s]
-  double energy_lost = 0;       ///< friction included [J]
+  double energy_lost = 0;       ///< dissipated, friction included [J]
+  double energy_stored = 0;     ///< can still be given back [J]
+  bool presses = false;         ///< the bodies press on each other at the end
 };
 
 /// Summary of the impacts of one link, without friction.

@@ -35,8 +35,12 @@ LinkHistory heading(const Link& link, const Model& model) {
   history.law = link.law;
   history.left = {model.structures[link.left.structure].name, link.left.floor + 1, link.left.label};
   history.right = {model.structures[link.right.structure].name, link.right.floor + 1, link.right.label};
+  // A frame has a place of its own; the other structures stand where their links are.
+  const bool only_right_has_place = model.structures[link.left.structure].geometry.positions.empty() &&
+                                    !model.structures[link.right.structure].geometry.positions.empty();
+  const Eigen::Vector3d& position = (only_right_has_place ? link.right : link.left).point.position;
   for (int i = 0; i < 3; ++i) {
-    history.position[i] = link.left.point.position[i];
+    history.position[i] = position[i];
     history.direction[i] = link.direction[i];
   }
   return history;

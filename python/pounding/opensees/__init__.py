@@ -24,6 +24,7 @@ from typing import Any
 
 import numpy as np
 
+from pounding import told
 from pounding._native import core
 from pounding.contact import Law, Quantity, laws
 from pounding.errors import InputError, SolverError
@@ -32,7 +33,7 @@ from pounding.errors import InputError, SolverError
 LINK_PROCESS = Path(__file__).parent / "link_process.py"
 #: Columns of Link.impacts, with the meaning and the units of those of Run.impacts; peaks are the largest at the ends of steps.
 IMPACT = np.dtype([(name, float) for name in ("t_start", "t_end", "v_approach", "v_separation", "restitution", "peak_force",
-                                              "t_peak", "peak_penetration", "impulse", "energy_lost")])
+                                              "t_peak", "peak_penetration", "impulse", "energy_lost", "energy_stored")])
 
 
 def openseespy() -> Any:
@@ -45,7 +46,7 @@ def openseespy() -> Any:
     return ops
 
 
-class Link:
+class Link(told.Told, lines=told.opensees_link):
     """A gap link in an OpenSees model; `link` makes it."""
 
     def __init__(self, tag: int, nodes: tuple[int, int], dof: int, gap: float, law: Law, reduced_mass: float | None) -> None:
@@ -73,10 +74,6 @@ class Link:
         if told["error"]:
             raise SolverError(f"element {self.tag}: {told['error']}")
         return np.array([tuple(row[name] for name in IMPACT.names or ()) for row in told["impacts"]], dtype=IMPACT)
-
-    def __repr__(self) -> str:
-        i, j = self.nodes
-        return f"<pounding.opensees.Link {self.tag}: nodes {i} and {j}, gap {self.gap:g} m, {self.law!r}>"
 
     def _tell(self) -> dict[str, Any]:
         if self._last is None:

@@ -7,16 +7,21 @@ from matplotlib.axes import Axes
 
 from pounding.pictures.panels import legend_beside, plot_time, time_unit
 from pounding.pictures.style import MM, STRUCTURE_COLOURS, BadRequest
-from pounding.results import RunData, Structure
+from pounding.results import Link, RunData, Structure
 
 #: More displacements than these in one panel cannot be told apart.
 MOST_STRUCTURES = 4
+#: A place of a structure: the number of a floor, from 1; else the words for the end of a link, as "node b" and "10.5 m up".
+Place = int | str
 
 
 def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None = None) -> None:
-    """Displacements of up to four structures where their links are, each a gap away from its left neighbour, so that
+    """Displacements of up to four structures where their highest links are, each a gap away from its left neighbour, so that
     two lines meet when the structures touch. A top above the links is drawn thin. `chosen` maps names of structures to
     numbers of floors, from 0, that are drawn instead; structures with a chosen floor come first.
+
+    Two lines face each other, with the gap shaded between them, where one link joins them at the places that are drawn. The
+    end of a link between floors moves as the floor at its other end and the opening of the link say.
 
     In space the displacements are those of the middle of the floors in the direction of the first link; where a floor
     turns, its ends may touch before the lines meet."""
@@ -24,22 +29,22 @@ def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None =
     drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:MOST_STRUCTURES]
     drawn = [structure for structure in run.structures.values() if any(structure is one for one in drawn)]
     names = [structure.name for structure in drawn]
-    floors = {structure.name: chosen.get(structure.name, _linked_floor(run, structure)) for structure in drawn}
+    places, facing = _places(run, names, {name: floor + 1 for name, floor in chosen.items()})
+    moved = _displacements(run, places, facing)
     offsets = _offsets(run, names)
-    sides = {name: MM * (offsets[name] + _displacement(run, name, floors[name])) for name in names}
+    sides = {name: MM * (offsets[name] + moved[name]) for name in names}
     for structure, colour in zip(drawn, STRUCTURE_COLOURS):
-        name, floor, top = structure.name, floors[structure.name], len(structure.floors) - 1
+        name, place, top = structure.name, places[structure.name], len(structure.floors)
         axes.axhline(MM * offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
-        label = name if top <= 0 else f"{name}, floor {structure.floors[floor]}"
-        plot_time(axes, run, run.time, sides[name], color=colour, label=label)
-        if floor != top and name not in chosen:
-            plot_time(axes, run, run.time, MM * (offsets[name] + _displacement(run, name, top)), color=colour,
-                       linewidth=0.5, alpha=0.7, label=f"{name}, top")
-    facing = _facing(run, floors)
-    sizes = ", ".join(f"{MM * gap:.4g}" for _, _, gap in facing)
-    for i, (left, right, _) in enumerate(facing):
-        axes.fill_between(run.time / time_unit(run)[0], sides[left], sides[right], where=sides[right] >= sides[left],
-                          color="0.55", alpha=0.22, linewidth=0, label=f"gap, {sizes} mm at rest" if i == 0 else None)
+        plot_time(axes, run, run.time, sides[name], color=colour, label=_label(structure, place))
+        if place != top and top and name not in chosen:
+            plot_time(axes, run, run.time, MM * (offsets[name] + _of_floor(run, name, top)), color=colour,
+                      linewidth=0.5, alpha=0.7, label=f"{name}, top")
+    sizes = ", ".join(f"{MM * link.gap:.4g}" for link in facing)
+    for i, link in enumerate(facing):
+        left, right = sides[link.left], sides[link.right]
+        axes.fill_between(run.time / time_unit(run)[0], left, right, where=right >= left, color="0.55", alpha=0.22, linewidth=0,
+                          label=f"gap, {sizes} mm at rest" if i == 0 else None)
     more = len(run.structures) - len(drawn)
     title = "Displacements" if not more else f"Displacements of {len(drawn)} of {len(run.structures)}"
     if any(structure.dimension == 3 for structure in drawn):
@@ -62,12 +67,65 @@ def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
     return chosen
 
 
-def _linked_floor(run: RunData, structure: Structure) -> int:
-    """Index of the highest linked floor; the top when no link names a floor; -1 for a wall, which has no floor."""
-    numbers = [link.left_floor for link in run.links.values() if link.left == structure.name]
-    numbers += [link.right_floor for link in run.links.values() if link.right == structure.name]
-    top = len(structure.floors)
-    return min(max(numbers, default=0) or top, top) - 1
+def _places(run: RunData, names: list[str], chosen: dict[str, Place]) -> tuple[dict[str, Place], list[Link]]:
+    """Where each structure is drawn, and the links that join two of these places: of each pair of neighbours the highest one
+    that fits what is decided. A structure without such a link is drawn at its top; a wall has the place 0."""
+    places: dict[str, Place] = {name: 0 for name in names if run.structures[name].is_wall}
+    places.update(chosen)
+    facing: list[Link] = []
+    pairs: dict[tuple[str, str], list[Link]] = {}
+    for link in run.links.values():
+        if link.left in names and link.right in names:
+            pairs.setdefault((link.left, link.right), []).append(link)
+    for links in pairs.values():
+        # One of the two ends has to be a floor: the motion of the other follows from it.
+        fitting = [link for link in links if any(_is_known(run, *end) for end in _ends(run, link))
+                   and all(places.get(name, place) == place for name, place in _ends(run, link))]
+        if fitting:
+            facing.append(max(fitting, key=lambda link: _height(run, link)))
+            places.update(_ends(run, facing[-1]))
+    return {name: places.get(name, len(run.structures[name].floors)) for name in names}, facing
+
+
+def _ends(run: RunData, link: Link) -> list[tuple[str, Place]]:
+    ends = ((link.left, link.left_floor or link.left_end or 0), (link.right, link.right_floor or link.right_end or 0))
+    return [(name, 0 if run.structures[name].is_wall else place) for name, place in ends]
+
+
+def _is_known(run: RunData, name: str, place: Place) -> bool:
+    """The file has the motion of this place: of a floor, or of a wall."""
+    return isinstance(place, int) and (place > 0 or run.structures[name].is_wall)
+
+
+def _height(run: RunData, link: Link) -> float:
+    """Height of a link [m]; where there is none, the number of its floors."""
+    has_place = any(run.structures[name].geometry is not None for name in (link.left, link.right))
+    if has_place and link.position is not None:
+        return float(link.position[2])
+    for name, place in _ends(run, link):
+        elevations = run.structures[name].elevations
+        if isinstance(place, int) and 0 < place <= elevations.size and np.isfinite(elevations[place - 1]):
+            return float(elevations[place - 1])
+    return float(max(link.left_floor, link.right_floor))
+
+
+def _label(structure: Structure, place: Place) -> str:
+    if len(structure.floors) <= 1 and isinstance(place, int):
+        return structure.name
+    return f"{structure.name}, {place if isinstance(place, str) else f'floor {structure.floors[place - 1]}'}"
+
+
+def _displacements(run: RunData, places: dict[str, Place], facing: list[Link]) -> dict[str, np.ndarray]:
+    """Displacement of each place relative to the ground, in the direction of the links [time] [m]."""
+    moved = {name: _of_floor(run, name, place) for name, place in places.items() if isinstance(place, int)}
+    for _ in facing:
+        for link in facing:
+            widened = np.interp(run.time, link.time, -link.penetration) - link.gap
+            if link.left in moved:
+                moved.setdefault(link.right, moved[link.left] + widened)
+            elif link.right in moved:
+                moved[link.left] = moved[link.right] - widened
+    return moved
 
 
 def _direction(run: RunData) -> np.ndarray:
@@ -83,13 +141,12 @@ def _axis_words(direction: np.ndarray) -> str:
     return f"({x:.2g}, {y:.2g})"
 
 
-def _displacement(run: RunData, name: str, floor: int) -> np.ndarray:
-    """Displacement of a floor relative to the ground, in the direction of the links; a wall moves with the ground."""
+def _of_floor(run: RunData, name: str, floor: int) -> np.ndarray:
+    """Displacement of a floor, from 1, relative to the ground, in the direction of the links; a wall moves with the ground."""
     along = run.structures[name].along
-    parts = [(along[axis].displacement, factor) for axis, factor in zip("xy", _direction(run)) if axis in along]
-    if floor < 0:
+    if floor == 0:
         return np.zeros_like(run.time)
-    return sum(factor * displacement[:, floor] for displacement, factor in parts)
+    return sum(factor * along[axis].displacement[:, floor - 1] for axis, factor in zip("xy", _direction(run)) if axis in along)
 
 
 def _offsets(run: RunData, names: list[str]) -> dict[str, float]:
@@ -102,15 +159,3 @@ def _offsets(run: RunData, names: list[str]) -> dict[str, float]:
             elif link.right in offsets and link.left in names:
                 offsets.setdefault(link.left, offsets[link.right] - link.gap)
     return {name: offsets.get(name, 0.0) for name in names}
-
-
-def _facing(run: RunData, floors: dict[str, int]) -> list[tuple[str, str, float]]:
-    """Drawn pairs (left, right, gap) that one link joins at the floors that are drawn."""
-    pairs: dict[tuple[str, str], float] = {}
-    for link in run.links.values():
-        if link.left not in floors or link.right not in floors:
-            continue
-        ends = ((link.left, link.left_floor), (link.right, link.right_floor))
-        if all(number in (0, floors[name] + 1) for name, number in ends):
-            pairs.setdefault((link.left, link.right), link.gap)
-    return [(left, right, gap) for (left, right), gap in pairs.items()]

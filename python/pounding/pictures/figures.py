@@ -12,18 +12,16 @@ from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
 from pounding.pictures.loops import draw_loops
 from pounding.pictures.model_picture import model_figure
-from pounding.pictures.panels import label_time
+from pounding.pictures.panels import label_time, legend_below
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
-from pounding.pictures.style import STYLE, BadRequest, Picture, head
+from pounding.pictures.style import NARROW, STYLE, BadRequest, Picture, head
 from pounding.results import RunData
 
 WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure}
 OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
                                              "energy": draw_energies}
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
-#: Below this width a legend stands under the axes, not beside them [in].
-NARROW = 4.5
 
 
 def figure(run: RunData, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
@@ -42,7 +40,8 @@ def figure(run: RunData, picture: str = "run", title: str | None = None, size: t
             label_time(axes, run)
         if size[0] < NARROW and axes.get_legend():
             axes.get_legend().remove()
-            made.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+            handles, labels = axes.get_legend_handles_labels()
+            legend_below(made, handles, labels, 3)
         if title == "":
             axes.set_title("")
         head(made, run.title if title is None else title)

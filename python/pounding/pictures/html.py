@@ -25,11 +25,12 @@ def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
 def run_html(title: str, status: str, summary: Mapping[str, Any]) -> str:
     """Largest values of links and structures, and where the energy went, from the object of `pounding run --json`."""
     links = [[one["name"], one["impacts"], _number(one["peak_force"], 1e3), _number(one["peak_penetration"], 1e-3),
-              _number(one["impulse"], 1e3), _number(one["energy_lost"], 1e3)] for one in summary.get("links", [])]
+              _number(one["impulse"], 1e3), _number(one["energy_lost"], 1e3),
+              f"{_number(one['energy_stored'], 1e3)} kJ stored" if one.get("presses") else "no"] for one in summary.get("links", [])]
     structures = [[name, *(_number(max(one[key], default=None), size) for key, size in
                            (("peak_displacement", 1e-3), ("peak_drift", 1e-3), ("peak_acceleration", 1.0)))]
                   for name, one in summary.get("structures", {}).items() if one.get("peak_displacement")]
-    words = ["link", "impacts", "peak force [kN]", "penetration [mm]", "impulse [kN s]", "energy lost [kJ]"]
+    words = ["link", "impacts", "peak force [kN]", "penetration [mm]", "impulse [kN s]", "energy lost [kJ]", "still pressed"]
     parts = [f"<b>{html.escape(title)}</b>" + ("" if status == "done" else f": {html.escape(status)}")]
     if links:
         parts.append(table(words, links))

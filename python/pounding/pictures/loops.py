@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.transforms import Transform
 
 from pounding.pictures.panels import legend_beside, link_styles, say
 from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, MM, VERMILION, engineering, largest
-from pounding.results import RunData
+from pounding.results import Link, RunData
+
+#: The panel of restitutions ends here.
+HIGHEST = 1.5
 
 
 def draw_strongest_loop(axes: Axes, run: RunData) -> None:
@@ -20,16 +26,18 @@ def draw_strongest_loop(axes: Axes, run: RunData) -> None:
         return
     impact = run.impacts[np.nanargmax(run.impacts["peak_force"])]
     link = run.links[impact["link"]]
-    inside = (link.time >= impact["t_start"]) & (link.time <= impact["t_end"])
+    inside = _inside(link, impact)
     size, unit = engineering(peak, FORCE_UNITS)
     penetration, force = MM * link.penetration[inside], link.force[inside] / size
     axes.fill(penetration, force, color=VERMILION, alpha=0.12, linewidth=0)
     axes.plot(penetration, force, color=VERMILION)
     _arrow(axes, penetration, force)
     lost_size, lost_unit = engineering(abs(impact["energy_lost"]), ENERGY_UNITS)
+    out = "still pressed"
+    if np.isfinite(impact["t_end"]):
+        out = f"{impact['v_separation']:.3g} m/s out,\nrestitution {impact['restitution']:.3f}"
     axes.set_ylabel(f"Force [{unit}]")
-    axes.set_xlabel(f"Penetration [mm]\n{link.name} at {impact['t_start']:.3f} s: {impact['v_approach']:.3g} m/s in, "
-                    f"{impact['v_separation']:.3g} m/s out,\nrestitution {impact['restitution']:.3f}, "
+    axes.set_xlabel(f"Penetration [mm]\n{link.name} at {impact['t_start']:.3f} s: {impact['v_approach']:.3g} m/s in, {out}, "
                     f"{impact['energy_lost'] / lost_size:.3g} {lost_unit} lost")
 
 
@@ -43,14 +51,15 @@ def draw_loops(axes: Axes, run: RunData) -> None:
         return
     for link, style in link_styles(run):
         for impact in run.impacts_of(link.name):
-            inside = (link.time >= impact["t_start"]) & (link.time <= impact["t_end"])
+            inside = _inside(link, impact)
             axes.plot(MM * link.penetration[inside], link.force[inside] / size, **{**style, "linewidth": 0.8})
             style["label"] = None
     legend_beside(axes)
 
 
 def draw_restitution(axes: Axes, run: RunData) -> None:
-    """Restitution that each impact obtained, over its closing speed."""
+    """Restitution that each impact obtained, over its closing speed, and dashed what the links were asked for. Storeys push and
+    brake slow impacts: what lies above HIGHEST stands at the upper edge, and words say how far it goes."""
     axes.set_title("Restitution of each impact")
     axes.set(xlabel="Closing speed [m/s]", ylabel="Restitution")
     moving = run.impacts[np.isfinite(run.impacts["restitution"])]
@@ -59,10 +68,39 @@ def draw_restitution(axes: Axes, run: RunData) -> None:
         return
     for link, style in link_styles(run):
         impacts = moving[moving["link"] == link.name]
-        axes.plot(impacts["v_approach"], impacts["restitution"], linestyle="none", marker="o", markersize=3.5,
-                  markerfacecolor="none", markeredgewidth=0.9, color=style["color"], zorder=style["zorder"])
+        for inside, marker in ((impacts["restitution"] <= HIGHEST, "o"), (impacts["restitution"] > HIGHEST, "^")):
+            [marks] = axes.plot(impacts["v_approach"][inside], np.minimum(impacts["restitution"][inside], HIGHEST), linestyle="none",
+                      marker=marker, markersize=3.5, markerfacecolor="none", markeredgewidth=0.9, color=style["color"],
+                      zorder=style["zorder"], clip_on=False)
+            marks.set_in_layout(False)
+    for value in asked_restitutions(run):
+        axes.axhline(value, color="0.25", linewidth=0.8, linestyle=(0, (5, 3)), zorder=1.5)
+        _note(axes, f"asked {value:.4g}", (1, value), axes.get_yaxis_transform(), "bottom")
+    highest = moving["restitution"].max()
+    if highest > HIGHEST:
+        above = int((moving["restitution"] > HIGHEST).sum())
+        _note(axes, f"{above} above {HIGHEST:g}, up to {highest:.3g}", (1, 1), axes.transAxes, "top")
     axes.set_xlim(0, 1.05 * moving["v_approach"].max() or 1)
-    axes.set_ylim(min(0, moving["restitution"].min()), max(1, 1.05 * moving["restitution"].max()))
+    axes.set_ylim(min(0, moving["restitution"].min()), min(HIGHEST, max(1, 1.05 * highest)))
+
+
+def _note(axes: Axes, words: str, place: tuple[float, float], coordinates: Transform, side: str) -> None:
+    """Words inside a panel, at its right edge, that take no room from the layout."""
+    note = axes.annotate(words, place, (-2, 2 if side == "bottom" else -3), xycoords=coordinates, textcoords="offset points", ha="right",
+                         va=side, fontsize=7, color="0.25")
+    note.set_in_layout(False)
+
+
+def asked_restitutions(run: RunData) -> list[float]:
+    """The different restitutions that the links of the input ask for."""
+    links = re.search(r"(?ms)^links:\n(.*?)(?=^\S|\Z)", run.resolved_yaml)
+    return sorted({float(value) for value in re.findall(r"(?m)^\s+restitution: ([-+.\deE]+)", links.group(1) if links else "")})
+
+
+def _inside(link: Link, impact: np.void) -> np.ndarray:
+    """The samples of one impact, which may last to the end of the run."""
+    end = np.inf if np.isnan(impact["t_end"]) else impact["t_end"]
+    return (link.time >= impact["t_start"]) & (link.time <= end)
 
 
 def _arrow(axes: Axes, x: np.ndarray, y: np.ndarray) -> None:

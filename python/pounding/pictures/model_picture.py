@@ -14,27 +14,32 @@ from matplotlib.lines import Line2D
 from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, label_axes, project
 from pounding.results import RunData
 from pounding.pictures.geometry import floor_heights
+from pounding.pictures.panels import legend_below
 from pounding.pictures.scene import Scene
-from pounding.pictures.style import MM, STYLE, Picture, head, structure_colour
+from pounding.pictures.style import MM, NARROW, STYLE, Picture, head, structure_colour
 
 TITLES = {"oblique": "View", "plan": "Plan", "elevation": "Elevation along x", "side": "Elevation along y"}
 
 
 def model_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-    """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations. `size` [in]."""
+    """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations, in a narrow figure the view
+    alone. `size` [in]."""
     scene = Scene(run)
     # Sticks have no place of their own: their gaps are drawn wide enough to be seen.
     widest = max((link.gap for link in run.links.values()), default=0.0)
     if not scene.has_places and widest > 0:
         scene = Scene(run, 0.04 * max(np.ptp(scene.bounds(), axis=1)) / widest)
     views: list[Any] = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
+    if scene.is_spatial and size is not None and size[0] < NARROW:
+        views = [["oblique"]]
     with rc_context(STYLE):
         figure = Picture(figsize=size or _size(scene), layout="constrained")
         axes = figure.subplot_mosaic(views)
         for letter, (view, panel) in zip("abcd", axes.items()):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(axes) > 1 else "")
             draw_model(panel, scene, view)
-        figure.legend(handles=list(_legend(run)), loc="outside lower center", ncols=4)
+        handles = list(_legend(run))
+        legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 4)
         head(figure, run.title if title is None else title)
         return figure
 
@@ -73,7 +78,7 @@ def _label_floors(axes: Axes, scene: Scene) -> None:
         heights, _ = floor_heights(structure)
         every = -(-len(heights) // 16)
         for i in range(len(heights) - 1, -1, -every):
-            axes.annotate(structure.floors[i], (x, heights[i]), (5 * side, 0), textcoords="offset points", va="center",
+            axes.annotate(structure.floors[i], (x, heights[i] + scene.shifts[name][2]), (5 * side, 0), textcoords="offset points", va="center",
                           ha="left" if side > 0 else "right", fontsize=7, color="0.35")
 
 

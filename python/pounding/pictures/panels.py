@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 from pounding.pictures.style import LINK_COLOURS, QUIET, TIME_UNITS, largest
 from pounding.results import Link, RunData
@@ -58,3 +60,16 @@ def legend_beside(axes: Axes, reverse: bool = False) -> None:
     handles, labels = axes.get_legend_handles_labels()
     if handles:
         axes.legend(handles, labels, loc="upper left", bbox_to_anchor=(1.01, 1), reverse=reverse)
+
+
+def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
+    """Under all panels, in as many columns, up to `most`, as the width of the figure holds."""
+    if not handles:
+        return
+    canvas: Any = FigureCanvasAgg(figure)
+    renderer = canvas.get_renderer()
+    for columns in range(min(most, len(handles)), 0, -1):
+        legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
+        if columns == 1 or legend.get_window_extent(renderer).width <= 0.94 * figure.bbox.width:
+            return
+        legend.remove()

@@ -6,15 +6,23 @@ import textwrap
 from collections.abc import Callable
 
 from matplotlib import rc_context
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pounding.pictures.displacements import chosen_floors, draw_displacements
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_restitution, draw_strongest_loop
-from pounding.pictures.panels import label_time
-from pounding.pictures.style import STYLE, VERMILION, Picture, head, largest
+from pounding.pictures.panels import label_time, legend_below
+from pounding.pictures.style import NARROW, STYLE, VERMILION, Picture, head, largest
 from pounding.results import RunData
+
+#: Heights of the rows, from above, in parts of one that is high enough.
+HEIGHTS = {"ground": 0.45, "displacements": 1.3, "openings": 0.9, "forces": 0.9, "energy": 1.0, "error": 0.4, "impacts": 1.6}
+#: Rows that a small figure leaves out, the first one first.
+LEAST_WANTED = ("error", "ground", "impacts", "openings", "energy", "forces")
+#: Height that such a part needs [in].
+LEAST_HEIGHT = 1.1
 
 
 def standard_figure(run: RunData, title: str | None = None, floors: dict[str, str] | None = None,
@@ -22,40 +30,54 @@ def standard_figure(run: RunData, title: str | None = None, floors: dict[str, st
     """Ground motion, displacements, openings, contact forces, energies and the error of their balance against time;
     below them the loop of the strongest impact and the restitution of all.
 
-    What a run does not have is left out: the ground when it is still, links, impacts.
-    A run that is not done says so below the title. `floors` maps names of structures to the labels of the floors whose
-    displacements are drawn instead of the linked ones; BadRequest when there are none such. `size` is that of the figure [in]."""
+    What a run does not have is left out: the ground when it is still, links, impacts. So is what does not fit into a figure of less
+    than some 8 inches, in the order of LEAST_WANTED. A run that is not done says so below the title. `floors` maps names of
+    structures to the labels of the floors whose displacements are drawn instead of the linked ones; BadRequest when there are none
+    such. `size` is that of the figure [in]."""
     chosen = chosen_floors(run, floors or {})
-    over_time: list[tuple[Callable[[Axes, RunData], None], float]] = [
-        (lambda axes, run: draw_displacements(axes, run, chosen), 1.3), (draw_energies, 1.0), (draw_balance_error, 0.4)]
-    over_impacts: list[Callable[[Axes, RunData], None]] = []
-    if run.links:
-        over_time[1:1] = [(draw_openings, 0.9), (draw_forces, 0.9)]
-    if run.impacts.size:
-        over_impacts = [draw_strongest_loop, draw_restitution]
-    if largest([run.ground_acceleration]) > 0:
-        over_time.insert(0, (draw_ground, 0.45))
-    heights = [height for _, height in over_time] + [1.6] * bool(over_impacts)
+    draw: dict[str, Callable[[Axes, RunData], None]] = {
+        "ground": draw_ground, "displacements": lambda axes, run: draw_displacements(axes, run, chosen), "openings": draw_openings,
+        "forces": draw_forces, "energy": draw_energies, "error": draw_balance_error}
+    missing = {"ground": largest([run.ground_acceleration]) == 0, "openings": not run.links, "forces": not run.links,
+               "impacts": not run.impacts.size}
+    heights = {name: height for name, height in HEIGHTS.items() if not missing.get(name)}
+    for name in LEAST_WANTED:
+        if size is not None and 0.7 + LEAST_HEIGHT * sum(heights.values()) > size[1]:
+            heights.pop(name, None)
 
     with rc_context(STYLE):
-        figure = Picture(figsize=size or (7.5, 0.7 + 1.5 * sum(heights)), layout="constrained")
-        rows = figure.add_gridspec(len(heights), 1, height_ratios=heights)
+        figure = Picture(figsize=size or (7.5, 0.7 + 1.5 * sum(heights.values())), layout="constrained")
+        rows = figure.add_gridspec(len(heights), 1, height_ratios=list(heights.values()))
         histories: list[Axes] = []
-        for row, (draw, _) in enumerate(over_time):
+        for row, name in zip(range(len(heights)), [name for name in heights if name in draw]):
             histories.append(figure.add_subplot(rows[row], sharex=histories[0] if histories else None))
-            draw(histories[-1], run)
+            draw[name](histories[-1], run)
             histories[-1].tick_params(labelbottom=False)
         histories[-1].tick_params(labelbottom=True)
         label_time(histories[-1], run)
-        if over_impacts:
+        if "impacts" in heights:
             places = rows[-1].subgridspec(1, 2, wspace=0.08)
-            for column, draw in enumerate(over_impacts):
-                draw(figure.add_subplot(places[column]), run)
+            draw_strongest_loop(figure.add_subplot(places[0]), run)
+            draw_restitution(figure.add_subplot(places[1]), run)
+        if size is not None and size[0] < NARROW:
+            _gather_legends(figure, histories)
         for letter, axes in zip("abcdefgh", figure.axes):
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}")
         _write_heading(figure, run, title)
         figure.align_ylabels(histories)
         return figure
+
+
+def _gather_legends(figure: Figure, panels: list[Axes]) -> None:
+    """One legend below all panels instead of one beside each."""
+    entries: dict[str, Artist] = {}
+    for axes in panels:
+        handles, labels = axes.get_legend_handles_labels()
+        entries |= dict(zip(labels, handles))
+        legend = axes.get_legend()
+        if legend is not None:
+            legend.remove()
+    legend_below(figure, list(entries.values()), list(entries), 3)
 
 
 def _write_heading(figure: Figure, run: RunData, title: str | None) -> None:

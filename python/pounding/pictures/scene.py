@@ -34,8 +34,10 @@ class Scene:
 
     @property
     def has_heights(self) -> bool:
-        """Every structure but walls says how high its floors are."""
-        return all(model.has_heights for name, model in self.line_models.items() if not self.run.structures[name].is_wall)
+        """Every structure says how high its floors are, or stands as high as its links: walls, and bodies beside frames."""
+        beside_frames = any(model.has_place for model in self.line_models.values())
+        return all(model.has_heights or self.run.structures[name].is_wall or beside_frames and not len(model.members)
+                   for name, model in self.line_models.items())
 
     @property
     def has_places(self) -> bool:
@@ -98,7 +100,10 @@ class Scene:
             return (self.scale - 1) * link.gap * link.direction
         apart = (self.scale * link.gap + left.half_width + right.half_width) * link.direction
         if (left.has_place or right.has_place) and link.position is not None:
-            base = np.array([*link.position[:2], 0.0])
+            stick = right if left.has_place else left
+            # A body without a height of its own is lifted to its link.
+            lift = 0.0 if len(stick.members) or stick.has_heights else link.position[2] - stick.nodes[0, 2]
+            base = np.array([*link.position[:2], lift])
             return apart + base if left.has_place else apart - base
         return apart
 

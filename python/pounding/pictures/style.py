@@ -14,6 +14,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from pounding.errors import InputError
+from pounding.outputs import tell
 
 #: Okabe and Ito's colours, which colour-blind readers can tell apart.
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
@@ -31,6 +32,8 @@ STYLE: dict[Any, Any] = {
     "pdf.fonttype": 42,
 }
 MM = 1e3
+#: Below this width of a figure a legend stands under the axes, not beside them, and one panel is enough [in].
+NARROW = 4.5
 FORCE_UNITS = ((1e6, "MN"), (1e3, "kN"), (1.0, "N"))
 IMPULSE_UNITS = ((1e6, "MN s"), (1e3, "kN s"), (1.0, "N s"))
 ENERGY_UNITS = ((1e6, "MJ"), (1e3, "kJ"), (1.0, "J"))
@@ -78,11 +81,12 @@ def structure_colour(number: int) -> str:
 
 
 def write_picture(figure: Figure, path: str | PathLike[str]) -> int:
-    """Writes .png, .pdf or .svg. Returns 0, or 2 after a message."""
+    """Writes .png, .pdf or .svg and says so. Returns 0, or 2 after a message."""
     try:
         with rc_context(STYLE):
             figure.savefig(path)
     except (OSError, ValueError) as error:
         print(f"cannot write {path}: {error}", file=sys.stderr)
         return 2
+    tell("picture", path)
     return 0

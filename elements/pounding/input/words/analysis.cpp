@@ -1,0 +1,63 @@
+#include <pounding/input/words/sections.hpp>
+
+#include <pounding/model/model.hpp>
+
+namespace pounding::words {
+namespace {
+
+constexpr std::string_view comparisons[] = {"no_pounding"};
+
+constexpr Word model_words[] = {
+    {.key = "title", .takes = Takes::text, .otherwise = "no title",
+     .meaning = "Title of the model, for reports and pictures.", .example = "Two oscillators"},
+    {.key = "ground_motion", .inside = &ground_motion, .otherwise = "a still ground",
+     .meaning = "Motion of the ground under all structures that have none of their own.",
+     .example = "{harmonic: {amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}}"},
+    {.key = "structures", .form = Form::named, .inside = &structure, .need = Need::required,
+     .meaning = "The structures by their names, in the order of the results. A name has no \".\" and no \"/\".",
+     .example = "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}"},
+    {.key = "links", .form = Form::list, .inside = &link, .otherwise = "no links",
+     .meaning = "The places where two structures can hit each other, one member of the list a link.",
+     .example = "[{between: [left, right], gap: 20 mm, law: hertz, stiffness: 2.75e9}]"},
+    {.key = "analysis", .inside = &analysis, .meaning = "How long and how exactly the model is run.",
+     .example = "{duration: 10 s}"},
+    {.key = "checkpoint", .inside = &checkpoint, .otherwise = "every second of run time",
+     .meaning = "How often the results file is rewritten while the run goes on, so that a run that was killed can be resumed.",
+     .example = "{every: 60 s}"},
+    {.key = "compare", .takes = Takes::choice, .choices = comparisons, .noun = "comparison", .otherwise = "no comparison",
+     .meaning = "no_pounding also runs the structures without links and reports the ratio of the peaks.",
+     .example = "no_pounding"}};
+
+constexpr Word analysis_words[] = {
+    {.key = "duration", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+     .otherwise = "that of the ground motion", .meaning = "Length of the run, from time 0.", .example = "10 s"},
+    {.key = "tolerance", .takes = Takes::quantity, .bounds = {.low = min_tolerance, .high = max_tolerance},
+     .otherwise = "1e-4", .meaning = "Largest error, relative to the motion and to the forces of the links.",
+     .example = "1e-5"},
+    {.key = "output_step", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+     .otherwise = "the step of the record; without a record a thousandth of the duration",
+     .meaning = "Time between two outputs; at most the duration. It does not change the run.", .example = "0.01 s"},
+    {.key = "integrator", .takes = Takes::choice, .choices = Scheme::names, .otherwise = "esdirk4",
+     .meaning = "Scheme of the time stepping: esdirk4 of order four, generalized_alpha of order two.", .example = "esdirk4"},
+    {.key = "spectral_radius", .takes = Takes::quantity, .bounds = bounds::from_0_to_1, .otherwise = "1",
+     .meaning = "Spectral radius at infinite frequency: 1 damps nothing, 0 all high modes. It needs integrator: generalized_alpha.",
+     .example = "0.8"},
+    {.key = "max_step", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+     .otherwise = "chosen from the record and from the shortest period", .meaning = "Longest step of the time stepping.",
+     .example = "1 ms"}};
+
+constexpr Word checkpoint_words[] = {
+    {.key = "every", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+     .need = Need::at_least_one, .meaning = "Run time between two checkpoints, by the clock.", .example = "60 s"},
+    {.key = "every_simulated", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+     .need = Need::at_least_one, .meaning = "Simulated time between two checkpoints.", .example = "1 s"}};
+
+}  // namespace
+
+constinit const Section model{.name = "model", .place = "", .meaning = "The whole file.", .words = model_words};
+constinit const Section analysis{.name = "analysis", .place = "analysis", .meaning = "Length and accuracy of the run.",
+                                 .words = analysis_words};
+constinit const Section checkpoint{.name = "checkpoint", .place = "checkpoint",
+                                   .meaning = "States that a run leaves to be resumed from.", .words = checkpoint_words};
+
+}  // namespace pounding::words

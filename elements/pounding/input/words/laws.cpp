@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/input/words/sections.hpp>
+#include <pounding/laws/compiled.hpp>
+
+namespace pounding::words {
+namespace {
+
+constexpr std::string_view estimated[] = {"auto"};
+
+/// The words of one law, with the texts that they point to.
+struct OfLaw {
+  std::deque<std::string> texts;
+  std::vector<std::string_view> formulas;
+  std::vector<Word> own_words, link_words;
+  Section own, link;
+
+  explicit OfLaw(const laws::Entry& law) {
+    for (const laws::Formula& formula : law.formulas) formulas.push_back(formula.name);
+    for (const laws::ParameterInfo& parameter : law.parameters) own_words.push_back(word_of(parameter, law));
+    for (const Word& word : words::link.words)
+      if (is_taken(word.key, law)) own_words.push_back(as_taken(word, law));
+
+    link_words.assign(words::link.words.begin(), words::link.words.end());
+    link_words.insert(link_words.end(), own_words.begin(),
+                      own_words.begin() + static_cast<std::ptrdiff_t>(law.parameters.size()));
+    const std::string_view name = law.name, summary = law.summary;
+    own = {.name = name, .place = kept(fmt::format("links[] with law: {}", name)), .meaning = summary, .words = own_words};
+    link = {.name = words::link.name, .place = words::link.place, .meaning = words::link.meaning, .words = link_words};
+  }
+
+ private:
+  std::string_view kept(std::string text) { return texts.emplace_back(std::move(text)); }
+
+  static bool is_taken(std::string_view key, const laws::Entry& law) {
+    return (key == "formula" && !law.formulas.empty()) || (key == "restitution" && law.takes_restitution) ||
+           (key == "impact_velocity" && law.takes_impact_velocity) || (key == "reduced_mass" && law.takes_reduced_mass);
+  }
+
+  Word as_taken(Word word, const laws::Entry& law) {
+    if (word.key == "formula") {
+      word.takes = Takes::choice;
+      word.choices = formulas;
+    }
+    if (word.key == "restitution") {
+      const std::string_view direct = law.direct_damping();
+      word.need = may_be_together(law) ? Need::optional : direct.empty() ? Need::required : Need::exactly_one;
+      word.otherwise = {};
+      if (!law.sticks_at_zero) word.bounds = bounds::above_0_to_1;
+    }
+    return word;
+  }
+
+  // Whether there are parameters that are given together, instead of the others.
+  static bool may_be_together(const laws::Entry& law) {
+    return std::ranges::find(law.parameters, laws::Need::together, &laws::ParameterInfo::need) != law.parameters.end();
+  }
+
+  static Need need_of(const laws::ParameterInfo& parameter, const laws::Entry& law) {
+    switch (parameter.need) {
+      case laws::Need::required: return may_be_together(law) ? Need::at_least_one : Need::required;
+      case laws::Need::together: return Need::at_least_one;
+      case laws::Need::damping: return Need::exactly_one;
+      case laws::Need::optional: break;
+    }
+    return Need::optional;
+  }
+
+  Word word_of(const laws::ParameterInfo& parameter, const laws::Entry& law) {
+    const auto exponent = std::ranges::find(law.parameters, "exponent", &laws::ParameterInfo::name);
+    const std::string unit = laws::resolved_unit(parameter.unit, exponent == law.parameters.end() ? 1.5 : exponent->typical);
+    const std::string_view typical = kept(fmt::format("{:g}{}{}", parameter.typical, unit.empty() ? "" : " ", unit));
+    const bool is_optional = parameter.need == laws::Need::optional;
+    const bool may_be_estimated = parameter.name == "stiffness";
+    return {.key = parameter.name,
+            .takes = Takes::quantity,
+            .inside = may_be_estimated ? &stiffness : nullptr,
+            .dimension = parse_unit_dimension(unit),
+            .unit = parameter.unit,
+            .bounds = parameter.name == "exponent" ? bounds::positive : bounds::any,
+            .instead = may_be_estimated ? std::span<const std::string_view>(estimated) : std::span<const std::string_view>(),
+            .need = need_of(parameter, law),
+            .otherwise = is_optional ? typical : std::string_view{},
+            .meaning = parameter.meaning,
+            .example = typical};
+  }
+};
+
+const OfLaw& of(const laws::Entry& law) {
+  static const std::map<std::string_view, OfLaw> all = [] {
+    std::map<std::string_view, OfLaw> made;
+    for (const laws::Entry& each : laws::catalogue()) made.try_emplace(each.name, each);
+    return made;
+  }();
+  return all.at(law.name);
+}
+
+}  // namespace
+
+bool belongs_to_law(std::string_view key) noexcept {
+  return key == "formula" || key == "restitution" || key == "impact_velocity" || key == "reduced_mass";
+}
+
+const Section& link_with(const laws::Entry& law) { return of(law).link; }
+const Section& parameters_of(const laws::Entry& law) { return of(law).own; }
+
+}  // namespace pounding::words

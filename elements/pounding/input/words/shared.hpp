@@ -1,0 +1,33 @@
+#pragma once
+/// Words and choices that stand in several tables.
+
+#include <pounding/input/words/sections.hpp>
+
+namespace pounding::words {
+
+inline constexpr Word damping_word{
+    .key = "damping", .takes = Takes::quantity, .inside = &damping, .bounds = bounds::from_0_below_1,
+    .otherwise = "none: every structure but bodies and walls needs it; 0 for no damping",
+    .meaning = "Damping ratio: Rayleigh damping that has this ratio in modes 1 and 2, of an oscillator in its only mode. "
+               "It stands beside the kind of the structure or among its keys.",
+    .example = "5 %"};
+inline constexpr Word velocity_word{
+    .key = "initial_velocity", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::velocity,
+    .otherwise = "0 m/s",
+    .meaning = "Velocity at time 0 relative to the ground, positive to the right: one for all floors, or a list from the ground "
+               "up; of a frame one along x.",
+    .example = "0.5 m/s"};
+inline constexpr Word displacement_word{
+    .key = "initial_displacement", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::length,
+    .otherwise = "0 m",
+    .meaning = "Displacement at time 0 relative to the ground, positive to the right: one for all floors, or a list from the "
+               "ground up. A frame starts from its place at rest and has none.",
+    .example = "-5 mm"};
+
+/// Supports of a node of a frame by one word.
+inline constexpr std::string_view supports[] = {"fixed", "pinned", "roller"};
+
+/// Displacements of a node: in the plane ux, uz, ry.
+inline constexpr std::string_view displacements[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
+
+}  // namespace pounding::words

@@ -1,0 +1,117 @@
+#include <pounding/input/words/sections.hpp>
+#include <pounding/input/words/shared.hpp>
+
+namespace pounding::words {
+namespace {
+
+constexpr Word mass_word{.key = "mass", .takes = Takes::quantity, .dimension = dimension::mass, .bounds = bounds::positive,
+                         .need = Need::required, .meaning = "Its mass.", .example = "100 t"};
+constexpr Word yield_word{
+    .key = "yield_force", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::force,
+    .bounds = bounds::positive, .otherwise = "the storeys stay elastic",
+    .meaning = "Storey shear at which a storey yields, bilinearly: one for all storeys, or a list from the ground up. The damping "
+               "stays that of the initial stiffness.",
+    .example = "2 MN"};
+constexpr Word hardening_word{
+    .key = "hardening", .takes = Takes::quantity, .form = Form::one_or_each, .bounds = bounds::from_0_below_1, .otherwise = "0",
+    .meaning = "Stiffness after yielding over the initial one: one for all storeys, or a list from the ground up. It needs "
+               "yield_force.",
+    .example = "5 %"};
+
+constexpr Word structure_words[] = {
+    damping_word,
+    velocity_word,
+    displacement_word,
+    {.key = "delay", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::non_negative, .otherwise = "0 s",
+     .meaning = "Time by which the ground moves later under this structure.", .example = "0.05 s"},
+    {.key = "ground_motion", .inside = &ground_motion, .otherwise = "that of the model",
+     .meaning = "Motion of the ground under this structure alone; without a wave.",
+     .example = "{harmonic: {amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}}"},
+    {.key = "body", .inside = &body, .need = Need::exactly_one, .meaning = "A free mass, for collisions.",
+     .example = "{mass: 60 t}"},
+    {.key = "oscillator", .inside = &oscillator, .need = Need::exactly_one, .meaning = "One mass on one spring.",
+     .example = "{mass: 100 t, period: 0.8 s, damping: 5 %}"},
+    {.key = "shear_building", .inside = &shear_building, .need = Need::exactly_one,
+     .meaning = "Floors on storeys that deform in shear, along x.",
+     .example = "{storeys: 5, mass: 250 t, stiffness: 350 MN/m, height: 3.2 m, damping: 5 %}"},
+    {.key = "frame", .inside = &frame, .need = Need::exactly_one, .meaning = "Beams and columns, in the plane or in space.",
+     .example = "{material: {E: 30 GPa}, grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: "
+                "[0.4 m, 0.4 m]}, beams: {rectangle: [0.3 m, 0.5 m]}, floor_mass: 20 t}, damping: 5 %}"},
+    {.key = "wall", .inside = &wall, .need = Need::exactly_one, .meaning = "Rigid and infinitely heavy; moves with the ground.",
+     .example = "{}"}};
+
+constexpr Word body_words[] = {mass_word, velocity_word, displacement_word};
+
+constexpr Word oscillator_words[] = {
+    mass_word,
+    {.key = "period", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+     .need = Need::exactly_one, .meaning = "Natural period T: the stiffness is m (2 pi/T)^2.", .example = "0.8 s"},
+    {.key = "stiffness", .takes = Takes::quantity, .dimension = dimension::stiffness, .bounds = bounds::positive,
+     .need = Need::exactly_one, .meaning = "Stiffness of the spring.", .example = "6.2 MN/m"},
+    yield_word,
+    hardening_word,
+    damping_word,
+    velocity_word,
+    displacement_word};
+
+constexpr Word shear_building_words[] = {
+    {.key = "storeys", .takes = Takes::integer, .bounds = {.low = 1, .high = 1000}, .need = Need::required,
+     .meaning = "Number of storeys. Floor 1 is the lowest one above the ground.", .example = "5"},
+    {.key = "mass", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::mass, .bounds = bounds::positive,
+     .need = Need::required, .meaning = "Mass of a floor: one for all floors, or a list from the ground up.", .example = "250 t"},
+    {.key = "stiffness", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::stiffness,
+     .bounds = bounds::positive, .need = Need::required,
+     .meaning = "Shear stiffness of a storey: one for all storeys, or a list from the ground up. The first one is between the "
+                "ground and floor 1.",
+     .example = "350 MN/m"},
+    {.key = "height", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::length,
+     .bounds = bounds::positive, .otherwise = "floors without elevations, and no drifts",
+     .meaning = "Height of a storey: one for all storeys, or a list from the ground up.", .example = "3.2 m"},
+    yield_word,
+    hardening_word,
+    damping_word,
+    velocity_word,
+    displacement_word};
+
+constexpr Word damping_words[] = {
+    {.key = "rayleigh", .inside = &rayleigh, .need = Need::exactly_one,
+     .meaning = "Damping a M + b K with a ratio in two modes or at two periods.", .example = "{ratio: 5 %, modes: [1, 2]}"},
+    {.key = "modal", .inside = &modal, .need = Need::exactly_one, .meaning = "The same damping ratio in every mode.",
+     .example = "{ratio: 5 %}"}};
+
+constexpr Word ratio_word{.key = "ratio", .takes = Takes::quantity, .bounds = bounds::from_0_below_1, .need = Need::required,
+                          .meaning = "Damping ratio.", .example = "5 %"};
+
+constexpr Word rayleigh_words[] = {
+    ratio_word,
+    {.key = "modes", .takes = Takes::integer, .form = Form::list, .least = 2, .most = 2, .bounds = {.low = 1},
+     .otherwise = "[1, 2]", .meaning = "Two modes that have the ratio, from 1. Give modes or periods.", .example = "[1, 2]"},
+    {.key = "periods", .takes = Takes::quantity, .form = Form::list, .least = 2, .most = 2, .dimension = dimension::time,
+     .bounds = bounds::positive, .otherwise = "those of the modes",
+     .meaning = "Two periods at which the damping has the ratio. Give modes or periods.", .example = "[0.8 s, 0.25 s]"}};
+
+constexpr Word modal_words[] = {ratio_word};
+
+}  // namespace
+
+constinit const Section structure{.name = "structures", .place = "structures.NAME",
+                                  .meaning = "One structure: its kind, and beside it what every kind can have.",
+                                  .words = structure_words};
+constinit const Section body{.name = "body", .place = "structures.NAME.body", .meaning = "A free mass, for collisions.",
+                             .words = body_words};
+constinit const Section oscillator{.name = "oscillator", .place = "structures.NAME.oscillator",
+                                   .meaning = "One mass on one spring.", .words = oscillator_words};
+constinit const Section shear_building{.name = "shear_building", .place = "structures.NAME.shear_building",
+                                       .meaning = "Floors on storeys that deform in shear, along x.",
+                                       .words = shear_building_words};
+constinit const Section wall{.name = "wall", .place = "structures.NAME.wall",
+                             .meaning = "Rigid and infinitely heavy; moves with the ground. It has no keys: type wall: {}.",
+                             .words = {}};
+constinit const Section damping{.name = "damping", .place = "structures.NAME.damping",
+                                .meaning = "Damping that is more than one ratio.", .words = damping_words};
+constinit const Section rayleigh{.name = "rayleigh", .place = "structures.NAME.damping.rayleigh",
+                                 .meaning = "Damping a M + b K.", .words = rayleigh_words};
+constinit const Section modal{.name = "modal", .place = "structures.NAME.damping.modal",
+                              .meaning = "The same damping ratio in every mode.", .words = modal_words};
+
+}  // namespace pounding::words

@@ -1,0 +1,55 @@
+#include <pounding/input/words/word.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/input/words/sections.hpp>
+
+namespace pounding {
+
+std::string Bounds::text() const {
+  if (has_low() && has_high())
+    return fmt::format(" in {}{:g}, {:g}{}", without_low ? '(' : '[', low, high, without_high ? ')' : ']');
+  if (has_low()) return fmt::format(" {} {:g}", without_low ? ">" : ">=", low);
+  if (has_high()) return fmt::format(" {} {:g}", without_high ? "<" : "<=", high);
+  return {};
+}
+
+namespace words {
+namespace {
+
+constexpr const Section* all[] = {
+    &model,       &ground_motion,   &components,       &motion,       &wave,       &harmonic, &pulse,   &synthetic,
+    &structure,   &body,            &oscillator,       &shear_building, &wall,     &damping,  &rayleigh, &modal,
+    &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
+    &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,
+    &spring,      &tie,             &report,           &link,         &link_end,   &stiffness, &analysis, &checkpoint};
+
+}  // namespace
+
+std::optional<double> Word::default_quantity() const {
+  if (takes != Takes::quantity || otherwise.empty()) return std::nullopt;
+  try {
+    return parse_quantity(otherwise, dimension);
+  } catch (const InputError&) {
+    return std::nullopt;  // in words
+  }
+}
+
+std::string Word::unit_text() const {
+  if (!unit.empty()) return std::string(unit);
+  const std::string plain = pounding::unit_text(dimension);
+  return turning ? fmt::format("{} or {}", plain, pounding::unit_text(*turning)) : plain;
+}
+
+const Word* Section::find(std::string_view key) const noexcept {
+  const auto found = std::ranges::find(words, key, &Word::key);
+  return found == words.end() ? nullptr : &*found;
+}
+
+std::span<const Section* const> sections() noexcept { return all; }
+
+}  // namespace words
+}  // namespace pounding

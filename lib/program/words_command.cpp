@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/laws/compiled.hpp>
+#include <pounding/laws/nearest_name.hpp>
+#include "commands.hpp"
+#include "words_schema.hpp"
+#include "words_text.hpp"
+
+namespace pounding::program {
+namespace {
+
+/// A key and the section that it stands in.
+struct FoundWord {
+  const words::Section* section;
+  const words::Word* word;
+};
+
+std::string place_of(const FoundWord& found) {
+  const std::string_view place = found.section->place;
+  return place.empty() ? std::string(found.word->key) : fmt::format("{}.{}", place, found.word->key);
+}
+
+std::vector<FoundWord> words_named(std::string_view key) {
+  std::vector<FoundWord> found;
+  for (const words::Section* section : all_sections())
+    if (const words::Word* word = section->find(key)) found.push_back({section, word});
+  return found;
+}
+
+std::vector<const words::Section*> sections_named(std::string_view name) {
+  std::vector<const words::Section*> found;
+  for (const words::Section* section : all_sections())
+    if (section->name == name) found.push_back(section);
+  return found;
+}
+
+/// Names that resemble this one, the nearest first.
+std::vector<std::string_view> resembling(std::string_view name) {
+  std::set<std::string_view> known;
+  for (const words::Section* section : all_sections()) {
+    known.insert(section->name);
+    for (const words::Word& word : section->words) known.insert(word.key);
+  }
+  const std::vector<std::string_view> all(known.begin(), known.end());
+  std::vector<std::string_view> near;
+  if (const std::string_view nearest = nearest_name(name, all); !nearest.empty()) near.push_back(nearest);
+  for (const std::string_view each : all) {
+    const bool holds = name.size() > 2 && (each.find(name) != each.npos || (each.size() > 2 && name.find(each) != name.npos));
+    if (holds && std::ranges::find(near, each) == near.end()) near.push_back(each);
+  }
+  return near;
+}
+
+[[noreturn]] void refuse(std::string_view name) {
+  const std::vector<std::string_view> near = resembling(name);
+  const std::string hint = near.empty() ? "" : fmt::format(" Did you mean {}?", fmt::join(near, ", "));
+  throw InputError(fmt::format("unknown word \"{}\" of the input.{} Type pounding words for all of them.", name, hint));
+}
+
+void print_word(const FoundWord& found) {
+  const words::Word& word = *found.word;
+  fmt::print("{}\n  {}\n", place_of(found), word.meaning);
+  const auto line = [](std::string_view name, std::string_view text) { fmt::print("  {:<10}{}\n", name, text); };
+  line("takes", taken_text(word));
+  line("needed", necessity_text(word, *found.section));
+  if (!word.otherwise.empty()) line("default", word.otherwise);
+  line("since", word.since);
+  line("example", fmt::format("{}: {}", word.key, word.example));
+}
+
+void print_line(const words::Word& word, std::size_t depth) {
+  constexpr std::size_t width = 28;
+  const std::string mark = word.need == words::Need::required ? " *" : word.need == words::Need::optional ? "" : " (*)";
+  const std::string name = fmt::format("{}{}{}", std::string(2 * depth, ' '), word.key, mark);
+  fmt::print("{:<{}} {}\n", name, width, taken_text(word));
+}
+
+void print_section(const words::Section& section) {
+  fmt::print("{}\n  {}\n", section.place.empty() ? "the whole file" : section.place, section.meaning);
+  for (const words::Word& word : section.words) print_line(word, 1);
+}
+
+// Sections that stand in several places are shown in the first one.
+void print_tree(const words::Section& section, std::size_t depth, std::set<const words::Section*>& shown) {
+  for (const words::Word& word : section.words) {
+    print_line(word, depth);
+    if (word.inside && shown.insert(word.inside).second) print_tree(*word.inside, depth + 1, shown);
+  }
+}
+
+void print_everything() {
+  std::set<const words::Section*> shown;
+  print_tree(words::model, 0, shown);
+  fmt::print("\nParameters of the laws, beside law in links:\n");
+  for (const laws::Entry& law : laws::catalogue()) {
+    std::vector<std::string_view> names;
+    for (const words::Word& word : words::parameters_of(law).words) names.push_back(word.key);
+    fmt::print("  {:<30}{}\n", law.name, fmt::join(names, ", "));
+  }
+  fmt::print("\n* required, (*) one of several. pounding words NAME shows one of them, a section or a law.\n");
+}
+
+void print_named(std::string_view name) {
+  const std::vector<FoundWord> found = words_named(name);
+  const std::vector<const words::Section*> sections = sections_named(name);
+  if (found.empty() && sections.empty()) refuse(name);
+  const char* between = "";
+  for (const FoundWord& each : found) {
+    fmt::print("{}", between);
+    print_word(each);
+    between = "\n";
+  }
+  for (const words::Section* section : sections) {
+    fmt::print("{}", between);
+    print_section(*section);
+    between = "\n";
+  }
+}
+
+nlohmann::ordered_json json_of(std::string_view name) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const words::Section* section : all_sections())
+    if (name.empty() || section->name == name) {
+      json.push_back(section_json(*section));
+    } else if (const words::Word* word = section->find(name)) {
+      json.push_back(section_json({section->name, section->place, section->meaning, {word, 1}}));
+    }
+  if (json.empty()) refuse(name);
+  return json;
+}
+
+}  // namespace
+
+void add_words(CLI::App& app) {
+  struct Arguments {
+    std::string name;
+    bool json = false, schema = false;
+  };
+  const auto given = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("words", "Words of the input: every key with its type, unit, range, default and an example");
+  command->add_option("NAME", given->name, "A key, a section or a law");
+  CLI::Option* json = command->add_flag("--json", given->json, "Print JSON");
+  command->add_flag("--schema", given->schema, "Print the JSON schema by which editors complete and check a model")->excludes(json);
+  command->callback([given] {
+    if (given->schema && !given->name.empty()) throw InputError("--schema is of the whole input; type pounding words --schema");
+    if (given->schema) return fmt::print("{}\n", input_schema().dump(2));
+    if (given->json) return fmt::print("{}\n", json_of(given->name).dump(2));
+    if (given->name.empty()) return print_everything();
+    print_named(given->name);
+  });
+}
+
+}  // namespace pounding::program

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Makes the page of the input's words and the JSON schema of a model from what the program reads.
+
+    python3 python/docs/word_pages.py build/pounding --write    # the page and the schema
+    python3 python/docs/word_pages.py build/pounding --check    # refuses, with exit code 1, what says something else
+
+The page is python/docs/reference/words.md, the schema python/pounding/model.schema.json.
+"""
+import json
+import subprocess
+
+from generated_pages import ROOT, arguments, refuse
+
+PAGE = ROOT / "python/docs/reference/words.md"
+SCHEMA = ROOT / "python/pounding/model.schema.json"
+FIRST = "0.1.0"
+
+HEAD = """# Words of the input
+
+Every key that a model may hold, as the program reads it; `pounding words` prints the same, and `pounding words gap` one key. Where
+the kind of a value is a quantity, a number alone is in the unit in brackets, and any other unit of the same dimension may stand behind
+it: `20 mm`. Names in capitals are free, `[]` is each member of a list. Every key has been there since version {first} unless it says
+otherwise. [Input](../guide/input.md) explains the same in order.
+
+## In an editor
+
+`pounding words --schema` prints a JSON schema (draft 2020-12); installed, it is `share/pounding/model.schema.json`, and in the Python
+package `pounding/model.schema.json`. In VS Code with the extension YAML (Red Hat), begin a model with
+
+```yaml
+# yaml-language-server: $schema=/usr/local/share/pounding/model.schema.json
+```
+
+or name it for all of them in `settings.json`: `"yaml.schemas": {{"/usr/local/share/pounding/model.schema.json": "models/*.yaml"}}`.
+The editor then completes keys and laws, shows what they mean, and underlines unknown keys, wrong types, units and ranges. What
+several keys say together, and whether names and records exist, `pounding check` tells.
+"""
+
+
+def cell(text):
+    return text.replace("|", "\\|")
+
+
+def row(word):
+    needed = {"required": "**required**", "optional": ""}.get(word["need"], word["need"])
+    otherwise = word.get("default", "")
+    since = f" Since {word['since']}." if word["since"] != FIRST else ""
+    facts = (f"`{word['key']}`", cell(word["takes"]), "; ".join(filter(None, (needed, otherwise))), cell(word["meaning"]) + since,
+             f"`{word['example']}`")
+    return "| " + " | ".join(facts) + " |"
+
+
+def section(found):
+    title = f"`{found['place']}`" if found["place"] else "The whole file"
+    lines = ["", f"## {title}", "", found["meaning"][0].upper() + found["meaning"][1:].rstrip(".") + ".", ""]
+    if found["keys"]:
+        lines += ["| key | takes | needed, or value without it | meaning | example |", "|---|---|---|---|---|", *map(row, found["keys"])]
+    return "\n".join(lines) + "\n"
+
+
+def made(program):
+    """Text of each file that is made."""
+    def printed(*words):
+        return subprocess.run([str(program), "words", *words], capture_output=True, text=True, check=True).stdout
+    page = HEAD.format(first=FIRST) + "".join(map(section, json.loads(printed("--json"))))
+    return {PAGE: page.replace("\n\n\n", "\n\n"), SCHEMA: printed("--schema")}
+
+
+if __name__ == "__main__":
+    program, is_written = arguments(__doc__, "PROGRAM", "the program pounding")
+    for path, text in made(program).items():
+        if is_written:
+            path.write_text(text)
+        elif not path.exists() or path.read_text() != text:
+            refuse(f"{path.relative_to(ROOT)} says something else than the program.", program)

