@@ -88,20 +88,22 @@ pounding::ContactState state_of(const pnd_contact& c) noexcept {
           .impact = {.closing_speed = c.closing_speed,
                      .damping = c.damping,
                      .largest_penetration = c.largest_penetration,
-                     .slip = c.slip},
+                     .slip = c.slip,
+                     .crushed = c.crushed},
           .gap = c.indentation};
 }
 
-// Between impacts a pnd_contact holds nothing but its indentation.
+// Between impacts a pnd_contact holds nothing but its indentation, and how deep the bodies were crushed.
 void put(const pounding::ContactState& state, pnd_contact& c) noexcept {
   const bool touching = presses(state.phase);
-  const laws::Impact impact = touching ? state.impact : laws::Impact{};
+  const laws::Impact impact = touching ? state.impact : laws::Impact{.crushed = state.impact.crushed};
   c.touching = touching ? 1 : 0;
   c.indentation = state.gap;
   c.closing_speed = impact.closing_speed;
   c.damping = impact.damping;
   c.largest_penetration = impact.largest_penetration;
   c.slip = impact.slip;
+  c.crushed = impact.crushed;
 }
 
 template <class L>
@@ -134,7 +136,7 @@ const laws::Entry& entry_at(size_t law) {
 
 // The texts of the tables are literals, which end with a zero.
 pnd_parameter_info info_of(const laws::ParameterInfo& p) noexcept {
-  const int needs[] = {PND_REQUIRED, PND_OPTIONAL, PND_DAMPING};
+  const int needs[] = {PND_REQUIRED, PND_OPTIONAL, PND_DAMPING, PND_TOGETHER};
   return {p.name.data(), p.unit.data(), p.meaning.data(), p.typical, needs[static_cast<int>(p.need)]};
 }
 
@@ -142,7 +144,9 @@ std::vector<pnd_parameter_info> parameters_of(const laws::Entry& entry) {
   std::vector<pnd_parameter_info> list;
   for (const laws::ParameterInfo& p : entry.parameters) list.push_back(info_of(p));
   if (entry.takes_restitution)
-    list.push_back({"restitution", "", "coefficient of restitution, in (0, 1]", laws::typical_restitution,
+    list.push_back({"restitution", "",
+                    entry.sticks_at_zero ? "coefficient of restitution, in [0, 1]" : "coefficient of restitution, in (0, 1]",
+                    laws::typical_restitution,
                     entry.direct_damping().empty() ? PND_REQUIRED : PND_DAMPING});
   if (entry.takes_impact_velocity)
     list.push_back({"impact_velocity", "m/s", "fixed design velocity; without it each impact takes its own",

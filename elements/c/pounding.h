@@ -20,7 +20,7 @@
  * may share it; a pnd_contact is the caller's own data. Nothing else is kept, but for one error text a thread.
  *
  * Binary interface: functions, types and numbers of PND_INTERFACE n stay as they are in all later libraries with the
- * same n, which is the number in libpounding_c.so.n. Functions, status values and laws may be added.
+ * same n, which is the number in libpounding_c.so.n. Functions, status values, needs, laws and their parameters may be added.
  */
 #ifndef POUNDING_H
 #define POUNDING_H
@@ -81,16 +81,18 @@ PND_API void pnd_destroy(pnd_law *law);
 
 /* ---- An impact ---- */
 
-/* History of the impacts of a link. Zeros are two bodies that never touched. All doubles, so that a host may keep it among
+/* History of the impacts of a link. Zeros are two bodies that never touched; a host whose bodies are pressed together from the
+ * start calls pnd_accept at that state, with the rate 0, and gives the law an impact_velocity where it takes one. All doubles, so that a host may keep it among
  * its own state variables; a copy of it takes a step back. */
 typedef struct pnd_contact {
   double touching;            /* 1 while an impact lasts, else 0 */
-  double indentation;         /* what komodromos has added to the gap; taken off every penetration [m] */
+  double indentation;         /* what komodromos and elastoplastic have added to the gap; taken off every penetration [m] */
   double closing_speed;       /* of this impact, or the fixed design velocity [m/s] */
   double damping;             /* the law's coefficient for this impact, in the law's own unit */
   double largest_penetration; /* so far in this impact [m] */
   double slip;                /* plastic slip of bilinear_hertz [m] */
-  double reserved[2];         /* zero */
+  double crushed;             /* deepest penetration of the impacts before, of elastoplastic [m] */
+  double reserved[1];         /* zero */
 } pnd_contact;
 #define PND_CONTACT_DOUBLES 8
 
@@ -111,12 +113,12 @@ PND_API int pnd_respond(const pnd_law *law, const pnd_contact *contact, double p
                         pnd_response *response);
 
 /* A state was kept. Bodies that overlap and were apart begin an impact, whose closing speed is this rate (0 where the
- * rate is negative); an impact goes on; bodies that no longer overlap end it, as does komodromos at the state where its
- * force has come down to zero. `contact->touching` tells what happened. */
+ * rate is negative); an impact goes on; bodies that no longer overlap end it, as do komodromos and elastoplastic at the state
+ * where their force has come down to zero. `contact->touching` tells what happened. */
 PND_API int pnd_accept(const pnd_law *law, double penetration, double rate, pnd_contact *contact);
 
 /* The impact ends here. For a host that locates the separation; the others leave it to pnd_accept. With komodromos the
- * penetration that is left is added to the indentation. PND_BAD_ARGUMENT: also while no impact lasts. */
+ * penetration that is left is added to the indentation, with elastoplastic what was crushed. PND_BAD_ARGUMENT: also while no impact lasts. */
 PND_API int pnd_separate(const pnd_law *law, double penetration, pnd_contact *contact);
 
 /* ---- What a law gives for two free bodies ---- */
@@ -151,7 +153,8 @@ typedef struct pnd_law_info {
 enum pnd_need {
   PND_REQUIRED = 0,
   PND_OPTIONAL = 1,
-  PND_DAMPING = 2 /* exactly one of those marked so */
+  PND_DAMPING = 2, /* exactly one of those marked so */
+  PND_TOGETHER = 3 /* all of those marked so, and then no other parameter */
 };
 
 /* One parameter of a law. */

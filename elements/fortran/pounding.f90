@@ -31,7 +31,7 @@ module pounding
 
   type, bind(C) :: pnd_contact
     real(c_double) :: touching = 0, indentation = 0, closing_speed = 0, damping = 0, largest_penetration = 0, slip = 0
-    real(c_double) :: reserved(2) = 0
+    real(c_double) :: crushed = 0, reserved(1) = 0
   end type
 
   type, bind(C) :: pnd_response

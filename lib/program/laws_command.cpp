@@ -32,6 +32,7 @@ std::string_view need_text(laws::Need need) {
     case laws::Need::required: return "required";
     case laws::Need::optional: return "optional";
     case laws::Need::damping: return "instead of a restitution";
+    case laws::Need::together: return "together, instead of all others";
   }
   return "";
 }
@@ -41,7 +42,8 @@ nlohmann::json law_json(const laws::Entry& entry) {
                      {"symbols", entry.symbols}, {"range", entry.range}, {"beware", entry.beware},
                      {"restitution", entry.takes_restitution}, {"impact_velocity", entry.takes_impact_velocity},
                      {"reduced_mass", entry.takes_reduced_mass}, {"may_pull", entry.may_pull},
-                     {"leaves_indentation", entry.leaves_indentation}, {"instantaneous", entry.instantaneous}};
+                     {"leaves_indentation", entry.leaves_indentation}, {"instantaneous", entry.instantaneous},
+                     {"sticks_at_zero", entry.sticks_at_zero}};
   law["parameters"] = nlohmann::json::array();
   for (const laws::ParameterInfo& p : entry.parameters)
     law["parameters"].push_back({{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"typical", p.typical},
@@ -78,7 +80,8 @@ void print_parameters(const laws::Entry& entry) {
   for (const laws::ParameterInfo& p : entry.parameters)
     line(p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning, need_text(p.need));
   if (entry.takes_restitution)
-    line("restitution", "", fmt::format("{:g}", laws::typical_restitution), "coefficient of restitution e, in (0, 1]",
+    line("restitution", "", fmt::format("{:g}", laws::typical_restitution),
+         entry.sticks_at_zero ? "coefficient of restitution e, in [0, 1]" : "coefficient of restitution e, in (0, 1]",
          entry.direct_damping().empty() ? "required" : "or a direct damping value");
   if (entry.takes_impact_velocity)
     line("impact_velocity", "m/s", "", "fixed design velocity; without it each impact takes its own", "optional");

@@ -168,6 +168,7 @@ const char* need_word(laws::Need need) {
     case laws::Need::required: return "required";
     case laws::Need::optional: return "optional";
     case laws::Need::damping: return "instead of restitution";
+    case laws::Need::together: return "together, instead of all others";
   }
   return "";
 }

@@ -80,7 +80,7 @@ def parameters(law):
     rows = [(f"`{p['name']}`", p["unit"] or "-", f"{p['typical']:g}", p["meaning"], p["need"]) for p in law["parameters"]]
     if law["restitution"]:
         direct = any(p["need"].startswith("instead") for p in law["parameters"])
-        rows.append(("`restitution`", "-", RESTITUTION, "coefficient of restitution e, in (0, 1]", "or a direct damping value" if direct else "required"))
+        rows.append(("`restitution`", "-", RESTITUTION, f"coefficient of restitution e, in {'[' if law['sticks_at_zero'] else '('}0, 1]", "or a direct damping value" if direct else "required"))
     if law["impact_velocity"]:
         rows.append(("`impact_velocity`", "m/s", "", "fixed design velocity; without it each impact takes its own closing speed", "optional"))
     if law["reduced_mass"]:

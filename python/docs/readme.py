@@ -54,8 +54,9 @@ def laws(program):
     rows = ["| law | force | formulas | direct damping |", "|---|---|---|---|"]
     for law in json.loads(output(program, "laws", "--json")):
         formulas = ", ".join(f"`{f['name']}`" for f in law["formulas"]) or "-"
-        direct = [p["name"] for p in law["parameters"] if p["need"].startswith("instead")]
-        rows.append(f"| [`{law['name']}`](elements/pounding/laws/pages/{law['name']}.md) | {law['force']} | {formulas} | {', '.join(f'`{d}`' for d in direct) or '-'} |")
+        direct = [f"`{p['name']}`" for p in law["parameters"] if p["need"].startswith("instead")]
+        direct += [" and ".join(f"`{p['name']}`" for p in law["parameters"] if p["need"].startswith("together"))]
+        rows.append(f"| [`{law['name']}`](elements/pounding/laws/pages/{law['name']}.md) | {law['force']} | {formulas} | {', '.join(filter(None, direct)) or '-'} |")
     return "\n".join(rows)
 
 

@@ -32,7 +32,7 @@ class Parameter:
     unit: str
     meaning: str
     typical: float  #: SI
-    need: str  #: required, optional, or instead of restitution
+    need: str  #: required, optional, instead of restitution, or together, instead of all others
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,8 @@ class LawKind:
                  impact_velocity: Quantity | None = None, reduced_mass: Quantity | None = None,
                  **parameters: Quantity | None) -> Law:
         """The law with its damping from `restitution` (0, 1] by `formula` ("exact"), or given directly by one of the
-        parameters that are there instead of a restitution.
+        parameters that are there instead of a restitution. Those marked "together" are given alone. Two laws take a restitution
+        of 0, with which the bodies stick: stereomechanical and kelvin_voigt.
 
         `impact_velocity` is a fixed design velocity [m/s]; without it every impact takes its own. `reduced_mass` is
         m1 m2/(m1+m2) [kg] of the bodies, where the damping depends on it. Raises InputError."""
@@ -117,9 +118,13 @@ class Law:
         self.reduced_mass = None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
         #: in SI
         self.parameters = {name: _number(name, value, units.get(name, ""), exponent) for name, value in given.items()}
-        # Without a mass of its own the law is checked with another one; every answer asks for the true one.
-        made = self._make(1.0 if self.reduced_mass is None else self.reduced_mass)
-        self._made = None if self.reduced_mass is None and kind.takes_reduced_mass else made
+        # Without a mass of its own the law is checked with another one; every answer asks for the true one, unless none is needed.
+        self._made: core.Law | None = self._make(1.0 if self.reduced_mass is None else self.reduced_mass)
+        if self.reduced_mass is None and kind.takes_reduced_mass:
+            try:
+                self._made = self._make(0.0)
+            except InputError:
+                self._made = None
 
     def force(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None = None, *,
               reduced_mass: Quantity | None = None, in_order: bool = False) -> Values:

@@ -36,7 +36,7 @@ def process(code):
 
 
 def typical(kind):
-    given = {p.name: p.typical for p in kind.parameters if p.need != "instead of restitution"}
+    given = {p.name: p.typical for p in kind.parameters if p.need in ("required", "optional")}
     if kind.takes_restitution:
         given["restitution"] = 0.65
     return kind(**given, reduced_mass=MASS if kind.takes_reduced_mass else None)

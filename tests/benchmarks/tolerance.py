@@ -40,6 +40,7 @@ LAWS = {
     "adams_impact": f"{HERTZ}, depth: 1 mm, restitution: 0.65",
     "limited_damper": f"{HERTZ}, restitution: 0.65",
     "stereomechanical": "restitution: 0.65",
+    "elastoplastic": f"{HERTZ}, restitution: 0.65",
 }
 TOLERANCES = ["1e-3", "1e-4", "1e-5", "1e-6"]
 SCHEMES = ["generalized_alpha", "esdirk4"]

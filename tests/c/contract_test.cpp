@@ -152,6 +152,56 @@ TEST(CInterface, KomodromosLeavesItsIndentationInTheGap) {
   EXPECT_DOUBLE_EQ(contact.indentation, 1.2 * left);
 }
 
+// k d up to 5 mm, back at 1/e^2 = 4 times the slope: three quarters stay, and the next impact is elastic until 5 mm again.
+TEST(CInterface, ElastoplasticRemembersWhatWasCrushed) {
+  const test::LawInC law = test::made_in_c({.law = "elastoplastic", .formula = {}, .restitution = 0.5, .reduced_mass = 6e4,
+                                            .values = {{"stiffness", 1e8}, {"exponent", 1}}});
+  ASSERT_TRUE(law) << pnd_error_text();
+  pnd_contact contact{};
+  ASSERT_EQ(pnd_accept(law.get(), 5e-3, 0.3, &contact), PND_OK);
+  ASSERT_EQ(pnd_accept(law.get(), 4e-3, -0.1, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 1);
+  ASSERT_EQ(pnd_accept(law.get(), 3.7e-3, -0.1, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 0);
+  EXPECT_DOUBLE_EQ(contact.indentation, 0.75 * 5e-3);
+  EXPECT_DOUBLE_EQ(contact.crushed, 5e-3);
+  ASSERT_EQ(pnd_accept(law.get(), 3.7e-3, 0.1, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 0) << "inside the indentation";
+  ASSERT_EQ(pnd_accept(law.get(), 4e-3, 0.1, &contact), PND_OK);
+  EXPECT_EQ(contact.touching, 1);
+  pnd_response r{};
+  ASSERT_EQ(pnd_respond(law.get(), &contact, 4.5e-3, 0.1, &r), PND_OK);
+  EXPECT_NEAR(r.force, 4e8 * (4.5e-3 - 3.75e-3), 1e-6);
+  EXPECT_NEAR(r.by_penetration, 4e8, 1e-4);
+  ASSERT_EQ(pnd_respond(law.get(), &contact, 6e-3, 0.1, &r), PND_OK);
+  EXPECT_NEAR(r.force, 1e8 * 6e-3, 1e-6);
+  EXPECT_NEAR(r.by_penetration, 1e8, 1e-4);
+  ASSERT_EQ(pnd_separate(law.get(), 3.75e-3, &contact), PND_OK);
+  EXPECT_DOUBLE_EQ(contact.indentation, 0.75 * 5e-3);
+}
+
+TEST(CInterface, LawsGivenByWhatTheyNeedTakeNoMass) {
+  const auto made = [](const char* name, std::vector<pnd_value> values) {
+    pnd_law* law = nullptr;
+    pnd_create(name, "", values.data(), values.size(), &law);
+    return test::LawInC(law);
+  };
+  const test::LawInC bilinear =
+      made("bilinear_hertz", {{"initial_stiffness", 4e8}, {"secondary_stiffness", 1e8}, {"yield_penetration", 1e-3}});
+  ASSERT_TRUE(bilinear) << pnd_error_text();
+  const test::LawInC kelvin = made("kelvin_voigt", {{"stiffness", 1e8}, {"damping_coefficient", 2e5}});
+  ASSERT_TRUE(kelvin) << pnd_error_text();
+  pnd_contact contact{};
+  pnd_response r{};
+  ASSERT_EQ(pnd_touch(bilinear.get(), 0.5, &contact), PND_OK);
+  ASSERT_EQ(pnd_respond(bilinear.get(), &contact, 3e-3, 0.2, &r), PND_OK);
+  EXPECT_DOUBLE_EQ(r.force, 4e8 * 1e-3 + 1e8 * 2e-3);
+  contact = {};
+  ASSERT_EQ(pnd_touch(kelvin.get(), 0.5, &contact), PND_OK);
+  ASSERT_EQ(pnd_respond(kelvin.get(), &contact, 3e-3, 0.2, &r), PND_OK);
+  EXPECT_DOUBLE_EQ(r.force, 1e8 * 3e-3 + 2e5 * 0.2);
+}
+
 TEST(CInterface, CopyOfTheContactTakesAStepBack) {
   const test::LawInC law = typical("bilinear_hertz");
   pnd_contact contact{};

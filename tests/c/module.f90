@@ -43,6 +43,14 @@ program module_test
   call status_is('a free impact', PND_OK, pnd_collide(law, 6d4, 0.8d0, impact))
   call expect('its restitution', abs(impact%restitution - 0.725d0) < 5d-4)
   call pnd_destroy(law)
+
+  ! 5 mm on a linear spring, back at 1/e^2 times the slope: an indentation of (1 - e^2) 5 mm stays.
+  call status_is('a law that crushes', PND_OK, pnd_create('elastoplastic', 'exact', [pnd_value('stiffness', 1d8), &
+                                             pnd_value('exponent', 1d0), pnd_value('restitution', 0.5d0)], law))
+  call status_is('a press', PND_OK, pnd_accept(law, 5d-3, 0.3d0, contact))
+  call status_is('its end', PND_OK, pnd_accept(law, 3.7d-3, -0.3d0, contact))
+  call expect('its indentation', near(contact%indentation, 3.75d-3) .and. near(contact%crushed, 5d-3))
+  call pnd_destroy(law)
   call pnd_destroy(c_null_ptr)
   if (wrong > 0) error stop 1
 

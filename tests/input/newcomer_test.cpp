@@ -128,11 +128,11 @@ TEST(Newcomer, WritesUnitsAsWords) {
 
 TEST(Newcomer, AsksForRestitutionsThatCannotBe) {
   refused(damped("restitution: 0"),
-          "5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; 0 would "
-          "leave the bodies together after each impact, which no law here does: type a small one such as 0.05");
+          "5:93: links[0].restitution: restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
+          "with stereomechanical and kelvin_voigt they stick at 0");
   refused(damped("restitution: 0 %"),
-          "5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; 0 would "
-          "leave the bodies together after each impact, which no law here does: type a small one such as 0.05");
+          "5:93: links[0].restitution: restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
+          "with stereomechanical and kelvin_voigt they stick at 0");
   refused(damped("restitution: 1.2"),
           R"(5:93: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; "1.2" )"
           "would gain energy at each impact; 1 loses none");

@@ -114,10 +114,16 @@ TEST_F(Words, EachKeyThatIsReadHasAWord) {
 TEST_F(Words, EachParameterOfEachLawIsRead) {
   for (const laws::Entry& law : laws::catalogue()) {
     const Section& own = words::parameters_of(law);
+    const auto is = [&](const Word& word, laws::Need need) {
+      const auto found = std::ranges::find(law.parameters, word.key, &laws::ParameterInfo::name);
+      return found != law.parameters.end() && found->need == need;
+    };
     for (const Word& word : own.words) {
+      const laws::Need needed = is(word, laws::Need::together) ? laws::Need::together : laws::Need::required;
+      const bool asks = needed == laws::Need::required && word.need != Need::exactly_one;
       Keys keys{{"between", "[left, right]"}, {"gap", "20 mm"}, {"law", std::string(law.name)}};
       for (const Word& each : own.words)
-        if (each.need == Need::required || (each.key == "restitution" && word.need != Need::exactly_one))
+        if (is(each, needed) || (each.key == "restitution" && asks))
           keys[std::string(each.key)] = each.example;
       keys[std::string(word.key)] = word.example;
       EXPECT_EQ(refusal(with_keys(words::link, keys)), "") << map_of(keys);

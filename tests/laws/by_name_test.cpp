@@ -1,10 +1,12 @@
 /// Laws by name: what is made, what is refused with which words, and what a made law says of itself.
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -37,7 +39,7 @@ TEST(LawsByName, EveryLawOfTheDesignIsThere) {
   const std::set<std::string_view> expected{
       "linear_spring", "kelvin_voigt", "kelvin_voigt_no_tension", "komodromos", "modified_linear_viscoelastic", "modified_kelvin",
       "hertz", "hertz_damped", "jankowski", "bilinear_hertz", "viscous_hertz", "kuwabara_kono", "adams_impact", "limited_damper",
-      "stereomechanical"};
+      "stereomechanical", "elastoplastic"};
   std::set<std::string_view> found;
   for (const Entry& entry : catalogue()) found.insert(entry.name);
   EXPECT_EQ(found, expected);
@@ -185,6 +187,80 @@ TEST(LawsByName, RigidImpactNeedsItsRestitution) {
   EXPECT_TRUE(entry_of(make_law(s)).instantaneous);
 }
 
+// The refusal names the laws that take it.
+TEST(LawsByName, ZeroRestitutionIsForLawsWithWhichTheBodiesStick) {
+  for (const Entry& entry : catalogue()) {
+    if (!entry.takes_restitution) continue;
+    Settings s = typical_settings(entry);
+    s.restitution = 0;
+    EXPECT_EQ(refusal(s), entry.sticks_at_zero ? "accepted"
+                                               : "restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
+                                                 "with stereomechanical and kelvin_voigt they stick at 0")
+        << entry.name;
+  }
+  Settings s = typical_settings(find_law("kelvin_voigt"));
+  s.restitution = -0.1;
+  EXPECT_EQ(refusal(s), "restitution is -0.1, but must be in [0, 1]");
+  s.restitution = 0;
+  for (const std::string_view formula : {"exact", "anagnostopoulos"}) {
+    s.formula = formula;
+    EXPECT_EQ(described(make_law(s), "damping_ratio"), 1) << formula;
+  }
+}
+
+Settings bilinear() {
+  return {.law = "bilinear_hertz",
+          .formula = {},
+          .values = {{"initial_stiffness", 4e8}, {"secondary_stiffness", 1e8}, {"yield_penetration", 1e-3}}};
+}
+
+TEST(LawsByName, ParametersThatGoTogetherAreAllThatIsGiven) {
+  EXPECT_EQ(refusal(bilinear()), "accepted") << "neither mass nor restitution";
+  const std::vector<ResolvedValue> values = describe(make_law(bilinear()));
+  ASSERT_EQ(values.size(), 3u);
+  EXPECT_EQ(values[0].name, "initial_stiffness");
+  EXPECT_EQ(values[0].unit, "N/m");
+  EXPECT_EQ(values[2].value, 1e-3);
+  Settings s = bilinear();
+  s.values.erase("yield_penetration");
+  EXPECT_EQ(refusal(s), "bilinear_hertz needs yield_penetration (penetration d_y at the yield)");
+  s = bilinear();
+  s.values["stiffness"] = 1e9;
+  EXPECT_EQ(refusal(s), "stiffness has no effect beside initial_stiffness; leave one of them out");
+  s = bilinear();
+  s.restitution = 0.5;
+  EXPECT_EQ(refusal(s), "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without restitution, "
+                        "which would have no effect");
+  s = bilinear();
+  s.formula = "exact";
+  EXPECT_EQ(refusal(s), R"(formula "exact" needs a restitution to find the damping of bilinear_hertz)");
+  s = bilinear();
+  s.impact_velocity = 0.5;
+  EXPECT_EQ(refusal(s), "bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without impact_velocity, "
+                        "which would have no effect");
+  s = bilinear();
+  s.values["secondary_stiffness"] = 5e8;
+  EXPECT_EQ(refusal(s), "secondary_stiffness is 5e+08, but must be at most the initial_stiffness, 4e+08");
+  for (const char* name : {"initial_stiffness", "secondary_stiffness", "yield_penetration"})
+    for (const double bad : {0.0, -1.0}) {
+      s = bilinear();
+      s.values[name] = bad;
+      EXPECT_EQ(refusal(s), std::string(name) + " is " + number_text(bad) + ", but must be finite and positive");
+    }
+}
+
+TEST(LawsByName, DashpotCoefficientNeedsNoMass) {
+  for (const char* name : {"kelvin_voigt", "kelvin_voigt_no_tension", "komodromos", "modified_linear_viscoelastic"}) {
+    Settings s{.law = name, .formula = {}, .values = {{"stiffness", 1e8}, {"damping_coefficient", 2e5}}};
+    ASSERT_EQ(refusal(s), "accepted") << name;
+    EXPECT_EQ(damping_coefficient(make_law(s), 1), 2e5);
+    s.reduced_mass = 4e4;
+    EXPECT_DOUBLE_EQ(described(make_law(s), "damping_ratio"), 2e5 / (2 * std::sqrt(1e8 * 4e4))) << name;
+    s.restitution = 0.5;
+    EXPECT_EQ(refusal(s), std::string(name) + " takes its damping once, but restitution and damping_coefficient are given; keep one of them");
+  }
+}
+
 TEST(LawsByName, LawsThatNeedTheMassRefuseNone) {
   for (const Entry& entry : catalogue()) {
     Settings s = typical_settings(entry);
@@ -196,7 +272,8 @@ TEST(LawsByName, LawsThatNeedTheMassRefuseNone) {
 TEST(LawsByName, TraitsAreThoseOfTheLaws) {
   for (const Entry& entry : catalogue()) {
     EXPECT_EQ(entry.may_pull, entry.name == "kelvin_voigt");
-    EXPECT_EQ(entry.leaves_indentation, entry.name == "komodromos");
+    EXPECT_EQ(entry.leaves_indentation, entry.name == "komodromos" || entry.name == "elastoplastic");
+    EXPECT_EQ(entry.sticks_at_zero, entry.name == "stereomechanical" || entry.name == "kelvin_voigt");
     EXPECT_EQ(entry.instantaneous, entry.name == "stereomechanical");
   }
 }

@@ -148,6 +148,30 @@ TYPED_TEST(LawContract, ClosedCycleNeverGainsEnergy) {
     }
 }
 
+// A later impact begins where the one before has left the surfaces; the memory is that of the kept states alone.
+TYPED_TEST(LawContract, CrushedSurfacesAreRemembered) {
+  if constexpr (crushes<TypeParam>) {
+    keep(this->law, 2e-3, 0.1, this->impact);
+    const double crushed = this->law.crushed(this->impact), indentation = this->law.indentation(this->impact);
+    EXPECT_EQ(crushed, 2e-3);
+    EXPECT_GT(indentation, 0);
+    EXPECT_NEAR(this->law.respond(indentation, 0, this->impact).force, 0, 1e-12 * this->law.respond(2e-3, 0, this->impact).force);
+    Impact later = touch(this->law, 0.3, crushed);
+    EXPECT_EQ(this->law.crushed(later), crushed);
+    EXPECT_EQ(this->law.indentation(later), 0);
+    const double core = crushed - indentation;
+    for (const double part : {0.1, 0.5, 0.999})
+      EXPECT_NEAR(this->law.respond(part * core, 0.1, later).force / this->law.respond(indentation + part * core, 0.1, this->impact).force, 1, 1e-12);
+    keep(this->law, 0.5 * core, 0.1, later);
+    EXPECT_EQ(this->law.indentation(later), 0) << "no deeper than before";
+    keep(this->law, 2 * core, 0.1, later);
+    EXPECT_EQ(this->law.crushed(later), indentation + 2 * core);
+    EXPECT_GT(this->law.indentation(later), 0);
+  } else {
+    EXPECT_EQ(touch(this->law, 0.3).crushed, 0);
+  }
+}
+
 TYPED_TEST(LawContract, StoredEnergyIsTheWorkOfSlowUnloading) {
   constexpr int steps = 20000;
   for (const double deep : {1e-4, 2e-3, 2e-2}) {
@@ -182,7 +206,7 @@ TYPED_TEST(LawContract, RefusesValuesThatMakeNoSense) {
   for (const ParameterInfo& p : entry.parameters)
     for (const double bad : {-1.0, nan, infinite}) {
       Settings s = this->settings();
-      if (p.need == Need::damping) s.restitution.reset();
+      if (p.need == Need::damping || p.need == Need::together) s.restitution.reset();
       s.values[std::string(p.name)] = bad;
       refuses(s);
       if (p.need == Need::damping) continue;
@@ -190,6 +214,7 @@ TYPED_TEST(LawContract, RefusesValuesThatMakeNoSense) {
       refuses(s);
     }
   for (const double bad : {0.0, -0.5, 1.0001, nan}) {
+    if (bad == 0 && entry.sticks_at_zero) continue;
     Settings s = this->settings();
     s.restitution = bad;
     refuses(s);

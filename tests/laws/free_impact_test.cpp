@@ -232,11 +232,55 @@ TEST(FreeImpact, BilinearLawSaysWhichRestitutionItCannotReach) {
   }
 }
 
+// Loading stores k d_m^2/2, unloading with k2 = k/e^2 gives back F_m^2/(2 k2): Walton & Braun's spring, by its own two stiffnesses.
+TEST(FreeImpact, ElastoplasticLawWithALinearSpringIsThatOfWaltonAndBraun) {
+  test::Book book("Elastoplastic contact: crushing, memory",
+                  "Walton & Braun 1986: k1 loads, k2 unloads, e = sqrt(k1/k2), duration pi/2 (sqrt(m/k1) + sqrt(m/k2)), residual d_m (1 - k1/k2)",
+                  "what the integration promises");
+  const double k1 = 3e7, k2 = 7.5e7, m = 4e4, v = 0.6, deepest = v * std::sqrt(m / k1);
+  const Elastoplastic law{.stiffness = k1, .exponent = 1, .restitution = std::sqrt(k1 / k2)};
+  for (const FreeImpact& r : {free_impact(law, m, v), integrated_free_impact(law, m, v)}) {
+    book.near("elastoplastic, n = 1: restitution [-]", r.restitution, std::sqrt(k1 / k2), 1e-11);
+    book.near("elastoplastic, n = 1: largest penetration [m]", r.peak_penetration, deepest, 1e-11 * deepest);
+    book.near("elastoplastic, n = 1: peak force [N]", r.peak_force, v * std::sqrt(k1 * m), 1e-4);
+    book.near("elastoplastic, n = 1: duration [s]", r.duration, std::numbers::pi / 2 * (std::sqrt(m / k1) + std::sqrt(m / k2)), 1e-11);
+  }
+  Impact impact = touch(law, v);
+  keep(law, deepest, 0, impact);
+  book.near("elastoplastic, n = 1: slope of unloading [N/m]", law.contact(0.9 * deepest, -1, impact).by_penetration, k2, 1e-6);
+  book.near("elastoplastic, n = 1: indentation [m]", law.indentation(impact), deepest * (1 - k1 / k2), 1e-16);
+}
+
+TEST(FreeImpact, CrushedSurfacesUnloadAndReloadAlongTheSameCurve) {
+  const Elastoplastic law{.stiffness = 2e9, .restitution = 0.6};
+  Impact impact = touch(law, 1);
+  const auto force_at = [&](double d) {
+    keep(law, d, 0, impact);
+    return law.respond(d, 0, impact).force;
+  };
+  const double top = force_at(5e-3), left = 0.64 * 5e-3, middle = left + 0.5 * (5e-3 - left);
+  EXPECT_NEAR(top, 2e9 * std::pow(5e-3, 1.5), 1e-9 * top);
+  EXPECT_NEAR(force_at(middle), top * std::pow(0.5, 1.5), 1e-12 * top);
+  EXPECT_EQ(force_at(left * 0.999), 0);
+  EXPECT_NEAR(force_at(middle), top * std::pow(0.5, 1.5), 1e-12 * top);
+  EXPECT_NEAR(force_at(5e-3), top, 1e-12 * top);
+  EXPECT_NEAR(force_at(6e-3), 2e9 * std::pow(6e-3, 1.5), 1e-9 * top);
+  // The slope of unloading, at a crushed state: central differences.
+  const double h = 1e-7;
+  const auto force = [&](double d) { return law.contact(d, 0, impact).force; };
+  EXPECT_NEAR(law.contact(5.5e-3, 0, impact).by_penetration, (force(5.5e-3 + h) - force(5.5e-3 - h)) / (2 * h), 1e2);
+  EXPECT_NEAR(law.contact(5.9e-3, 0, impact).by_penetration / (1.5 * 2e9 * std::sqrt(6e-3)), 1 / 0.36, 0.2) << "steeper by 1/e^2 at the top";
+  EXPECT_LT(force(0.64 * 6e-3 - h), 0) << "the formula goes on below the end of the force";
+}
+
 TEST(FreeImpact, OverdampedKelvinVoigtNeverParts) {
   const KelvinVoigt law{.stiffness = 1, .damping_ratio = 1.5, .reduced_mass = 1};
   const FreeImpact r = free_impact(law, 1, 1);
   EXPECT_EQ(r.restitution, 0);
   EXPECT_TRUE(std::isinf(r.duration));
+  const KelvinVoigt asked{.stiffness = 1, .restitution = 0, .reduced_mass = 1};
+  EXPECT_EQ(asked.damping_number(1), 1);
+  EXPECT_EQ(free_impact(asked, 1, 1).restitution, 0);
   // The integration creeps back until rounding lets the bodies part.
   EXPECT_NEAR(integrated_free_impact(law, 1, 1).restitution, 0, 1e-12);
 }

@@ -164,5 +164,26 @@ TEST(PublishedValues, BilinearCurveAgreesWithTheReference) {
   }
 }
 
+// The same curves by their two stiffnesses and yield, as OpenSees' ImpactMaterial takes them: no mass, no design speed.
+TEST(PublishedValues, BilinearCurveGivenByItsStiffnessesAgreesWithTheReference) {
+  test::Book book(subject, source, reason);
+  using namespace reference::bilinear;
+  for (const reference::BilinearRow& row : rows) {
+    SCOPED_TRACE(row.asked);
+    const AnyLaw law = make_law({.law = "bilinear_hertz",
+                                 .formula = {},
+                                 .values = {{"initial_stiffness", row.stiffness_1},
+                                            {"secondary_stiffness", row.stiffness_2},
+                                            {"yield_penetration", row.yield}}});
+    // K1 and K2 of the table are rounded to six decimals; the energy under the curve amplifies that by less than ten.
+    for (const FreeImpact& r : {free_impact(law, mass, reaching_speed(row)), integrated_free_impact(law, mass, reaching_speed(row))}) {
+      book.near("bilinear_hertz by K1, K2, d_y: largest penetration [m]", r.peak_penetration, 1, 10 * half_unit(6));
+      book.near("bilinear_hertz by K1, K2, d_y: largest force [N]", r.peak_force, row.stiffness, 10 * half_unit(6));
+      book.near("bilinear_hertz by K1, K2, d_y: energy lost [J]", r.energy_lost, row.loss, 10 * half_unit(6));
+      book.near("bilinear_hertz by K1, K2, d_y: restitution [-]", r.restitution, row.restitution, 10 * half_unit(6));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pounding::laws

@@ -296,11 +296,67 @@ std::string refusal(Make make) {
   return "nothing was refused";
 }
 
-TEST(GapLink, RefusesAGapThatIsNegativeOrNoNumber) {
-  for (const double gap : {-1e-9, none, infinite, -infinite}) {
-    EXPECT_EQ(refusal([&] { GapLink<MyLaw>(MyLaw{}, gap); }), "gap must be finite and not negative") << gap;
-    EXPECT_EQ(refusal([&] { RigidGapLink(0.5, gap); }), "gap must be finite and not negative") << gap;
+TEST(GapLink, RefusesAGapThatIsNoNumber) {
+  for (const double gap : {none, infinite, -infinite}) {
+    EXPECT_EQ(refusal([&] { GapLink<MyLaw>(MyLaw{}, gap); }), "gap must be finite") << gap;
   }
+  for (const double gap : {none, infinite}) EXPECT_EQ(refusal([&] { RigidGapLink(0.5, gap); }), "gap must be finite and not negative") << gap;
+  EXPECT_EQ(refusal([&] { RigidGapLink(0.5, -1e-9); }),
+            "a rigid contact has no force to press with: gap must be finite and not negative");
+}
+
+TEST(GapLink, BeginsPressedWithTheEnergyThatItStores) {
+  GapLink<laws::LinearSpring> link({.stiffness = 1000}, -0.2, 3);
+  EXPECT_EQ(link.first_loading(0.1).force, 100);
+  EXPECT_EQ(link.phase(), ContactPhase::open);
+  link.press(0.2);
+  EXPECT_EQ(link.phase(), ContactPhase::approach);
+  EXPECT_EQ(link.evaluate({0.2, 0}).force, 200);
+  EXPECT_DOUBLE_EQ(link.work(), 20);
+  ASSERT_EQ(link.impacts().size(), 1u);
+  EXPECT_EQ(link.impacts()[0].t_start, 0);
+  EXPECT_EQ(link.impacts()[0].v_approach, 0);
+  // It parts from rest: 200 N over 0.2 m, half of it on the mean.
+  link.on_event(0, 0, {0.2, 0});
+  LinkStep step = step_between(0, 1, {0.2, -0.2}, {0, -0.2});
+  step.motion_middle = {0.1, -0.2};
+  step.force_begin = 200, step.force_middle = 100;
+  link.accept(step);
+  link.on_event(0, 1, {0, -0.2});
+  EXPECT_NEAR(link.work(), 0, 1e-12);
+  EXPECT_NEAR(link.impacts()[0].energy_lost, 0, 1e-12);
+  EXPECT_TRUE(std::isnan(link.impacts()[0].restitution)) << "no closing speed";
+}
+
+TEST(GapLink, PressedFromTheStartNeedsAForceWithoutAClosingSpeed) {
+  const std::string text = "a contact that presses from the start has no closing speed to find its force by; give an impact_velocity, "
+                           "or a law that needs none, such as linear_spring or hertz";
+  const auto pressing = [](const auto& law) { return [law] { GapLink(law, -1e-3).press(1e-3); }; };
+  EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .restitution = 0.5})), text);
+  EXPECT_EQ(refusal(pressing(laws::BilinearHertz{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})), text);
+  EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .restitution = 0.5, .impact_velocity = 0.3})), "nothing was refused");
+  EXPECT_EQ(refusal(pressing(laws::HertzDamped{.stiffness = 2e9, .damping_coefficient = 1e8})), "nothing was refused");
+  EXPECT_EQ(refusal(pressing(laws::Jankowski{.stiffness = 2e9, .restitution = 0.5, .reduced_mass = 1e4})), "nothing was refused");
+  EXPECT_EQ(refusal([] { RigidGapLink(0.5, 0).press(1e-3); }), "this contact has no force to press with; take a law that has one");
+}
+
+// Twice as deep, then the same again: the gap follows the deepest of all, whatever rounding the located ends have.
+TEST(GapLink, ElastoplasticWidensItsGapWithTheDeepestPenetrationOfAll) {
+  GapLink<laws::Elastoplastic> link({.stiffness = 2e9, .exponent = 1, .restitution = 0.6}, 0.1);
+  const auto impact = [&](double deep, double left) {
+    link.on_event(0, 0, {0, 1});
+    link.accept(step_between(0, 1, {0, 1}, {deep, 0}));
+    link.on_event(0, 1, {deep, 0});
+    link.on_event(1, 2, {left, -0.6});
+    EXPECT_EQ(link.phase(), ContactPhase::open);
+  };
+  impact(5e-3, 0.64 * 5e-3 * (1 + 1e-9));
+  EXPECT_DOUBLE_EQ(link.gap(), 0.1 + 0.64 * 5e-3);
+  EXPECT_DOUBLE_EQ(link.penetration(0.1 + 0.64 * 5e-3 + 1e-3), 1e-3);
+  impact(1e-3, 0);
+  EXPECT_DOUBLE_EQ(link.gap(), 0.1 + 0.64 * 5e-3) << "elastic below what was crushed";
+  impact(3e-3, 0.64 * 1.2e-3);
+  EXPECT_DOUBLE_EQ(link.gap(), 0.1 + 0.64 * 6.2e-3) << "3 mm beyond an indentation of 3.2 mm";
 }
 
 TEST(GapLink, WorkOfAnImpactIsLostOrStoredWhileItLasts) {
@@ -335,8 +391,8 @@ TEST(MakeGapLink, GivesEachLawItsOwnKindOfContact) {
 }
 
 TEST(RigidGapLink, RefusesARestitutionOutsideZeroToOne) {
-  for (const double e : {0.0, -0.1, 1.2, none})
-    EXPECT_EQ(refusal([&] { RigidGapLink(e, 0.1); }), "restitution must lie in (0, 1]") << e;
+  for (const double e : {-0.1, 1.2, none})
+    EXPECT_EQ(refusal([&] { RigidGapLink(e, 0.1); }), "restitution must lie in [0, 1]") << e;
 }
 
 TEST(RigidGapLink, BouncesWithoutForceAndWithoutDuration) {

@@ -43,9 +43,10 @@ class Law:
         self.coefficient = self.speed = None
         self.signs = []
         self.slip, self.branch, self.curve = 0.0, "stick", None
+        self.deepest, self.left = 0.0, 0.0  # of elastoplastic: from the sound surface, and what of it is in the gap [m]
 
     rigid = property(lambda self: self.name == "stereomechanical")
-    ends_at_release = property(lambda self: self.name == "komodromos")
+    ends_at_release = property(lambda self: self.name in ("komodromos", "elastoplastic"))
 
     def touch(self, speed):
         """An impact begins at this closing speed [m/s]."""
@@ -65,6 +66,8 @@ class Law:
             self.coefficient = universal(self.name, e) * m * v / (m * v * v / k) ** 0.4
         elif self.name == "adams_impact":
             self.coefficient = adams_exact(e, k, m, v, p["depth"], self.coefficient)
+        elif self.name == "elastoplastic":
+            self.kept, self.branch = 1 - e * e, "core" if self.deepest > 0 else "crush"
         elif self.name == "bilinear_hertz":
             loss = bilinear_exact(e) if formula == "exact" else 1 - e * e
             self.curve, self.slip, self.branch = bilinear_curve(k, v, m, loss), 0.0, "stick"
@@ -102,10 +105,21 @@ class Law:
             if self.branch == "stick":
                 return (self.curve[2] - (d - self.slip), d - self.slip)
             return (rate,) if self.branch == "up" else (-rate,)
+        if self.name == "elastoplastic":
+            if self.branch == "crush":
+                return (rate,)
+            return (self.deepest - (d + self.left), d + self.left - self.kept * self.deepest)
         return tuple(s * g for s, g in zip(self.signs, self._switches(d, rate)))
 
     def cross(self, i, d, rate):
-        if self.name != "bilinear_hertz":
+        if self.name == "elastoplastic":
+            if self.branch == "crush":
+                self.deepest, self.branch = d + self.left, "core"
+            elif i == 0:
+                self.branch = "crush"
+            else:
+                self.left, self.branch = self.left + d, "released"
+        elif self.name != "bilinear_hertz":
             self.signs[i] = -self.signs[i]
         elif self.branch == "stick":
             self.branch = "up" if i == 0 else "down"
@@ -118,6 +132,8 @@ class Law:
         """The formula pulls, and is cut."""
         if self.name in ("kelvin_voigt", "modified_linear_viscoelastic", "jankowski", "limited_damper"):
             return False
+        if self.name == "elastoplastic":
+            return self.branch == "released"
         return bool(self.signs) and self.signs[0] < 0
 
     def force(self, d, rate):
@@ -149,6 +165,11 @@ class Law:
             s = d / self.parameters["depth"]
             step = s * s * (3 - 2 * s) if self.signs[1] > 0 else 1.0
             return k * _power(d, 1.5) + c * step * rate
+        if name == "elastoplastic":
+            if self.branch == "crush":
+                return k * _power(d + self.left, 1.5)
+            part = (d + self.left - self.kept * self.deepest) / ((1 - self.kept) * self.deepest)
+            return k * self.deepest**1.5 * _power(part, 1.5)
         k1, k2, d_y = self.curve
         return k2 * d + (k1 - k2) * (d - self.slip if self.branch == "stick" else d_y if self.branch == "up" else 0.0)
 

@@ -49,10 +49,10 @@ class Equations(ProgramTest):
                         continue
                     with self.subTest(law=law["name"], formula=formula["name"], e=e):
                         row, equation = numbers[formula["name"]], formula["equation"]
-                        number = next(row[name] for name in ("damping_factor", "damping_ratio", "loss_ratio") if name in row)
+                        number = next(row[name] for name in ("damping_factor", "damping_ratio", "loss_ratio", "indentation_ratio") if name in row)
                         self.holds(law["name"], equation, number, e)
                         seen += 1
-        self.assertEqual(seen, 2 * 29)
+        self.assertEqual(seen, 2 * 30)
 
     def holds(self, law, equation, number, e):
         if "root of" not in equation:

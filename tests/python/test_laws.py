@@ -21,7 +21,7 @@ def printed(*words):
 def typical(name, **more):
     """The law with the typical values of its table and a restitution of 0.65."""
     kind = pounding.laws[name]
-    given = {p.name: p.typical for p in kind.parameters if p.need != "instead of restitution"}
+    given = {p.name: p.typical for p in kind.parameters if p.need in ("required", "optional")}
     if kind.takes_restitution:
         given["restitution"] = 0.65
     if kind.takes_reduced_mass:
@@ -103,7 +103,7 @@ class Forces(unittest.TestCase):
             law = typical(name)
             in_order = law.force(penetration, rate, 0.5, in_order=True)
             alone = law.force(penetration, rate, 0.5)
-            if name != "bilinear_hertz":
+            if name not in ("bilinear_hertz", "elastoplastic"):
                 np.testing.assert_array_equal(in_order, alone, name)
                 continue
             self.assertAlmostEqual(np.trapezoid(alone, penetration) / np.trapezoid(alone[:200], penetration[:200]), 0, delta=1e-3)
@@ -116,6 +116,22 @@ class Forces(unittest.TestCase):
         self.assertEqual(without.free_impact(0.5, MASS), whole.free_impact(0.5))
         with self.assertRaisesRegex(pounding.InputError, "jankowski needs reduced_mass"):
             without.force(1e-3, 0.3)
+
+    def test_no_mass_is_asked_for_where_none_is_needed(self):
+        kelvin = pounding.laws["kelvin_voigt"](stiffness="100 MN/m", damping_coefficient="200 kN s/m")
+        self.assertAlmostEqual(kelvin.force(1e-3, 0.3), 1e8 * 1e-3 + 2e5 * 0.3, delta=1e-9)
+        self.assertNotIn("damping_ratio", kelvin.describe())
+        bilinear = pounding.laws["bilinear_hertz"](initial_stiffness="400 MN/m", secondary_stiffness="100 MN/m", yield_penetration="1 mm")
+        self.assertAlmostEqual(bilinear.force(3e-3, 0.0), 4e8 * 1e-3 + 1e8 * 2e-3, delta=1e-6)
+        self.assertEqual(list(bilinear.describe()), ["initial_stiffness", "secondary_stiffness", "yield_penetration"])
+        with self.assertRaisesRegex(pounding.InputError, "stiffness has no effect beside initial_stiffness"):
+            pounding.laws["bilinear_hertz"](initial_stiffness=4e8, secondary_stiffness=1e8, yield_penetration=1e-3, stiffness=1e9)
+
+    def test_crushing_is_remembered_in_order(self):
+        law = pounding.laws["elastoplastic"](stiffness=1e8, exponent=1, restitution=0.5)
+        penetration = np.array([2e-3, 5e-3, 4.5e-3, 3.75e-3, 3e-3, 5e-3, 6e-3])
+        expected = np.array([2e5, 5e5, 3e5, 0, 0, 5e5, 6e5])
+        np.testing.assert_allclose(law.force(penetration, 0.0, in_order=True), expected, atol=1e-6)
 
 
 class FreeImpacts(unittest.TestCase):

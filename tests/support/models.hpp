@@ -28,6 +28,7 @@ inline constexpr const char* every_law[] = {
     "adams_impact, stiffness: 2.75e9, depth: 1 mm, restitution: 0.65",
     "limited_damper, stiffness: 2.75e9, restitution: 0.65",
     "stereomechanical, restitution: 0.65",
+    "elastoplastic, stiffness: 2.75e9, restitution: 0.65",
 };
 
 /// The name of a law that stands as after "law: ".

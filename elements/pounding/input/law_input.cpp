@@ -24,12 +24,13 @@ const laws::Entry& entry_of(const Input& law) {
   }
 }
 
-double read_restitution(const Input& node) {
+// A zero is left to the law, which says what it means or which laws take it.
+double read_restitution(const Input& node, const laws::Entry& entry) {
   const double value = node.as_quantity(dimension::none, bounds::any);
   const auto refuse = [&](const std::string& why) {
-    node.fail(fmt::format("takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; {}", why));
+    node.fail(fmt::format("takes a number in {}0, 1] such as 0.65, the speed after an impact over that before it; {}",
+                          entry.sticks_at_zero ? '[' : '(', why));
   };
-  if (value == 0) refuse("0 would leave the bodies together after each impact, which no law here does: type a small one such as 0.05");
   if (value > 1 && value <= 100 && value == std::floor(value)) refuse(fmt::format("did you mean \"{:g} %\"?", value));
   if (value > 1) refuse(fmt::format("\"{}\" would gain energy at each impact; 1 loses none", node.as_text()));
   if (value < 0) refuse(fmt::format("\"{}\" is outside", node.as_text()));
@@ -49,11 +50,12 @@ LawInput read_law(const Input& node) {
 
   const double exponent = link.knows("exponent") ? link.quantity("exponent") : 1.5;
   for (const laws::ParameterInfo& parameter : entry.parameters)
-    if (parameter.need == laws::Need::required && !link.has(parameter.name))
+    if (laws::must_be_given(entry.parameters, parameter, [&](std::string_view name) { return link.has(name); }) &&
+        !link.has(parameter.name))
       law_node.fail(fmt::format("{0} needs {1} ({2}); type {1}: {3:g} {4}", settings.law, parameter.name, parameter.meaning,
                                 parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
 
-  if (const auto restitution = link.find("restitution")) settings.restitution = read_restitution(*restitution);
+  if (const auto restitution = link.find("restitution")) settings.restitution = read_restitution(*restitution, entry);
   settings.impact_velocity = link.find_quantity("impact_velocity");
   if (const auto formula = link.find("formula")) {
     std::vector<std::string_view> formulas;

@@ -74,6 +74,7 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
     case ModelOption::right: return between.items()[1];
     case ModelOption::floors: return at("floors");
     case ModelOption::gap: return at("gap");
+    case ModelOption::preload: return at("preload");
     case ModelOption::link_name: return at("name");
     case ModelOption::points: return at("points");
     case ModelOption::friction: return at("friction");
@@ -93,6 +94,7 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
 // The gap may be left out where it is drawn.
 LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   LinkOptions options;
+  if (const auto preload = node.find("preload")) options.preload = preload->as_bool();
   if (!is_drawn || node.has("gap")) options.gap = node.at("gap").as_quantities(count);
   if (const auto name = node.find("name")) options.name = name->as_text();
   if (const auto points = node.find("points")) options.points = static_cast<int>(points->as_integer());

@@ -64,6 +64,9 @@ Input place_of(const ModelError& error, const Input& input) {
   }
   if (error.option() == ModelOption::ground_component) return component(*motion, error.axis());
   if (error.option() == ModelOption::wave) return motion->at("wave");
+  if (error.option() == ModelOption::preload)
+    for (const Input& link : input.at("links").items())
+      if (link.has("preload")) return link.at("preload");
   return input;
 }
 

@@ -137,6 +137,7 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   out << YAML::Key << "between" << YAML::Value << YAML::Flow << YAML::BeginSeq
       << end_of(model, link.left) << end_of(model, link.right) << YAML::EndSeq;
   emit(out, "gap", link.gap);
+  if (link.preload) out << YAML::Key << "preload" << YAML::Value << true;
   out << YAML::Key << "law" << YAML::Value << link.law;
   if (!link.formula.empty()) out << YAML::Key << "formula" << YAML::Value << link.formula;
   emit(out, "reduced_mass", link.reduced_mass);

@@ -11,6 +11,7 @@
 #include <pounding/laws/adams_impact.hpp>
 #include <pounding/laws/bilinear_hertz.hpp>
 #include <pounding/laws/by_name.hpp>
+#include <pounding/laws/elastoplastic.hpp>
 #include <pounding/laws/hertz.hpp>
 #include <pounding/laws/hertz_damped.hpp>
 #include <pounding/laws/jankowski.hpp>
@@ -42,7 +43,8 @@ using AnyLaw = std::variant<LinearSpring,
                             KuwabaraKono,
                             AdamsImpact,
                             LimitedDamper,
-                            Stereomechanical>;
+                            Stereomechanical,
+                            Elastoplastic>;
 
 /// Every law with its tables, in the order of AnyLaw.
 inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }

@@ -56,6 +56,9 @@ inline double exact_bilinear_loss(const CalibrationTarget& q) {
 /// very soft spring, which a fixed impact_velocity avoids. Muthukumar 2003; Muthukumar & DesRoches 2006, EESD 35:811;
 /// OpenSees ImpactMaterial. Never pulls. The published loss gives more than asked, because the loading curve stores more
 /// than the Hertz spring (0.50 asked gives 0.69).
+///
+/// Instead of all this K1, K2 and d_y may be given themselves, as initial_stiffness, secondary_stiffness and yield_penetration: as
+/// OpenSees takes them, the same for every impact.
 struct BilinearHertz {
   static constexpr std::string_view name = "bilinear_hertz", shape = "F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y]";
   static constexpr std::string_view summary = "bilinear hysteresis instead of a dashpot (truss contact, ImpactMaterial)";
@@ -69,7 +72,7 @@ struct BilinearHertz {
       "published loss";
   static constexpr std::string_view beware =
       "the springs are made for the closing speed of each impact: a touch nearly at rest meets a very soft one, "
-      "which a fixed impact_velocity avoids; the slopes jump where it yields and unloads; it never pulls";
+      "which a fixed impact_velocity or given K1, K2 and d_y avoid; the slopes jump where it yields and unloads; it never pulls";
   static constexpr Quantity number{"loss_ratio", ""}, coefficient{"loss_ratio", ""};
 
   static constexpr std::array formulas{
@@ -86,13 +89,30 @@ struct BilinearHertz {
   double reduced_mass = 0;                ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
+  std::optional<double> initial_stiffness{};    ///< K1 [N/m], or with the next two instead of all above
+  std::optional<double> secondary_stiffness{};  ///< K2 <= K1 [N/m]
+  std::optional<double> yield_penetration{};    ///< d_y [m]
+
   static constexpr std::array parameters{
       Parameter<BilinearHertz>{{"stiffness", "N/m^n", "Hertz stiffness k", 2.75e9}, &BilinearHertz::stiffness},
       Parameter<BilinearHertz>{{"exponent", "", "exponent n", 1.5, Need::optional}, &BilinearHertz::exponent},
       Parameter<BilinearHertz>{
-          {"yield_ratio", "", "yield over design penetration a_y", 0.1, Need::optional}, &BilinearHertz::yield_ratio}};
+          {"yield_ratio", "", "yield over design penetration a_y", 0.1, Need::optional}, &BilinearHertz::yield_ratio},
+      Parameter<BilinearHertz>{{"initial_stiffness", "N/m", "stiffness K1 up to the yield", 1.2e9, Need::together},
+                               nullptr,
+                               &BilinearHertz::initial_stiffness},
+      Parameter<BilinearHertz>{{"secondary_stiffness", "N/m", "stiffness K2 beyond the yield", 1.5e8, Need::together},
+                               nullptr,
+                               &BilinearHertz::secondary_stiffness},
+      Parameter<BilinearHertz>{{"yield_penetration", "m", "penetration d_y at the yield", 8.6e-4, Need::together},
+                               nullptr,
+                               &BilinearHertz::yield_penetration}};
+
+  /// Whether K1, K2 and d_y are given, and not made for a restitution.
+  bool is_given() const noexcept { return initial_stiffness.has_value(); }
 
   void check() const {
+    if (is_given() || secondary_stiffness || yield_penetration) return check_given();
     require_positive("stiffness", stiffness);
     require_exponent(exponent);
     if (!(yield_ratio > 0 && yield_ratio < 1)) refuse("yield_ratio", yield_ratio, "in (0, 1)");
@@ -104,8 +124,9 @@ struct BilinearHertz {
       refuse("yield_ratio", yield_ratio, "small enough to keep the second stiffness positive at this restitution");
   }
 
-  /// loss = dE over the kinetic energy at the design speed [-].
+  /// loss = dE over the kinetic energy at the design speed [-]; 0 where the curve is given.
   double damping_number(double) const {
+    if (is_given()) return 0;
     return formula({.restitution = *restitution, .exponent = exponent, .yield_ratio = yield_ratio});
   }
   double damping_for(double closing_speed) const { return damping_number(closing_speed); }
@@ -115,6 +136,7 @@ struct BilinearHertz {
     double k1 = 0, k2 = 0, yield = 0;
   };
   Curve curve(const Impact& impact) const noexcept {
+    if (is_given()) return {*initial_stiffness, *secondary_stiffness, *yield_penetration};
     const double v = std::max(impact.closing_speed, slowest_closing_speed);
     const double dm = std::pow((exponent + 1) * reduced_mass * v * v / (2 * stiffness), 1 / (exponent + 1));
     const double k = reduced_mass * v * v * (exponent + 1) / (2 * dm * dm), share = impact.damping / (exponent + 1);
@@ -144,6 +166,20 @@ struct BilinearHertz {
   /// The slip follows a penetration that has left [s, s + d_y].
   void keep(double penetration, double, Impact& impact) const noexcept {
     impact.slip = std::clamp(impact.slip, penetration - curve(impact).yield, std::max(penetration, 0.0));
+  }
+
+ private:
+  void check_given() const {
+    if (!(initial_stiffness && secondary_stiffness && yield_penetration))
+      throw std::invalid_argument("bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration together");
+    require_positive("initial_stiffness", initial_stiffness);
+    require_positive("secondary_stiffness", secondary_stiffness);
+    require_positive("yield_penetration", yield_penetration);
+    if (*secondary_stiffness > *initial_stiffness)
+      refuse("secondary_stiffness", *secondary_stiffness, "at most the initial_stiffness, " + number_text(*initial_stiffness));
+    if (restitution || impact_velocity)
+      throw std::invalid_argument("bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration without " +
+                                  std::string(restitution ? "restitution" : "impact_velocity") + ", which would have no effect");
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -96,6 +97,7 @@ constexpr Entry entry() {
           .may_pull = may_pull<L>,
           .leaves_indentation = leaves_indentation<L>,
           .instantaneous = instantaneous<L>,
+          .sticks_at_zero = sticks_at_zero<L>,
           .number = {},
           .coefficient = {}};
   if constexpr (has_formulas<L>) {
@@ -130,15 +132,30 @@ void set(L& law, std::string_view name, double value) {
   throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + suggestion(name, known));
 }
 
+/// Throws std::invalid_argument for a parameter that has no effect beside those that are given together.
+template <class L, class Has>
+void refuse_beside_together(Has&& given) {
+  const auto& infos = parameter_infos<L>;
+  const auto other = std::ranges::find_if(
+      infos, [&](const ParameterInfo& p) { return p.need != Need::together && given(p.name); });
+  const auto first = std::ranges::find_if(
+      infos, [&](const ParameterInfo& p) { return p.need == Need::together && given(p.name); });
+  if (first != infos.end() && other != infos.end())
+    throw std::invalid_argument(std::string(other->name) + " has no effect beside " + std::string(first->name) +
+                                "; leave one of them out");
+}
+
 /// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <class L>
 L make(const Settings& s) {
   const std::string law_name(L::name);
   L law;
   for (const auto& [name, value] : s.values) set(law, name, value);
+  const auto given = [&s](std::string_view name) { return s.values.contains(name); };
   for (const ParameterInfo& p : parameter_infos<L>)
-    if (p.need == Need::required && !s.values.contains(p.name))
+    if (must_be_given(parameter_infos<L>, p, given) && !given(p.name))
       throw std::invalid_argument(law_name + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
+  refuse_beside_together<L>(given);
 
   if constexpr (requires { law.restitution; }) {
     if constexpr (std::is_same_v<decltype(law.restitution), double>) {
@@ -185,7 +202,8 @@ Any make_any(const Settings& s) {
   }
 }
 
-/// Every parameter of a law, its damping number and its coefficient at this closing speed [m/s].
+/// Every parameter of a law, its damping number and its coefficient at this closing speed [m/s]; of a law that is given by
+/// parameters that go together, these. Without a reduced mass there may be no number.
 template <class L>
 std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
   double exponent = 1;
@@ -195,22 +213,27 @@ std::vector<ResolvedValue> describe(const L& law, double closing_speed) {
     if (std::ranges::find(result, name, &ResolvedValue::name) == result.end())
       result.push_back({std::string(name), value, resolved_unit(unit, exponent)});
   };
+  const bool together = std::ranges::any_of(L::parameters, [&](const Parameter<L>& p) {
+    return p.info.need == Need::together && law.*p.choice;
+  });
   for (const Parameter<L>& p : L::parameters) {
-    if (p.value) add(p.info.name, law.*p.value, p.info.unit);
+    if (p.value && !together) add(p.info.name, law.*p.value, p.info.unit);
     if (p.choice && law.*p.choice) add(p.info.name, *(law.*p.choice), p.info.unit);
   }
+  if (together) return result;
   if constexpr (requires { law.restitution.has_value(); }) {
     if (law.restitution) add("restitution", *law.restitution, "");
   } else if constexpr (requires { law.restitution; }) {
     add("restitution", law.restitution, "");
   }
-  if constexpr (requires { law.reduced_mass; }) add("reduced_mass", law.reduced_mass, "kg");
+  if constexpr (requires { law.reduced_mass; })
+    if (law.reduced_mass > 0) add("reduced_mass", law.reduced_mass, "kg");
   if constexpr (requires { law.impact_velocity; })
     if (law.impact_velocity) add("impact_velocity", *law.impact_velocity, "m/s");
   if constexpr (has_damping<L>) {
     if constexpr (requires { law.impact_velocity; })
       if (!law.impact_velocity) add("closing_speed", closing_speed, "m/s");
-    add(L::number.name, law.damping_number(closing_speed), L::number.unit);
+    if (const double number = law.damping_number(closing_speed); std::isfinite(number)) add(L::number.name, number, L::number.unit);
     add(L::coefficient.name, law.damping_for(closing_speed), L::coefficient.unit);
   }
   return result;

@@ -37,9 +37,12 @@ inline void require_not_negative(std::string_view name, const std::optional<doub
   if (value && !(std::isfinite(*value) && *value >= 0)) refuse(name, *value, "finite and not negative");
 }
 
-/// Throws std::invalid_argument unless the restitution lies in (0, 1].
-inline void require_restitution(const std::optional<double>& value) {
-  if (value && !(*value > 0 && *value <= 1)) refuse("restitution", *value, "in (0, 1]");
+/// Throws std::invalid_argument unless the restitution lies in (0, 1], or in [0, 1] where the law `sticks_at_zero`.
+inline void require_restitution(const std::optional<double>& value, bool sticks_at_zero = false) {
+  if (!value || (*value > 0 && *value <= 1) || (*value == 0 && sticks_at_zero)) return;
+  if (*value == 0)
+    refuse("restitution", *value, "in (0, 1]: no damping of this law stops the bodies; with stereomechanical and kelvin_voigt they stick at 0");
+  refuse("restitution", *value, sticks_at_zero ? "in [0, 1]" : "in (0, 1]");
 }
 
 /// Throws std::invalid_argument for an exponent below 1, with which the stiffness at the touch would be infinite.

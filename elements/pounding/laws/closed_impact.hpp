@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <pounding/laws/bilinear_hertz.hpp>
+#include <pounding/laws/elastoplastic.hpp>
 #include <pounding/laws/exact_damping.hpp>
 #include <pounding/laws/hertz.hpp>
 #include <pounding/laws/hertz_damped.hpp>
@@ -153,6 +154,14 @@ inline FreeImpact closed_impact(const BilinearHertz& law, double m, double v) {
                         .peak_penetration = yield + q,
                         .closed_form = {.restitution = true, .peak_force = true, .peak_penetration = true}},
                        m, v);
+}
+
+/// On sound surfaces. Unloading is the elastic impact at e v to a depth of e^2 d_m, and takes e times as long as loading.
+inline FreeImpact closed_impact(const Elastoplastic& law, double m, double v) {
+  FreeImpact r = elastic_impact(law.stiffness, law.exponent, m, v);
+  r.restitution = std::sqrt(1 - law.damping_for(v));
+  r.duration = r.time_of_peak * (1 + r.restitution);
+  return with_momentum(r, m, v);
 }
 
 /// An infinite force of zero duration.

@@ -60,8 +60,10 @@ inline double naderpour_2015(const CalibrationTarget& q) {
          std::pow(e, std::lerp(M[row], M[row + 1], t));
 }
 
-/// zeta = -ln e/sqrt(pi^2 + ln^2 e): exact for a linear dashpot in contact until d = 0. Anagnostopoulos 1988; paper Eq. 7.
+/// zeta = -ln e/sqrt(pi^2 + ln^2 e): exact for a linear dashpot in contact until d = 0; its limit 1 for e = 0. Anagnostopoulos 1988;
+/// paper Eq. 7.
 inline double anagnostopoulos(const CalibrationTarget& q) {
+  if (q.restitution == 0) return 1;
   const double log_e = std::log(q.restitution);
   return std::abs(log_e) / std::hypot(std::numbers::pi, log_e);
 }

@@ -19,7 +19,7 @@ namespace pounding::laws {
 struct Settings {
   std::string law;
   std::string formula;                                  ///< empty: "exact", when a restitution is given
-  std::optional<double> restitution{};                  ///< (0, 1]
+  std::optional<double> restitution{};                  ///< (0, 1], or 0 where the bodies stick
   std::optional<double> impact_velocity{};              ///< fixed design velocity [m/s]
   double reduced_mass = 0;                              ///< of the colliding bodies [kg]; unused by some laws
   std::map<std::string, double, std::less<>> values{};  ///< the law's own parameters
@@ -35,6 +35,7 @@ struct Entry {
   std::span<const Formula> formulas;          ///< "exact" first; empty when there is no damping to choose
   bool takes_restitution = false, takes_impact_velocity = false, takes_reduced_mass = false;
   bool may_pull = false, leaves_indentation = false, instantaneous = false;
+  bool sticks_at_zero = false;  ///< takes a restitution of 0
   Quantity number;       ///< the dimensionless damping number that formulas give; its name is empty without damping
   Quantity coefficient;  ///< what damping_for returns
 
@@ -45,6 +46,14 @@ struct Entry {
   }
 };
 
+/// Whether a parameter must be given, where `has(name)` tells of each name whether it is.
+template <class Has>
+bool must_be_given(std::span<const ParameterInfo> parameters, const ParameterInfo& parameter, Has&& has) {
+  const bool together = std::ranges::any_of(
+      parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
+  return parameter.need == (together ? Need::together : Need::required);
+}
+
 /// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the reduced
 /// mass of floors of 100 t and 150 t [kg].
 inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5, typical_reduced_mass = 6e4;
@@ -54,7 +63,7 @@ inline Settings typical_settings(const Entry& entry) {
   Settings s{.law = std::string(entry.name), .formula = {}, .reduced_mass = typical_reduced_mass};
   if (entry.takes_restitution) s.restitution = typical_restitution;
   for (const ParameterInfo& p : entry.parameters)
-    if (p.need != Need::damping) s.values.emplace(p.name, p.typical);
+    if (p.need == Need::required || p.need == Need::optional) s.values.emplace(p.name, p.typical);
   return s;
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string_view>
 
-#include <pounding/laws/checks.hpp>
 #include <pounding/laws/damping_formulas.hpp>
 #include <pounding/laws/exact_damping.hpp>
 #include <pounding/laws/law.hpp>
+#include <pounding/laws/linear_dashpot.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
@@ -37,7 +36,8 @@ struct Komodromos {
 
   double stiffness = 0;                 ///< k [N/m]
   std::optional<double> restitution{};    ///< e in (0, 1], or
-  std::optional<double> damping_ratio{};  ///< zeta >= 0 [-]
+  std::optional<double> damping_ratio{};  ///< zeta >= 0 [-], or
+  std::optional<double> damping_coefficient{};  ///< c >= 0 [N s/m]
   double reduced_mass = 0;              ///< m [kg]
   DampingFormula formula = formulas[0].function;
 
@@ -45,22 +45,17 @@ struct Komodromos {
       Parameter<Komodromos>{{"stiffness", "N/m", "contact stiffness k", 9.35e7}, &Komodromos::stiffness},
       Parameter<Komodromos>{{"damping_ratio", "", "damping ratio zeta", 0.14, Need::damping},
                            nullptr,
-                           &Komodromos::damping_ratio}};
+                           &Komodromos::damping_ratio},
+      Parameter<Komodromos>{{"damping_coefficient", "N s/m", "damping c", 6.6e5, Need::damping},
+                           nullptr,
+                           &Komodromos::damping_coefficient}};
 
-  void check() const {
-    require_positive("stiffness", stiffness);
-    require_restitution(restitution);
-    require_not_negative("damping_ratio", damping_ratio);
-    require_one_damping(name, restitution, {{"damping_ratio", &damping_ratio}});
-    require_positive("reduced_mass", reduced_mass);
-  }
+  void check() const { check_dashpot(*this); }
 
   /// zeta [-].
-  double damping_number(double) const { return restitution ? formula({.restitution = *restitution}) : *damping_ratio; }
+  double damping_number(double) const { return ratio_of_dashpot(*this); }
   /// c [N s/m], the same at every closing speed.
-  double damping_for(double closing_speed) const {
-    return 2 * damping_number(closing_speed) * std::sqrt(stiffness * reduced_mass);
-  }
+  double damping_for(double) const { return coefficient_of_dashpot(*this); }
 
   Response contact(double penetration, double rate, const Impact& impact) const noexcept {
     return {stiffness * penetration + impact.damping * rate, stiffness, impact.damping};

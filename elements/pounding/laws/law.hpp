@@ -12,6 +12,8 @@
 ///     double corner(double penetration, double rate, const Impact&) const noexcept;  // optional: changes sign where slopes jump
 ///     void keep(double penetration, double rate, Impact&) const noexcept;               // laws with memory only
 ///     double stored_energy(double penetration, const Impact&) const noexcept;  // optional, see stored_energy() below
+///     double crushed(const Impact&) const noexcept;                                     // laws that crush only, see crushes
+///     double indentation(const Impact&) const noexcept;
 ///
 /// `contact` continues the formula smoothly past its end, and its sign tells where the force is released; `respond` is
 /// zero for an open gap and never pulls, unless the law says `static constexpr bool may_pull = true`.
@@ -48,6 +50,7 @@ struct Impact {
   double damping = 0;              ///< the law's coefficient for this impact, in the law's own unit
   double largest_penetration = 0;  ///< so far in this impact [m]
   double slip = 0;                 ///< plastic slip of laws that have one [m]
+  double crushed = 0;              ///< deepest penetration of all impacts before, from the sound surface, of laws that crush [m]
 };
 
 /// The no-tension rule, for a force [N]: contact cannot pull, so a force that is not positive becomes +0.
@@ -85,14 +88,29 @@ inline constexpr bool instantaneous = [] {
   return false;
 }();
 
+/// True for a law that takes a restitution of 0: the bodies stay together after the touch until something pulls them apart.
+template <class L>
+inline constexpr bool sticks_at_zero = [] {
+  if constexpr (requires { L::sticks_at_zero; }) return L::sticks_at_zero;
+  return false;
+}();
+
+/// True for a law that remembers how deep the bodies were crushed: `crushed` is the deepest penetration so far, this impact
+/// included, from the sound surface [m], and `indentation` what this impact has added to the gap [m].
+template <class L>
+inline constexpr bool crushes = requires(const L& law, const Impact& impact) {
+  law.crushed(impact);
+  law.indentation(impact);
+};
+
 /// True for a law with a coefficient that is calibrated at each impact.
 template <class L>
 inline constexpr bool has_damping = requires(const L& law) { law.damping_for(1.0); };
 
-/// An impact begins: what the law may know of it. closing_speed is the rate at the touch [m/s].
+/// An impact begins: what the law may know of it. closing_speed is the rate at the touch [m/s], `crushed` that of the impact before.
 template <class L>
-Impact touch(const L& law, double closing_speed) {
-  Impact impact{.closing_speed = closing_speed};
+Impact touch(const L& law, double closing_speed, double crushed = 0) {
+  Impact impact{.closing_speed = closing_speed, .crushed = crushed};
   if constexpr (requires { law.impact_velocity; }) impact.closing_speed = law.impact_velocity.value_or(closing_speed);
   if constexpr (has_damping<L>) impact.damping = law.damping_for(closing_speed);
   return impact;

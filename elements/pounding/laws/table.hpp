@@ -10,7 +10,8 @@ namespace pounding::laws {
 enum class Need : unsigned char {
   required,  ///< no default: it must be given
   optional,  ///< has a default
-  damping    ///< gives the damping directly, instead of a restitution
+  damping,   ///< gives the damping directly, instead of a restitution
+  together   ///< with the others marked so it is all that the law needs: nothing else is given beside them
 };
 
 /// One parameter of a law. In a unit, `n` is the law's exponent.

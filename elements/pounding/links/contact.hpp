@@ -82,6 +82,12 @@ class Contact {
 
   virtual ~Contact() = default;
 
+  /// Force on the bodies, and slopes, when they have come slowly to this penetration [m], the first time. Pure.
+  virtual laws::Response first_loading(double /*penetration*/) const noexcept { return {}; }
+  /// The run begins with the bodies at rest and pressed together by this penetration > 0 [m]; the energy stored in it is part of
+  /// work(). Throws std::invalid_argument for a contact that cannot begin so.
+  virtual void press(double penetration);
+
   /// Present phase, as the last kept state left it.
   virtual ContactPhase phase() const noexcept = 0;
   /// Penetration [m] when the two ends have approached each other by `relative_displacement` [m] since the undeformed state.
@@ -105,12 +111,12 @@ class Contact {
 
   /// True for a contact that answers a touch with a velocity jump: rate after = -restitution * rate before.
   virtual bool is_rigid() const noexcept { return false; }
-  /// Coefficient of restitution of that jump, in (0, 1].
+  /// Coefficient of restitution of that jump, in [0, 1].
   virtual double restitution() const noexcept { return 1; }
   /// A jump was applied at a kept state, at this time [s]. `held`: the bodies rest on each other after it.
   virtual void jumped(double /*time*/, const Jump& /*jump*/, bool /*held*/) {}
 
-  /// Work done on the link since the beginning, stored and lost [J].
+  /// Work done on the link since the beginning, stored and lost [J]; with what it stored at the beginning.
   virtual double work() const noexcept = 0;
   /// One row per impact, in the order of the touches; the last one is unfinished (t_end NaN) while the impact lasts, and splits
   /// its work so far into what is lost and what is stored.

@@ -35,7 +35,14 @@ struct ContactState {
   template <class Law>
   void begin(const Law& law, double rate) {
     phase = ContactPhase::approach;
-    impact = laws::touch(law, std::max(0.0, rate));
+    impact = laws::touch(law, std::max(0.0, rate), impact.crushed);
+  }
+
+  /// The bodies are pressed together at rest by this penetration [m].
+  template <class Law>
+  void press(const Law& law, double penetration) {
+    begin(law, 0);
+    keep(law, penetration, 0);
   }
 
   /// A state inside the impact was kept: penetration [m] and rate [m/s].
@@ -45,11 +52,16 @@ struct ContactState {
   }
 
   /// The impact is over. `left` >= 0 is the penetration at which the force ended [m]; a law with permanent indentation adds
-  /// it to the gap.
+  /// it to the gap, or its own indentation where it remembers how deep the bodies were crushed.
   template <class Law>
-  void end(const Law&, double left) noexcept {
+  void end(const Law& law, double left) noexcept {
     phase = ContactPhase::open;
-    if constexpr (laws::leaves_indentation<Law>) gap += left;
+    if constexpr (laws::crushes<Law>) {
+      gap += law.indentation(impact);
+      impact.crushed = law.crushed(impact);
+    } else if constexpr (laws::leaves_indentation<Law>) {
+      gap += left;
+    }
   }
 };
 

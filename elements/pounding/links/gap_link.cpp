@@ -1,11 +1,14 @@
 #include <pounding/links/gap_link.hpp>
 
+#include <stdexcept>
 #include <type_traits>
 #include <variant>
 
 #include <pounding/links/rigid_gap_link.hpp>
 
 namespace pounding {
+
+void Contact::press(double) { throw std::invalid_argument("this contact has no force to press with; take a law that has one"); }
 
 std::unique_ptr<Contact> make_gap_link(const laws::AnyLaw& law, double gap, int link) {
   return std::visit(

@@ -22,20 +22,37 @@ namespace pounding {
 template <class Law>
 class GapLink final : public Contact {
  public:
-  /// Initial gap >= 0 [m]; `link` is written into the rows of the impacts. Throws std::invalid_argument for any other gap
-  /// and for parameters that the law refuses.
+  /// Initial gap [m], negative for ends that would overlap and are pressed together; `link` is written into the rows of the
+  /// impacts. Throws std::invalid_argument for a gap that is not finite and for parameters that the law refuses.
   GapLink(Law law, double gap, int link = 0) : law_(std::move(law)), state_{.gap = gap}, log_(link) {
-    if (!(gap >= 0) || std::isinf(gap)) throw std::invalid_argument("gap must be finite and not negative");
+    if (!std::isfinite(gap)) throw std::invalid_argument("gap must be finite");
     law_.check();
   }
 
   /// The law with its parameters.
   const Law& law() const noexcept { return law_; }
-  /// Present gap [m]: komodromos adds its indentation to it.
+  /// Present gap [m]: komodromos and elastoplastic add their indentation to it.
   double gap() const noexcept { return state_.gap; }
 
   ContactPhase phase() const noexcept override { return state_.phase; }
   double penetration(double relative_displacement) const noexcept override { return state_.penetration(relative_displacement); }
+
+  laws::Response first_loading(double penetration) const noexcept override {
+    return laws::pressed(law_, penetration, 0, laws::touch(law_, 0));
+  }
+
+  // The damping of a closing speed that was never there would be none, or without bound.
+  void press(double penetration) override {
+    const auto force = [&](double speed) { return law_.contact(penetration, 1, laws::touch(law_, speed)).force; };
+    if (force(1) != force(2))
+      throw std::invalid_argument("a contact that presses from the start has no closing speed to find its force by; give an "
+                                  "impact_velocity, or a law that needs none, such as linear_spring or hertz");
+    state_.press(law_, penetration);
+    log_.begin(0, 0);
+    const double stored = laws::stored_energy(law_, penetration, state_.impact);
+    log_.push(0, stored);
+    log_.store(stored);
+  }
 
   laws::Response evaluate(const LinkMotion& motion) const noexcept override {
     if (state_.phase != ContactPhase::approach && state_.phase != ContactPhase::restitution) return {};

@@ -116,6 +116,9 @@ System assemble(const Model& model, bool with_links) {
     if (const double least = plan.least_displacement(w); least > 0) group.displacement_floor = least;
     if (const double least = plan.least_velocity(w); least > 0) group.velocity_floor = least;
     group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
+    // A structure at rest under a preload moves at this speed when it is let go.
+    if (with_links && s.preload_displacement.size() > 0)
+      group.velocity_floor = std::max(group.velocity_floor, 1e-2 * w * s.preload_displacement.cwiseAbs().maxCoeff());
     group.elastic = s.elastic.get();
     system.groups.push_back(group);
   }
@@ -191,13 +194,14 @@ System assemble(const Model& model, bool with_links) {
   return system;
 }
 
-std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model) {
+std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links) {
   const std::vector<int> first = offsets(model);
   const int n = total_size(model);
   Eigen::VectorXd u(n), v(n);
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     u.segment(first[i], s.size()) = s.initial_displacement;
+    if (with_links && s.preload_displacement.size() > 0) u.segment(first[i], s.size()) += s.preload_displacement;
     v.segment(first[i], s.size()) = s.initial_velocity;
   }
   return {u, v};

@@ -153,7 +153,10 @@ std::vector<std::optional<double>> gaps_of(const LinkOptions& options, int count
   try {
     const std::vector<double> gaps = options.gap.of_each(count, "gap");
     for (const double gap : gaps)
-      if (!(gap >= 0) || std::isinf(gap)) throw std::invalid_argument("gap must be finite and not negative");
+      if (!std::isfinite(gap) || (gap < 0 && !options.preload))
+        throw std::invalid_argument(gap < 0 && std::isfinite(gap)
+                                        ? "gap must be finite and not negative; with preload: true a negative one presses from the start"
+                                        : "gap must be finite and not negative");
     return {gaps.begin(), gaps.end()};
   } catch (const std::invalid_argument& error) {
     refuse(ModelOption::gap, error.what());
@@ -219,6 +222,8 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
   check_options(options, law, is_drawn);
   const int count = static_cast<int>(pairs.size());
   const std::vector<std::optional<double>> gaps = gaps_of(options, count);
+  if (options.preload && std::none_of(gaps.begin(), gaps.end(), [](const auto& gap) { return gap && *gap < 0; }))
+    refuse_idle(ModelOption::preload, "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
   for (int i = 0; i < count; ++i) {
     const std::vector<double> along = along_the_edge(options.points, pairs[i], a, b, side);
     for (std::size_t k = 0; k < along.size(); ++k) {
@@ -228,13 +233,14 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
       require_inertia(link.left, a, side, ModelOption::left);
       require_inertia(link.right, b, side, ModelOption::right);
       link.direction = outward(side);
-      link.gap = is_drawn ? drawn_gap(*this, link.left, link.right, side, gaps[i]) : *gaps[i];
+      link.preload = gaps[i] && *gaps[i] < 0;
+      link.gap = is_drawn && !link.preload ? drawn_gap(*this, link.left, link.right, side, gaps[i]) : *gaps[i];
       link.name = name_of(options, pairs[i], a, b, i, count == 1);
       if (along.size() > 1) link.name += fmt::format("#{}", k + 1);
       check_name(link.name, options, links);
       set_law(link, options, law, static_cast<double>(along.size()), stiffness_factor, static_cast<int>(links.size()));
       set_friction(link, options, a, b);
-      refuse_overlap(link, a, b);
+      if (!link.preload) refuse_overlap(link, a, b);
       links.push_back(std::move(link));
     }
   }

@@ -35,6 +35,7 @@ std::string describe(const Model& model) {
   for (const Link& link : model.links) {
     text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
                         link.formula, 1e3 * link.gap);
+    if (link.preload) text += ", preloaded";
     if (link.reduced_mass > 0)
       text += fmt::format(", reduced mass {:.6g} t {}", link.reduced_mass / 1e3,
                           link.reduced_mass_given ? "(as given)" : "(of the two floors)");

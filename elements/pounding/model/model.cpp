@@ -11,6 +11,7 @@
 #include <pounding/core/units.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/plausible.hpp>
+#include <pounding/model/preload.hpp>
 
 namespace pounding {
 namespace {
@@ -227,6 +228,7 @@ void Model::complete() {
   check_settings();
   put_on_ground();
   check_ground();
+  press_preloaded(structures, links);
   const GroundPlan plan = ground_plan(*this);
   if (analysis.duration == 0) analysis.duration = plan.duration();
   if (analysis.duration == 0) throw ModelError(ModelOption::analysis, "the duration is missing; type analysis: {duration: 10 s}");

@@ -40,6 +40,7 @@ struct Link {
   LinkEnd left, right;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< from left to right
   double gap = 0;  ///< [m]
+  bool preload = false;  ///< presses from the start
   std::string law, formula;
   double reduced_mass = 0;  ///< that the damping was calibrated with [kg]
   bool reduced_mass_given = false;
@@ -118,9 +119,12 @@ enum class FacingFloors {
 
 /// Options of a link beside its law.
 struct LinkOptions {
-  /// >= 0 [m]; with `floors` one for all or one each from the ground up. Between frames it may be left out: it is the distance drawn,
-  /// and one that differs from it is refused.
+  /// >= 0, or < 0 with a preload [m]; with `floors` one for all or one each from the ground up. Between frames it may be left out: it is
+  /// the distance drawn, and one that differs from it is refused unless it is a preload.
   OneOrEach gap{};
+  /// The two ends press from the start, where the gap is negative: undeformed they would overlap, and the run begins in static
+  /// equilibrium with the structures pushed apart.
+  bool preload = false;
   std::optional<FacingFloors> floors{};  ///< links all of these; without it the two ends name one pair
   /// "left.1-right.1" unless given; of several pairs the first is "name.1".
   std::optional<std::string> name{};
@@ -207,8 +211,8 @@ System assemble(const Model& model, bool with_links = true);
 /// First unknown of each structure in the assembled system.
 std::vector<int> offsets(const Model& model);
 
-/// Initial displacements and velocities of the assembled system.
-std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model);
+/// Initial displacements and velocities of the assembled system. Without its links nothing is displaced by a preload.
+std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links = true);
 
 /// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links with their laws,
 /// gaps and masses.

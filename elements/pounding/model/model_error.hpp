@@ -29,6 +29,7 @@ enum class ModelOption {
   right,
   floors,
   gap,
+  preload,
   link_name,
   points,
   friction,

@@ -147,6 +147,7 @@ struct Structure {
   bool is_free = false;                  ///< nothing holds it to the ground: a body
   Eigen::VectorXd at_rest;               ///< displacements under gravity [m]; empty for none
   Eigen::VectorXd initial_displacement, initial_velocity;  ///< of the unknowns [m], [m/s]
+  Eigen::VectorXd preload_displacement;  ///< by contacts that press from the start, added to the initial one [m]; empty for none
   Eigen::VectorXd frequencies;  ///< of its lowest modes, at least two where it has them, increasing [rad/s]; 0 for a body
   std::string damping_note;  ///< how the damping was made, one line
   std::shared_ptr<const Surface> surface;

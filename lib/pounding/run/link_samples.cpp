@@ -62,6 +62,11 @@ void cut(LinkHistory& history, std::size_t length) {
 
 }  // namespace
 
+void ImpactSamples::begin_pressed(const LinkSample& sample) {
+  last_ = sample;
+  samples_.push_back(sample);
+}
+
 void ImpactSamples::add(const LinkSample& sample) {
   last_ = sample;
   if (samples_.empty()) samples_.push_back({sample.time, sample.penetration, sample.velocity, 0, sample.energy, {}});
@@ -139,6 +144,9 @@ void LinkSamples::step(bool output_due) {
     ImpactSamples& impact = impacts_[i];
     const LinkMotion &middle = step.motion_middle, &end = step.motion_end;
     if (presses || ends_here) {
+      if (impact.empty() && model_.links[i].preload && rows.size() == 1)
+        impact.begin_pressed({step.begin, step.motion_begin.penetration, step.motion_begin.rate, step.force_begin,
+                              contact.work() - work_after(step, 0), friction(i, &LinkStep::force_begin)});
       if (step.force_middle != 0) {
         // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
         const bool known = contact.acting_force(contact.evaluate(middle).force) == step.force_middle;

@@ -25,6 +25,10 @@ class ImpactSamples {
   /// More samples than these of one impact are thinned out; an even number.
   static constexpr std::size_t max_count = 2048;
 
+  /// Whether no impact has begun.
+  bool empty() const { return samples_.empty(); }
+  /// The first sample of a contact that presses from the start of the run.
+  void begin_pressed(const LinkSample& sample);
   /// A sample in contact. The first one of an impact stands twice, with zero force before: a force may jump at the touch.
   void add(const LinkSample& sample);
   /// Appends the samples so far, the last one included, to a history.

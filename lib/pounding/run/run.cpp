@@ -2,6 +2,7 @@
 
 #include <ctime>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -60,7 +61,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   }
 
   const System system = assemble(model, with_links);
-  const auto [u, v] = initial_state(model);
+  const auto [u, v] = initial_state(model, with_links);
   const TsSetup setup = set_up_ts(model, u, v, options.comm);
   results.integrator = setup.stepper.scheme.name();
   const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, setup.solver, options.comm);
@@ -97,7 +98,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
 // The run that `compare: no_pounding` asks for. A failure is written to the output of the run that was to follow.
 Outcome run_without_links(const Model& model, const RunOptions& options) {
   // Wrong options and an output that cannot be written are found before the first of the two runs.
-  const auto [u, v] = initial_state(model);
+  const auto [u, v] = initial_state(model, false);
   set_up_ts(model, u, v, options.comm);
   const petsc::Ranks ranks(options.comm);
   const auto write = [&](const Results& results) {
@@ -120,6 +121,13 @@ Outcome run_without_links(const Model& model, const RunOptions& options) {
   }
 }
 
+// A preloaded contact presses from the start, but time has not passed.
+bool has_run(const Link& link) {
+  const std::span<const ImpactRow> impacts = link.contact->impacts();
+  if (link.preload && impacts.size() == 1 && impacts[0].impulse == 0) return false;
+  return !impacts.empty() || link.contact->phase() != ContactPhase::open;
+}
+
 }  // namespace
 
 Outcome run(const Model& model, const RunOptions& options) {
@@ -127,7 +135,7 @@ Outcome run(const Model& model, const RunOptions& options) {
     throw std::logic_error("RunOptions::comm is null; make the options after PETSc has started");
   if (!model.is_complete()) throw std::logic_error("this model is not complete; call its complete() first");
   for (const Link& link : model.links)
-    if (!link.contact->impacts().empty() || link.contact->phase() != ContactPhase::open)
+    if (has_run(link))
       throw std::logic_error("this model has been run; read it again");
   if (!options.resume.empty()) {
     const InterruptedRun earlier = read_interrupted_run(options.resume);

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <pounding/stepping/event_functions.hpp>
 
@@ -82,6 +83,7 @@ RigidBounce bounce(const Strikes& strikes) {
 }
 
 double slowest_bounce(double press, double restitution, double displacement, double time) {
+  if (restitution == 0) return std::numeric_limits<double>::infinity();
   if (!(press > 0)) return 0;
   const double lowest = std::sqrt(2 * press * min_hop_height * motion_noise * displacement);
   const double briefest = 0.5 * press * min_hop_duration * std::max(1.0, time);

@@ -72,6 +72,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   output_.forget();
   const Energies after = energies();
   ledger_.give(after.kinetic + after.strain - before.kinetic - before.strain);
+  if (!started_) ledger_.give(after.impact);  // of contacts that press from the start
   norm_.start(now);
   started_ = true;
 }

@@ -35,7 +35,7 @@ class _Contact(ctypes.Structure):
     """pnd_contact."""
 
     _fields_ = [(name, ctypes.c_double) for name in ("touching", "indentation", "closing_speed", "damping",
-                                                     "largest_penetration", "slip")] + [("reserved", ctypes.c_double * 2)]
+                                                     "largest_penetration", "slip", "crushed")] + [("reserved", ctypes.c_double * 1)]
 
 
 class _Value(ctypes.Structure):

@@ -51,10 +51,26 @@ struct OfLaw {
     }
     if (word.key == "restitution") {
       const std::string_view direct = law.direct_damping();
-      word.need = direct.empty() ? Need::required : Need::exactly_one;
+      word.need = may_be_together(law) ? Need::optional : direct.empty() ? Need::required : Need::exactly_one;
       word.otherwise = {};
+      if (!law.sticks_at_zero) word.bounds = bounds::above_0_to_1;
     }
     return word;
+  }
+
+  // Whether there are parameters that are given together, instead of the others.
+  static bool may_be_together(const laws::Entry& law) {
+    return std::ranges::find(law.parameters, laws::Need::together, &laws::ParameterInfo::need) != law.parameters.end();
+  }
+
+  static Need need_of(const laws::ParameterInfo& parameter, const laws::Entry& law) {
+    switch (parameter.need) {
+      case laws::Need::required: return may_be_together(law) ? Need::at_least_one : Need::required;
+      case laws::Need::together: return Need::at_least_one;
+      case laws::Need::damping: return Need::exactly_one;
+      case laws::Need::optional: break;
+    }
+    return Need::optional;
   }
 
   Word word_of(const laws::ParameterInfo& parameter, const laws::Entry& law) {
@@ -70,9 +86,7 @@ struct OfLaw {
             .unit = parameter.unit,
             .bounds = parameter.name == "exponent" ? bounds::positive : bounds::any,
             .instead = may_be_estimated ? std::span<const std::string_view>(estimated) : std::span<const std::string_view>(),
-            .need = is_optional                                  ? Need::optional
-                    : parameter.need == laws::Need::required     ? Need::required
-                                                                 : Need::exactly_one,
+            .need = need_of(parameter, law),
             .otherwise = is_optional ? typical : std::string_view{},
             .meaning = parameter.meaning,
             .example = typical};

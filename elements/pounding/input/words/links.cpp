@@ -27,10 +27,14 @@ constexpr Word link_words[] = {
                 "where a floor that faces none hits the column there.",
      .example = "all"},
     {.key = "gap", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::length,
-     .bounds = bounds::non_negative, .otherwise = "the distance drawn between frames; needed where nothing is drawn",
-     .meaning = "Distance between the two at rest: one for all pairs of floors, or a list from the ground up. Between frames it may "
-                "differ from the distance drawn by 0.1 mm or a thousandth.",
+     .otherwise = "the distance drawn between frames; needed where nothing is drawn",
+     .meaning = "Distance between the two at rest: one for all pairs of floors, or a list from the ground up. At least 0, unless "
+                "preload is true. Between frames it may differ from the distance drawn by 0.1 mm or a thousandth.",
      .example = "20 mm"},
+    {.key = "preload", .takes = Takes::boolean, .otherwise = "false", .since = "0.2.0",
+     .meaning = "A negative gap is the overlap of the two ends where their structures are undeformed: the run begins in static "
+                "equilibrium, with the structures pushed apart by the contact.",
+     .example = "true"},
     {.key = "name", .takes = Takes::text, .otherwise = "the two ends, left.1-right.1",
      .meaning = "Name in reports and results; of several pairs the first is name.1.", .example = "roof"},
     {.key = "points", .takes = Takes::integer, .bounds = {.low = 1, .high = 100},
@@ -48,9 +52,11 @@ constexpr Word link_words[] = {
     {.key = "formula", .takes = Takes::text, .otherwise = "exact",
      .meaning = "Damping formula, one of the law's. exact gives the restitution that is asked for; published formulas miss it.",
      .example = "exact"},
-    {.key = "restitution", .takes = Takes::quantity, .bounds = bounds::above_0_to_1,
+    {.key = "restitution", .takes = Takes::quantity, .bounds = bounds::from_0_to_1,
      .otherwise = "none: a law with damping needs it, or a damping value of its own",
-     .meaning = "Coefficient of restitution: the speed of separation over that of approach.", .example = "0.65"},
+     .meaning = "Coefficient of restitution: the speed of separation over that of approach. With 0 the bodies stick; stereomechanical "
+                "and kelvin_voigt take it, the other laws need more.",
+     .example = "0.65"},
     {.key = "impact_velocity", .takes = Takes::quantity, .dimension = dimension::velocity, .bounds = bounds::positive,
      .otherwise = "that of each impact", .meaning = "Fixed design velocity of approach with which the damping is calibrated.",
      .example = "0.5 m/s"},

@@ -1,0 +1,119 @@
+// Contacts that press from the start: the equilibrium that the run begins in, and what is refused.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <string>
+
+#include <pounding/elements.hpp>
+#include "support/book.hpp"
+#include "support/refusal.hpp"
+
+namespace pounding {
+namespace {
+
+using test::refusal;
+
+constexpr double k1 = 2e7, k2 = 5e7;
+
+Structure spring(double stiffness) { return make_oscillator({.mass = 1e5, .stiffness = stiffness, .damping_ratio = 0.05}); }
+
+struct Pair {
+  Model model;
+  StructureHandle left = model.add("left", spring(k1)), right = model.add("right", spring(k2));
+  Pair() { model.analysis.duration = 1; }
+};
+
+// F (1/k + 1/k1 + 1/k2) = gap: springs in series.
+TEST(Preload, PressesWithTheForceOfSpringsInSeries) {
+  test::Book book("Contacts that press from the start", "springs in series: F = overlap/(1/k + 1/k1 + 1/k2)", "rounding");
+  const double k = 9.35e7, overlap = 2e-3, force = overlap / (1 / k + 1 / k1 + 1 / k2);
+  Pair pair;
+  pair.model.link(pair.left, pair.right, {.gap = -overlap, .preload = true}, laws::LinearSpring{.stiffness = k});
+  pair.model.complete();
+  const Contact& contact = *pair.model.links[0].contact;
+  EXPECT_EQ(contact.phase(), ContactPhase::approach);
+  const auto [u, v] = initial_state(pair.model);
+  book.near("displacement of the left one [m]", u[0], -force / k1, 1e-17);
+  book.near("displacement of the right one [m]", u[1], force / k2, 1e-17);
+  EXPECT_EQ(v.norm(), 0);
+  book.near("force of the contact [N]", contact.evaluate({contact.penetration(u[0] - u[1]), 0}).force, force, 1e-9);
+  book.near("energy stored in the contact [J]", contact.work(), force * force / (2 * k), 1e-10);
+  EXPECT_EQ(initial_state(pair.model, false).first.norm(), 0) << "without links nothing presses";
+}
+
+// Nonlinear springs: the residual of the equilibrium, whatever the law.
+TEST(Preload, BalancesEveryLawThatHasAForceAtRest) {
+  for (const ContactLaw& law : std::initializer_list<ContactLaw>{
+           laws::Hertz{.stiffness = 2.75e9}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.5},
+           laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.5, .impact_velocity = 0.3},
+           laws::Elastoplastic{.stiffness = 2.75e9, .restitution = 0.5}, laws::Komodromos{.stiffness = 9e7, .restitution = 0.5},
+           laws::BilinearHertz{.initial_stiffness = 1.2e9, .secondary_stiffness = 1.5e8, .yield_penetration = 1e-4}}) {
+    Pair pair;
+    pair.model.link(pair.left, pair.right, {.gap = -3e-3, .preload = true}, law);
+    pair.model.complete();
+    const Contact& contact = *pair.model.links[0].contact;
+    const auto [u, v] = initial_state(pair.model);
+    const double force = contact.evaluate({contact.penetration(u[0] - u[1]), 0}).force;
+    EXPECT_GT(force, 1e4) << pair.model.links[0].law;
+    EXPECT_NEAR(k1 * u[0] + force, 0, 1e-8 * force) << pair.model.links[0].law;
+    EXPECT_NEAR(k2 * u[1] - force, 0, 1e-8 * force) << pair.model.links[0].law;
+  }
+}
+
+TEST(Preload, OfSeveralFloorsIsFoundTogether) {
+  Model model;
+  model.analysis.duration = 1;
+  const StructureHandle a = model.add("a", make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = 3e7}), {.damping = 0.05}),
+                        b = model.add("b", make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = 6e7}), {.damping = 0.05});
+  model.link(a, b, {.gap = {-2e-3, -3e-3}, .preload = true, .floors = FacingFloors::all}, laws::Hertz{.stiffness = 2.75e9});
+  model.complete();
+  const auto [u, v] = initial_state(model);
+  for (int floor = 0; floor < 2; ++floor) {
+    const Contact& contact = *model.links[floor].contact;
+    const double force = contact.evaluate({contact.penetration(u[floor] - u[2 + floor]), 0}).force;
+    EXPECT_GT(force, 1e4);
+    EXPECT_NEAR(model.structures[0].stiffness.row(floor).dot(u.head(2)), -force, 1e-8 * force);
+    EXPECT_NEAR(model.structures[1].stiffness.row(floor).dot(u.tail(2)), force, 1e-8 * force);
+  }
+}
+
+std::string refused(const std::function<void(Pair&)>& change, const LinkOptions& options = {.gap = -2e-3, .preload = true},
+                    const ContactLaw& law = laws::Hertz{.stiffness = 2.75e9}) {
+  Pair pair;
+  return refusal([&] {
+    if (change) change(pair);
+    pair.model.link(pair.left, pair.right, options, law);
+    pair.model.complete();
+  });
+}
+
+TEST(Preload, SaysWhatCannotBe) {
+  EXPECT_EQ(refused({}), "taken");
+  EXPECT_EQ(refused({}, {.gap = 2e-3, .preload = true}),
+            "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
+  EXPECT_EQ(refused({}, {.gap = -2e-3}), "gap must be finite and not negative; with preload: true a negative one presses from the start");
+  EXPECT_EQ(refused({}, {.gap = -2e-3, .preload = true}, laws::Stereomechanical{.restitution = 0.5}),
+            "a rigid contact has no force to press with: gap must be finite and not negative");
+  EXPECT_EQ(refused({}, {.gap = -2e-3, .preload = true}, laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.5}),
+            "left.1-right.1: a contact that presses from the start has no closing speed to find its force by; give an "
+            "impact_velocity, or a law that needs none, such as linear_spring or hertz");
+  EXPECT_EQ(refused([](Pair& pair) { pair.left = pair.model.add("ball", make_body({.mass = 1e5})); }),
+            "nothing holds ball against a preload; take a structure with a stiffness");
+  EXPECT_EQ(refused([](Pair& pair) { pair.left = pair.model.add("moved", spring(k1), {.initial_displacement = 0.01}); }),
+            "moved starts displaced, and with a preload it starts in equilibrium; leave one of the two out");
+  EXPECT_EQ(refused([](Pair& pair) {
+              pair.left = pair.model.add("weak", make_oscillator({.mass = 1e5, .stiffness = k1, .damping_ratio = 0.05, .yield_force = 1e3}));
+            }),
+            "strains storey 1 of weak by -0.001218 m, and it yields at 5e-05 m; take less");
+  EXPECT_EQ(refused([](Pair& pair) {
+              const StructureHandle wall = pair.model.add("w", make_wall());
+              pair.model.link(pair.right, wall, {.gap = 1e-4}, laws::Hertz{.stiffness = 1e9});
+            }),
+            "closes right.1-w as well, by 0.0003872 m; give that link a wider gap, or a negative one and preload: true");
+}
+
+}  // namespace
+}  // namespace pounding
