@@ -15,7 +15,7 @@ namespace {
 
 // A zero is left to the law, which says what it means or which laws take it.
 double read_restitution(const Input& node, const laws::Entry& entry) {
-  if (node.as_quantity(dimension::none) == 0) return 0;
+  if (node.as_quantity(dimension::none, bounds::any) == 0) return 0;
   return node.as_quantity(dimension::none, entry.sticks_at_zero ? bounds::from_0_to_1 : bounds::above_0_to_1);
 }
 

@@ -20,6 +20,8 @@
 #include <pounding/laws/checks.hpp>
 #include <pounding/laws/law.hpp>
 #include <pounding/laws/nearest_name.hpp>
+#include <pounding/laws/needs.hpp>
+#include <pounding/laws/resolved_value.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
@@ -55,14 +57,6 @@ struct Entry {
   }
 };
 
-/// Whether a parameter must be given, where `has(name)` tells of each name whether it is.
-template <class Has>
-bool must_be_given(std::span<const ParameterInfo> parameters, const ParameterInfo& parameter, Has&& has) {
-  const bool together = std::ranges::any_of(
-      parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
-  return parameter.need == (together ? Need::together : Need::required);
-}
-
 /// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the reduced
 /// mass of floors of 100 t and 150 t [kg].
 inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5, typical_reduced_mass = 6e4;
@@ -74,24 +68,6 @@ inline Settings typical_settings(const Entry& entry) {
   for (const ParameterInfo& p : entry.parameters)
     if (p.need == Need::required || p.need == Need::optional) s.values.emplace(p.name, p.typical);
   return s;
-}
-
-/// One resolved value of a made law.
-struct ResolvedValue {
-  std::string name;
-  double value = 0;
-  std::string unit;
-};
-
-/// A unit of the tables with the exponent n filled in: "N/m^n" with 1.5 is "N/m^1.5", with 1 "N/m".
-inline std::string resolved_unit(std::string_view unit, double exponent) {
-  const std::pair<std::string_view, double> forms[] = {
-      {"^((n+1)/2)", (exponent + 1) / 2}, {"^(n+1)", exponent + 1}, {"^n", exponent}};
-  std::string text(unit);
-  for (const auto& [form, power] : forms)
-    if (const auto at = text.find(form); at != std::string::npos)
-      return text.replace(at, form.size(), power == 1 ? std::string() : std::string("^").append(number_text(power)));
-  return text;
 }
 
 /// Dimensionless damping number of a made law at this closing speed [m/s]; Entry::number gives its name. 0 for a law without
@@ -191,19 +167,6 @@ void set(L& law, std::string_view name, double value) {
   throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + suggestion(name, known));
 }
 
-/// Throws std::invalid_argument for a parameter that has no effect beside those that are given together.
-template <class L, class Has>
-void refuse_beside_together(Has&& given) {
-  const auto& infos = parameter_infos<L>;
-  const auto other = std::ranges::find_if(
-      infos, [&](const ParameterInfo& p) { return p.need != Need::together && given(p.name); });
-  const auto first = std::ranges::find_if(
-      infos, [&](const ParameterInfo& p) { return p.need == Need::together && given(p.name); });
-  if (first != infos.end() && other != infos.end())
-    throw std::invalid_argument(std::string(other->name) + " has no effect beside " + std::string(first->name) +
-                                "; leave one of them out");
-}
-
 /// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <class L>
 L make(const Settings& s) {
@@ -214,7 +177,7 @@ L make(const Settings& s) {
   for (const ParameterInfo& p : parameter_infos<L>)
     if (must_be_given(parameter_infos<L>, p, given) && !given(p.name))
       throw std::invalid_argument(law_name + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
-  refuse_beside_together<L>(given);
+  refuse_beside_together(parameter_infos<L>, given);
 
   if constexpr (requires { law.restitution; }) {
     if constexpr (std::is_same_v<decltype(law.restitution), double>) {
