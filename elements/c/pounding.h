@@ -81,9 +81,9 @@ PND_API void pnd_destroy(pnd_law *law);
 
 /* ---- An impact ---- */
 
-/* History of the impacts of a link. Zeros are two bodies that never touched; a host whose bodies are pressed together from the
- * start calls pnd_accept at that state, with the rate 0, and gives the law an impact_velocity where it takes one. All doubles, so that a host may keep it among
- * its own state variables; a copy of it takes a step back. */
+/* History of the impacts of a link. Zeros are two bodies that never touched; a host whose bodies are pressed together from
+ * the start calls pnd_accept at that state, with the rate 0, and gives the law an impact_velocity where it takes one. All
+ * doubles, so that a host may keep it among its own state variables; a copy of it takes a step back. */
 typedef struct pnd_contact {
   double touching;            /* 1 while an impact lasts, else 0 */
   double indentation;         /* what komodromos and elastoplastic have added to the gap; taken off every penetration [m] */
@@ -118,7 +118,8 @@ PND_API int pnd_respond(const pnd_law *law, const pnd_contact *contact, double p
 PND_API int pnd_accept(const pnd_law *law, double penetration, double rate, pnd_contact *contact);
 
 /* The impact ends here. For a host that locates the separation; the others leave it to pnd_accept. With komodromos the
- * penetration that is left is added to the indentation, with elastoplastic what was crushed. PND_BAD_ARGUMENT: also while no impact lasts. */
+ * penetration that is left is added to the indentation, with elastoplastic what was crushed. PND_BAD_ARGUMENT: also while
+ * no impact lasts. */
 PND_API int pnd_separate(const pnd_law *law, double penetration, pnd_contact *contact);
 
 /* ---- What a law gives for two free bodies ---- */

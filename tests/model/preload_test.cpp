@@ -98,7 +98,7 @@ TEST(Preload, SaysWhatCannotBe) {
   EXPECT_EQ(refused({}, {.gap = -2e-3, .preload = true}, laws::Stereomechanical{.restitution = 0.5}),
             "a rigid contact has no force to press with: gap must be finite and not negative");
   EXPECT_EQ(refused({}, {.gap = -2e-3, .preload = true}, laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.5}),
-            "left.1-right.1: a contact that presses from the start has no closing speed to find its force by; give an "
+            "left-right: a contact that presses from the start has no closing speed to find its force by; give an "
             "impact_velocity, or a law that needs none, such as linear_spring or hertz");
   EXPECT_EQ(refused([](Pair& pair) { pair.left = pair.model.add("ball", make_body({.mass = 1e5})); }),
             "nothing holds ball against a preload; take a structure with a stiffness");
@@ -112,7 +112,7 @@ TEST(Preload, SaysWhatCannotBe) {
               const StructureHandle wall = pair.model.add("w", make_wall());
               pair.model.link(pair.right, wall, {.gap = 1e-4}, laws::Hertz{.stiffness = 1e9});
             }),
-            "closes right.1-w as well, by 0.0003872 m; give that link a wider gap, or a negative one and preload: true");
+            "closes right-w as well, by 0.0003872 m; give that link a wider gap, or a negative one and preload: true");
 }
 
 }  // namespace

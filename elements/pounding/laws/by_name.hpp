@@ -21,27 +21,11 @@
 #include <pounding/laws/entry.hpp>
 #include <pounding/laws/law.hpp>
 #include <pounding/laws/nearest_name.hpp>
+#include <pounding/laws/needs.hpp>
+#include <pounding/laws/resolved_value.hpp>
 #include <pounding/laws/table.hpp>
 
 namespace pounding::laws {
-
-/// One resolved value of a made law.
-struct ResolvedValue {
-  std::string name;
-  double value = 0;
-  std::string unit;
-};
-
-/// A unit of the tables with the exponent n filled in: "N/m^n" with 1.5 is "N/m^1.5", with 1 "N/m".
-inline std::string resolved_unit(std::string_view unit, double exponent) {
-  const std::pair<std::string_view, double> forms[] = {
-      {"^((n+1)/2)", (exponent + 1) / 2}, {"^(n+1)", exponent + 1}, {"^n", exponent}};
-  std::string text(unit);
-  for (const auto& [form, power] : forms)
-    if (const auto at = text.find(form); at != std::string::npos)
-      return text.replace(at, form.size(), power == 1 ? std::string() : std::string("^").append(number_text(power)));
-  return text;
-}
 
 /// Dimensionless damping number of a made law at this closing speed [m/s]; Entry::number gives its name. 0 for a law without
 /// damping. Throws std::invalid_argument where the formula has no value for the law's restitution.
@@ -132,19 +116,6 @@ void set(L& law, std::string_view name, double value) {
   throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + suggestion(name, known));
 }
 
-/// Throws std::invalid_argument for a parameter that has no effect beside those that are given together.
-template <class L, class Has>
-void refuse_beside_together(Has&& given) {
-  const auto& infos = parameter_infos<L>;
-  const auto other = std::ranges::find_if(
-      infos, [&](const ParameterInfo& p) { return p.need != Need::together && given(p.name); });
-  const auto first = std::ranges::find_if(
-      infos, [&](const ParameterInfo& p) { return p.need == Need::together && given(p.name); });
-  if (first != infos.end() && other != infos.end())
-    throw std::invalid_argument(std::string(other->name) + " has no effect beside " + std::string(first->name) +
-                                "; leave one of them out");
-}
-
 /// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
 template <class L>
 L make(const Settings& s) {
@@ -155,7 +126,7 @@ L make(const Settings& s) {
   for (const ParameterInfo& p : parameter_infos<L>)
     if (must_be_given(parameter_infos<L>, p, given) && !given(p.name))
       throw std::invalid_argument(law_name + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
-  refuse_beside_together<L>(given);
+  refuse_beside_together(parameter_infos<L>, given);
 
   if constexpr (requires { law.restitution; }) {
     if constexpr (std::is_same_v<decltype(law.restitution), double>) {

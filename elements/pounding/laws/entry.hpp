@@ -46,14 +46,6 @@ struct Entry {
   }
 };
 
-/// Whether a parameter must be given, where `has(name)` tells of each name whether it is.
-template <class Has>
-bool must_be_given(std::span<const ParameterInfo> parameters, const ParameterInfo& parameter, Has&& has) {
-  const bool together = std::ranges::any_of(
-      parameters, [&](const ParameterInfo& p) { return p.need == Need::together && has(p.name); });
-  return parameter.need == (together ? Need::together : Need::required);
-}
-
 /// Typical of floors of concrete buildings, for examples and tables: restitution [-], closing speed [m/s], and the reduced
 /// mass of floors of 100 t and 150 t [kg].
 inline constexpr double typical_restitution = 0.65, typical_closing_speed = 0.5, typical_reduced_mass = 6e4;
