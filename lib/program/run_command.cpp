@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,21 +37,8 @@ std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();
 }
 
-// A summary as JSON with the warnings of the run as its last member.
-std::string with_warnings(std::string json, const std::vector<std::string>& warnings) {
-  json.pop_back();
-  return json + ",\"warnings\":" + nlohmann::json(warnings).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "}";
-}
-
-void print_warnings(const std::vector<std::string>& warnings) {
+void print_warnings(std::span<const std::string> warnings) {
   for (const std::string& text : warnings) std::fprintf(stderr, "pounding: warning: %s\n", text.c_str());
-}
-
-// Warnings that only the answers give.
-std::vector<std::string> warnings_after(const Model& model, const Summary& summary) {
-  std::vector<std::string> warnings = implausible(model, summary);
-  if (std::string text = warning(summary, model.analysis.tolerance); !text.empty()) warnings.push_back(std::move(text));
-  return warnings;
 }
 
 // Draws a progress bar on a terminal: one line, written over and over.
@@ -140,7 +128,7 @@ void run_task(const RunArguments& words, const Task& task) {
   if (terminal) run_options.progress = show_progress;
   if (!words.json && !words.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
-  std::vector<std::string> warnings = implausible(model);
+  const std::vector<std::string> warnings = implausible(model);
   if (ranks.is_root()) print_warnings(warnings);
 
   const StopOnSignal signals;  // after PETSc, which takes and gives back signals of its own
@@ -150,7 +138,7 @@ void run_task(const RunArguments& words, const Task& task) {
     outcome = run(model, run_options);
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
-    if (words.json && ranks.is_root()) std::puts(with_warnings(to_json(failed.outcome().summary), warnings).c_str());
+    if (words.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
     if (!failed.outcome().results.checkpoint) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
     throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}", failed.what(), launcher, run_options.output));
@@ -162,11 +150,9 @@ void run_task(const RunArguments& words, const Task& task) {
   if (!ranks.is_root()) return;
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
     std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n", unread.front().c_str());
-  const std::vector<std::string> after = warnings_after(model, outcome.summary);
-  print_warnings(after);
-  warnings.insert(warnings.end(), after.begin(), after.end());
+  print_warnings(std::span(outcome.summary.warnings).subspan(warnings.size()));
   if (words.json)
-    std::puts(with_warnings(to_json(outcome.summary), warnings).c_str());
+    std::puts(to_json(outcome.summary).c_str());
   else if (!words.quiet)
     std::fputs(to_table(outcome.summary).c_str(), stdout);
   if (!keep) return;
@@ -218,8 +204,12 @@ void add_run(CLI::App& app) {
     const std::vector<std::string> warnings = implausible(model);
     print_warnings(warnings);
     if (check_words->json)
-      std::puts(with_warnings(fmt::format("{{\"status\": \"ok\", \"structures\": {}, \"links\": {}}}", model.structures.size(), model.links.size()),
-                              warnings).c_str());
+      std::puts(nlohmann::ordered_json{{"status", "ok"},
+                                       {"structures", model.structures.size()},
+                                       {"links", model.links.size()},
+                                       {"warnings", warnings}}
+                    .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                    .c_str());
     else
       std::fputs((describe(model) + "\n" + resolved_yaml(model)).c_str(), stdout);
   });

@@ -56,6 +56,7 @@ std::vector<std::string_view> resembling(std::string_view name) {
     const bool holds = name.size() > 2 && (each.find(name) != each.npos || (each.size() > 2 && name.find(each) != name.npos));
     if (holds && std::ranges::find(near, each) == near.end()) near.push_back(each);
   }
+  std::ranges::stable_partition(near, [&](std::string_view each) { return each.starts_with(name); });
   return near;
 }
 
@@ -108,6 +109,11 @@ void print_everything() {
     for (const words::Word& word : words::parameters_of(law).words) names.push_back(word.key);
     fmt::print("  {:<30}{}\n", law.name, fmt::join(names, ", "));
   }
+  for (const words::Section* section : words::sections())
+    if (section != &words::model && shown.insert(section).second) {
+      fmt::print("\n");
+      print_section(*section);
+    }
   fmt::print("\n* required, (*) one of several. pounding words NAME shows one of them, a section or a law.\n");
 }
 

@@ -85,13 +85,12 @@ GridFrame grid(int storeys, int bays_x, int bays_y, double stiffer) {
   g.bay_width_x = {bay};
   g.bay_width_y = {bay};
   const double column = 0.55, depth = 0.6, width = 0.3;
-  g.column.area = column * column;
-  g.column.inertia_y = g.column.inertia_z = stiffer * 0.7 * std::pow(column, 4) / 12;
-  g.column.torsion = 0.141 * std::pow(column, 4);
-  g.beam.area = width * depth;
-  g.beam.inertia_y = stiffer * 0.5 * width * std::pow(depth, 3) / 12;
-  g.beam.inertia_z = 0.5 * depth * std::pow(width, 3) / 12;
-  g.beam.torsion = 0.2 * std::pow(width, 3) * depth;
+  const double inertia = stiffer * 0.7 * std::pow(column, 4) / 12;
+  g.column = Section{.area = column * column, .inertia_y = inertia, .inertia_z = inertia, .torsion = 0.141 * std::pow(column, 4)};
+  g.beam = Section{.area = width * depth,
+                   .inertia_y = stiffer * 0.5 * width * std::pow(depth, 3) / 12,
+                   .inertia_z = 0.5 * depth * std::pow(width, 3) / 12,
+                   .torsion = 0.2 * std::pow(width, 3) * depth};
   g.material = {.young = elasticity, .shear = elasticity / 2.4};
   // 36 t where two bays meet, half of it on an edge: a floor counts its bays.
   g.floor_mass = {floor_mass * bays_x * std::max(1, bays_y)};

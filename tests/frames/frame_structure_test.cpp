@@ -515,8 +515,10 @@ TEST(TurningFrame, TrussesTurnToo) {
   EXPECT_LT((s.elastic->force(u) - u).norm(), 1e-6);
   u *= 1.1;  // beyond: to (-4.7, 2.9)
   const double stretch = std::hypot(4.7, 2.9) - 5, force = 1e7 / 5 * stretch;
-  const VectorXd ends = s.end_forces(u);
-  ASSERT_EQ(ends.size(), 6);
+  ASSERT_EQ(s.forces.components.size(), 6u);
+  VectorXd forces = s.forces.turned(u);
+  if (s.forces.rows.rows() > 0) forces += s.forces.rows * u + s.forces.at_rest;
+  const VectorXd ends = forces.head(6);
   EXPECT_NEAR(ends[0], -force, 1e-6 * std::abs(force));
   EXPECT_NEAR(ends[3], force, 1e-6 * std::abs(force));
   EXPECT_NEAR(ends[4], 0, 1e-6 * std::abs(force));

@@ -370,11 +370,11 @@ GridFrame concrete(int storeys, int bays_x, int bays_y, double scale) {
           .storey_height = {3.2},
           .bay_width_x = {6},
           .bay_width_y = {6},
-          .column = {.area = c * c, .inertia_y = i, .inertia_z = i, .torsion = 0.141 * std::pow(c, 4)},
-          .beam = {.area = b * h,
-                   .inertia_y = 0.5 * b * h * h * h / 12 * scale,
-                   .inertia_z = 0.5 * h * b * b * b / 12,
-                   .torsion = 0.2 * b * b * b * h},
+          .column = Section{.area = c * c, .inertia_y = i, .inertia_z = i, .torsion = 0.141 * std::pow(c, 4)},
+          .beam = Section{.area = b * h,
+                          .inertia_y = 0.5 * b * h * h * h / 12 * scale,
+                          .inertia_z = 0.5 * h * b * b * b / 12,
+                          .torsion = 0.2 * b * b * b * h},
           .material = {.young = 25e9, .shear = 25e9 / 2.4},
           .floor_mass = {36e3 * bays_x * std::max(bays_y, 1)}};
 }

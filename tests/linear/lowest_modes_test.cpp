@@ -30,8 +30,8 @@ AssembledFrame plane_frame(int storeys, int bays) {
   grid.bays_x = bays;
   grid.storey_height = {3.2};
   grid.bay_width_x = {6.0};
-  grid.column = {.area = 0.3, .inertia_y = 5e-3};
-  grid.beam = {.area = 0.18, .inertia_y = 2.5e-3};
+  grid.column = Section{.area = 0.3, .inertia_y = 5e-3};
+  grid.beam = Section{.area = 0.18, .inertia_y = 2.5e-3};
   grid.material = {.young = 25e9, .shear = 10e9};
   grid.floor_mass = {40e3 * bays};
   return make_frame(grid).assemble();
@@ -45,8 +45,8 @@ GridFrame tower(int storeys, int bays, bool rigid_floors, bool alike = true) {
   grid.storey_height = {3.2};
   grid.bay_width_x = {6.0};
   grid.bay_width_y = {alike ? 6.0 : 5.0};
-  grid.column = {.area = 0.36, .inertia_y = 1.08e-2, .inertia_z = alike ? 1.08e-2 : 0.8e-2, .torsion = 1.8e-2};
-  grid.beam = {.area = 0.18, .inertia_y = 5.4e-3, .inertia_z = 1.35e-3, .torsion = 4e-3};
+  grid.column = Section{.area = 0.36, .inertia_y = 1.08e-2, .inertia_z = alike ? 1.08e-2 : 0.8e-2, .torsion = 1.8e-2};
+  grid.beam = Section{.area = 0.18, .inertia_y = 5.4e-3, .inertia_z = 1.35e-3, .torsion = 4e-3};
   grid.material = {.young = 30e9, .shear = 12.5e9};
   grid.floor_mass = {36e3 * bays * bays};
   grid.rigid_floors = rigid_floors;
@@ -201,9 +201,9 @@ AssembledFrame free_frame(double mass_of_first) {
   for (int k = 0; k < 8; ++k)
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < 4; ++i) {
-        if (i < 3) frame.add_member(node(i, j, k), node(i + 1, j, k), grid.beam, grid.material);
-        if (j < 3) frame.add_member(node(i, j, k), node(i, j + 1, k), grid.beam, grid.material);
-        if (k < 7) frame.add_member(node(i, j, k), node(i, j, k + 1), grid.column, grid.material);
+        if (i < 3) frame.add_member(node(i, j, k), node(i + 1, j, k), grid.beam.at(1, 0), grid.material);
+        if (j < 3) frame.add_member(node(i, j, k), node(i, j + 1, k), grid.beam.at(1, 0), grid.material);
+        if (k < 7) frame.add_member(node(i, j, k), node(i, j, k + 1), grid.column.at(1, 0), grid.material);
       }
   return frame.assemble();
 }

@@ -41,8 +41,8 @@ struct Pair {
       grid.bays_x = 2;
       grid.storey_height = {3.2};
       grid.bay_width_x = {6.0};
-      grid.column = {.area = 0.3, .inertia_y = (1 + 0.7 * k) * 5e-3};
-      grid.beam = {.area = 0.18, .inertia_y = (1 + 0.7 * k) * 2.5e-3};
+      grid.column = Section{.area = 0.3, .inertia_y = (1 + 0.7 * k) * 5e-3};
+      grid.beam = Section{.area = 0.18, .inertia_y = (1 + 0.7 * k) * 2.5e-3};
       grid.material = {.young = 25e9, .shear = 10e9, .density = consistent ? 2500.0 : 0.0};
       grid.mass = consistent ? BeamMass::consistent : BeamMass::lumped;
       grid.floor_mass = {72e3};
@@ -224,8 +224,8 @@ System row_of_frames(int frames) {
   grid.bays_x = 1;
   grid.storey_height = {3.2};
   grid.bay_width_x = {6.0};
-  grid.column = {.area = 0.3, .inertia_y = 5e-3};
-  grid.beam = {.area = 0.18, .inertia_y = 2.5e-3};
+  grid.column = Section{.area = 0.3, .inertia_y = 5e-3};
+  grid.beam = Section{.area = 0.18, .inertia_y = 2.5e-3};
   grid.material = {.young = 25e9, .shear = 10e9};
   grid.floor_mass = {72e3};
   const AssembledFrame one = make_frame(grid).assemble();

@@ -179,7 +179,9 @@ std::string to_json(const Summary& summary) {
     all["no_pounding"] = {{"structures", structures_json(summary.without_pounding)}, {"amplification", amplification},
                           {"separations", separations_json(summary.separations)}};
   }
-  return all.dump();
+  all["warnings"] = summary.warnings;
+  // Names in a model may be no UTF-8, which JSON demands.
+  return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string warning(const Summary& summary, double tolerance) {

@@ -8,6 +8,7 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/petsc/ranks.hpp>
+#include <pounding/run/implausible.hpp>
 #include <pounding/run/recorder.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run.hpp>
@@ -49,6 +50,7 @@ class RunWriter {
   const Stepper& stepper_;
   Recorder& recorder_;
   Outcome& outcome_;
+  const std::vector<std::string> doubts_ = implausible(model_);
   Checkpoint origin_;  // without a state
   Stopwatch since_start_, since_write_ = since_start_;
   double earlier_seconds_ = 0;  // before the interruption
