@@ -32,7 +32,7 @@ std::optional<Unit> unit_of(std::string_view text) {
   if (unit == "mg") return Unit{dimension::acceleration, standard_gravity / 1000};  // no record states milligrams
   for (std::size_t at; (at = unit.find("sec")) != std::string::npos;) unit.erase(at + 1, 2);
   for (std::size_t at; (at = unit.find("**")) != std::string::npos; unit.erase(at + 1, 1)) unit[at] = '^';
-  for (std::size_t at; (at = unit.find("\xC2\xB2")) != std::string::npos;) unit.replace(at, 2, "^2");  // the sign for "squared"
+  for (std::size_t at; (at = unit.find("\xC2\xB2")) != std::string::npos; unit[at + 1] = '2') unit[at] = '^';  // the sign for "squared"
   try {
     return parse_unit(unit);
   } catch (const InputError&) {
