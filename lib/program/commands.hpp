@@ -22,6 +22,13 @@ void add_words(CLI::App& app);      ///< `words [NAME]`
 /// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.
 void draw(const std::string& results, const std::string& picture);
 
+/// Draws the extremes over the height, with and without links where both runs are there. Throws as `draw`.
+void draw_profiles(const std::string& results, const std::string& picture);
+
+/// Draws the spectrum of a floor such as "left.3", with and without links where both runs are there. Throws as `draw`, and InputError for
+/// a floor that is not there.
+void draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& picture);
+
 /// Draws mode shapes; `modes` is the JSON object that python/pounding/mode_shapes.py describes. Throws as `draw`.
 void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});
 

@@ -55,6 +55,10 @@ void draw(const std::string& results, const std::string& picture) {
   run_python({.module = "plots", .product = "picture"}, {"-o", picture}, {results});
 }
 
+void draw_profiles(const std::string& results, const std::string& picture) {
+  run_python({.module = "plots", .product = "picture"}, {"-o", picture, "--picture=profiles"}, {results});
+}
+
 void draw_modes(const std::string& modes, const std::string& picture, const std::string& title) {
   const TemporaryFile file(modes);
   std::vector<std::string> options{"-o", picture};

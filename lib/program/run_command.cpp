@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <unistd.h>
 
@@ -28,7 +29,7 @@ namespace {
 
 struct RunArguments {
   std::string model, output, picture, resume;
-  bool json = false, plot = false, quiet = false;
+  bool json = false, plot = false, report = false, quiet = false;
 };
 
 Model read(const Input& input) { return read_model(input, petsc::lowest_modes); }
@@ -103,6 +104,20 @@ void abort_all(const std::string& text, const std::exception& error) {
   MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
 }
 
+// Beside the standard picture: profiles, and of each structure the spectrum of the floor that is shaken hardest.
+void draw_report(const Summary& summary, const std::string& results, std::vector<std::string>& pictures) {
+  const std::string name = with_ending(results, "");
+  pictures.push_back(name + "-profiles.png");
+  draw_profiles(results, pictures.back());
+  for (const StructureSummary& s : summary.structures) {
+    const auto hardest = std::max_element(s.peak_acceleration.begin(), s.peak_acceleration.end());
+    if (hardest == s.peak_acceleration.end()) continue;
+    const std::string floor = fmt::format("{}.{}", s.name, hardest - s.peak_acceleration.begin() + 1);
+    pictures.push_back(fmt::format("{}-spectrum-{}.png", name, floor));
+    draw_floor_spectrum(results, floor, pictures.back());
+  }
+}
+
 struct Task {
   std::string model_file;
   std::vector<std::string> options;
@@ -116,7 +131,7 @@ void run_task(const RunArguments& words, const Task& task) {
   const Model model = read(model_file.empty() ? input_of(earlier) : Input::read_file(model_file));
   require_one_model(ranks, model, model_file.empty() ? words.resume : model_file);
   RunOptions run_options;
-  const bool plot = words.plot || !words.picture.empty();
+  const bool plot = words.plot || words.report || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;
   if (keep) run_options.output = resume ? words.resume : with_ending(std::filesystem::path(model_file).filename(), ".h5");
   if (!words.output.empty()) run_options.output = words.output;
@@ -160,7 +175,10 @@ void run_task(const RunArguments& words, const Task& task) {
   if (!plot) return;
   const std::string picture = words.picture.empty() ? with_ending(run_options.output, ".png") : words.picture;
   draw(run_options.output, picture);
-  if (!words.json && !words.quiet) std::printf("picture      %s\n", picture.c_str());
+  std::vector<std::string> pictures{picture};
+  if (words.report) draw_report(outcome.summary, run_options.output, pictures);
+  if (!words.json && !words.quiet)
+    for (const std::string& each : pictures) std::printf("picture      %s\n", each.c_str());
 }
 
 void run_model(const RunArguments& words, const CLI::App& command) {
@@ -186,6 +204,9 @@ void add_run(CLI::App& app) {
                           "MODEL and the PETSc options of the beginning need not be named again");
   run_command->add_option("-o,--output", words->output, "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder");
   run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file; -o OUT.h5 says where");
+  run_command->add_flag("--report", words->report,
+                        "Draw all pictures beside the results file: the standard one, the extremes over the height with and without "
+                        "links, and of each structure the spectrum of the floor that is shaken hardest");
   run_command->add_option("--picture", words->picture, "Name of the picture");
   run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
   run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but warnings and errors");

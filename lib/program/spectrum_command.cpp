@@ -117,6 +117,14 @@ void show_floor_spectrum(const FloorWords& words) {
 
 }  // namespace
 
+void draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& picture) {
+  FloorWords words;
+  words.results = results;
+  words.floor = floor;
+  words.spectrum.picture = picture;
+  show_floor_spectrum(words);
+}
+
 void add_spectrum(CLI::App& app) {
   const auto words = std::make_shared<FloorWords>();
   CLI::App* const command = app.add_subcommand("spectrum", "Response spectrum of the motion of a floor");

@@ -489,7 +489,7 @@ TEST(RecordFormats, ALineMayEndTheData) {
   EXPECT_EQ(read(knet(5, 3) + "*** End Data ***\n").samples.accelerations, read(knet(5, 3)).samples.accelerations);
   EXPECT_EQ(error_of("a\nb\nIN UNITS OF G\nNPTS= 4, DT= .01\n0 1 2\n*** End Data ***\n"), "r.txt:5: the values end here, after 3; NPTS states 4");
   EXPECT_EQ(error_of(at2 + "*** End Data ***\n3\n"), "r.txt:7: more values than the 3 that NPTS states");
-  EXPECT_EQ(error_of(columns + "*** End Data ***\n0.03, 3\n"), "r.txt:6: follows the line that ends the data; remove one of the two");
+  EXPECT_EQ(error_of(columns + "*** End Data ***\n0.03, 3\n"), "r.txt:6: values go on after line 5, which ends them; keep one record in a file");
   EXPECT_EQ(error_of(at2 + "*** Data ***\n"), "r.txt:6: more values than the 3 that NPTS states");
 }
 

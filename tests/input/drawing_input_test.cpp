@@ -1,4 +1,4 @@
-// What contradicts the drawing of frames: another gap, overlaps, the wrong side, ends that pass each other.
+// Contradictions of the drawing of frames: another gap, overlaps, the wrong side, ends that pass each other.
 
 #include <gtest/gtest.h>
 

@@ -60,14 +60,14 @@ TEST(GridInput, SectionsChangeWithTheLine) {
 
 TEST(GridInput, RefusesStoreysThatAreMissingOrTwice) {
   refused(frame("{1-2: C60}", "B60"),
-          "3:106: grid.columns: storey 3 is missing; the keys name every storey from 1 to 3 once, as in {1-3: C60, 4-5: C50}");
-  refused(frame("{1-2: C60, 2-3: C50}", "B60"), "3:117: grid.columns.2-3: storey 2 is given twice; keep it once");
-  refused(frame("{1-4: C60}", "B60"), "3:107: grid.columns.1-4: \"1-4\" is outside: the storeys go from 1 at the ground to 3");
-  refused(frame("{1-2: C60, 3x: C50}", "B60"), "3:117: grid.columns.3x: \"3x\" is no storey; type one such as 4, or several such as 1-3");
-  refused(frame("[C60, C50]", "B60"), "3:106: grid.columns: takes one section or a list of 3 from the ground up; a list of 2 was read");
+          "3:104: grid.columns: storey 3 is missing; the keys name every storey from 1 to 3 once, as in {1-3: C60, 4-5: C50}");
+  refused(frame("{1-2: C60, 2-3: C50}", "B60"), "3:115: grid.columns.2-3: storey 2 is given twice; keep it once");
+  refused(frame("{1-4: C60}", "B60"), "3:105: grid.columns.1-4: \"1-4\" is outside: the storeys go from 1 at the ground to 3");
+  refused(frame("{1-2: C60, 3x: C50}", "B60"), "3:115: grid.columns.3x: \"3x\" is no storey; type one such as 4, or several such as 1-3");
+  refused(frame("[C60, C50]", "B60"), "3:104: grid.columns: takes one section or a list of 3 from the ground up; a list of 2 was read");
   refused(frame("[[C60, C50], C60, C60]", "B60"),
-          "3:107: grid.columns[0]: takes one section for the storey, or a list of 3 by line; a list of 2 was read");
-  refused(frame("{1-2: C60, 3: C55}", "B60"), "3:120: grid.columns.3: unknown section \"C55\". Did you mean \"C50\"?");
+          "3:105: grid.columns[0]: takes one section for the storey, or a list of 3 by line; a list of 2 was read");
+  refused(frame("{1-2: C60, 3: C55}", "B60"), "3:118: grid.columns.3: unknown section \"C55\". Did you mean \"C50\"?");
 }
 
 TEST(GridInput, MembersOfTheGridMayDiffer) {

@@ -47,7 +47,7 @@ constexpr words::Word quantities[] = {quantity("gap", dimension::length),
 const words::Section test_section{.name = "test", .place = "", .meaning = "", .words = quantities};
 
 Input model(const std::string& text) { return Input::read_text(text, "model.yaml"); }
-// The same, read by one word after the other.
+// That table, read by one word after the other.
 Input model(const std::string& text, std::span<const words::Word> table) {
   static std::vector<std::unique_ptr<words::Section>> sections;
   sections.push_back(std::make_unique<words::Section>(words::Section{.name = "test", .place = "", .meaning = "", .words = table}));
@@ -90,7 +90,7 @@ TEST(Input, FileKeepsItsTextNameAndFolder) {
 
 TEST(Input, BadYamlIsReportedWithLineAndColumn) {
   EXPECT_EQ(error_in("title: a\nlinks: [1, 2\n"), "model.yaml:3:1: this is not YAML: end of sequence flow not found");
-  EXPECT_EQ(error_in("a: 1\n\tb: 2\n").substr(0, 31), "model.yaml:2:1: this is not YAM");
+  EXPECT_EQ(error_in("a: 1\n\tb: 2\n").substr(0, 31), "model.yaml:2:1: a tab indents t");
 }
 
 TEST(Input, EmptyFileAndSecondDocumentAreRefused) {

@@ -269,14 +269,14 @@ TEST(LawInput, TakesEachParameterInItsUnit) {
 
 TEST(LinkInput, EstimatesTheStiffness) {
   refused(law("hertz, stiffness: {radius: 2 m, penetration: 5 mm}"),
-          "5:65: links[0].stiffness.radius: has no part in an estimate by penetration; keep one of the two");
+          "5:66: links[0].stiffness.radius: has no part in an estimate by penetration; keep one of the two");
   refused(law("hertz, stiffness: {velocity: 1 m/s}"),
-          "5:65: links[0].stiffness.velocity: belongs to penetration; type penetration: 5 mm beside it");
-  refused(law("hertz, stiffness: {area: 3 m^2}"), "5:64: links[0].stiffness: key \"length\" is missing; type \"length: 9 m\"");
+          "5:66: links[0].stiffness.velocity: belongs to penetration; type penetration: 5 mm beside it");
+  refused(law("hertz, stiffness: {area: 3 m^2}"), "5:65: links[0].stiffness: key \"length\" is missing; type \"length: 9 m\"");
   refused(law("hertz, stiffness: {radius: [1 m, 2 m, 3 m]}"),
-          "5:73: links[0].stiffness.radius: takes one value for both bodies, or two; a list of 3 was read");
+          "5:74: links[0].stiffness.radius: takes one value for both bodies, or two; a list of 3 was read");
   refused(law("hertz, stiffness: {young: 30 GPa}"),
-          "5:65: links[0].stiffness: unknown key \"young\". Allowed: E, poisson, density, radius, area, length, penetration, velocity.");
+          "5:66: links[0].stiffness: unknown key \"young\". Allowed: E, poisson, density, radius, area, length, penetration, velocity.");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ inline std::string in_frame(const Keys& changed) {
   return shaken + "structures: {tower: {frame: " + map_of(frame) + "}}\n";
 }
 
-// The same bent as a frame in space, which has every displacement.
+// This bent as a frame in space, which has every displacement.
 inline std::string in_space(Keys changed) {
   changed["nodes"] = "{a: [0, 0, 0], b: [0, 0, 3 m], c: [6 m, 0, 3 m], d: [6 m, 0, 0]}";
   return in_frame(changed);

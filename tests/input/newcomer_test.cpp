@@ -147,9 +147,8 @@ TEST(Newcomer, AsksForRestitutionsThatCannotBe) {
           "outside");
   refused(damped("restitution: plastic"),
           R"(5:93: links[0].restitution: takes a number such as "5 %"; "plastic" is not a finite number)");
-  refused(law("stereomechanical, restitution: 0"),
-          "5:78: links[0].restitution: takes a number in (0, 1] such as 0.65, the speed after an impact over that before it; 0 would "
-          "leave the bodies together after each impact, which no law here does: type a small one such as 0.05");
+  refused(law("stereomechanical, restitution: -0.1"),
+          "5:78: links[0].restitution: takes a number in [0, 1] such as 0.65, the speed after an impact over that before it; \"-0.1\" is outside");
 }
 
 TEST(Newcomer, NamesTheLawsOfOtherPrograms) {

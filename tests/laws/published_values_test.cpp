@@ -164,7 +164,7 @@ TEST(PublishedValues, BilinearCurveAgreesWithTheReference) {
   }
 }
 
-// The same curves by their two stiffnesses and yield, as OpenSees' ImpactMaterial takes them: no mass, no design speed.
+// These curves by their two stiffnesses and yield, as OpenSees' ImpactMaterial takes them: no mass, no design speed.
 TEST(PublishedValues, BilinearCurveGivenByItsStiffnessesAgreesWithTheReference) {
   test::Book book(subject, source, reason);
   using namespace reference::bilinear;

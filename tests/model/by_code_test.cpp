@@ -140,7 +140,7 @@ TEST(ModelByCode, OfPlaneGridsWithFrictionUnderAWaveIsThatOfTheInput) {
   const auto right = model.add("right", make_structure(plane(2, 0.5, 11.01)), {.damping = RayleighDamping{.ratio = 0.03, .periods = {{0.5, 0.1}}}});
   model.link(left, right, {.gap = 0.01, .floors = FacingFloors::all, .friction = 0.3},
              laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.5});
-  model.link(left.node("2.2"), right.node("2.0"), {.gap = 0.015}, laws::LinearSpring{.stiffness = 9e7});
+  model.link(left.node("2.2"), right.node("2.0"), {.gap = 0.01}, laws::LinearSpring{.stiffness = 9e7});
   model.ground = GroundComponents{GroundMotion(Harmonic{.amplitude = 4, .period = 0.5, .duration = 1}), GroundMotion(),
                                   GroundMotion(Harmonic{.amplitude = 1, .period = 0.2, .duration = 1})};
   model.ground.wave = TravellingWave{.velocity = 300};
@@ -159,7 +159,7 @@ TEST(ModelByCode, OfPlaneGridsWithFrictionUnderAWaveIsThatOfTheInput) {
             "         damping: {rayleigh: {ratio: 3 %, periods: [0.5, 0.1]}}}\n") +
             "links:\n"
             "  - {between: [left, right], gap: 10 mm, floors: all, friction: 0.3, law: hertz_damped, stiffness: 2.75e9, restitution: 0.5}\n"
-            "  - {between: [{structure: left, node: '2.2'}, {structure: right, node: '2.0'}], gap: 15 mm, law: linear_spring, stiffness: 9e7}\n"
+            "  - {between: [{structure: left, node: '2.2'}, {structure: right, node: '2.0'}], gap: 10 mm, law: linear_spring, stiffness: 9e7}\n"
             "analysis: {tolerance: 1e-5}\n",
             std::move(model));
 }

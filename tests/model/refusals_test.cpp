@@ -72,7 +72,7 @@ TEST(StructuresByCode, AreAddedOnceWithANameAndADamping) {
 
 TEST(LinksByCode, SayWhatIsWrong) {
   EXPECT_EQ(refused_link({}), "the gap is missing; give it, as in {.gap = 0.02}");
-  EXPECT_EQ(refused_link({.gap = -0.01}), "gap must be finite and not negative");
+  EXPECT_EQ(refused_link({.gap = -0.01}), "gap must be finite and not negative; with preload: true a negative one presses from the start");
   EXPECT_EQ(refused_link({.gap = {0.01, 0.02}}), "gap: give one value, or a list of 1; 2 were given");
   EXPECT_EQ(refused_link({.gap = 0.01, .name = ""}),
             "a name must not be empty, \".\" or \"..\", or contain \"/\"; type a name such as third_floor");

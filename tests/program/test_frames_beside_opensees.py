@@ -204,7 +204,7 @@ class Portals(Beside):
         text = (MODELS / "portals.yaml").read_text()
         link = "law: linear_spring, stiffness: 93.5e6"
         self.assertIn(link, text)
-        return self.write(text.replace(link, law))
+        return self.write(text.replace(link, law) + "accept: [penetration]\n")
 
     def near(self, book, got, printed, unit, what):
         book.near(what, got, printed, 0.51 * unit + 1e-6 * abs(printed))

@@ -176,7 +176,7 @@ constexpr const char* frames =
     "ground_motion: {synthetic: {seed: 7, duration: 2 s, pga: 0.6 g}}\n"
     "structures:\n"
     "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 5 m, columns: {circle: 0.4}, beams: {circle: 0.5}, floor_mass: 60 t}, report: {members: all}}, damping: 5 %}\n"
-    "  right: {frame: {origin: [5.01 m, 0 m], material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 1, bays: 1, storey_height: 2 m, bay_width: 5 m, columns: {circle: 0.6}, beams: {circle: 0.5}, floor_mass: 60 t}}, damping: 5 %}\n"
+    "  right: {frame: {origin: [5.001 m, 0 m], material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 1, bays: 1, storey_height: 2 m, bay_width: 5 m, columns: {circle: 0.6}, beams: {circle: 0.5}, floor_mass: 60 t}}, damping: 5 %}\n"
     "links: [{between: [left, right], floors: any, gap: 1 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n"
     "analysis: {duration: 2}\n";
 

@@ -171,7 +171,7 @@ class Frame {
   };
   /// Without `with_members` springs alone act, as where members turn.
   Reactions reactions(const std::vector<int>& nodes, const AssembledFrame& assembled, bool gravity, bool with_members) const;
-  /// The same when supports move by one along x, y, z and the unknowns rest, see SupportMotion::enforced: rows x 3.
+  /// Reactions when supports move by one along x, y, z and the unknowns rest, see SupportMotion::enforced: rows x 3.
   Eigen::MatrixX3d enforced_reactions(const Reactions& reactions, const std::vector<int>& supports,
                                       const Eigen::MatrixX3d& enforced) const;
 
@@ -248,10 +248,10 @@ class Frame {
 /// one for each line.
 class GridSections {
  public:
-  GridSections() = default;
-  GridSections(const Section& all) : sections_{{all}} {}
+  GridSections() : GridSections(Section{}) {}
+  GridSections(const Section& all) : sections_(1, std::vector<Section>(1, all)) {}
   GridSections(const std::vector<Section>& by_storey) {
-    for (const Section& section : by_storey) sections_.push_back({section});
+    for (const Section& section : by_storey) sections_.emplace_back(1, section);
   }
   GridSections(std::vector<std::vector<Section>> by_storey_and_line) : sections_(std::move(by_storey_and_line)) {}
 
@@ -261,7 +261,7 @@ class GridSections {
   void check(int storeys, int lines, const std::string& name) const;
 
  private:
-  std::vector<std::vector<Section>> sections_{{Section{}}};  // [storey or 1][line or 1]
+  std::vector<std::vector<Section>> sections_;  // [storey or 1][line or 1]
 };
 
 /// A member that may be cut into equal parts, with nodes between them: there it can bow, and a contact can hit it.
@@ -310,7 +310,7 @@ struct GridFrame {
   /// The master of a rigid floor, storey >= 1: in space a node of its own at the centre of the floor's mass, in a plane
   /// frame the floor's first node.
   int floor(int storey) const;
-  /// What the name of a node is made of: "2.1", in space "2.1.0".
+  /// Numbers in the name of a node: "2.1", in space "2.1.0".
   std::string place(int storey, int i, int k = 0) const;
   /// The names of its members, in the order in which they are made.
   std::vector<std::string> member_names() const;

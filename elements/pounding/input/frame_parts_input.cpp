@@ -97,7 +97,7 @@ void FramePartsInput::read_grid(const Input& node) {
   frame.member_places.assign(made.members(), node);
 }
 
-// What the input says of members of the grid by their names.
+// Reads the members of the grid that the input changes by their names.
 void FramePartsInput::read_members_of_grid(const Input& members, GridFrame& grid) const {
   const std::vector<std::string> known = grid.member_names();
   for (const auto& [name, node] : members.entries()) {

@@ -64,7 +64,7 @@ class Input {
   bool is_list() const { return node_.IsSequence(); }
   bool is_scalar() const { return node_.IsScalar(); }
 
-  /// The same node, whose keys are those of this section from here on.
+  /// This node, whose keys are those of this section from here on.
   Input in(const words::Section& section) const;
   /// Whether the section of this node has the key at all.
   bool knows(std::string_view key) const { return section_ && section_->find(key); }

@@ -149,7 +149,7 @@ struct BilinearHertz {
     const double loaded = line + (k1 - k2) * std::min(stretch, yield);
     return {stretch > 0 ? loaded : line, (stretch > 0) & (stretch < yield) ? k1 : k2, 0};
   }
-  /// Of both springs [J]; the slip takes none.
+  /// Energy of both springs [J]; the slip stores none.
   double stored_energy(double penetration, const Impact& impact) const noexcept {
     const auto [k1, k2, yield] = curve(impact);
     const double stretch = std::clamp(penetration - impact.slip, 0.0, yield);

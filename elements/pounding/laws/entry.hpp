@@ -1,5 +1,5 @@
 #pragma once
-/// What a law is called and takes: its settings, its entry in the catalogue, and the law that a wrong name probably meant.
+/// Laws by what they are called and take: settings, entry in the catalogue, and the law that a wrong name probably meant.
 
 #include <algorithm>
 #include <functional>

@@ -20,7 +20,7 @@ namespace {
 
 // Default sliding velocity: slower than this, friction grows with the velocity [m/s].
 constexpr double usual_sliding = 5e-3;
-// What rests at a gap of zero overlaps by the rounding of its displacements at rest, and by no more than this [m].
+// Bodies that rest at a gap of zero overlap by the rounding of its displacements at rest, and by no more than this [m].
 constexpr double touching = 1e-12;
 
 [[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }

@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-/// What two bodies of the same material are made of, for Hertz's theory. Concrete unless said otherwise.
+/// Material of two bodies, for Hertz's theory. Concrete unless said otherwise.
 struct ContactMaterial {
   double young = 30e9;    ///< E [Pa]
   double poisson = 0.2;   ///< nu, 0 to 0.5

@@ -40,7 +40,7 @@ Eigen::VectorXd along(const LinkEnd& end, const Eigen::Vector3d& direction, int 
   return row;
 }
 
-// What the two ends of a link have approached each other by.
+// Approach of the two ends of a link [m].
 template <class Displacement>
 double approach(const Link& link, const std::vector<Structure>& structures, Displacement&& displacement) {
   double sum = 0;

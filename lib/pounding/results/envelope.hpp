@@ -20,6 +20,7 @@ struct Extremes {
       : min(count, std::numeric_limits<double>::infinity()), max(count, -std::numeric_limits<double>::infinity()),
         t_min(count), t_max(count) {}
 
+  /// Number of quantities.
   std::size_t size() const { return min.size(); }
   /// Largest absolute value of a quantity; 0 before the first.
   double peak(std::size_t i) const;
@@ -37,7 +38,7 @@ struct Extremes {
   }
   /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic through them.
   void update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end);
-  /// The same for all quantities at once, each list as long as these.
+  /// Updates all quantities at once, each list as long as these.
   void update(double time, double h, const double* begin, const double* slope_begin, const double* end, const double* slope_end);
   /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola through them.
   void update(std::size_t i, double time, double h, double begin, double middle, double end);

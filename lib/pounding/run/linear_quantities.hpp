@@ -32,10 +32,10 @@ class LinearQuantities {
   Eigen::MatrixXd by_ground_;  // empty for none
 };
 
-/// Of one frame: storey shears floor by floor, then InternalForces row by row. Without what members that turn add.
+/// Quantities of one frame: storey shears floor by floor, then InternalForces row by row. Without what members that turn add.
 LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan);
 
-/// Of all links, three each: displacements of the left and of the right end along the link, relative to the ground at the first
+/// Quantities of all links, three each: displacements of the left and of the right end along the link, relative to the ground at the first
 /// support of their structures, and how far the two have approached each other [m].
 LinearQuantities approaches(const Model& model, const GroundPlan& plan);
 

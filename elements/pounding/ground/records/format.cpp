@@ -132,12 +132,21 @@ bool ends_numbers(std::string_view line) {
 std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated) {
   std::vector<double> values;
   std::size_t last_line = begin - 1;
-  for (std::size_t i = begin; i < lines.size() && !ends_data(lines[i]); ++i)
+  bool has_ended = false;
+  for (std::size_t i = begin; i < lines.size(); ++i) {
+    has_ended = has_ended || ends_data(lines[i]);
+    if (has_ended) {
+      // A line that says where the data end may be followed by words, not by more values.
+      double value = 0;
+      if (const auto words = split_at_blanks(lines[i]); !words.empty() && parse_number(words.front(), value)) fail_late(lines, i, stated);
+      continue;
+    }
     for (const std::string_view word : split_at_blanks(lines[i])) {
       if (values.size() == stated.count) fail_late(lines, i, stated);
       values.push_back(lines.number(i, word));
       last_line = i;
     }
+  }
   if (values.size() < stated.count) fail_early(lines, last_line, values.size(), stated);
   return values;
 }

@@ -30,7 +30,7 @@ extern const Section link, link_end, stiffness;
 /// Keys of a link that has this law: those of `link`, and the parameters of the law in the order of its table.
 const Section& link_with(const laws::Entry& law);
 
-/// What a law adds to a link: its parameters, its formulas, and of restitution, impact_velocity and reduced_mass those that it
+/// Keys that a law adds to a link: its parameters, its formulas, and of restitution, impact_velocity and reduced_mass those that it
 /// takes. Beside the reader, which reads through link_with(), everybody reads these.
 const Section& parameters_of(const laws::Entry& law);
 
