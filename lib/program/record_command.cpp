@@ -123,7 +123,10 @@ void add_record(CLI::App& app) {
 
   CLI::App* const spectrum = add("spectrum", "Elastic response spectrum");
   words->spectrum.add_to(*spectrum);
-  spectrum->callback([words] { show_record_spectrum(*words); });
+  spectrum->callback([words] {
+    show_record_spectrum(*words);
+    tell_written(words->spectrum);
+  });
 }
 
 }  // namespace pounding::program

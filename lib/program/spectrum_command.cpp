@@ -132,7 +132,10 @@ void add_spectrum(CLI::App& app) {
   command->add_option("--floor", words->floor, "Structure and floor, from 1 at the lowest: left.3")->required();
   command->add_option("--direction", words->direction, "x, or in space y")->capture_default_str();
   words->spectrum.add_to(*command);
-  command->callback([words] { show_floor_spectrum(*words); });
+  command->callback([words] {
+    show_floor_spectrum(*words);
+    tell_written(words->spectrum);
+  });
 }
 
 }  // namespace pounding::program

@@ -106,6 +106,11 @@ double SpectrumWords::read_damping() const {
   return ratio;
 }
 
+void tell_written(const SpectrumWords& words) {
+  if (!words.csv.empty()) fmt::print("spectrum     {}\n", words.csv);
+  if (!words.picture.empty()) fmt::print("picture      {}\n", words.picture);
+}
+
 void show_spectra(const SpectrumWords& words, const std::string& title, const std::vector<NamedSpectrum>& spectra) {
   if (!words.csv.empty()) write_spectra(spectra, words.csv);
   if (!words.picture.empty()) draw_spectra(spectra_json(title, words.read_damping(), spectra), words.picture);

@@ -27,6 +27,9 @@ struct NamedSpectrum {
   std::vector<SpectrumPoint> points;
 };
 
+/// Prints the names of the files that show_spectra has written.
+void tell_written(const SpectrumWords& words);
+
 /// Writes the file and the picture that were asked for; where there are none, prints `title` and a table. Throws InputError.
 void show_spectra(const SpectrumWords& words, const std::string& title, const std::vector<NamedSpectrum>& spectra);
 

@@ -17,8 +17,19 @@ from test_readme_lines import PAGES, ROOT, Lines, part
 LESSONS = sorted((ROOT / "examples").rglob("*.md"))
 PACKAGE = ROOT / "python/pounding"
 #: Words in commands that stand for something, and something to put there.
-STAND_INS = {"MODEL.yaml": "examples/02_two_oscillators/model.yaml", "OUT.h5": "out.h5", "OTHER.h5": "other.h5", "FILE.gif": "film.gif",
+STAND_INS = {"MODEL.yaml": "stand_in.yaml", "OUT.h5": "out.h5", "OTHER.h5": "other.h5", "FILE.gif": "film.gif",
              "FILE": "record.at2", "DIR": "paper", "N": "3", "NAME": "hertz", "L": "hertz_damped", "K": "2"}
+#: Two buildings whose third floors meet, with the run without links, and with outputs that show each blow.
+STAND_IN = """\
+ground_motion: {harmonic: {amplitude: 3, period: 0.5, duration: 1}}
+structures:
+  left:  {shear_building: {storeys: 3, mass: 100 t, stiffness: 90 MN/m, height: 3 m}, damping: 5 %}
+  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 400 MN/m, height: 3 m}, damping: 5 %}
+links:
+  - {between: [left.3, right.3], name: left-right, gap: 10 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}
+analysis: {duration: 2, output_step: 1 ms}
+compare: no_pounding
+"""
 #: Commands that need a Python, a host or a folder of their own, and the test that runs them.
 ELSEWHERE = {"cmake": "program.cpp_lessons and program.hosts", "cc": "program.hosts", "build-lesson/": "program.cpp_lessons",
              "build/": "program.hosts", "./": "program.hosts", "env/bin/python3": "program.hosts", "python3": "install.wheel"}
@@ -55,7 +66,9 @@ class CommandsOfLessons(Lines):
         for page in LESSONS:
             for line in indented_lines(page):
                 for command in line.split(" && "):
-                    words = [word for word in shlex.split(command, comments=True) if not word.startswith("POUNDING_RECORDS=")]
+                    words = shlex.split(command, comments=True)
+                    if "build/pounding" in words:  # behind what is set for it
+                        words = words[words.index("build/pounding"):]
                     if words[0] != "build/pounding":
                         self.assertTrue(any(words[0].startswith(one) for one in ELSEWHERE), f"{page}: nobody has tried {command}")
                         continue
@@ -70,6 +83,7 @@ class CommandsOfLessons(Lines):
 class CommandsInSentences(Lines):
     def setUp(self):
         super().setUp()
+        (self.folder / STAND_INS["MODEL.yaml"]).write_text(STAND_IN)
         values = " ".join(f"{0.1 * (-1) ** i:.7E}" for i in range(200))
         (self.folder / "record.at2").write_text("PEER NGA STRONG MOTION DATABASE RECORD\nA pulse\nACCELERATION TIME SERIES IN UNITS OF G\n"
                                                 f"NPTS= 200, DT= .0200 SEC\n{values}\n")
@@ -85,8 +99,9 @@ class CommandsInSentences(Lines):
                     words += ["--only", "table2", "-o", "paper"] if "--only" not in words else []
                     words = ["table2" if word == "hertz" else word for word in words]
                 if "--resume" in words:  # only a run that is cut can go on
-                    self.done_or_failed("run", STAND_INS["MODEL.yaml"], "-q", "-o", "out.h5", "-pounding_ts_max_steps", "100")
-                    words += ["out.h5"] if words[-1] == "--resume" else []
+                    (self.folder / "cut.yaml").write_text(STAND_IN.replace("compare: no_pounding\n", ""))
+                    self.done_or_failed("run", "cut.yaml", "-q", "-o", "cut.h5", "-pounding_ts_max_steps", "100")
+                    words = ["cut.h5" if word == "out.h5" else word for word in words] + ["cut.h5"] * (words[-1] == "--resume")
                 with self.subTest(command=chosen):
                     self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *words, PYTHONWARNINGS="ignore"), "")
 
@@ -105,6 +120,7 @@ class CallsInSentences(Lines):
         import matplotlib
         matplotlib.use("Agg")
         import pounding
+        (self.folder / STAND_INS["MODEL.yaml"]).write_text(STAND_IN)
         model = pounding.Model.from_file(self.folder / STAND_INS["MODEL.yaml"])
         self.output = self.folder / "out.h5"
         results = pounding.run(model, tolerance=1e-3, output=self.output)
@@ -132,6 +148,10 @@ class CallsInSentences(Lines):
             if code.startswith("pounding.from_opensees"):  # needs a model in OpenSees, as in tests/python/test_opensees.py
                 self.assertTrue(callable(self.names["pounding"].from_opensees))
                 return
+            if code.startswith("pounding.record_spectrum("):
+                record = self.folder / "record.csv"
+                record.write_text("time (s), acceleration (m/s^2)\n0, 0\n0.5, 2\n1, -2\n1.5, 0\n")
+                code = code.replace("FILE", repr(str(record))).replace('"record.csv"', repr(str(record)))
             model = self.folder / STAND_INS["MODEL.yaml"]
             eval(code, self.names | ({"FILE": model} if code.startswith("Model") else {}))
             return
@@ -147,7 +167,7 @@ class ProgramsInComments(Lines):
 
     def test_ThoseOfDocstringsRun(self):
         os.environ.setdefault("MPLBACKEND", "agg")
-        given = {"model.yaml": (ROOT / STAND_INS["MODEL.yaml"]).read_text()}
+        given = {"model.yaml": STAND_IN}
         for name, text in given.items():
             (self.folder / name).write_text(text)
         count = 0

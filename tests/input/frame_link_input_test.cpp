@@ -276,7 +276,7 @@ TEST(FrameGround, AWaveRunsSomewhere) {
           "1:67: ground_motion.wave: reaches all supports at once; give the frames an origin each, or leave it out");
   EXPECT_NO_THROW(test::model_of(moved("{" + motion + "{velocity: 500 m/s}}")));
   refused(moved("{displacement: {harmonic: {amplitude: 1 mm, period: 1, duration: 1}}, wave: {velocity: 500 m/s}}"),
-          "1:87: ground_motion.wave: the ground motion begins with a velocity, which it cannot take up at once where the wave arrives; "
+          "1:92: ground_motion.wave: the ground motion begins with a velocity, which it cannot take up at once where the wave arrives; "
           "take a motion that begins at rest");
   EXPECT_NO_THROW(test::model_of(moved("{displacement: {harmonic: {amplitude: 1 mm, period: 1, duration: 1, phase: 90 deg}}, wave: {velocity: 500 m/s}}")));
   refused(with(grids, "    damping: 5 %\n  b", "    damping: 5 %\n    ground_motion: {" + motion + "{velocity: 500 m/s}}\n  b"),
@@ -293,7 +293,7 @@ TEST(FrameGround, ADelayNeedsAMotion) {
           "5:12: structures.a.delay: takes a time such as \"0.5 s\"; \"0.2 m\" is a length");
   EXPECT_NO_THROW(test::model_of(moved(harmonic, late)));
   refused(moved("{harmonic: {amplitude: 1, period: 1, duration: 1, initial_velocity: 1}}", late),
-          "6:5: structures.a.delay: the ground motion begins with a velocity, which it cannot take up at once after a delay; leave the "
+          "6:12: structures.a.delay: the ground motion begins with a velocity, which it cannot take up at once after a delay; leave the "
           "delay out, or give harmonics another phase");
   refused(with(lone, "d: fixed}", "d: {fix: fixed, delay: 0.2 s}}"),
           "2:3: structures.a: support d has a delay, and nothing moves the ground here; give a ground_motion, or leave the delay out");

@@ -276,7 +276,7 @@ TEST(LinkInput, EstimatesTheStiffness) {
   refused(law("hertz, stiffness: {radius: [1 m, 2 m, 3 m]}"),
           "5:74: links[0].stiffness.radius: takes one value for both bodies, or two; a list of 3 was read");
   refused(law("hertz, stiffness: {young: 30 GPa}"),
-          "5:66: links[0].stiffness: unknown key \"young\". Allowed: E, poisson, density, radius, area, length, penetration, velocity.");
+          "5:66: links[0].stiffness: unknown key \"young\". Did you mean \"E\"?");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST(Preload, StaysAtRestUntilTheGroundMoves) {
       EXPECT_NE(s.displacement.front(), 0);
       for (const double u : s.displacement) EXPECT_NEAR(u, s.displacement.front(), 1e-12);
     }
-    EXPECT_GT(run.results.energy.input.back(), 20);
+    EXPECT_GT(run.results.energy.input.back(), 10);
     EXPECT_NEAR(energy_error(run.results), 0, 1e-9 * run.results.energy.input.back());
     const LinkHistory& link = run.results.links[0];
     EXPECT_EQ(link.time.front(), 0);
