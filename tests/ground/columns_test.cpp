@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <pounding/core/error.hpp>
 #include <pounding/core/units.hpp>
+#include "ground/record_text.hpp"
 
 namespace pounding {
 namespace {
@@ -16,16 +16,8 @@ namespace {
 constexpr double g = standard_gravity;
 using Values = std::vector<double>;
 
-Record read(const std::string& text, const RecordOptions& options = {}) { return read_record_text(text, "r.txt", options); }
-
-std::string error_of(const std::string& text, const RecordOptions& options = {}) {
-  try {
-    read(text, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::error_of;
+using test::read;
 
 const RecordOptions in_si{.units = "m/s^2"};
 const RecordOptions at_step{.units = "m/s^2", .step = 0.02};

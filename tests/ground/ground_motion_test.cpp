@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -13,11 +12,13 @@
 
 #include <gtest/gtest.h>
 
-#include <pounding/core/error.hpp>
-#include <pounding/input/ground_input.hpp>
+#include "ground/motion_section.hpp"
+#include "support/refusal.hpp"
 
 namespace pounding {
 namespace {
+
+using test::refusal;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
@@ -189,41 +190,30 @@ TEST(SampledMotion, CopiesShareTheirSamples) {
   EXPECT_EQ(copy.samples(), motion.samples());
 }
 
-std::string refused(const std::function<GroundMotion()>& make) {
-  try {
-    make();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(GroundMotion, WrongValuesAreRefused) {
   const double nan = std::nan("");
-  EXPECT_EQ(refused([&] { return GroundMotion(Harmonic{nan, 1, 1}); }), "ground motion: amplitude is not finite");
-  EXPECT_EQ(refused([&] { return GroundMotion(Harmonic{1, 0, 1}); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{nan, 1, 1}); }), "ground motion: amplitude is not finite");
+  EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{1, 0, 1}); }),
             "ground motion: period is 0; it must be finite and > 0");
-  EXPECT_EQ(refused([&] { return GroundMotion(Harmonic{1, 1, infinity}); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{1, 1, infinity}); }),
             "ground motion: duration is inf; it must be finite and > 0");
-  EXPECT_EQ(refused([&] { return GroundMotion(Pulse{Pulse::Shape::sine, 1, -1, 0}); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Pulse{Pulse::Shape::sine, 1, -1, 0}); }),
             "ground motion: duration is -1; it must be finite and > 0");
-  EXPECT_EQ(refused([&] { return GroundMotion(Pulse{Pulse::Shape::sine, 1, 1, nan}); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Pulse{Pulse::Shape::sine, 1, 1, nan}); }),
             "ground motion: start is not finite");
-  EXPECT_EQ(refused([&] { return GroundMotion(Samples{{0, 1, 1}, {0, 0, 0}}); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Samples{{0, 1, 1}, {0, 0, 0}}); }),
             "ground motion: the time of sample 2 does not increase");
-  EXPECT_EQ(refused([&] { return GroundMotion(Samples{{0, 1}, {0, nan}}); }), "ground motion: sample 1 is not finite");
-  EXPECT_EQ(refused([&] { return GroundMotion(Samples{{0}, {0}}); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Samples{{0, 1}, {0, nan}}); }), "ground motion: sample 1 is not finite");
+  EXPECT_EQ(refusal([&] { return GroundMotion(Samples{{0}, {0}}); }),
             "ground motion: 1 times and 1 accelerations; two or more of each, and as many of one as of the other, are needed");
-  EXPECT_EQ(refused([&] { return GroundMotion(Samples{{0, 1, 3}, {0, 0, 0}, true}); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Samples{{0, 1, 3}, {0, 0, 0}, true}); }),
             "ground motion: samples that claim to be uniform are not evenly spaced");
 }
 
-class GroundMotionSection : public testing::Test {
+class GroundMotionSection : public test::MotionSection {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("ground_motion_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(folder_);
+    MotionSection::SetUp();
     std::ofstream(folder_ / "record.csv") << "time,acc (g)\n0,0\n0.02,0.5\n0.04,-0.25\n";
     std::ofstream(folder_ / "bare.txt") << "0 0\n0.1 10\n0.3 -20\n";
     std::ofstream(folder_ / "still.txt") << "0 0\n0.1 0\n";
@@ -231,26 +221,8 @@ class GroundMotionSection : public testing::Test {
   }
   void TearDown() override {
     unsetenv("POUNDING_RECORDS");
-    std::filesystem::remove_all(folder_);
+    MotionSection::TearDown();
   }
-
-  GroundMotion read(const std::string& section) const {
-    return read_ground_motion(Input::read_text(section, (folder_ / "m.yaml").string()));
-  }
-  /// The error, without the folder that the test happens to use.
-  std::string error(const std::string& section) const {
-    try {
-      read(section);
-    } catch (const InputError& error) {
-      std::string text = error.what();
-      const std::string prefix = folder_.string() + "/";
-      for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
-      return text;
-    }
-    return "no error";
-  }
-
-  std::filesystem::path folder_;
 };
 
 TEST_F(GroundMotionSection, RecordIsSoughtBesideTheInput) {

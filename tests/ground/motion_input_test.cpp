@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <pounding/core/error.hpp>
-#include <pounding/input/ground_input.hpp>
+#include "ground/motion_section.hpp"
 
 namespace pounding {
 namespace {
@@ -17,36 +16,15 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double g = 9.80665;
 
-class MotionInput : public testing::Test {
+class MotionInput : public test::MotionSection {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("motion_input_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(folder_);
+    MotionSection::SetUp();
     std::ofstream(folder_ / "bare.txt") << "0 10 -20\n5\n";
     std::ofstream(folder_ / "two.csv") << "t;ns [g];ew [g]\n0,0;0,1;0,2\n0,5;-0,3;0,4\n";
     std::ofstream(folder_ / "moved.csv") << "t [s],d [mm]\n0,0\n0.5,30\n1,20\n";
     std::ofstream(folder_ / "acc.csv") << "time,acc (g)\n0,0\n0.02,0.5\n0.04,-0.25\n";
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  GroundMotion read(const std::string& section) const {
-    return read_ground_motion(Input::read_text(section, (folder_ / "m.yaml").string()));
-  }
-  /// The error, without the folder that the test happens to use.
-  std::string error(const std::string& section) const {
-    try {
-      read(section);
-    } catch (const InputError& error) {
-      std::string text = error.what();
-      const std::string prefix = folder_.string() + "/";
-      for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
-      return text;
-    }
-    return "no error";
-  }
-
-  std::filesystem::path folder_;
 };
 
 TEST_F(MotionInput, HarmonicHasAPhaseAndAnInitialVelocity) {

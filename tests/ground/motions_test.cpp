@@ -3,7 +3,6 @@
 #include <pounding/ground/displacement_motion.hpp>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -14,21 +13,15 @@
 
 #include <pounding/ground/spectrum.hpp>
 #include <pounding/ground/support_motion.hpp>
+#include "support/refusal.hpp"
 
 namespace pounding {
 namespace {
 
+using test::refusal;
+
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string refused(const std::function<GroundMotion()>& make) {
-  try {
-    make();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(Phase, ShiftsTheSineAndMakesItJumpAtItsStart) {
   const GroundMotion motion(Harmonic{.amplitude = 3, .period = 0.6, .duration = 2, .start = 0.5, .phase = pi / 2});
@@ -163,24 +156,24 @@ TEST(Delayed, WaitsWhereItStands) {
 
 TEST(NewMotions, WrongValuesAreRefused) {
   const double nan = std::nan("");
-  EXPECT_EQ(refused([&] { return GroundMotion(Harmonic{1, 1, 1, 0, nan}); }), "ground motion: phase is not finite");
-  EXPECT_EQ(refused([&] { return GroundMotion(HarmonicSum{{}, 1}); }), "ground motion: a sum of no harmonics; give one or more");
-  EXPECT_EQ(refused([&] { return GroundMotion(HarmonicSum{{{1, 1}, {1, -1}}, 1}); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{1, 1, 1, 0, nan}); }), "ground motion: phase is not finite");
+  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{}, 1}); }), "ground motion: a sum of no harmonics; give one or more");
+  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{{1, 1}, {1, -1}}, 1}); }),
             "ground motion: period is -1; it must be finite and > 0");
-  EXPECT_EQ(refused([&] { return GroundMotion(HarmonicSum{{{1, 1, infinity}}, 1}); }), "ground motion: phase is not finite");
-  EXPECT_EQ(refused([&] { return GroundMotion(HarmonicSum{{{1, 1}}, 0}); }), "ground motion: duration is 0; it must be finite and > 0");
-  EXPECT_EQ(refused([&] { return GroundMotion().with_initial_motion(1); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{{1, 1, infinity}}, 1}); }), "ground motion: phase is not finite");
+  EXPECT_EQ(refusal([&] { return GroundMotion(HarmonicSum{{{1, 1}}, 0}); }), "ground motion: duration is 0; it must be finite and > 0");
+  EXPECT_EQ(refusal([&] { return GroundMotion().with_initial_motion(1); }),
             "ground motion: a ground at rest has no initial velocity or displacement");
-  EXPECT_EQ(refused([&] { return GroundMotion(Harmonic{1, 1, 1}).with_initial_motion(nan); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{1, 1, 1}).with_initial_motion(nan); }),
             "ground motion: initial velocity is not finite");
-  EXPECT_EQ(refused([&] { return GroundMotion(Harmonic{1, 1, 1}).with_initial_motion(0.3).delayed(1); }),
+  EXPECT_EQ(refusal([&] { return GroundMotion(Harmonic{1, 1, 1}).with_initial_motion(0.3).delayed(1); }),
             "ground motion: begins with a velocity of 0.3 m/s, which it cannot take up at once after a delay");
-  EXPECT_EQ(refused([&] { return motion_of_displacement(Harmonic{1, 0, 1}); }), "ground motion: period is 0; it must be finite and > 0");
-  EXPECT_EQ(refused([&] { return motion_of_displacement(Harmonic{1, 1, 1, 0.5}); }),
+  EXPECT_EQ(refusal([&] { return motion_of_displacement(Harmonic{1, 0, 1}); }), "ground motion: period is 0; it must be finite and > 0");
+  EXPECT_EQ(refusal([&] { return motion_of_displacement(Harmonic{1, 1, 1, 0.5}); }),
             "ground motion: a displacement by harmonics starts at 0");
-  EXPECT_EQ(refused([&] { return motion_of_displacement({0, 1}, {0}); }),
+  EXPECT_EQ(refusal([&] { return motion_of_displacement({0, 1}, {0}); }),
             "ground motion: 2 times and 1 displacements; two or more of each, and as many of one as of the other, are needed");
-  EXPECT_EQ(refused([&] { return motion_of_displacement({0, 1, 1}, {0, 1, 2}); }),
+  EXPECT_EQ(refusal([&] { return motion_of_displacement({0, 1, 1}, {0, 1, 2}); }),
             "ground motion: the time of sample 2 does not increase");
 }
 

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <pounding/core/error.hpp>
 #include <pounding/core/units.hpp>
+#include "ground/record_text.hpp"
 
 namespace pounding {
 namespace {
@@ -20,16 +20,8 @@ namespace {
 constexpr double g = standard_gravity;
 using Values = std::vector<double>;
 
-Record read(const std::string& text, const RecordOptions& options = {}) { return read_record_text(text, "r.txt", options); }
-
-std::string error_of(const std::string& text, const RecordOptions& options = {}) {
-  try {
-    read(text, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::error_of;
+using test::read;
 
 std::string replaced(std::string text, const std::string& part, const std::string& by) {
   const std::size_t at = text.find(part);
