@@ -47,9 +47,9 @@ Response response_of(const Summary& summary, double factor) {
   return r;
 }
 
-Response run_with(const std::string& file, double factor) {
-  Model model = read_model(Input::read_file(file), petsc::lowest_modes, factor);
-  if (model.links.empty()) throw InputError(fmt::format("{}: the model has no links, and so no contact stiffness", file));
+Response run_with(const Input& input, double factor) {
+  Model model = read_model(input, petsc::lowest_modes, factor);
+  if (model.links.empty()) throw InputError(fmt::format("{}: the model has no links, and so no contact stiffness", input.file()));
   model.compare_no_pounding = false;
   return response_of(run(model).summary, factor);
 }
@@ -109,11 +109,12 @@ void add_sensitivity(CLI::App& app) {
   command->add_flag("--json", words->json, "Print one JSON list");
   command->callback([words] {
     const petsc::Environment environment;
+    const Input input = Input::read_file(words->model);
     std::vector<Response> rows;
     const bool shows_progress = isatty(STDERR_FILENO) != 0;
     for (const double factor : words->factors) {
       if (shows_progress) fmt::print(stderr, "\rrun {} of {} ", rows.size() + 1, words->factors.size());
-      rows.push_back(run_with(words->model, factor));
+      rows.push_back(run_with(input, factor));
     }
     if (shows_progress) fmt::print(stderr, "\r\033[K");
     if (words->json) print_json(rows);

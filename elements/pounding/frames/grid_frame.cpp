@@ -163,9 +163,11 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
     model.floors.push_back(std::move(floor));
   }
 
-  const std::vector<std::string> known = grid.member_names();
-  for (const auto& [name, member] : grid.members)
-    if (std::find(known.begin(), known.end(), name) == known.end()) refuse(unknown_name("member", name, known));
+  if (!grid.members.empty()) {
+    const std::vector<std::string> known = grid.member_names();
+    for (const auto& [name, member] : grid.members)
+      if (std::find(known.begin(), known.end(), name) == known.end()) refuse(unknown_name("member", name, known));
+  }
   const int lines_of_columns = (grid.bays_x + 1) * (grid.bays_y + 1);
   grid.column.check(grid.storeys, lines_of_columns, "columns");
   grid.beam.check(grid.storeys, is_plane ? grid.bays_x : lines_of_columns, "beams");
