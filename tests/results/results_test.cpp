@@ -184,7 +184,6 @@ class Reader {
     return names;
   }
 
-  int filters(const std::string& name) const { return H5Pget_nfilters(H5Dget_create_plist(open(name))); }
 
   hid_t open(const std::string& name) const {
     const hid_t dataset = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
@@ -326,7 +325,7 @@ TEST_F(ResultsFile, StructureWithoutFloorsOrSamplesIsWritten) {
   EXPECT_EQ(file.shape("/structures/tower/displacement"), (Shape{0, 2, 1}));
 }
 
-TEST_F(ResultsFile, LargeHistoriesAreCompressedAndUnchanged) {
+TEST_F(ResultsFile, LargeHistoriesAreUnchangedAndInChunksThatAreFull) {
   Results run;
   const std::size_t samples = 20000, floors = 11;
   run.time.resize(samples);
@@ -338,9 +337,7 @@ TEST_F(ResultsFile, LargeHistoriesAreCompressedAndUnchanged) {
   write_results(run, path);
   const Reader file(path);
   EXPECT_EQ(file.values("/structures/tower/drift"), tower.drift);
-  EXPECT_EQ(file.filters("/structures/tower/drift"), 2) << "shuffle and deflate";
-  EXPECT_EQ(file.filters("/time"), 0);
-  EXPECT_LT(fs::file_size(path), 5 * samples * floors * sizeof(double));
+  EXPECT_LT(fs::file_size(path), 1.03 * samples * (5 * floors + 2) * sizeof(double)) << "five histories, the time and the ground";
 }
 
 TEST_F(ResultsFile, NewFileReplacesTheEarlierOne) {

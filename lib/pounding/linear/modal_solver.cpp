@@ -263,15 +263,20 @@ void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen
 
 void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
   values.setZero(outputs_, x.cols());
-  for (const View& view : views_)
+  Eigen::VectorXd sums;
+  for (const View& view : views_) {
+    const Eigen::Index count = view.factors.rows();
+    sums.resize(count);
     for (Eigen::Index j = 0; j < x.cols(); ++j) {
       const double* const modes = x.col(j).data() + view.first;
-      double* const to = values.col(j).data();
+      sums.setZero();
       for (Eigen::Index mode = 0; mode < view.factors.cols(); ++mode) {
         const double* const factors = view.factors.col(mode).data();
-        for (std::size_t i = 0; i < view.rows.size(); ++i) to[view.rows[i]] += factors[i] * modes[mode];
+        for (Eigen::Index i = 0; i < count; ++i) sums[i] += factors[i] * modes[mode];
       }
+      for (Eigen::Index i = 0; i < count; ++i) values(view.rows[i], j) += sums[i];
     }
+  }
 }
 
 Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {

@@ -31,6 +31,13 @@ void Extremes::update(std::size_t i, double time, double h, double begin, double
   update(i, time + h * (0.5 - 0.5 * slope / bend), middle - slope * slope / (4 * bend));
 }
 
+void Extremes::copy(std::size_t i, const Extremes& others, std::size_t from, bool opposite) {
+  min[i] = opposite ? -others.max[from] : others.min[from];
+  max[i] = opposite ? -others.min[from] : others.max[from];
+  t_min[i] = opposite ? others.t_max[from] : others.t_min[from];
+  t_max[i] = opposite ? others.t_min[from] : others.t_max[from];
+}
+
 void StructureEnvelope::archive(Archive& archive) {
   for (Extremes* extremes : {&displacement, &acceleration, &drift, &storey_shear, &member_force, &reaction}) archive(*extremes);
   for (std::vector<std::string>* names : {&members, &components, &supports, &directions}) archive(*names);

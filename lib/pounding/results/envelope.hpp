@@ -42,6 +42,8 @@ struct Extremes {
   void update(double time, double h, const double* begin, const double* slope_begin, const double* end, const double* slope_end);
   /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola through them.
   void update(std::size_t i, double time, double h, double begin, double middle, double end);
+  /// Takes over quantity `from` of others, or its opposite.
+  void copy(std::size_t i, const Extremes& others, std::size_t from, bool opposite);
 
   /// For a checkpoint.
   void archive(Archive& archive) {

@@ -58,7 +58,7 @@ struct Label {
   const char* long_name;
 };
 
-/// Writes a chunked array, time first, row-major; any extent may be 0. Large arrays are compressed.
+/// Writes a chunked array, time first, row-major; any extent may be 0.
 Handle array(hid_t parent, const Label& label, const std::vector<double>& values, const std::vector<hsize_t>& shape);
 Handle integers(hid_t parent, const Label& label, const std::vector<int>& values, const std::vector<hsize_t>& shape);
 /// Writes a list of texts with the unit "text"; attributes are too small for long lists.

@@ -27,8 +27,10 @@ class ForceEnvelopes {
   void begin(const Eigen::MatrixXd& floors);
   /// One kept step.
   void step(const StepMotion& step);
-  /// The run is over: the present state becomes the last knot.
+  /// The run is over: the present state becomes the last knot. Shows the envelopes.
   void end();
+  /// Brings the envelopes of the results up to the last knot.
+  void show();
   /// For a checkpoint, without the envelopes.
   void archive(Archive& archive);
 
@@ -38,6 +40,7 @@ class ForceEnvelopes {
     int structure;  // -1: links
     LinearQuantities quantities;
     Eigen::VectorXd values, rates;  // at the last knot
+    Extremes extremes;
   };
   // A contact that presses on a member between its ends and so loads them as those of a fixed member.
   struct FixedEnds {
@@ -45,6 +48,7 @@ class ForceEnvelopes {
     Eigen::VectorXd by_force;  // on them by a unit force
   };
 
+  void add_block(int structure, LinearQuantities quantities);
   void step_springs(int structure, int row, const StepMotion& step);
   bool presses_on_members() const;
   bool stays_close();
@@ -55,8 +59,6 @@ class ForceEnvelopes {
   void evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates) const;
   template <class Force>
   void add_fixed_end_forces(const Block& block, Eigen::VectorXd& values, Force&& force) const;
-  template <class Update>
-  void update_lists(const Block& block, Update&& update);
 
   const Model& model_;
   const GroundPlan& plan_;

@@ -1,5 +1,6 @@
 #include <pounding/run/linear_quantities.hpp>
 
+#include <map>
 #include <utility>
 
 namespace pounding {
@@ -11,11 +12,53 @@ void add_row(std::vector<Eigen::Triplet<double>>& entries, int row, const Row& f
   for (Row::InnerIterator it(from); it; ++it) entries.emplace_back(row, first + static_cast<int>(it.index()), factor * it.value());
 }
 
+// All that a quantity is made of: columns and factors of its row, at_rest, by_ground. Turned, and true, where the first factor is
+// negative.
+std::pair<std::vector<double>, bool> with_positive_front(const RowMajor& rows, int row, double at_rest,
+                                                         const Eigen::RowVectorXd& by_ground) {
+  std::vector<double> columns, factors;
+  for (RowMajor::InnerIterator it(rows, row); it; ++it) {
+    columns.push_back(static_cast<double>(it.col()));
+    factors.push_back(it.value());
+  }
+  factors.push_back(at_rest);
+  factors.insert(factors.end(), by_ground.begin(), by_ground.end());
+  const bool turned = factors.front() < 0;
+  for (double& factor : factors) factor = turned ? -factor : factor;
+  columns.insert(columns.end(), factors.begin(), factors.end());
+  return {std::move(columns), turned};
+}
+
 }  // namespace
 
-LinearQuantities::LinearQuantities(RowMajor rows, int first, Eigen::VectorXd at_rest, Eigen::MatrixXd by_ground)
-    : rows_(std::move(rows)), first_(first), at_rest_(std::move(at_rest)), by_ground_(std::move(by_ground)) {
-  rows_.makeCompressed();
+LinearQuantities::LinearQuantities(const RowMajor& rows, int first, const Eigen::VectorXd& at_rest, const Eigen::MatrixXd& by_ground,
+                                   const std::function<bool(int)>& apart)
+    : first_(first) {
+  std::map<std::vector<double>, Place> known;
+  std::vector<int> kept;
+  for (int row = 0; row < rows.rows(); ++row) {
+    const Place next{static_cast<int>(kept.size()), false};
+    if (!apart(row)) {
+      auto [all, turned] = with_positive_front(rows, row, at_rest[row], by_ground.row(row));
+      const auto [found, is_new] = known.try_emplace(std::move(all), Place{next.at, turned});
+      if (!is_new) {
+        places_.push_back({found->second.at, found->second.opposite != turned});
+        continue;
+      }
+    }
+    places_.push_back(next);
+    kept.push_back(row);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  at_rest_.resize(static_cast<int>(kept.size()));
+  by_ground_.resize(at_rest_.size(), by_ground.cols());
+  for (int i = 0; i < size(); ++i) {
+    for (RowMajor::InnerIterator it(rows, kept[i]); it; ++it) entries.emplace_back(i, static_cast<int>(it.col()), it.value());
+    at_rest_[i] = at_rest[kept[i]];
+    by_ground_.row(i) = by_ground.row(kept[i]);
+  }
+  rows_.resize(size(), rows.cols());
+  rows_.setFromTriplets(entries.begin(), entries.end());
   if (by_ground_.isZero(0)) by_ground_.resize(0, 0);
 }
 
@@ -40,7 +83,8 @@ void LinearQuantities::evaluate(const Eigen::VectorXd& u, const Eigen::VectorXd&
   }
 }
 
-LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan) {
+LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan,
+                                 const std::function<bool(int)>& apart) {
   const Structure& s = model.structures[structure];
   std::vector<Eigen::Triplet<double>> entries;
   int shears = 0;
@@ -68,7 +112,7 @@ LinearQuantities internal_forces(const Model& model, int structure, const Ground
     for (int row = 0; row < count; ++row)
       plan.supports[structure].project([&](std::size_t q, int axis) { return influences[q](row, axis); }, by_ground.row(row));
   }
-  return {std::move(rows), offsets(model)[structure], std::move(at_rest), std::move(by_ground)};
+  return {rows, offsets(model)[structure], at_rest, by_ground, apart};
 }
 
 LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
@@ -110,7 +154,7 @@ LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
   }
   RowMajor rows(count, unknowns);
   rows.setFromTriplets(entries.begin(), entries.end());
-  return {std::move(rows), 0, std::move(at_rest), std::move(by_ground)};
+  return {rows, 0, at_rest, by_ground, [](int) { return true; }};
 }
 
 }  // namespace pounding

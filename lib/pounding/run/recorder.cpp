@@ -96,6 +96,7 @@ void Recorder::end() {
 void Recorder::with_present_state(const std::function<void()>& write) {
   results_.impacts = impacts_in_order();
   links_.show_unfinished();
+  forces_.show();
   write();
   links_.hide_unfinished();
 }

@@ -132,15 +132,17 @@ void StructureHistories::sample_nodes(int k, const Eigen::VectorXd& u, const Eig
                                       const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   StructureHistory& history = histories_[k];
-  const auto ground_acceleration = [&](const std::string& direction) {
+  std::vector<double> ground_acceleration;
+  for (const std::string& direction : s.nodes.directions) {
     const int axis = direction == "x" ? 0 : direction == "y" ? 1 : direction == "z" ? 2 : -1;
-    return axis < 0 || plan_.supports[k].at_first(axis) < 0 ? 0.0 : at.ground[plan_.supports[k].at_first(axis)];
-  };
+    const int motion = axis < 0 ? -1 : plan_.supports[k].at_first(axis);
+    ground_acceleration.push_back(motion < 0 ? 0.0 : at.ground[motion]);
+  }
   for (const std::vector<Row>& node : s.nodes.motion)
     for (std::size_t j = 0; j < node.size(); ++j) {
       history.node_displacement.push_back(value(node[j], u));
       history.node_velocity.push_back(value(node[j], v));
-      history.node_acceleration.push_back(value(node[j], a) + ground_acceleration(s.nodes.directions[j]));
+      history.node_acceleration.push_back(value(node[j], a) + ground_acceleration[j]);
     }
 }
 

@@ -10,13 +10,13 @@ DenseOutput::DenseOutput(const Equations& equations, const StepHistory& history)
 void DenseOutput::step_kept() {
   states_.step_kept();
   outputs_.step_kept();
-  has_outputs_middle_ = false;
+  has_outputs_middle_ = has_middle_ = false;
 }
 
 void DenseOutput::forget() {
   states_.forget();
   outputs_.forget();
-  has_outputs_middle_ = false;
+  has_outputs_middle_ = has_middle_ = false;
 }
 
 void DenseOutput::show(const Instant& instant, State& state) const {
@@ -89,23 +89,25 @@ void DenseOutput::interpolate_acceleration(double time, Eigen::VectorXd& out) co
     return;
   }
   const Parabola parabola((time - x.time) / h);
-  Eigen::VectorXd middle;
+  out = parabola.begin * x.a + parabola.middle * middle() + parabola.end * y.a;
+}
+
+const Eigen::VectorXd& DenseOutput::middle() const {
+  if (std::exchange(has_middle_, true)) return middle_;
   equations_.solver.recover(history_.kept().a_middle);
-  equations_.solver.physical(history_.kept().a_middle, middle);
+  equations_.solver.physical(history_.kept().a_middle, middle_);
   if (equations_.pseudo_forces.any()) {
     Eigen::VectorXd u_middle, v_middle;
-    interpolate(0.5 * (x.time + y.time), u_middle, v_middle);
-    equations_.pseudo_forces.complete(u_middle, v_middle, middle);
+    interpolate(0.5 * (begin().time + end_minus().time), u_middle, v_middle);
+    equations_.pseudo_forces.complete(u_middle, v_middle, middle_);
   }
-  out = parabola.begin * x.a + parabola.middle * middle + parabola.end * y.a;
+  return middle_;
 }
 
 const Eigen::MatrixXd& DenseOutput::outputs_middle() const {
   if (std::exchange(has_outputs_middle_, true)) return outputs_middle_;
   if (needs_whole_state_) {
-    Eigen::VectorXd middle;
-    interpolate_acceleration(0.5 * (begin().time + end_minus().time), middle);
-    outputs_middle_ = equations_.system.outputs.transpose() * middle;
+    outputs_middle_ = equations_.system.outputs.transpose() * middle();
   } else {
     equations_.solver.recover(history_.kept().a_middle);
     equations_.solver.observe(history_.kept().a_middle, outputs_middle_);

@@ -78,6 +78,8 @@ class DenseOutput {
     }
   };
 
+  // Accelerations of all unknowns in the middle of the last kept step, of any length but zero.
+  const Eigen::VectorXd& middle() const;
   void show(const Instant& instant, State& state) const;
   void show(const Instant& instant, OutputQuantities& outputs) const;
   template <class View>
@@ -92,6 +94,8 @@ class DenseOutput {
   bool needs_whole_state_ = false;  // an output depends on massless degrees of freedom that pseudo-forces correct
   mutable Views<State> states_;
   mutable Views<OutputQuantities> outputs_;
+  mutable Eigen::VectorXd middle_;
+  mutable bool has_middle_ = false;
   mutable Eigen::MatrixXd outputs_middle_;
   mutable bool has_outputs_middle_ = false;
 };
