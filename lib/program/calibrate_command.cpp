@@ -26,7 +26,7 @@ CollisionInput collision_words(const CalibrateArguments& words) {
   collision.before_names = "--";
   for (const std::string& text : words.parameters) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write NAME=VALUE", text));
+    if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write NAME=VALUE", excerpt(text)));
     collision.parameters.emplace_back(text.substr(0, equals), text.substr(equals + 1));
   }
   return collision;

@@ -48,6 +48,23 @@ TEST(CInterfaceErrors, WrongNamesAndValuesAreRefusedWithTheWordsOfTheLaws) {
   EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 0, &law), "hertz needs stiffness (contact stiffness k)");
 }
 
+TEST(CInterfaceErrors, TextsOfTheCallerAreQuotedShortAndPrintable) {
+  pnd_law* law = nullptr;
+  std::string letters;
+  for (int i = 0; i < 5'000'000; ++i) letters += "\u00e4";
+  EXPECT_EQ(pnd_create(letters.c_str(), "", nullptr, 0, &law), PND_BAD_ARGUMENT);
+  const std::string text = pnd_error_text();
+  EXPECT_EQ(text.substr(0, 417), "unknown law \"" + letters.substr(0, 400) + "...\"");
+  size_t index = 0;
+  EXPECT_EQ(pnd_find_law("her\x1b[31m\ntz", &index), PND_BAD_ARGUMENT);
+  EXPECT_EQ(std::string(pnd_error_text()).substr(0, 33), R"(unknown law "her\x1b[31m\ntz". All)");
+  // A text that is cut ends with a whole letter: 511 bytes do not hold 256 letters of two.
+  const pnd_value twice[] = {{letters.c_str(), 1}, {letters.c_str(), 2}};
+  EXPECT_EQ(pnd_create(("hertz" + letters).c_str(), letters.c_str(), twice, 1, &law), PND_BAD_ARGUMENT);
+  EXPECT_LT(std::strlen(pnd_error_text()), 512U);
+  EXPECT_REFUSED(pnd_create("hertz", "", twice, 2, &law), (letters.substr(0, 400) + "... is given twice").c_str());
+}
+
 TEST(CInterfaceErrors, NullPointersAreErrors) {
   const test::LawInC law = hertz_damped();
   pnd_contact contact{};
