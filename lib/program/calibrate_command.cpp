@@ -114,6 +114,9 @@ std::vector<CyclicRow> calibrate_cyclically(const Collision& c) {
     } catch (const std::invalid_argument& error) {
       if (f.name == "exact") throw;
       row.refused = error.what();
+    } catch (const std::domain_error&) {
+      row.refused = "has no number for these values; look at their units";
+      if (f.name == "exact") throw InputError(fmt::format("--cyclic: the impact {}", row.refused));
     }
     rows.push_back(row);
   }

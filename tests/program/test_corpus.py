@@ -138,8 +138,8 @@ class Models(CorpusTest):
     def test_that_are_no_files(self):
         os.mkfifo(self.folder / "pipe.yaml")
         self.refused("check", "pipe.yaml", told="pipe.yaml: this is a pipe and no file")
-        self.refused("check", ".", told=".: this is a folder; give the model in it")
-        self.refused("check", "/dev/zero", told="/dev/zero: has more than 16 MB, and a model has at most that")
+        self.refused("check", ".", told=".: this is a folder; give the YAML file in it")
+        self.refused("check", "/dev/zero", told="/dev/zero: has more than 16 MB, and a YAML file has at most that")
         self.refused("check", "/dev/null", told="/dev/null:1:1: the file is empty")
         self.refused("check", "/proc/self/mem", told="/proc/self/mem: cannot be read")
         self.refused("check", "not\x1bthere.yaml", told="not\\x1bthere.yaml: no such file, or it cannot be read")
@@ -177,6 +177,18 @@ class Units(CorpusTest):
                               ["words", text or "no"], ["laws", text or "no"], [text], ["run", CORPUS / "model" / "fine_plain.yaml", "-q", text]):
                     with self.subTest(words=words[:2]):
                         self.refused(*words)
+
+    def test_beyond_the_range_of_numbers(self):
+        """Values that are numbers, and whose answers are none."""
+        hertz = ["calibrate", "--law", "hertz_damped", "--m1", "1"]
+        for words in ([*hertz, "--restitution", "1e-300"], [*hertz, "--restitution", "0.5", "--velocity", "1e300"],
+                      ["calibrate", "--cyclic", "--law", "jankowski", "--m1", "1e-300", "--restitution", "0.5", "--velocity", "1e-300", "--stiffness", "1e300"]):
+            with self.subTest(words=words):
+                self.refused(*words, told="has no number for these values; look at their units")
+        record = CORPUS / "records" / "fine_columns.txt"
+        for periods in ("1e-300:1e300:10000", "1e-12:4:100"):
+            self.refused("record", "spectrum", record, "--periods", periods, told="take longer periods")
+        self.refused("record", "spectrum", "--units", "g", CORPUS / "records" / "fine_sample_1e30.txt", told="take longer periods")
 
     def test_of_options_of_petsc_are_named(self):
         self.refused("run", CORPUS / "model" / "fine_plain.yaml", "-q", "-pounding_ts_rtol", "abc",

@@ -35,10 +35,11 @@ void append_utf8(std::string& text, std::uint32_t latin) {
 std::string read_text_file(const std::string& path, std::string_view kind, std::size_t most) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-  if (std::filesystem::is_directory(status)) throw InputError(fmt::format("{}: this is a folder; give the {} in it", excerpt(path), kind));
+  if (std::filesystem::is_directory(status))
+    throw InputError(fmt::format("{}: this is a folder; give the {} in it", excerpt(path), kind));
   const bool is_pipe = std::filesystem::is_fifo(status) || std::filesystem::is_socket(status);
   if (is_pipe && !path.starts_with("/dev/"))
-    throw InputError(fmt::format("{}: this is a pipe and no file; write the {} to a file, or read it from /dev/stdin", excerpt(path), kind));
+    throw InputError(fmt::format("{}: this is a pipe and no file; write it to a file, or read it from /dev/stdin", excerpt(path)));
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: no such file, or it cannot be read", excerpt(path)));
   std::string text;
@@ -47,7 +48,8 @@ std::string read_text_file(const std::string& path, std::string_view kind, std::
     file.read(part.data(), part.size());
     text.append(part.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > most)
-      throw InputError(fmt::format("{}: has more than {} MB, and a {} has at most that; is it the right file?", excerpt(path), most / 1'000'000, kind));
+      throw InputError(fmt::format("{}: has more than {} MB, and a {} has at most that; is it the right file?", excerpt(path),
+                                   most / 1'000'000, kind));
   }
   if (file.bad()) throw InputError(fmt::format("{}: cannot be read", excerpt(path)));
   return text;
@@ -65,7 +67,8 @@ std::optional<WrongText> wrong_text(std::string_view text) {
   while (!text.empty()) {
     const laws::Character c = laws::first_character(text);
     if (!c.is_valid)
-      return WrongText{line, column, fmt::format("the byte {:02X} is no UTF-8; save the file as UTF-8 (Latin-1 writes letters such as \u00e4 so)", c.code)};
+      return WrongText{line, column,
+                       fmt::format("the byte {:02X} is no UTF-8; save the file as UTF-8 (Latin-1 writes letters such as \u00e4 so)", c.code)};
     const bool ends_line = c.code == '\n' || (c.code == '\r' && text.size() > 1 && text[1] == '\n');
     if (c.code == '\r' && !ends_line)
       return WrongText{line, column, "a carriage return stands alone; save the file with the ends of lines of Unix or Windows"};
@@ -94,7 +97,8 @@ std::string shown_line(std::string_view text) {
 }
 
 std::string wrong_name(std::string_view name) {
-  if (name.size() > longest_name) return fmt::format("a name has at most {} characters; \"{}\" has {}", longest_name, excerpt(name), name.size());
+  if (name.size() > longest_name)
+    return fmt::format("a name has at most {} bytes; \"{}\" has {}", longest_name, excerpt(name), name.size());
   for (std::string_view rest = name; !rest.empty();) {
     const laws::Character c = laws::first_character(rest);
     if (!c.is_valid || laws::is_control(c.code))

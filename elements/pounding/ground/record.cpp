@@ -75,6 +75,8 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
 }
 
 Record read_record(const std::filesystem::path& file, const RecordOptions& options) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) throw InputError(fmt::format("{}: no such record, or it cannot be read", excerpt(file.string())));
   return read_record_text(read_text_file(file.string(), "record", records::longest_record), file.string(), options);
 }
 

@@ -53,6 +53,9 @@ CalibratedRow calibrated(const Collision& c, std::string_view formula) {
   } catch (const std::invalid_argument& error) {
     if (c.law.formulas.size() < 2) throw;
     row.refused = error.what();
+  } catch (const std::domain_error&) {
+    row.refused = "has no number for these values; look at their units";
+    if (formula.empty() || formula == "exact") throw InputError(fmt::format("{}: the impact {}", c.law.name, row.refused));
   }
   return row;
 }

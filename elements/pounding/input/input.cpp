@@ -46,20 +46,16 @@ class Input::WrongKeys {
   explicit WrongKeys(std::shared_ptr<const Source> source) : source_(std::move(source)) {}
 
   void refuse(const YAML::Node& node) {
-    if (node.IsSequence()) refuse_in_list(node);
     if (node.IsMap()) refuse_in_map(node);
-  }
-
- private:
-  void refuse_in_list(const YAML::Node& list) {
-    std::size_t index = 0;
-    for (const auto& member : list) {
-      path_.push_back(fmt::format("[{}]", index++));
-      refuse(member);
+    if (!node.IsSequence()) return;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      path_.push_back(fmt::format("[{}]", i));
+      refuse(node[i]);
       path_.pop_back();
     }
   }
 
+ private:
   void refuse_in_map(const YAML::Node& map) {
     std::set<std::string> seen;
     std::pair<std::string, std::string> before;  // key and value of the entry before
@@ -90,7 +86,7 @@ class Input::WrongKeys {
 };
 
 Input Input::read_file(const std::string& path) {
-  return read_text(read_text_file(path, "model", longest_model), path);
+  return read_text(read_text_file(path, "YAML file", longest_model), path);
 }
 
 Input Input::read_text(std::string text, std::string name) {

@@ -55,7 +55,8 @@ class Limits : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
     refuse_tag(mark, tag);
     if (value.size() > longest_value)
-      throw Refusal{mark, fmt::format("a value of {} bytes begins here, and one has at most {}; is a quotation mark missing?", value.size(), longest_value)};
+      throw Refusal{mark, fmt::format("a value of {} bytes begins here, and one has at most {}; is a quotation mark missing?", value.size(),
+                                      longest_value)};
     for (std::string_view rest = value; !rest.empty();) {
       const laws::Character c = laws::first_character(rest);
       if (!c.is_valid || (laws::is_control(c.code) && c.code != '\n' && c.code != '\t'))
@@ -66,7 +67,8 @@ class Limits : public YAML::EventHandler {
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto known = anchors_.find(anchor);
-    if (known == anchors_.end()) throw Refusal{mark, "does an alias contain itself? This one stands inside its own anchor; write the values out"};
+    if (known == anchors_.end())
+      throw Refusal{mark, "does an alias contain itself? This one stands inside its own anchor; write the values out"};
     add(mark, 0, known->second);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
@@ -109,7 +111,8 @@ class Limits : public YAML::EventHandler {
     inside.depth = std::max(inside.depth, extent.depth);
     read_ = std::max(read_ + 1, inside.values);
     if (read_ > most_values)
-      throw Refusal{mark, fmt::format("more than {} values have been read until here, aliases written out; a model has at most that many", most_values)};
+      throw Refusal{mark, fmt::format("more than {} values have been read until here, aliases written out; a model has at most that many",
+                                      most_values)};
   }
   void refuse_depth(const YAML::Mark& mark, int more) const {
     if (static_cast<int>(open_.size()) + more > deepest)
