@@ -31,7 +31,9 @@ static_assert(sizeof(pnd_contact) == PND_CONTACT_DOUBLES * sizeof(double));
 thread_local std::array<char, 512> last_error{};
 
 pnd_status fail(pnd_status status, std::string_view text) noexcept {
-  const std::size_t length = std::min(text.size(), last_error.size() - 1);
+  std::size_t length = std::min(text.size(), last_error.size() - 1);
+  // A letter of several bytes is not cut.
+  while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
   std::copy_n(text.data(), length, last_error.data());
   last_error[length] = '\0';
   return status;
@@ -68,7 +70,7 @@ laws::Settings settings(const char* law, const char* formula, const pnd_value* v
   for (size_t i = 0; i < count; ++i) {
     require(values[i].name, "name of a value");
     const std::string_view name = values[i].name;
-    if (std::ranges::find(seen, name) != seen.end()) throw std::invalid_argument(std::string(name) + " is given twice");
+    if (std::ranges::find(seen, name) != seen.end()) throw std::invalid_argument(laws::excerpt(name) + " is given twice");
     seen.push_back(name);
     if (name == "restitution")
       s.restitution = values[i].value;

@@ -26,7 +26,7 @@ CollisionInput collision_words(const CalibrateArguments& words) {
   collision.before_names = "--";
   for (const std::string& text : words.parameters) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write NAME=VALUE", text));
+    if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write NAME=VALUE", excerpt(text)));
     collision.parameters.emplace_back(text.substr(0, equals), text.substr(equals + 1));
   }
   return collision;
@@ -114,6 +114,9 @@ std::vector<CyclicRow> calibrate_cyclically(const Collision& c) {
     } catch (const std::invalid_argument& error) {
       if (f.name == "exact") throw;
       row.refused = error.what();
+    } catch (const std::domain_error&) {
+      row.refused = "has no number for these values; look at their units";
+      if (f.name == "exact") throw InputError(fmt::format("--cyclic: the impact {}", row.refused));
     }
     rows.push_back(row);
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <pounding/core/error.hpp>
+#include <pounding/laws/excerpt.hpp>
 
 namespace pounding::program {
 
@@ -16,6 +17,6 @@ inline int exit_code(const std::exception& error) {
   return dynamic_cast<const SolverError*>(&error) ? failed_solve : other_failure;
 }
 
-inline void print_failure(const char* text) { std::fprintf(stderr, "pounding: %s\n", text); }
+inline void print_failure(const char* text) { std::fprintf(stderr, "pounding: %s\n", laws::message_text(text).c_str()); }
 
 }  // namespace pounding::program

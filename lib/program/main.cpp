@@ -50,8 +50,8 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
     }
     if (level == nullptr) {
       const bool is_model = word.ends_with(".yaml") || word.ends_with(".yml");
-      return fmt::format("unknown command \"{}{}\".{}", before, word,
-                         is_model ? fmt::format(" To run this model type pounding run {}", word) : pounding::suggestion(word, names));
+      return fmt::format("unknown command \"{}{}\".{}", before, pounding::excerpt(word),
+                         is_model ? fmt::format(" To run this model type pounding run {}", pounding::excerpt(word)) : pounding::suggestion(word, names));
     }
     before += word + " ";
   }

@@ -33,7 +33,7 @@ double read_step(const std::string& text) {
   } catch (const InputError& error) {
     throw InputError(fmt::format("--step: {}", error.what()));
   }
-  if (!(step > 0)) throw InputError(fmt::format("--step: takes a time > 0 such as \"0.01 s\"; \"{}\" is outside", text));
+  if (!(step > 0)) throw InputError(fmt::format("--step: takes a time > 0 such as \"0.01 s\"; \"{}\" is outside", excerpt(text)));
   return step;
 }
 
@@ -69,7 +69,7 @@ void print_info(const Record& record, bool is_displacement) {
   const RecordMeasures& m = record.measures;
   const auto stated = [](const std::string& text) { return text.empty() ? "not stated" : text; };
   const auto line = [](const char* name, const std::string& value) { fmt::print("{:<22} {}\n", name, value); };
-  line("file", record.file);
+  line("file", excerpt(record.file));
   if (!record.title.empty()) line("title", record.title);
   line("station", stated(record.station));
   line("channel", stated(record.channel));
@@ -115,7 +115,7 @@ void add_record(CLI::App& app) {
   info->add_flag("--json", words->json, "One JSON object, in SI");
   info->callback([words] {
     const Record read_now = read(*words);
-    // Old headers are not always UTF-8, which JSON demands.
+    // Names of files are not always UTF-8, which JSON demands.
     constexpr auto on_bad_text = nlohmann::json::error_handler_t::replace;
     if (words->json) fmt::print("{}\n", as_json(read_now).dump(2, ' ', false, on_bad_text));
     else print_info(read_now, words->displacement);

@@ -86,7 +86,7 @@ Rest rest_of(const CLI::App& command) {
     if (!option && !value)
       throw InputError(fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
                                    "are listed by pounding run --help",
-                                   word));
+                                   excerpt(word)));
     value = option;
   }
   return rest;

@@ -79,7 +79,7 @@ std::vector<double> SpectrumWords::read_periods() const {
   const std::string& text = periods;
   const auto fail = [&]() -> InputError {
     return InputError(fmt::format("--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such "
-                                  "as 0.02:4:50; \"{}\" was read", text));
+                                  "as 0.02:4:50; \"{}\" was read", excerpt(text)));
   };
   const std::size_t one = text.find(':'), two = text.find(':', one == std::string::npos ? one : one + 1);
   if (two == std::string::npos) throw fail();
@@ -102,7 +102,7 @@ double SpectrumWords::read_damping() const {
     throw InputError(fmt::format("--damping: {}", error.what()));
   }
   if (!(ratio >= 0 && ratio < 1))
-    throw InputError(fmt::format("--damping: takes a number in [0, 1) such as \"5 %\"; \"{}\" is outside", damping));
+    throw InputError(fmt::format("--damping: takes a number in [0, 1) such as \"5 %\"; \"{}\" is outside", excerpt(damping)));
   return ratio;
 }
 

@@ -63,7 +63,7 @@ std::vector<std::string_view> resembling(std::string_view name) {
 [[noreturn]] void refuse(std::string_view name) {
   const std::vector<std::string_view> near = resembling(name);
   const std::string hint = near.empty() ? "" : fmt::format(" Did you mean {}?", fmt::join(near, ", "));
-  throw InputError(fmt::format("unknown word \"{}\" of the input.{} Type pounding words for all of them.", name, hint));
+  throw InputError(fmt::format("unknown word \"{}\" of the input.{} Type pounding words for all of them.", excerpt(name), hint));
 }
 
 void print_word(const FoundWord& found) {

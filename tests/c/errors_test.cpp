@@ -48,6 +48,20 @@ TEST(CInterfaceErrors, WrongNamesAndValuesAreRefusedWithTheWordsOfTheLaws) {
   EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 0, &law), "hertz needs stiffness (contact stiffness k)");
 }
 
+TEST(CInterfaceErrors, TextsOfTheCallerAreQuotedShortAndPrintable) {
+  pnd_law* law = nullptr;
+  std::string letters;
+  for (int i = 0; i < 5'000'000; ++i) letters += "\u00e4";
+  EXPECT_EQ(pnd_create(letters.c_str(), "", nullptr, 0, &law), PND_BAD_ARGUMENT);
+  const std::string text = pnd_error_text();
+  EXPECT_EQ(text.substr(0, 417), "unknown law \"" + letters.substr(0, 400) + "...\"");
+  size_t index = 0;
+  EXPECT_EQ(pnd_find_law("her\x1b[31m\ntz", &index), PND_BAD_ARGUMENT);
+  EXPECT_EQ(std::string(pnd_error_text()).substr(0, 33), R"(unknown law "her\x1b[31m\ntz". Al)");
+  const pnd_value twice[] = {{letters.c_str(), 1}, {letters.c_str(), 2}};
+  EXPECT_REFUSED(pnd_create("hertz", "", twice, 2, &law), (letters.substr(0, 400) + "... is given twice").c_str());
+}
+
 TEST(CInterfaceErrors, NullPointersAreErrors) {
   const test::LawInC law = hertz_damped();
   pnd_contact contact{};
@@ -111,9 +125,10 @@ TEST(CInterfaceErrors, FreeImpactsNeedAMassAndASpeed) {
 
 TEST(CInterfaceErrors, LongTextIsCutAndEndsWithAZero) {
   pnd_law* law = nullptr;
-  const std::string name(2000, 'x');
+  std::string name;
+  for (int i = 0; i < 150; ++i) name += "\U0001F3E0";  // four bytes
   EXPECT_EQ(pnd_create(name.c_str(), "", nullptr, 0, &law), PND_BAD_ARGUMENT);
-  EXPECT_EQ(std::string(pnd_error_text()), "unknown law \"" + std::string(511 - 13, 'x'));
+  EXPECT_EQ(std::string(pnd_error_text()), "unknown law \"" + name.substr(0, (511 - 13) / 4 * 4)) << "a letter is not cut";
 }
 
 }  // namespace

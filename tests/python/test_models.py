@@ -104,6 +104,19 @@ class Words(unittest.TestCase):
         self.assertTrue(model.to_yaml().splitlines()[line - 1][column - 1:].startswith("20 s"))
         self.assertIn('links[0].gap: takes a length such as "20 mm"', str(caught.exception))
 
+    def test_texts_that_are_no_utf8_are_refused_with_their_place(self):
+        file = self.folder / "model.yaml"
+        for text, told in (("# Z\u00fcrich".encode("latin-1"), "1:4: the byte FC is no UTF-8"), ("a: 1".encode("utf-16"), "1:1: this file is in UTF-16"),
+                           (b",\n", '1:1: "," stands outside the model')):
+            file.write_bytes(text)
+            for read in (pounding.Model.from_file, pounding.check):
+                with self.subTest(text=text, read=read), self.assertRaisesRegex(pounding.InputError, "model.yaml:" + told):
+                    read(file)
+        file.write_bytes(b"\xef\xbb\xbf" + TWO_OSCILLATORS.read_bytes())
+        pounding.check(file)
+        with self.assertRaisesRegex(pounding.InputError, r'"a\\x00b" holds the control character'):
+            pounding.check(pounding.Model(structures={"a\0b": {"body": {"mass": 1}}}, analysis={"duration": 1}))
+
     def test_missing_file_is_refused(self):
         with self.assertRaisesRegex(pounding.InputError, "nothing.yaml: no such file"):
             pounding.Model.from_file("nothing.yaml")

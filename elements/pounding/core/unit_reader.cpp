@@ -72,6 +72,9 @@ Unit product(const Unit& a, const Unit& b) {
   return {{p.mass + q.mass, p.length + q.length, p.time + q.time}, a.factor * b.factor};
 }
 
+/// Brackets in brackets that a unit may have.
+constexpr int deepest_bracket = 8;
+
 /// Grammar: product = factor { [*] factor } { / factor };  factor = (name | "(" product ")") [[^] number];
 /// "1" stands before a "/" only.
 class UnitReader {
@@ -105,13 +108,16 @@ class UnitReader {
 
   Unit read_factor() {
     skip_blanks();
-    if (at_end()) throw InputError(fmt::format("unit \"{}\" ends where a unit should follow", text_));
+    if (at_end()) throw InputError(fmt::format("unit \"{}\" ends where a unit should follow", excerpt(text_)));
     Unit unit;
     if (text_[position_] == '(') {
       ++position_;
+      if (++depth_ > deepest_bracket)
+        throw InputError(fmt::format("unit \"{}\" has more than {} brackets in each other", excerpt(text_), deepest_bracket));
       unit = read_product();
-      if (at_end()) throw InputError(fmt::format("unit \"{}\" lacks a \")\"", text_));
+      if (at_end()) throw InputError(fmt::format("unit \"{}\" lacks a \")\"", excerpt(text_)));
       ++position_;
+      --depth_;
     } else if (text_.substr(position_).starts_with("1/")) {
       ++position_;
       return unit;
@@ -131,7 +137,7 @@ class UnitReader {
       if (candidate.name == name) return candidate.unit;
     std::vector<std::string_view> names;
     for (const NamedUnit& candidate : named_units) names.push_back(candidate.name);
-    throw InputError(fmt::format("unknown unit \"{}\".{}", name, suggestion(name, names)));
+    throw InputError(fmt::format("unknown unit \"{}\".{}", excerpt(name), suggestion(name, names)));
   }
 
   /// "^1.5", "^-2"; "m/s2" is common enough to be read as "m/s^2".
@@ -148,11 +154,11 @@ class UnitReader {
   }
 
   [[noreturn]] void fail_at_rest() const {
-    throw InputError(fmt::format("cannot read \"{}\" in unit \"{}\"", text_.substr(position_), text_));
+    throw InputError(fmt::format("cannot read \"{}\" in unit \"{}\"", excerpt(text_.substr(position_)), excerpt(text_)));
   }
   [[noreturn]] void fail_ambiguous() const {
     throw InputError(fmt::format("unit \"{}\" can be read in two ways; type the product first, as in \"N s/m\", "
-                                 "or use parentheses, as in \"N/(m s)\"", text_));
+                                 "or use parentheses, as in \"N/(m s)\"", excerpt(text_)));
   }
   void skip_blanks() {
     while (!at_end() && is_blank(text_[position_])) ++position_;
@@ -161,6 +167,7 @@ class UnitReader {
 
   std::string_view text_;
   std::size_t position_ = 0;
+  int depth_ = 0;
 };
 
 }  // namespace

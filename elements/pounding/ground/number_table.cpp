@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
 #include <pounding/core/units.hpp>
 
 namespace pounding::records {
@@ -55,9 +57,10 @@ struct Style {
     return split_at_blanks(line);
   }
   double number(const Lines& lines, std::size_t i, std::string_view text) const {
+    if (!decimal_comma) return lines.sample(i, text);
     double value = 0;
-    if (is_number(text, value)) return value;
-    return lines.number(i, text);
+    if (is_number(text, value) && std::abs(value) <= largest_value) return value;
+    return lines.sample(i, text);
   }
   bool is_number(std::string_view text, double& value) const {
     if (!decimal_comma) return parse_number(text, value);
@@ -125,9 +128,11 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
       continue;
     }
     if (!begins && has_word(line))
-      lines.fail(i, fmt::format("\"{}\" stands among or after the values; delete the line, or begin it with #", trimmed(line)));
+      lines.fail(i, fmt::format("\"{}\" stands among or after the values; delete the line, or begin it with #", excerpt(trimmed(line))));
     if (rows_.empty()) header_end_ = i;
     rows_.push_back({i, values_.size()});
+    if (values_.size() + columns.size() > most_numbers)
+      lines.fail(i, fmt::format("more than {} numbers until here; a record has at most that many", most_numbers));
     for (const std::string_view text : columns) values_.push_back(style.number(lines, i, text));
   }
 }
@@ -143,10 +148,10 @@ std::vector<double> NumberTable::column(std::size_t index) const {
 }
 
 bool holds_numbers(const Lines& lines) {
-  constexpr std::size_t longest_header = 100;
+  constexpr std::size_t searched = 100;
   const Style style = style_of(lines);
   bool says_something = false;
-  for (std::size_t i = 0; i < std::min(lines.size(), longest_header); ++i) {
+  for (std::size_t i = 0; i < std::min(lines.size(), searched); ++i) {
     if (says_nothing(lines[i])) continue;
     if (style.begin_with_number(style.split(lines[i])) && !has_word(lines[i])) return true;
     says_something = true;

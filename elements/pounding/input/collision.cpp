@@ -15,13 +15,13 @@ double read(const CollisionInput& words, std::string_view name, const std::strin
   try {
     return parse_quantity(text, expected);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}{} {}: {}", words.before_names, name, text, error.what()));
+    throw InputError(fmt::format("{}{} {}: {}", words.before_names, name, excerpt(text), error.what()));
   }
 }
 
 double read_mass(const CollisionInput& words, std::string_view name, const std::string& text) {
   const double mass = read(words, name, text, dimension::mass);
-  if (!(mass > 0)) throw InputError(fmt::format("{}{} {}: a mass must be positive", words.before_names, name, text));
+  if (!(mass > 0)) throw InputError(fmt::format("{}{} {}: a mass must be positive", words.before_names, name, excerpt(text)));
   return mass;
 }
 
@@ -53,6 +53,9 @@ CalibratedRow calibrated(const Collision& c, std::string_view formula) {
   } catch (const std::invalid_argument& error) {
     if (c.law.formulas.size() < 2) throw;
     row.refused = error.what();
+  } catch (const std::domain_error&) {
+    row.refused = "has no number for these values; look at their units";
+    if (formula.empty() || formula == "exact") throw InputError(fmt::format("{}: the impact {}", c.law.name, row.refused));
   }
   return row;
 }

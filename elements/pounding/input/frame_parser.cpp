@@ -44,7 +44,7 @@ Dof FrameParser::dof(const Input& item) const {
     allowed.push_back(name(dof));
     if (read == name(dof)) return dof;
   }
-  item.fail(fmt::format("unknown displacement \"{}\".{}{}", read, suggestion(read, allowed),
+  item.fail(fmt::format("unknown displacement \"{}\".{}{}", excerpt(read), suggestion(read, allowed),
                         dimension_ == 2 ? " The frame is plane." : ""));
 }
 
@@ -54,7 +54,7 @@ Dof FrameParser::dof_at_key(const std::string& key, const Input& value) const {
     allowed.push_back(name(dof));
     if (key == name(dof)) return dof;
   }
-  value.fail_at_key(fmt::format("unknown displacement \"{}\".{}{}", key, suggestion(key, allowed),
+  value.fail_at_key(fmt::format("unknown displacement \"{}\".{}{}", excerpt(key), suggestion(key, allowed),
                                 dimension_ == 2 ? " The frame is plane." : ""));
 }
 

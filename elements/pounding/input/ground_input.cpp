@@ -72,9 +72,9 @@ double read_phase(const Input& node) {
   if (!phase) return 0;
   const std::string text = phase->as_text();
   const double angle = phase->as_quantity(dimension::none, bounds::any);
-  if (text.find('%') != std::string::npos) phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", text));
+  if (text.find('%') != std::string::npos) phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", excerpt(text)));
   if (!(std::abs(angle) <= 2 * std::numbers::pi))
-    phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg", text,
+    phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg", excerpt(text),
                             angle * 180 / std::numbers::pi));
   return angle;
 }
@@ -138,7 +138,7 @@ double read_omega(const Input& node, std::string_view key) {
   const Input value = node.at(key);
   if (value.as_text().find("Hz") != std::string::npos)
     value.fail(fmt::format("takes a circular frequency such as \"15 rad/s\"; \"{}\" is in Hz, multiply by 2 pi",
-                           value.as_text()));
+                           excerpt(value.as_text())));
   return value.as_quantity();
 }
 
@@ -198,7 +198,7 @@ GroundMotion read_motion(const Input& section, std::initializer_list<std::string
   for (const std::string_view key : {"channel", "step"})
     if (const auto found = section.find(key)) found->fail_at_key("belongs to a record");
   if (const auto duration = section.find("duration"))
-    duration->fail_at_key(fmt::format("belongs to a sum; type {}: {{..., duration: {}}}", *kind, duration->as_text()));
+    duration->fail_at_key(fmt::format("belongs to a sum; type {}: {{..., duration: {}}}", *kind, duration->is_scalar() ? excerpt(duration->as_text()) : "10 s"));
   if (const auto velocity = section.find("initial_velocity"))
     velocity->fail_at_key("belongs to a record, a harmonic (inside it) or a sum");
   for (const std::string_view key : {"units", "scale", "pga"})

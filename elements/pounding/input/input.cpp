@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -12,27 +10,14 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/text.hpp>
+#include <pounding/input/yaml_limits.hpp>
 
 namespace pounding {
 namespace {
 
-// No model is nested as deep as this.
-constexpr int deepest = 64;
-
 std::string joined(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : path + "." + std::string(key);
-}
-
-// YAML is indented by blanks only; the parser stumbles over a tab here or a line later.
-void refuse_tab(const std::string& name, std::string_view text, int last_line) {
-  int line = 1;
-  for (std::size_t begin = 0; begin < text.size() && line <= last_line; ++line) {
-    const std::size_t content = std::min(text.find_first_not_of(" \t", begin), text.size());
-    if (const std::size_t tab = text.find('\t', begin); tab < content)
-      throw InputError(fmt::format("{}:{}:{}: a tab indents this line, and YAML takes blanks only; replace it by two blanks, and set the editor to "
-                                   "do so", name, line, tab - begin + 1));
-    begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
-  }
 }
 
 // Whether a key is the rest of a number with a decimal comma, as in {gap: 20,5 mm}: digits, then a unit or nothing.
@@ -54,32 +39,62 @@ bool names_values(words::Form form, std::string_view key) {
 
 }  // namespace
 
+/// Walks a whole tree before it is read, and refuses keys that nothing could read. Paths are made only for messages: the names in them
+/// may be long.
+class Input::WrongKeys {
+ public:
+  explicit WrongKeys(std::shared_ptr<const Source> source) : source_(std::move(source)) {}
+
+  void refuse(const YAML::Node& node) {
+    if (node.IsMap()) refuse_in_map(node);
+    if (!node.IsSequence()) return;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      path_.push_back(fmt::format("[{}]", i));
+      refuse(node[i]);
+      path_.pop_back();
+    }
+  }
+
+ private:
+  void refuse_in_map(const YAML::Node& map) {
+    std::set<std::string> seen;
+    std::pair<std::string, std::string> before;  // key and value of the entry before
+    for (const auto& entry : map) {
+      if (!entry.first.IsScalar()) fail(entry.first, "a key must be a plain name");
+      const std::string& key = entry.first.Scalar();
+      if (key == "<<") fail(entry.first, "the merge key << is not read; repeat the keys that it stands for");
+      if (double number = 0; entry.second.IsNull() && is_after_comma(key) && parse_number(before.second, number))
+        fail(entry.first, fmt::format("\"{0},{1}\" is read as two entries, since commas part them; a number takes a decimal point: {2}: {0}.{1}",
+                                      excerpt(before.second), excerpt(key), excerpt(before.first)));
+      before = {key, entry.second.IsScalar() ? entry.second.Scalar() : std::string()};
+      if (!seen.insert(key).second) fail(entry.first, fmt::format("key \"{}\" is given twice; keep one of them", excerpt(key)));
+      path_.push_back(key);
+      refuse(entry.second);
+      path_.pop_back();
+    }
+  }
+
+  [[noreturn]] void fail(const YAML::Node& key, std::string_view message) const {
+    std::string path;
+    for (const std::string& part : path_) path = part.starts_with('[') ? path + part : joined(path, part);
+    const YAML::Mark mark = key.Mark();
+    Input(source_, key, path, {}, {}).fail_at({mark.line + 1, mark.column + 1}, message);
+  }
+
+  std::shared_ptr<const Source> source_;
+  std::vector<std::string> path_;
+};
+
 Input Input::read_file(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(fmt::format("{}: this is a folder; give the YAML file in it", path));
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("{}: no such file, or it cannot be read", path));
-  return read_text(std::string(std::istreambuf_iterator<char>(file), {}), path);
+  return read_text(read_text_file(path, "YAML file", longest_model), path);
 }
 
 Input Input::read_text(std::string text, std::string name) {
+  text.erase(0, text.size() - without_mark(text).size());
   auto source = std::make_shared<const Source>(Source{std::move(name), std::move(text)});
-  std::vector<YAML::Node> documents;
-  try {
-    documents = YAML::LoadAll(source->text);
-  } catch (const YAML::Exception& error) {
-    refuse_tab(source->name, source->text, error.mark.line + 1);
-    throw InputError(fmt::format("{}:{}:{}: this is not YAML: {}", source->name, error.mark.line + 1,
-                                 error.mark.column + 1, error.msg));
-  }
-  if (documents.empty() || documents.front().IsNull())
-    throw InputError(fmt::format("{}:1:1: the file is empty", source->name));
-  if (documents.size() > 1)
-    throw InputError(fmt::format("{}:{}:1: a second YAML document; one file holds one model", source->name,
-                                 documents[1].Mark().line + 1));
-  const Input root(source, documents.front(), {}, {}, {});
-  root.refuse_wrong_keys();
+  check_yaml(source->text, source->name);
+  const Input root(source, YAML::Load(source->text), {}, {}, {});
+  WrongKeys(source).refuse(root.node_);
   return root;
 }
 
@@ -148,7 +163,7 @@ void Input::only_keys(std::span<const std::string_view> allowed) const {
     for (const std::string_view name : allowed) known = known || name == key;
     if (known) continue;
     const YAML::Mark mark = entry.first.Mark();
-    fail_at({mark.line + 1, mark.column + 1}, fmt::format("unknown key \"{}\".{}", key, suggestion(key, allowed)));
+    fail_at({mark.line + 1, mark.column + 1}, fmt::format("unknown key \"{}\".{}", excerpt(key), suggestion(key, allowed)));
   }
 }
 
@@ -195,7 +210,7 @@ double Input::as_quantity(const Dimension& dimension, const Bounds& allowed) con
     fail(error.what());
   }
   if (!allowed.contain(value))
-    fail(fmt::format("takes {}; \"{}\" is outside", allowed_text(dimension, allowed), node_.Scalar()));
+    fail(fmt::format("takes {}; \"{}\" is outside", allowed_text(dimension, allowed), excerpt(node_.Scalar())));
   return value;
 }
 
@@ -232,14 +247,14 @@ long long Input::as_integer(long long low, long long high) const {
   const std::string& text = node_.Scalar();
   long long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) fail(fmt::format("{}\"{}\" is not one", takes, text));
-  if (value < low || value > high) fail(fmt::format("{}\"{}\" is outside", takes, text));
+  if (error != std::errc{} || end != text.data() + text.size()) fail(fmt::format("{}\"{}\" is not one", takes, excerpt(text)));
+  if (value < low || value > high) fail(fmt::format("{}\"{}\" is outside", takes, excerpt(text)));
   return value;
 }
 
 bool Input::as_bool() const {
   const std::string text = is_scalar() ? node_.Scalar() : std::string();
-  if (text != "true" && text != "false") fail(fmt::format("takes true or false; \"{}\" was read", text));
+  if (text != "true" && text != "false") fail(fmt::format("takes true or false; \"{}\" was read", excerpt(text)));
   return text == "true";
 }
 
@@ -252,7 +267,7 @@ std::string Input::as_choice(std::string_view what, std::span<const std::string_
   std::string read = as_text();
   for (const std::string_view name : allowed)
     if (name == read) return read;
-  fail(fmt::format("unknown {} \"{}\".{}", what, read, suggestion(read, allowed)));
+  fail(fmt::format("unknown {} \"{}\".{}", what, excerpt(read), suggestion(read, allowed)));
 }
 
 double Input::quantity(std::string_view key) const {
@@ -273,35 +288,13 @@ void Input::fail_at_key(std::string_view message) const { fail_at(key_place_, me
 
 void Input::fail_at(const Place& place, std::string_view message) const {
   throw InputError(fmt::format("{}:{}:{}: {}{}", source_->name, place.line, place.column,
-                               path_.empty() ? "" : path_ + ": ", message));
+                               path_.empty() ? "" : excerpt(path_) + ": ", message));
 }
 
 void Input::expect_map() const {
   if (is_map()) return;
   const std::string_view read = node_.IsNull() ? "nothing" : is_scalar() ? "a single value" : "a list";
   fail(fmt::format("takes keys with values such as {{key: value}}; {} was read", read));
-}
-
-void Input::refuse_wrong_keys(int depth) const {
-  if (depth > deepest) fail(fmt::format("is nested more than {} levels deep; does an alias contain itself?", deepest));
-  if (is_list())
-    for (const Input& member : items()) member.refuse_wrong_keys(depth + 1);
-  if (!is_map()) return;
-  std::set<std::string> seen;
-  std::pair<std::string, std::string> before;  // key and value of the entry before
-  for (const auto& entry : node_) {
-    const YAML::Mark mark = entry.first.Mark();
-    const Place place{mark.line + 1, mark.column + 1};
-    if (!entry.first.IsScalar()) fail_at(place, "a key must be a plain name");
-    if (double number = 0; entry.second.IsNull() && is_after_comma(entry.first.Scalar()) && parse_number(before.second, number))
-      fail_at(place, fmt::format("\"{0},{1}\" is read as two entries, since commas part them; a number takes a decimal point: {2}: {0}.{1}",
-                                 before.second, entry.first.Scalar(), before.first));
-    before = {entry.first.Scalar(), entry.second.IsScalar() ? entry.second.Scalar() : std::string()};
-    if (!seen.insert(entry.first.Scalar()).second)
-      fail_at(place, fmt::format("key \"{}\" is given twice; keep one of them", entry.first.Scalar()));
-    child(entry.first.Scalar(), entry.first, entry.second)
-        .refuse_wrong_keys(depth + 1);
-  }
 }
 
 }  // namespace pounding

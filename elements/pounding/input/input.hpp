@@ -28,9 +28,10 @@ namespace pounding {
 /// Every function that reads throws InputError with "file:line:column: key.path: " in front (counted from 1).
 class Input {
  public:
-  /// The whole file. Throws for a missing file, bad YAML, a key given twice, an empty file and more than one document.
+  /// The whole file. Throws for a missing file, a text that is not UTF-8, bad YAML, a key given twice, an empty file, more than one
+  /// document, and for what goes beyond the limits of yaml_limits.hpp.
   static Input read_file(const std::string& path);
-  /// A text in memory; `name` stands for the file in messages, and its folder is where relative paths start.
+  /// A text in memory, with or without the mark of UTF-8 in front; `name` stands for the file in messages, and its folder is where relative paths start.
   static Input read_text(std::string text, std::string name);
 
   Input(const Input&) = default;
@@ -123,6 +124,8 @@ class Input {
     int line = 1, column = 1;
   };
 
+  class WrongKeys;
+
   /// Part of what stands under the key of the word.
   enum class Part { value, of_name, item };
 
@@ -130,7 +133,6 @@ class Input {
   Input child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const;
   const words::Word& word() const;
   void expect_map() const;
-  void refuse_wrong_keys(int depth = 0) const;
   [[noreturn]] void fail_at(const Place& place, std::string_view message) const;
 
   std::shared_ptr<const Source> source_;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
 #include <pounding/input/stiffness_input.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/laws/compiled.hpp>
@@ -32,8 +33,8 @@ double read_restitution(const Input& node, const laws::Entry& entry) {
                           entry.sticks_at_zero ? '[' : '(', why));
   };
   if (value > 1 && value <= 100 && value == std::floor(value)) refuse(fmt::format("did you mean \"{:g} %\"?", value));
-  if (value > 1) refuse(fmt::format("\"{}\" would gain energy at each impact; 1 loses none", node.as_text()));
-  if (value < 0) refuse(fmt::format("\"{}\" is outside", node.as_text()));
+  if (value > 1) refuse(fmt::format("\"{}\" would gain energy at each impact; 1 loses none", excerpt(node.as_text())));
+  if (value < 0) refuse(fmt::format("\"{}\" is outside", excerpt(node.as_text())));
   return value;
 }
 

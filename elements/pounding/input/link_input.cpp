@@ -24,7 +24,7 @@ int structure_named(const std::string& name, const Input& node, const Model& mod
   std::vector<std::string_view> names;
   for (const Structure& s : model.structures) names.push_back(s.name);
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) node.fail(fmt::format("unknown structure \"{}\".{}", name, suggestion(name, names)));
+  if (found == names.end()) node.fail(fmt::format("unknown structure \"{}\".{}", excerpt(name), suggestion(name, names)));
   return static_cast<int>(found - names.begin());
 }
 

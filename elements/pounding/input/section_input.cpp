@@ -82,9 +82,9 @@ std::pair<int, int> storeys_of(const std::string& key, const Input& place, int s
     const auto [after, bad_last] = std::from_chars(dash + 1, end, last);
     is_range = bad_last == std::errc{} && after == end;
   } else is_range = false;
-  if (!is_range) place.fail_at_key(fmt::format("\"{}\" is no storey; type one such as 4, or several such as 1-3", key));
+  if (!is_range) place.fail_at_key(fmt::format("\"{}\" is no storey; type one such as 4, or several such as 1-3", excerpt(key)));
   if (first < 1 || last < first || last > storeys)
-    place.fail_at_key(fmt::format("\"{}\" is outside: the storeys go from 1 at the ground to {}", key, storeys));
+    place.fail_at_key(fmt::format("\"{}\" is outside: the storeys go from 1 at the ground to {}", excerpt(key), storeys));
   return {first, last};
 }
 

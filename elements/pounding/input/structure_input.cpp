@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -41,8 +42,8 @@ Structure read_oscillator(const Input& body) {
   if (!period && !stiffness) body.fail("the stiffness is missing; type period: 0.8 s, or stiffness: 6.2 MN/m");
   if (stiffness) options.stiffness = stiffness->as_quantity();
   if (period) options.period = period->as_quantity();
-  if (period && !std::isfinite(stiffness_of_period(options.mass, *options.period)))
-    period->fail("is so short that the stiffness m (2 pi/T)^2 is no number");
+  if (const double k = period ? stiffness_of_period(options.mass, *options.period) : 1; !(std::isfinite(k) && k > 0))
+    period->fail(fmt::format("is so {} that the stiffness m (2 pi/T)^2 is {}", k > 0 ? "short" : "long", k > 0 ? "no number" : "zero"));
   Structure s = make_oscillator(options);
   read_yielding(body, s);
   return s;
@@ -149,7 +150,7 @@ class StructureInput {
     check_name();
     const Kind& kind = kind_of(place_);
     body_.emplace(*place_.find(kind.word));
-    Structure s = kind.read(*body_);
+    Structure s = made(kind);
     StructureOptions options;
     damping_ = beside_or_inside(place_, *body_, "damping");
     velocity_ = beside_or_inside(place_, *body_, "initial_velocity");
@@ -173,6 +174,15 @@ class StructureInput {
   }
 
  private:
+  // What the makers of structures refuse has its place here.
+  Structure made(const Kind& kind) const {
+    try {
+      return kind.read(*body_);
+    } catch (const std::invalid_argument& error) {
+      body_->fail(error.what());
+    }
+  }
+
   void check_name() const {
     try {
       require_structure_name(name_);

@@ -53,7 +53,7 @@ inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw
 inline const Entry& find_law(std::string_view name) {
   for (const Entry& entry : catalogue())
     if (entry.name == name) return entry;
-  throw std::invalid_argument("unknown law \"" + std::string(name) + "\"." + law_suggestion(name, catalogue()));
+  throw std::invalid_argument("unknown law \"" + excerpt(name) + "\"." + law_suggestion(name, catalogue()));
 }
 
 /// A checked law. Throws std::invalid_argument for an unknown law, formula or parameter (with the nearest known name), a

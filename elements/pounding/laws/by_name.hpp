@@ -19,6 +19,7 @@
 
 #include <pounding/laws/checks.hpp>
 #include <pounding/laws/entry.hpp>
+#include <pounding/laws/excerpt.hpp>
 #include <pounding/laws/law.hpp>
 #include <pounding/laws/nearest_name.hpp>
 #include <pounding/laws/needs.hpp>
@@ -113,7 +114,7 @@ void set(L& law, std::string_view name, double value) {
       law.*p.choice = value;
     return;
   }
-  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + std::string(name) + "\"." + suggestion(name, known));
+  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + excerpt(name) + "\"." + suggestion(name, known));
 }
 
 /// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
@@ -143,9 +144,9 @@ L make(const Settings& s) {
     if constexpr (has_formulas<L>) {
       const auto found = std::ranges::find(L::formulas, s.formula, &Formula::name);
       if (found == L::formulas.end())
-        throw std::invalid_argument(law_name + " has no formula \"" + s.formula + "\"." + suggestion(s.formula, names(L::formulas)));
+        throw std::invalid_argument(law_name + " has no formula \"" + excerpt(s.formula) + "\"." + suggestion(s.formula, names(L::formulas)));
       if (!s.restitution)
-        throw std::invalid_argument("formula \"" + s.formula + "\" needs a restitution to find the damping of " + law_name);
+        throw std::invalid_argument("formula \"" + excerpt(s.formula) + "\" needs a restitution to find the damping of " + law_name);
       law.formula = found->function;
     } else {
       throw std::invalid_argument(law_name + " takes no formula: it has no damping to calibrate");
@@ -165,7 +166,7 @@ L make(const Settings& s) {
 template <class Any, std::size_t I = 0>
 Any make_any(const Settings& s) {
   if constexpr (I == std::variant_size_v<Any>) {
-    throw std::invalid_argument("unknown law \"" + s.law + "\"." + law_suggestion(s.law, List<Any>::entries));
+    throw std::invalid_argument("unknown law \"" + excerpt(s.law) + "\"." + law_suggestion(s.law, List<Any>::entries));
   } else {
     using L = std::variant_alternative_t<I, Any>;
     if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));

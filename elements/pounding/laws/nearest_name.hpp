@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include <pounding/laws/excerpt.hpp>
+
 namespace pounding::laws {
 
 /// A letter for comparison: names that differ only in case or in the separator (`-`, blank, `_`) are equal.
@@ -56,8 +58,12 @@ inline constexpr std::array other_words{
     OtherWord{"second", "s"}, OtherWord{"seconds", "s"}, OtherWord{"ton", "t"}, OtherWord{"tons", "t"}, OtherWord{"tonne", "t"},
     OtherWord{"tonnes", "t"}, OtherWord{"newton", "N"}};
 
+/// Letters of a name up to which a slip is looked for.
+inline constexpr std::size_t longest_name_compared = 64;
+
 /// The allowed name that `read` says in another word, else the one nearest to it by edit distance; an empty view when none is near.
 inline std::string_view nearest_name(std::string_view read, std::span<const std::string_view> allowed) {
+  if (read.size() > longest_name_compared) return {};
   if (std::find(allowed.begin(), allowed.end(), read) == allowed.end())
     for (const OtherWord& other : other_words)
       if (edit_distance(read, other.word) == 0 && std::find(allowed.begin(), allowed.end(), other.name) != allowed.end()) return other.name;
@@ -65,6 +71,7 @@ inline std::string_view nearest_name(std::string_view read, std::span<const std:
   std::size_t nearest_distance = std::max<std::size_t>(1, read.size() / 3) + 1;
   std::string_view nearest;
   for (const std::string_view name : allowed) {
+    if (name.size() > longest_name_compared) continue;
     const std::size_t distance = edit_distance(read, name);
     if (distance < nearest_distance && distance < std::max<std::size_t>(1, std::min(read.size(), name.size()))) {
       nearest_distance = distance;
@@ -77,10 +84,10 @@ inline std::string_view nearest_name(std::string_view read, std::span<const std:
 /// ` Did you mean "hertz_damped"?` when a near name exists; otherwise ` Allowed: a, b, c.`; empty when nothing is allowed.
 inline std::string suggestion(std::string_view read, std::span<const std::string_view> allowed) {
   if (const std::string_view name = nearest_name(read, allowed); !name.empty())
-    return " Did you mean \"" + std::string(name) + "\"?";
+    return " Did you mean \"" + excerpt(name) + "\"?";
   if (allowed.empty()) return {};
   std::string text = " Allowed: ";
-  for (std::size_t i = 0; i < allowed.size(); ++i) text += (i == 0 ? "" : ", ") + std::string(allowed[i]);
+  for (std::size_t i = 0; i < allowed.size(); ++i) text += (i == 0 ? "" : ", ") + excerpt(allowed[i]);
   return text + ".";
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/model/contact_law.hpp>
 #include <pounding/model/contact_stiffness.hpp>
@@ -129,6 +130,7 @@ void check_name(const std::string& name, const LinkOptions& options, const std::
   if (is_given && (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos))
     refuse(ModelOption::link_name,
            "a name must not be empty, \".\" or \"..\", or contain \"/\"; type a name such as third_floor");
+  if (const std::string wrong = is_given ? wrong_name(name) : std::string(); !wrong.empty()) refuse(ModelOption::link_name, wrong);
   for (const Link& other : others)
     if (other.name == name)
       refuse(is_given ? ModelOption::link_name : ModelOption::between,

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
 #include <pounding/model/drawing.hpp>
 
 namespace pounding {
@@ -176,9 +177,9 @@ void require_floor(const Structure& s, int number, const std::string& text) {
   if (s.is_rigid()) fail(fmt::format("\"{}\" is a wall and has no floors; type {}", s.name, s.name));
   if (count == 0) fail(fmt::format("{} has no floors; name a node, as in {{structure: {}, node: NAME}}", s.name, s.name));
   if (count == 1 && number != 1)
-    fail(fmt::format("\"{}\" names no floor of {}, which has one; type {}", text, s.name, s.name));
+    fail(fmt::format("\"{}\" names no floor of {}, which has one; type {}", excerpt(text), s.name, s.name));
   if (number < 1 || number > count)
-    fail(fmt::format("\"{}\" names no floor of {}, which has the floors 1 to {}; type {}.{}", text, s.name, count, s.name, count));
+    fail(fmt::format("\"{}\" names no floor of {}, which has the floors 1 to {}; type {}.{}", excerpt(text), s.name, count, s.name, count));
 }
 
 std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, const ContactLocation& right,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/plausible.hpp>
@@ -114,6 +115,7 @@ bool begins_with_velocity(const GroundComponents& ground) {
 void require_structure_name(const std::string& name) {
   if (name.empty() || name.find_first_of("/.") != std::string::npos)
     throw ModelError(ModelOption::name, "a name must not be empty or contain \".\" or \"/\"; type a name such as left_building");
+  if (const std::string wrong = wrong_name(name); !wrong.empty()) throw ModelError(ModelOption::name, wrong);
 }
 
 void Model::require_open() const {
@@ -216,7 +218,7 @@ void Model::check_settings() const {
     refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
   for (const std::string& name : accept)
     if (std::find(doubt_names.begin(), doubt_names.end(), name) == doubt_names.end())
-      throw ModelError(ModelOption::accept, fmt::format("unknown warning \"{}\".{}", name, suggestion(name, doubt_names)));
+      throw ModelError(ModelOption::accept, fmt::format("unknown warning \"{}\".{}", excerpt(name), suggestion(name, doubt_names)));
   if (!is_time(checkpoint.every) || !is_time(checkpoint.every_simulated))
     throw ModelError(ModelOption::checkpoint, "every and every_simulated must be finite and not negative");
 }

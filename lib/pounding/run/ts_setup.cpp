@@ -82,11 +82,22 @@ void set_defaults(TS ts, const Model& model) {
   check(TSSetTimeStep(ts, first_step(model)));
 }
 
+// PETSc quotes the value that it cannot read, and not always the option.
+std::string options_named_in(const std::string& message) {
+  std::string named;
+  for (const std::string& option : petsc::Environment::given_options()) {
+    const std::size_t blank = option.find(' ');
+    const std::string value = blank == std::string::npos ? option : option.substr(blank + 1);
+    if (message.find(value) != std::string::npos) named += excerpt(option) + ": ";
+  }
+  return named;
+}
+
 void read_command_line(TS ts) {
   try {
     check(TSSetFromOptions(ts));
   } catch (const SolverError& error) {
-    throw InputError(fmt::format("a -pounding_ option is wrong: {}", error.what()));
+    throw InputError(fmt::format("a -pounding_ option is wrong: {}{}", options_named_in(error.what()), error.what()));
   }
   refuse_idle_options();
   refuse_unread_options(false);

@@ -15,6 +15,7 @@
 namespace pounding::records {
 namespace {
 
+constexpr std::size_t longest_line_of_names = 10'000;
 constexpr std::string_view step_advice = "values at a fixed step need \"step:\", such as step: 0.01 s";
 
 /// Name of a column: "acc (m/s^2)" is "acc" in m/s^2, and "acc (NS)" is all name.
@@ -64,6 +65,7 @@ Header read_header(const Lines& lines, const NumberTable& table, const RecordOpt
   Header header{.columns = std::vector<Name>(count)};
   for (std::size_t i = table.header_end(); i-- > 0;) {
     if (trimmed(lines[i]).empty()) continue;
+    if (lines[i].size() > longest_line_of_names) break;
     const std::vector<std::string> names = column_names(lines[i]);
     if (names.size() != count) break;
     std::transform(names.begin(), names.end(), header.columns.begin(), read_name);
@@ -80,7 +82,7 @@ double time_unit(const Lines& lines, const Header& header) {
   const std::string& stated = header.columns.front().bracket;
   if (stated.empty() || (header.is_comment && header.columns.front().unit.empty())) return 1;
   const std::optional<double> unit = unit_of_time(stated);
-  if (!unit) lines.fail(header.line, fmt::format("\"{}\" is not the unit of a time; type s or ms", stated));
+  if (!unit) lines.fail(header.line, fmt::format("\"{}\" is not the unit of a time; type s or ms", excerpt(stated)));
   return *unit;
 }
 
@@ -137,6 +139,7 @@ double unit_of_column(const Lines& lines, const Header& header, const NumberTabl
 }
 
 void require_samples(const Lines& lines, std::size_t count, std::string_view what) {
+  if (count > most_samples) throw InputError(fmt::format("{}: {} samples; a record has at most {}", lines.name(), count, most_samples));
   if (count >= 2) return;
   throw InputError(fmt::format("{}: {} sample{}; a record has two or more {}", lines.name(), count, count == 1 ? "" : "s", what));
 }
@@ -146,7 +149,7 @@ Record read_at_step(const Lines& lines, const NumberTable& table, const Header& 
   refuse_times(lines, table, unit_of_time(header.columns.front().unit).value_or(1));
   if (table.commas_are_ambiguous())
     lines.fail(table.line(0), fmt::format("\"{}\" may be one value with a decimal comma or two values; write decimal points, or part "
-                                          "the values by semicolons", trimmed(lines[table.line(0)])));
+                                          "the values by semicolons", excerpt(trimmed(lines[table.line(0)]))));
   Record record;
   std::size_t column = 0;
   if (count == 1 || (options.channel.empty() && !header.is_sure(lines))) {

@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
+
 namespace pounding::records {
 namespace {
 
@@ -119,7 +121,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
   for (const Series& series : all)
     if (begins_with(series.quantity, "ACC")) channels.push_back(read_channel(lines, series.begin));
   if (channels.empty())
-    lines.fail(all.front().samples.line, fmt::format("holds {}; take the file of accelerations", all.front().quantity));
+    lines.fail(all.front().samples.line, fmt::format("holds {}; take the file of accelerations", excerpt(all.front().quantity)));
   const Channel channel = chosen(lines, channels, options);
   std::size_t k = 0;
   while (all[k].begin != channel.begin) ++k;

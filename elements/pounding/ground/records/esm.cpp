@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
+
 namespace pounding::records {
 namespace {
 
@@ -44,7 +46,7 @@ Record read(const Lines& lines, const RecordOptions& options) {
   const Entry type = entry(lines, "DATA_TYPE");
   const std::string_view wanted = options.displacement ? "DISPLACEMENT" : "ACCELERATION";
   if (upper(type.value) != wanted)
-    lines.fail(type.line, fmt::format("holds \"{}\"; take the file of {}s", type.value, options.displacement ? "displacement" : "acceleration"));
+    lines.fail(type.line, fmt::format("holds \"{}\"; take the file of {}s", excerpt(type.value), options.displacement ? "displacement" : "acceleration"));
   Record record;
   record.format = "ESM";
   record.title = single_spaced(value(lines, "EVENT_NAME") + " " + value(lines, "EVENT_DATE_YYYYMMDD"));

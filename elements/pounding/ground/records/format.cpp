@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/ground/number_table.hpp>
 
@@ -30,11 +31,18 @@ std::span<const Format* const> formats() {
 }
 
 Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // mark of UTF-8
+  if (text.size() > longest_record)
+    throw InputError(fmt::format("{}: has more than {} MB, and a record has at most that; is it the right file?", name_, longest_record / 1'000'000));
+  text = without_mark(text);
+  const char mark = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::size_t end = std::min(text.find(mark, begin), text.size());
     std::string_view line = text.substr(begin, end - begin);
     if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.size() > longest_line) fail(size(), fmt::format("has {} bytes, and a line has at most {}", line.size(), longest_line));
+    if (size() == most_lines) fail(size(), fmt::format("the file goes on after {} lines; a record has at most that many", most_lines));
+    if (line.find('\0') != std::string_view::npos)
+      fail(size(), "holds zero bytes, as UTF-16 and files that are no text do; save the file as text in UTF-8");
     lines_.push_back(line);
     begin = end + 1;
   }
@@ -51,7 +59,14 @@ void Lines::fail(std::size_t i, const std::string& message) const {
 
 double Lines::number(std::size_t i, std::string_view text) const {
   double value = 0;
-  if (!parse_number(text, value)) fail(i, fmt::format("\"{}\" is not a finite number", text));
+  if (!parse_number(text, value)) fail(i, fmt::format("\"{}\" is not a finite number", excerpt(text)));
+  return value;
+}
+
+double Lines::sample(std::size_t i, std::string_view text) const {
+  const double value = number(i, text);
+  if (std::abs(value) > largest_value)
+    fail(i, fmt::format("\"{}\" is larger than any time or sample can be ({:g})", excerpt(text), largest_value));
   return value;
 }
 
@@ -96,8 +111,8 @@ std::optional<std::vector<std::string>> captured(std::string_view line, const st
 }
 
 std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view name, double value) {
-  if (!(value >= 2 && value <= 1e9 && value == std::floor(value)))
-    lines.fail(i, fmt::format("{} is {:g}; it must be an integer >= 2", name, value));
+  if (!(value >= 2 && value == std::floor(value))) lines.fail(i, fmt::format("{} is {:g}; it must be an integer >= 2", name, value));
+  if (value > most_samples) lines.fail(i, fmt::format("{} is {:g}; a record has at most {} samples", name, value, most_samples));
   return static_cast<std::size_t>(value);
 }
 
@@ -143,7 +158,7 @@ std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const St
     }
     for (const std::string_view word : split_at_blanks(lines[i])) {
       if (values.size() == stated.count) fail_late(lines, i, stated);
-      values.push_back(lines.number(i, word));
+      values.push_back(lines.sample(i, word));
       last_line = i;
     }
   }
@@ -179,7 +194,7 @@ std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Co
     for (std::size_t k = 0; k < fields; ++k) {
       const std::string_view field = column_field(lines, i, columns, k);
       if (field.empty() && rest_is_blank(i, k)) fail_early(lines, i, values.size(), stated);
-      values.push_back(lines.number(i, field));
+      values.push_back(lines.sample(i, field));
     }
     if (rest_is_blank(i, fields)) continue;
     if (fields < columns.per_line) fail_late(lines, i, stated);
@@ -224,8 +239,8 @@ Channel chosen(const Lines& lines, std::vector<Channel> channels, const RecordOp
     if (upper(channels[i].component) == asked) found.push_back(i);
   }
   if (found.empty())
-    fail(fmt::format("no channel has the number or the component \"{}\"; the file has", options.channel));
-  if (found.size() > 1) fail(fmt::format("{} channels are \"{}\"; type the number of one", found.size(), options.channel));
+    fail(fmt::format("no channel has the number or the component \"{}\"; the file has", excerpt(options.channel)));
+  if (found.size() > 1) fail(fmt::format("{} channels are \"{}\"; type the number of one", found.size(), excerpt(options.channel)));
   return channels[found.front()];
 }
 

@@ -16,9 +16,21 @@
 
 namespace pounding::records {
 
-/// The lines of a file, and errors that name them. Lines count from 0 here and from 1 in messages.
+// Limits of a file, far above the largest records.
+inline constexpr std::size_t longest_record = 128'000'000;   ///< bytes
+inline constexpr std::size_t longest_line = 10'000'000;      ///< bytes
+inline constexpr std::size_t most_lines = 5'000'000;
+inline constexpr std::size_t most_numbers = 20'000'000;
+inline constexpr std::size_t most_samples = 5'000'000;
+inline constexpr std::size_t longest_header = 200'000;       ///< bytes
+/// Largest absolute value of a time or a sample, as it stands in the file.
+inline constexpr double largest_value = 1e30;
+
+/// The lines of a file, and errors that name them. Lines count from 0 here and from 1 in messages. They end with LF, CR LF, or, where
+/// there is no LF at all, with CR.
 class Lines {
  public:
+  /// Throws InputError for a text in UTF-16 and one beyond the limits.
   Lines(std::string_view text, std::string name);
 
   std::size_t size() const { return lines_.size(); }
@@ -30,6 +42,8 @@ class Lines {
   [[noreturn]] void fail(std::size_t i, const std::string& message) const;
   /// The number that `text`, a part of line i, is.
   double number(std::size_t i, std::string_view text) const;
+  /// A number among the samples; fails where it is larger than any.
+  double sample(std::size_t i, std::string_view text) const;
 
  private:
   std::string name_;
@@ -70,7 +84,7 @@ std::regex pattern(const char* text);
 
 // Numbers.
 
-/// A count of samples. Fails unless it is an integer from 2 to 1e9.
+/// A count of samples. Fails unless it is an integer from 2 to most_samples.
 std::size_t checked_count(const Lines& lines, std::size_t i, std::string_view name, double value);
 /// A spacing or a rate. Fails unless it is > 0; `what`: "a time".
 double checked_positive(const Lines& lines, std::size_t i, std::string_view name, double value, std::string_view what);

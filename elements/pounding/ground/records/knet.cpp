@@ -12,19 +12,21 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
+
 namespace pounding::records {
 namespace {
 
 constexpr std::size_t name_width = 18;
-constexpr std::size_t longest_header = 30;
+constexpr std::size_t header_lines = 30;
 
 bool recognises(const Lines& lines) { return lines.size() > 0 && begins_with(lines[0], "ORIGIN TIME"); }
 
 /// The line of the header that begins with this name, which is in capitals.
 std::size_t find_line(const Lines& lines, std::string_view name) {
-  for (std::size_t i = 0; i < std::min(lines.size(), longest_header); ++i)
+  for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i)
     if (begins_with(lines[i], name)) return i;
-  lines.fail(std::min(lines.size(), longest_header) - 1, fmt::format("the header has no line \"{}\"", name));
+  lines.fail(std::min(lines.size(), header_lines) - 1, fmt::format("the header has no line \"{}\"", name));
 }
 
 std::string value(const Lines& lines, std::size_t i) {
@@ -47,7 +49,7 @@ double read_scale(const Lines& lines) {
   static const std::regex fraction = pattern(R"(^([0-9.]+)\s*\(gal\)\s*/\s*([0-9.]+)$)");
   const std::size_t i = find_line(lines, "SCALE FACTOR");
   const auto parts = captured(value(lines, i), fraction);
-  if (!parts) lines.fail(i, fmt::format("\"{}\" is no scale factor such as 3920(gal)/6182761", value(lines, i)));
+  if (!parts) lines.fail(i, fmt::format("\"{}\" is no scale factor such as 3920(gal)/6182761", excerpt(value(lines, i))));
   return checked_positive(lines, i, "the scale factor", lines.number(i, (*parts)[0]) / lines.number(i, (*parts)[1]),
                           "a number");
 }

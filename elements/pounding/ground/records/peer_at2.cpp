@@ -9,11 +9,11 @@
 namespace pounding::records {
 namespace {
 
-constexpr std::size_t longest_header = 10;
+constexpr std::size_t header_lines = 10;
 
 /// The line that states NPTS and DT.
 std::optional<std::size_t> find_npts(const Lines& lines) {
-  for (std::size_t i = 0; i < std::min(lines.size(), longest_header); ++i) {
+  for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i) {
     const std::string line = upper(lines[i]);
     if (line.find("NPTS") != std::string::npos && line.find("DT") != std::string::npos) return i;
   }

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
+
 namespace pounding::records {
 namespace {
 
@@ -41,7 +43,7 @@ double read_rate(const Lines& lines) {
 Record read(const Lines& lines, const RecordOptions& options) {
   const std::string_view kind = trimmed(lines[0]);
   if (!begins_with(kind, uncorrected) && !begins_with(kind, corrected))
-    lines.fail(0, fmt::format("holds \"{}\"; take the file of accelerations", kind));
+    lines.fail(0, fmt::format("holds \"{}\"; take the file of accelerations", excerpt(kind)));
   Record record;
   record.format = "USGS SMC";
   record.title = single_spaced(lines.at(3, "the end of its header"));

@@ -1,0 +1,186 @@
+#include <pounding/input/yaml_limits.hpp>
+
+#include <algorithm>
+#include <istream>
+#include <map>
+#include <streambuf>
+#include <vector>
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/core/text.hpp>
+#include <pounding/laws/excerpt.hpp>
+
+namespace pounding {
+namespace {
+
+/// Something that is refused, at its place.
+struct Refusal {
+  YAML::Mark mark;
+  std::string text;
+};
+
+/// A text as a stream, without a copy.
+class TextBuffer : public std::streambuf {
+ public:
+  explicit TextBuffer(std::string_view text) {
+    char* const begin = const_cast<char*>(text.data());  // a get area is only read
+    setg(begin, begin, begin + text.size());
+  }
+};
+
+/// Size of a value with everything in it.
+struct Extent {
+  std::size_t values = 0;
+  int depth = 0;
+};
+
+/// Follows the parser through one document, throws a Refusal where it goes beyond a limit, and so ends the parser's own recursion too.
+class Limits : public YAML::EventHandler {
+ public:
+  bool is_empty() const { return is_empty_; }
+  const YAML::Mark& begin() const { return begin_; }
+
+  void OnDocumentStart(const YAML::Mark& mark) override { begin_ = mark; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    if (open_.empty()) is_empty_ = true;
+    add(mark, anchor, {1, 0});
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+    refuse_tag(mark, tag);
+    if (value.size() > longest_value)
+      throw Refusal{mark, fmt::format("a value of {} bytes begins here, and one has at most {}; is a quotation mark missing?", value.size(),
+                                      longest_value)};
+    for (std::string_view rest = value; !rest.empty();) {
+      const laws::Character c = laws::first_character(rest);
+      if (!c.is_valid || (laws::is_control(c.code) && c.code != '\n' && c.code != '\t'))
+        throw Refusal{mark, fmt::format("\"{}\" holds the control character {}; leave it out", excerpt(value), excerpt(rest.substr(0, c.size)))};
+      rest.remove_prefix(c.size);
+    }
+    add(mark, anchor, {1, 0});
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto known = anchors_.find(anchor);
+    if (known == anchors_.end())
+      throw Refusal{mark, "does an alias contain itself? This one stands inside its own anchor; write the values out"};
+    add(mark, 0, known->second);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+    begin_collection(mark, tag, anchor);
+  }
+  void OnSequenceEnd() override { end_collection(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+    begin_collection(mark, tag, anchor);
+  }
+  void OnMapEnd() override { end_collection(); }
+
+ private:
+  /// A map or list that has begun.
+  struct Open {
+    YAML::Mark mark;
+    YAML::anchor_t anchor;
+    Extent inside;
+  };
+
+  static void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+    if (!tag.empty() && tag != "?" && tag != "!") throw Refusal{mark, fmt::format("the tag {} is not read; leave it out", excerpt(tag))};
+  }
+  void begin_collection(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+    refuse_tag(mark, tag);
+    open_.push_back({mark, anchor, {}});
+    refuse_depth(mark, 0);
+  }
+  void end_collection() {
+    const Open ended = open_.back();
+    open_.pop_back();
+    add(ended.mark, ended.anchor, {ended.inside.values + 1, ended.inside.depth + 1});
+  }
+  // Every level is counted when it ends, so the whole text never has more values than its root will have.
+  void add(const YAML::Mark& mark, YAML::anchor_t anchor, const Extent& extent) {
+    refuse_depth(mark, extent.depth);
+    if (anchor != 0) anchors_[anchor] = extent;
+    if (open_.empty()) return;
+    Extent& inside = open_.back().inside;
+    inside.values += extent.values;
+    inside.depth = std::max(inside.depth, extent.depth);
+    read_ = std::max(read_ + 1, inside.values);
+    if (read_ > most_values)
+      throw Refusal{mark, fmt::format("more than {} values have been read until here, aliases written out; a model has at most that many",
+                                      most_values)};
+  }
+  void refuse_depth(const YAML::Mark& mark, int more) const {
+    if (static_cast<int>(open_.size()) + more > deepest)
+      throw Refusal{mark, fmt::format("more than {} maps and lists are in each other here", deepest)};
+  }
+
+  std::vector<Open> open_;
+  std::map<YAML::anchor_t, Extent> anchors_;
+  std::size_t read_ = 0;
+  YAML::Mark begin_;
+  bool is_empty_ = false;
+};
+
+/// The line that begins at a place.
+std::string_view line_at(std::string_view text, const YAML::Mark& mark) {
+  const std::string_view rest = text.substr(std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), text.size()));
+  return rest.substr(0, rest.find('\n'));
+}
+
+[[noreturn]] void fail(const std::string& name, int line, int column, std::string_view what) {
+  throw InputError(fmt::format("{}:{}:{}: {}", name, line, column, what));
+}
+
+// YAML is indented by blanks only; the parser stumbles over a tab here or a line later.
+void refuse_tab(const std::string& name, std::string_view text, int last_line) {
+  int line = 1;
+  for (std::size_t begin = 0; begin < text.size() && line <= last_line; ++line) {
+    const std::size_t content = std::min(text.find_first_not_of(" \t", begin), text.size());
+    if (const std::size_t tab = text.find('\t', begin); tab < content)
+      fail(name, line, static_cast<int>(tab - begin) + 1,
+           "a tab indents this line, and YAML takes blanks only; replace it by two blanks, and set the editor to do so");
+    begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+  }
+}
+
+void check_document(std::string_view text, const std::string& name) {
+  TextBuffer buffer(text);
+  std::istream stream(&buffer);
+  YAML::Parser parser(stream);
+  Limits first;
+  if (!parser.HandleNextDocument(first)) fail(name, 1, 1, "the file is empty");
+  if (parser) {
+    // The parser goes on where the model ended, be it at a second document or at a comma or bracket that closes nothing.
+    Limits second;
+    parser.HandleNextDocument(second);
+    const YAML::Mark& mark = second.begin();
+    const std::string_view rest = line_at(text, mark);
+    if (rest.starts_with("---")) fail(name, mark.line + 1, mark.column + 1, "a second YAML document; one file holds one model");
+    fail(name, mark.line + 1, mark.column + 1, fmt::format("\"{}\" stands outside the model; one file holds one YAML document", excerpt(rest)));
+  }
+  if (first.is_empty()) fail(name, 1, 1, "the file is empty");
+}
+
+}  // namespace
+
+void check_yaml(std::string_view text, const std::string& name) {
+  if (text.size() > longest_model)
+    throw InputError(fmt::format("{}: has {} MB, and a model has at most {} MB; is it the right file?", name, text.size() / 1'000'000,
+                                 longest_model / 1'000'000));
+  if (const auto wrong = wrong_text(text)) fail(name, wrong->line, wrong->column, wrong->what);
+  try {
+    check_document(text, name);
+  } catch (const Refusal& refusal) {
+    fail(name, refusal.mark.line + 1, refusal.mark.column + 1, refusal.text);
+  } catch (const YAML::Exception& error) {
+    refuse_tab(name, text, error.mark.line + 1);
+    fail(name, error.mark.line + 1, error.mark.column + 1, fmt::format("this is not YAML: {}", excerpt(error.msg)));
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,77 @@
+// Texts of users: what is read, what is refused, and how a message quotes them.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <pounding/core/error.hpp>
+#include <pounding/core/names.hpp>
+#include <pounding/core/text.hpp>
+#include <pounding/laws/excerpt.hpp>
+
+namespace pounding {
+namespace {
+
+using namespace std::string_view_literals;
+
+std::string place_in(std::string_view text) {
+  const auto wrong = wrong_text(text);
+  return wrong ? std::to_string(wrong->line) + ":" + std::to_string(wrong->column) + ": " + wrong->what : "";
+}
+
+TEST(Excerpt, ShowsAtMostTwoHundredCharacters) {
+  EXPECT_EQ(excerpt("20 mm"), "20 mm");
+  EXPECT_EQ(excerpt(std::string(200, 'x')), std::string(200, 'x'));
+  EXPECT_EQ(excerpt(std::string(201, 'x')), std::string(200, 'x') + "...");
+  std::string letters;
+  for (int i = 0; i < 201; ++i) letters += "\u00e4";
+  EXPECT_EQ(excerpt(letters), letters.substr(0, 400) + "...") << "a letter of two bytes is one character and is not cut";
+}
+
+TEST(Excerpt, EscapesWhatActsOnATerminalAndWhatIsNoUtf8) {
+  EXPECT_EQ(excerpt("a\0b\x1b[31m\n\t\r\x7f"sv), R"(a\x00b\x1b[31m\n\t\r\x7f)");
+  EXPECT_EQ(excerpt("Z\xfcrich"), R"(Z\xfcrich)");
+  EXPECT_EQ(excerpt("\xc0\x80 \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82"), R"(\xc0\x80 \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82)") << "overlong, surrogate, too large, cut";
+  EXPECT_EQ(excerpt("\u202e \u009b \u2028 \ufeff"), R"(\u202e \x9b \u2028 \ufeff)");
+  EXPECT_EQ(excerpt("Z\u00fcrich \u6771\u4eac \U0001F3E0"), "Z\u00fcrich \u6771\u4eac \U0001F3E0");
+}
+
+TEST(Excerpt, OfAWholeMessageKeepsLines) {
+  EXPECT_STREQ(InputError("m.yaml:1:1: first\nsecond \x1b").what(), "m.yaml:1:1: first\nsecond \\x1b");
+  EXPECT_EQ(std::string(InputError(std::string(1'000'000, 'x')).what()).size(), laws::longest_message + 3);
+}
+
+TEST(WrongText, IsFoundAtItsLineAndColumn) {
+  EXPECT_EQ(place_in("a\tb\r\nZ\u00fcrich\n"), "");
+  EXPECT_EQ(place_in("a: 1\n# \u00e4\xe4\n").substr(0, 32), "2:4: the byte E4 is no UTF-8; sa");
+  EXPECT_EQ(place_in("a\rb\n").substr(0, 31), "1:2: a carriage return stands a");
+  EXPECT_EQ(place_in("a\n\0b"sv), R"(2:1: the control character \x00 stands here; delete it)");
+  EXPECT_EQ(place_in("\xff\xfe" "a\0"sv), "1:1: this file is in UTF-16; save it as UTF-8");
+  EXPECT_EQ(place_in("\0a\0b"sv), "1:1: this file is in UTF-16; save it as UTF-8");
+  EXPECT_EQ(place_in("\xff\xfe\0\0a\0\0\0"sv), "1:1: this file is in UTF-32; save it as UTF-8");
+}
+
+TEST(ShownLine, TakesOtherBytesAsLatin1) {
+  EXPECT_EQ(shown_line("Z\xfcrich \x1b[31m \u00fc"), "Z\u00fcrich  [31m \u00fc");
+}
+
+TEST(Names, AreShortAndWithoutControlCharacters) {
+  EXPECT_EQ(wrong_name("Hochhaus \u00e4"), "");
+  EXPECT_EQ(wrong_name("a\nb"), R"(the name "a\nb" holds a control character; type letters, digits and blanks)");
+  EXPECT_EQ(wrong_name("\xe4"), R"(the name "\xe4" holds bytes that are no UTF-8; type letters, digits and blanks)");
+  EXPECT_NE(wrong_name(std::string(201, 'n')), "");
+}
+
+TEST(NearestName, LooksForSlipsInShortNamesOnly) {
+  const std::string huge(20'000'000, 'h');
+  const std::array<std::string_view, 2> allowed{"hertz", huge};
+  EXPECT_EQ(nearest_name("hert", allowed), "hertz");
+  EXPECT_EQ(nearest_name(huge.substr(1), allowed), "");
+  EXPECT_EQ(unknown_name("node", huge, {"b1"}), "unknown node \"" + std::string(200, 'h') + "...\". Allowed: b1.");
+}
+
+}  // namespace
+}  // namespace pounding

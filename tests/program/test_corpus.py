@@ -1,0 +1,249 @@
+"""Wrong texts: each ends with a message, soon and within little memory.
+
+`tests/corpus` holds one small file a fault, in a folder for models, one for units (each a quantity that should be a mass) and one for
+records. A file whose name begins with fine_ is read without a message. Larger ones are made here."""
+
+import json
+import os
+import resource
+import signal
+import subprocess
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["POUNDING_PROGRAM"]
+CORPUS = Path(__file__).parent.parent / "corpus"
+#: Seconds of a processor and bytes that no text may take, bytes of the longest message, and seconds that a busy machine is waited for.
+PATIENCE, MEMORY, LONGEST, WAIT = 10, 1_000_000_000, 2000, 100
+
+MODEL = (CORPUS / "model" / "fine_plain.yaml").read_text()
+
+
+def limited():
+    """Far above MEMORY, so that a text that takes all memory ends, and does not end other programs."""
+    resource.setrlimit(resource.RLIMIT_AS, (6_000_000_000, 6_000_000_000))
+
+
+class CorpusTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, text, name="m.yaml"):
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def outcome(self, *words):
+        """Exit code and what was printed, after the checks that hold for every text."""
+        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as told:
+            process = subprocess.Popen([PROGRAM, *map(str, words)], stdin=subprocess.DEVNULL, stdout=out, stderr=told, cwd=self.folder,
+                                       preexec_fn=limited)
+            patience = threading.Timer(WAIT, process.kill)
+            patience.start()
+            _, status, used = os.wait4(process.pid, 0)
+            patience.cancel()
+            process.returncode = os.waitstatus_to_exitcode(status)
+            out.seek(0)
+            told.seek(0)
+            printed, message = out.read().decode(), told.read().decode()
+        self.assertNotEqual(process.returncode, -signal.SIGKILL, "it took too long")
+        self.assertLess(used.ru_utime + used.ru_stime, PATIENCE)
+        self.assertLess(used.ru_maxrss * 1024, MEMORY)
+        self.assertFalse({c for c in printed + message if not c.isprintable() and c not in "\n\u00a0"})
+        self.assertLess(len(message.encode()), LONGEST)
+        return process.returncode, message
+
+    def refused(self, *words, told=""):
+        code, message = self.outcome(*words)
+        self.assertEqual(code, 2, message)
+        self.assertTrue(message.startswith("pounding: ") and len(message) > 20, message)
+        self.assertIn(told, message)
+        return message
+
+    def replay(self, folder, words_for):
+        files = sorted(file for file in (CORPUS / folder).iterdir() if file.name != ".gitattributes")
+        self.assertGreater(len(files), 10)
+        for file in files:
+            with self.subTest(file=f"{folder}/{file.name}"):
+                if not file.name.startswith("fine_"):
+                    self.refused(*words_for(file))
+                    continue
+                code, message = self.outcome(*words_for(file))
+                self.assertEqual(code, 0, message)
+
+
+class Models(CorpusTest):
+    def test_of_the_corpus(self):
+        self.replay("model", lambda file: ["check", file])
+
+    def test_by_every_verb(self):
+        for verb in ("run", "modes", "sensitivity"):
+            with self.subTest(verb=verb):
+                self.refused(verb, CORPUS / "model" / "comma.yaml", told='comma.yaml:1:1: "," stands outside the model')
+
+    def test_are_refused_at_their_place(self):
+        for name, told in {
+            "comma_after_map": ':1:11: "," stands outside the model; one file holds one YAML document',
+            "second_document": ":8:1: a second YAML document",
+            "latin1_comment": ":1:4: the byte FC is no UTF-8; save the file as UTF-8",
+            "latin1_title": ":1:9: the byte F6 is no UTF-8",
+            "utf16": ":1:1: this file is in UTF-16; save it as UTF-8",
+            "utf16_without_mark": ":1:1: this file is in UTF-16",
+            "utf32": ":1:1: this file is in UTF-32",
+            "mac_lines": ":1:25: a carriage return stands alone",
+            "zero_byte": ":1:9: the control character \\x00 stands here",
+            "zero_in_name": ':3:3: "a\\x00b" holds the control character \\x00',
+            "line_feed_in_name": ':3:3: structures.a\\nb: the name "a\\nb" holds a control character',
+            "tab_in_link_name": 'links[0].name: the name "a\\tb" holds a control character',
+            "aliases_ten_of_ten": ": more than 1000000 values have been read until here",
+            "alias_of_itself": ":2:6: does an alias contain itself?",
+            "merge_key": ": the merge key << is not read",
+            "tag_binary": ":1:8: the tag tag:yaml.org,2002:binary is not read; leave it out",
+            "deep_by_aliases": "more than 64 maps and lists are in each other here",
+            "period_1e308": ":3:39: structures.a.oscillator.period: is so long that the stiffness m (2 pi/T)^2 is zero",
+            "floor_beyond_int": ':6:15: links[0].between[0]: "a.99999999999" names no floor of a',
+        }.items():
+            with self.subTest(name=name):
+                self.refused("check", CORPUS / "model" / f"{name}.yaml", told=told)
+
+    def test_beyond_all_measure(self):
+        for name, text in {
+            "lists": "[" * 200_000,
+            "maps": "{a: " * 200_000,
+            "items": "- " * 200_000,
+            "keys": "? " * 200_000,
+            "brackets": "[" * 30_000 + "]" * 30_000,
+            "title": MODEL.replace("A body", "A body " * 1_500_000),
+            "law": MODEL.replace("hertz,", "h" * 12_000_000 + ","),
+            "key": "x" * 11_000_000 + ": 1\n",
+            "comment": "#" * 17_000_000,
+            "values": "title: [" + "1," * 3_000_000 + "]\n",
+            "empty maps": "title: [" + "{}," * 900_000 + "]\n",
+            "long path": "".join(" " * i + "? " + "k" * 9_000 + f"{i}\n" + " " * i + ":\n" for i in range(60)) + " " * 60 + "- [" + "1," * 500_000 + "]\n",
+            "blanks": " " * 15_000_000 + "a: 1\n",
+            "lines": "\n" * 15_000_000,
+            "anchor": "&" + "a" * 5_000_000 + " [1]\n",
+            "quotation": 'title: "' + "\\n" * 5_000_000,
+            "tag": "!" + "a" * 5_000_000 + " x\n",
+            "names": "structures: {" + ", ".join("n" * 60 + f"{i}: {{body: {{mass: 1}}}}" for i in range(20_000)) + "}\n"
+                     "links: [{between: [" + "n" * 63 + "], law: hertz}]\n",
+        }.items():
+            with self.subTest(name=name):
+                self.refused("check", self.write(text))
+
+    def test_that_are_no_files(self):
+        os.mkfifo(self.folder / "pipe.yaml")
+        self.refused("check", "pipe.yaml", told="pipe.yaml: this is a pipe and no file")
+        self.refused("check", ".", told=".: this is a folder; give the YAML file in it")
+        self.refused("check", "/dev/zero", told="/dev/zero: has more than 16 MB, and a YAML file has at most that")
+        self.refused("check", "/dev/null", told="/dev/null:1:1: the file is empty")
+        self.refused("check", "/proc/self/mem", told="/proc/self/mem: cannot be read")
+        self.refused("check", "not\x1bthere.yaml", told="not\\x1bthere.yaml: no such file, or it cannot be read")
+        self.refused("check", "n" * 100_000, told="no such file, or it cannot be read")
+
+    def test_through_standard_input(self):
+        done = subprocess.run([PROGRAM, "check", "/dev/stdin"], input=MODEL, capture_output=True, text=True, timeout=WAIT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class Units(CorpusTest):
+    def test_of_the_corpus(self):
+        def check(file):
+            return ["check", self.write(MODEL.replace("{mass: 1 t}", "{mass: " + json.dumps(file.read_bytes().decode()) + "}"))]
+
+        self.replay("units", check)
+
+    def test_beyond_all_measure(self):
+        for text in ("1 " + "(" * 9_000, "1 " + "(" * 4_000 + "kg" + ")" * 4_000):
+            self.refused("check", self.write(MODEL.replace("1 t", text)), told="has more than 8 brackets in each other")
+        self.refused("calibrate", "--law", "hertz", "--m1", "1 " + "(" * 60_000, told="has more than 8 brackets in each other")
+
+    def test_on_the_command_line(self):
+        long, brackets, control = "x" * 100_000, "1 " + "(" * 60_000, "\x1b[31mred"
+        for text in (long, brackets, control, "1e999", "nan", "", "1e-320 mm"):
+            with self.subTest(text=text[:10]):
+                for words in (["calibrate", "--law", text, "--m1", "1 t"], ["calibrate", "--law", "hertz", "--m1", text],
+                              ["calibrate", "--law", "hertz_damped", "--m1", "1 t", "--restitution", text or "x"],
+                              ["calibrate", "--law", "hertz", "--m1", "1 t", "--parameter", text],
+                              ["record", "info", "--step", text or "x", CORPUS / "records" / "fine_columns.txt"],
+                              ["record", "info", "--units", text or "x", CORPUS / "records" / "fine_columns.txt"],
+                              ["record", "info", "--channel", text or "x", CORPUS / "records" / "fine_columns.txt"],
+                              ["record", "spectrum", "--periods", text, CORPUS / "records" / "fine_columns.txt"],
+                              ["record", "spectrum", "--damping", text, CORPUS / "records" / "fine_columns.txt"],
+                              ["words", text or "no"], ["laws", text or "no"], [text], ["run", CORPUS / "model" / "fine_plain.yaml", "-q", text]):
+                    with self.subTest(words=words[:2]):
+                        self.refused(*words)
+
+    def test_beyond_the_range_of_numbers(self):
+        """Values that are numbers, and whose answers are none."""
+        hertz = ["calibrate", "--law", "hertz_damped", "--m1", "1"]
+        for words in ([*hertz, "--restitution", "1e-300"], [*hertz, "--restitution", "0.5", "--velocity", "1e300"],
+                      ["calibrate", "--cyclic", "--law", "jankowski", "--m1", "1e-300", "--restitution", "0.5", "--velocity", "1e-300", "--stiffness", "1e300"]):
+            with self.subTest(words=words):
+                self.refused(*words, told="has no number for these values; look at their units")
+        record = CORPUS / "records" / "fine_columns.txt"
+        for periods in ("1e-300:1e300:10000", "1e-12:4:100"):
+            self.refused("record", "spectrum", record, "--periods", periods, told="take longer periods")
+        self.refused("record", "spectrum", "--units", "g", CORPUS / "records" / "fine_sample_1e30.txt", told="take longer periods")
+
+    def test_of_options_of_petsc_are_named(self):
+        self.refused("run", CORPUS / "model" / "fine_plain.yaml", "-q", "-pounding_ts_rtol", "abc",
+                     told="a -pounding_ option is wrong: -pounding_ts_rtol abc: ")
+
+
+class Records(CorpusTest):
+    def test_of_the_corpus(self):
+        self.replay("records", lambda file: ["record", "info", "--units", "cm/s^2" if file.name.startswith("esm") else "g", file])
+
+    def test_in_a_model_are_refused_at_their_place(self):
+        for name in ("sample_1e308.txt", "time_1e-320.txt", "utf16.txt"):
+            model = MODEL + f"ground_motion: {{record: {CORPUS / 'records' / name}, units: g}}\n"
+            self.refused("check", self.write(model), told="m.yaml:8:25: ground_motion.record: ")
+
+    def test_are_refused_at_their_place(self):
+        for name, told in {
+            "sample_1e308.txt": 'sample_1e308.txt:2: "1e308" is larger than any time or sample can be (1e+30)',
+            "time_1e308.txt": 'time_1e308.txt:2: "1e308" is larger than any',
+            "time_1e-320.txt": "the samples are so large, or so close in time, that the velocity",
+            "zero_byte.txt": "zero_byte.txt:3: holds zero bytes",
+            "peer_huge_count.at2": "NPTS is 1e+09; a record has at most 5000000 samples",
+        }.items():
+            with self.subTest(name=name):
+                self.refused("record", "info", "--units", "g", CORPUS / "records" / name, told=told)
+
+    def test_tell_headers_that_are_no_utf8(self):
+        done = subprocess.run([PROGRAM, "record", "info", "--json", CORPUS / "records" / "fine_peer_escape_in_title.at2"], capture_output=True,
+                              timeout=WAIT)
+        self.assertEqual(json.loads(done.stdout)["title"], "Z\u00fcrich  [31m red")
+
+    def test_beyond_all_measure(self):
+        values = "\n0 0\n1 1\n2 0\n"
+        for name, text in {
+            "line": "0 " * 20_000_000,
+            "letters": "x" * 30_000_000,
+            "lines": "\n" * 20_000_000,
+            "header of secs": "# " + "sec" * 3_000_000 + values,
+            "header of brackets": "# " + "(a) " * 2_000_000 + values,
+            "header of an open bracket": "a ( " + "x " * 2_000_000 + values,
+            "header of columns": "# " + "a " * 2_000_000 + values,
+            "comments": "# (a)\n" * 1_000_000 + values,
+            "zeros": b"\0" * 130_000_000,
+            "minus signs": "-" * 9_000_000 + values,
+        }.items():
+            for more in ([], ["--step", "0.01 s"]):
+                with self.subTest(name=name, more=more):
+                    self.refused("record", "info", *more, self.write(text, "r.txt"))
+
+    def test_that_are_no_files(self):
+        for name in ("/dev/zero", ".", "pipe", "nothing"):
+            if name == "pipe":
+                os.mkfifo(self.folder / name)
+            self.refused("record", "info", name, told="was not found at")
+
+
+if __name__ == "__main__":
+    unittest.main()
