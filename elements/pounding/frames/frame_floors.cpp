@@ -54,8 +54,10 @@ double mean_height(const Frame& frame, const std::vector<int>& nodes) {
   return sum / static_cast<double>(nodes.size());
 }
 
+// The lowest node of a frame without supports.
 double lowest_support(const FrameModel& model) {
   double lowest = std::numeric_limits<double>::infinity();
+  for (int node = 0; model.is_free && node < model.frame.nodes(); ++node) lowest = std::min(lowest, model.frame.position(node).z());
   for (const FrameSupport& support : model.supports)
     for (const int node : support.nodes) lowest = std::min(lowest, model.frame.position(node).z());
   return lowest;

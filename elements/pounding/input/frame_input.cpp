@@ -126,7 +126,13 @@ class Reader {
     const std::vector<int>& feet = parts_.grid().feet;
     std::vector<int> open = feet;
     std::optional<Input> feet_place;
-    if (const auto supports = body_.find("supports"))
+    const auto supports = body_.find("supports");
+    if (supports && supports->is_scalar()) {
+      supports->as_choice();
+      model_.is_free = true;
+      return;
+    }
+    if (supports)
       for (const auto& [name, node] : supports->entries()) {
         if (name == "feet" && !feet.empty()) {
           of_feet = parts_.words().support(node);
