@@ -63,6 +63,7 @@ TEST(ForceInput, SaysWhatACourseNeeds) {
   refused(building("floor: 1, scale: 2, " + pulse), "7:20: structures.a.forces[0].scale: belongs to a record");
   refused(building("floor: 1, pulse: {shape: sine, amplitude: 20 kg, duration: 0.1}"),
           "7:52: structures.a.forces[0].pulse.amplitude: takes a force such as \"200 kN\"; \"20 kg\" is a mass");
+  refused("analysis: {duration: 1}\nstructures: {a: {body: {mass: 1 t}, forces: []}}\n", "2:45: structures.a.forces: holds no force; leave it out");
   refused("structures: {a: {body: {mass: 1 t}, forces: [{step_force: {amplitude: 1 kN}}]}}\n",
           "1:1: the duration is missing; type analysis: {duration: 10 s}");
   refused("analysis: {duration: 1}\nstructures: {a: {body: {mass: 1 t}, forces: {step_force: {amplitude: 1 kN}}}}\n",
@@ -106,6 +107,14 @@ TEST(DisplacedFrameInput, SaysWhatCannotBeHeld) {
           "mass");
   refused(frame("      initial_node_displacements: {b: 5 mm}\n"),
           "14:39: structures.a.frame.initial_node_displacements.b: takes displacements by their names; type {ux: 5 mm}");
+}
+
+TEST(DisplacedFrameInput, SaysWhereItOverlapsItsNeighbour) {
+  const std::string grid = "grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {circle: 0.4}, beams: {circle: 0.4}, floor_mass: 20 t, "
+                           "rigid_floors: true}";
+  refused("analysis: {duration: 1}\nstructures:\n  a: {damping: 5 %, frame: {material: {E: 30 GPa}, " + grid + ", initial_displacement: 30 mm}}\n"
+          "  b: {damping: 5 %, frame: {origin: [6.02], material: {E: 30 GPa}, " + grid + "}}\nlinks:\n  - {between: [a, b], floors: level, law: hertz, stiffness: 1e9}\n",
+          "6:5: links[0]: a and b overlap by 10 mm at the start; they are displaced towards each other: move b away by 10 mm or more with its origin");
 }
 
 TEST(FreeFrameInput, SaysWhatNeedsSupports) {

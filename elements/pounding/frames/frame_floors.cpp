@@ -54,10 +54,8 @@ double mean_height(const Frame& frame, const std::vector<int>& nodes) {
   return sum / static_cast<double>(nodes.size());
 }
 
-// The lowest node of a frame without supports.
 double lowest_support(const FrameModel& model) {
   double lowest = std::numeric_limits<double>::infinity();
-  for (int node = 0; model.is_free && node < model.frame.nodes(); ++node) lowest = std::min(lowest, model.frame.position(node).z());
   for (const FrameSupport& support : model.supports)
     for (const int node : support.nodes) lowest = std::min(lowest, model.frame.position(node).z());
   return lowest;
@@ -145,7 +143,8 @@ Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& 
 }
 
 std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame) {
-  const std::vector<std::vector<bool>> above = storey_cuts(model);
+  // Without supports no storey stands on the ground.
+  const std::vector<std::vector<bool>> above = model.is_free ? std::vector<std::vector<bool>>() : storey_cuts(model);
   std::vector<Floor> floors;
   for (const FrameFloor& of : model.floors) {
     Floor floor;
@@ -153,7 +152,7 @@ std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& fr
     floor.mass = mass_along_x(frame, of.nodes);
     floor.elevation = of.elevation;
     floor.motion = floor_motion(model, frame, of);
-    floor.storey_shear = shear_through(model, frame, above[floors.size()]);
+    if (!model.is_free) floor.storey_shear = shear_through(model, frame, above[floors.size()]);
     floors.push_back(std::move(floor));
   }
   return floors;

@@ -116,6 +116,7 @@ class HistoryReader {
 
 std::vector<ForceOptions> read_forces(const Input& list) {
   if (!list.is_list()) list.fail("takes a list, one force a line; type - {floor: 3, harmonic: {amplitude: 20 kN, period: 0.5 s, duration: 10 s}}");
+  if (list.items().empty()) list.fail("holds no force; leave it out");
   std::vector<ForceOptions> forces;
   for (const Input& item : list.items()) {
     item.only_keys();
