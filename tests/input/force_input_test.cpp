@@ -89,6 +89,11 @@ TEST(ForceInput, ReadsRecordsOfForces) {
 TEST(ForceInput, SaysWhatAForceIs) {
   const std::string said = describe(test::model_of(building("floor: 2, harmonic: {amplitude: 20 kN, frequency: 2 Hz, duration: 1}")));
   EXPECT_NE(said.find("     force on floor 2 ux: harmonic, 20 kN at 0.5 s for 1 s\n"), said.npos) << said;
+  std::string text = frame("", "    forces: [{node: b, dof: ry, step_force: {amplitude: 7 kN m}}]\n");
+  const std::string mass = "masses: {b: 10 t";
+  text.replace(text.find(mass), mass.size(), "masses: {b: {ux: 10 t, uz: 10 t, ry: 5 t m^2}");
+  const std::string turns = describe(test::model_of(text));
+  EXPECT_NE(turns.find("     force on node b ry: step to 7 kN m at 0 s\n"), turns.npos) << turns;
 }
 
 TEST(DisplacedFrameInput, SaysWhatCannotBeHeld) {

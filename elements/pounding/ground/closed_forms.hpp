@@ -128,9 +128,14 @@ inline void require_positive(double value, const char* what) {
     throw std::invalid_argument(fmt::format("ground motion: {} is {:g}; it must be finite and > 0", what, value));
 }
 
+/// Amplitude as reports show it: of a moment in kN m rather than kJ.
+inline std::string amplitude_text(double amplitude, const Dimension& values) {
+  return values == dimension::energy ? format_quantity(amplitude, dimension::force) + " m" : format_quantity(amplitude, values);
+}
+
 /// Amplitude, period and phase as reports show them.
 inline std::string described(double amplitude, double period, double phase, const Dimension& values) {
-  const std::string text = fmt::format("{} at {:g} s", format_quantity(amplitude, values), period);
+  const std::string text = fmt::format("{} at {:g} s", amplitude_text(amplitude, values), period);
   return phase == 0 ? text : fmt::format("{} and {:g} deg", text, phase * 180 / std::numbers::pi);
 }
 

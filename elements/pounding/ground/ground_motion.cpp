@@ -87,7 +87,7 @@ GroundMotion::GroundMotion(Pulse motion, const Dimension& values) : motion_(moti
   peak_ = std::abs(motion.amplitude);
   describe(motion, {motion.shape == Pulse::Shape::sine ? motion.duration / 2 : motion.duration});
   source_ = fmt::format("{} pulse, {} for {:g} s from {:g} s", name_of(motion.shape),
-                        format_quantity(motion.amplitude, values), motion.duration, motion.start);
+                        amplitude_text(motion.amplitude, values), motion.duration, motion.start);
 }
 
 GroundMotion::GroundMotion(Step motion, const Dimension& values) : motion_(motion) {
@@ -98,7 +98,7 @@ GroundMotion::GroundMotion(Step motion, const Dimension& values) : motion_(motio
   peak_ = std::abs(motion.amplitude);
   start_ = motion.start;
   duration_ = peak_velocity_ = peak_displacement_ = infinity;
-  source_ = fmt::format("step to {} at {:g} s", format_quantity(motion.amplitude, values), motion.start);
+  source_ = fmt::format("step to {} at {:g} s", amplitude_text(motion.amplitude, values), motion.start);
   if (motion.rise > 0) source_ += fmt::format(" within {:g} s", motion.rise);
 }
 
