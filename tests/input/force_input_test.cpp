@@ -124,7 +124,8 @@ TEST(DisplacedFrameInput, SaysWhereItOverlapsItsNeighbour) {
 
 TEST(FreeFrameInput, SaysWhatNeedsSupports) {
   EXPECT_NO_THROW(test::model_of(frame("", "", "none")));
-  refused(frame("", "", "fixed"), "12:17: structures.a.frame.supports: unknown support \"fixed\". Allowed: none.");
+  refused(frame("", "", "fixed"), "12:17: structures.a.frame.supports: takes supports by their nodes, such as {a: fixed}, feet for those of a grid, or none; "
+          "\"fixed\" was read");
   refused(frame("      gravity: true\n", "", "none"), "6:7: structures.a.frame: without supports nothing bears loads or weights; leave out loads and gravity");
   refused(frame("      geometry: corotational\n", "", "none"), "6:7: structures.a.frame: without supports the geometry is linear; leave the geometry out");
   refused(frame("      springs: [{node: b, dof: ux, stiffness: 1 MN/m}]\n", "", "none"),

@@ -128,7 +128,9 @@ class Reader {
     std::optional<Input> feet_place;
     const auto supports = body_.find("supports");
     if (supports && supports->is_scalar()) {
-      supports->as_choice();
+      if (supports->as_text() != "none")
+        supports->fail(fmt::format("takes supports by their nodes, such as {{a: fixed}}, feet for those of a grid, or none; \"{}\" was read",
+                                   supports->as_text()));
       model_.is_free = true;
       return;
     }
