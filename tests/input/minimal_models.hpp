@@ -66,6 +66,8 @@ inline const std::string beside_wall =
 
 /// A model around one section, whose keys stand at the @.
 inline std::string around(const Section& s) {
+  Keys with_floor = bent;
+  with_floor["floors"] = "[{nodes: [b, c]}]";
   const std::map<const Section*, std::string> models = {
       {&words::model, "@"},
       {&words::analysis, pair + "analysis: @"},
@@ -89,6 +91,11 @@ inline std::string around(const Section& s) {
       {&words::damping, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: @}"},
       {&words::rayleigh, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: {rayleigh: @}}"},
       {&words::modal, shaken + pair + "  a: {oscillator: {mass: 1 t, period: 1}, damping: {modal: @}}"},
+      {&words::force, shaken + "structures: {tower: {frame: " + map_of(with_floor) + ", forces: [@]}}"},
+      {&words::force_harmonic, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{harmonic: @}]}"},
+      {&words::force_sum_part, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{sum: [@], duration: 1}]}"},
+      {&words::force_pulse, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{pulse: @}]}"},
+      {&words::step_force, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{step_force: @}]}"},
       {&words::frame, shaken + "structures: {tower: {frame: @}}"},
       {&words::material, in_frame({{"material", "@"}})},
       {&words::cross_section, in_frame({{"sections", "{one: @}"}})},
@@ -107,6 +114,7 @@ inline std::string around(const Section& s) {
       {&words::floor, in_frame({{"floors", "[@]"}})},
       {&words::node_masses, in_space({{"masses", "{b: @, c: 10 t}"}})},
       {&words::node_loads, in_space({{"loads", "{b: @}"}})},
+      {&words::node_displacements, in_space({{"mass", "consistent"}, {"initial_node_displacements", "{b: @}"}})},
       {&words::spring, in_space({{"springs", "[@]"}})},
       {&words::tie, in_frame({{"ties", "[@]"}})},
       {&words::report, in_frame({{"report", "@"}})},
@@ -125,6 +133,9 @@ inline const std::map<const Section*, Keys> beside = {
     {&words::motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
     {&words::displacement, {{"harmonic", "{amplitude: 1 mm, period: 1, duration: 1}"}}},
     {&words::structure, {{"oscillator", "{mass: 100 t, period: 0.8}"}, {"damping", "5 %"}}},
+    {&words::force, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
+    {&words::force_harmonic, {{"period", "1"}}},
+    {&words::force_sum_part, {{"period", "1"}}},
     {&words::grid, {{"floor_mass", "20 t"}}},
     {&words::oscillator, {{"damping", "5 %"}}},
     {&words::shear_building, {{"damping", "5 %"}}},
@@ -167,6 +178,13 @@ inline const std::map<std::string, Keys> beside_word = {
     {"displacement.initial_velocity", {{"record", "moved.csv"}, {"harmonic", ""}}},
     {"displacement.sum", {{"duration", "1"}}},
     {"displacement.duration", {{"sum", "[{amplitude: 1 mm, period: 1}]"}, {"harmonic", ""}}},
+    {"forces.channel", {{"record", "channels_of_force.csv"}, {"pulse", ""}}},
+    {"forces.units", {{"record", "plain.csv"}, {"pulse", ""}}},
+    {"forces.step", {{"record", "values.txt"}, {"units", "kN"}, {"pulse", ""}}},
+    {"forces.scale", {{"record", "forces.csv"}, {"pulse", ""}}},
+    {"forces.start", {{"record", "forces.csv"}, {"pulse", ""}}},
+    {"forces.sum", {{"duration", "1"}}},
+    {"forces.duration", {{"sum", "[{amplitude: 1, period: 1}]"}, {"pulse", ""}}},
     {"synthetic.omega_g", {{"zeta_g", "0.6"}, {"omega_f", "1.5 rad/s"}, {"zeta_f", "0.6"}}},
     {"synthetic.zeta_g", {{"omega_g", "15 rad/s"}, {"omega_f", "1.5 rad/s"}, {"zeta_f", "0.6"}}},
     {"synthetic.omega_f", {{"omega_g", "15 rad/s"}, {"zeta_g", "0.6"}, {"zeta_f", "0.6"}}},
@@ -178,6 +196,7 @@ inline const std::map<std::string, Keys> beside_word = {
     {"structures.wall", {{"damping", ""}}},
     {"oscillator.hardening", {{"yield_force", "1 MN"}}},
     {"shear_building.hardening", {{"yield_force", "1 MN"}}},
+    {"frame.initial_displacement", {{"floors", "[{nodes: [b, c]}]"}}},
     {"frame.grid", {{"nodes", ""}, {"members", ""}, {"supports", ""}, {"masses", ""}}},
     {"frame.nodes", {{"members", "{c1: {between: [a, b], section: " + rectangle + "}}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},
     {"frame.members", {{"nodes", "{a: [0, 0], b: [0, 3 m]}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},

@@ -117,6 +117,25 @@ TEST(ModelByCode, OfBuildingsThatYieldBesideAWallIsThatOfTheInput) {
             std::move(model));
 }
 
+TEST(ModelByCode, TakesForcesAsTheInputDoes) {
+  Model model;
+  const auto left = model.add("left", make_shear_building({.storeys = 2, .mass = 100e3, .stiffness = 90e6}),
+                              {.damping = 0.05,
+                               .forces = {{.floor = 2, .history = GroundMotion(Harmonic{400e3, 0.5, 2, 0.1}, dimension::force)},
+                                          {.floor = 1, .history = GroundMotion(Step{50e3, 0, 0.2}, dimension::force)}}});
+  const auto right = model.add("right", make_body({.mass = 150e3, .gravity = -0.2}));
+  model.link(left.floor(2), right, {.gap = 0.01}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
+  model.analysis = {.duration = 1};
+  expect_as("structures:\n"
+            "  left: {shear_building: {storeys: 2, mass: 100 t, stiffness: 90 MN/m}, damping: 5 %,\n"
+            "         forces: [{floor: 2, harmonic: {amplitude: 400 kN, period: 0.5, duration: 2, start: 0.1}},\n"
+            "                  {floor: 1, step_force: {amplitude: 50 kN, rise: 0.2}}]}\n"
+            "  right: {body: {mass: 150 t, gravity: -0.2}}\n"
+            "links: [{between: [left.2, right], gap: 10 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
+            "analysis: {duration: 1}\n",
+            std::move(model));
+}
+
 const Material concrete = isotropic(30e9);
 
 GridFrame plane(int storeys, double depth, double origin) {

@@ -153,7 +153,7 @@ TEST(FrameModel, SaysWhatItLacks) {
   model.frame.add_node({0, 0, 3}, "b");
   model.frame.add_member(0, 1, rectangle_section(0.4, 0.4), isotropic(30e9));
   model.frame.add_mass(1, 1e3);
-  EXPECT_EQ(refusal([&] { make_structure(model); }), "nothing holds the frame to the ground; type supports: {a: fixed}");
+  EXPECT_EQ(refusal([&] { make_structure(model); }), "nothing holds the frame to the ground; type supports: {a: fixed}, or supports: none for a frame free in space");
   model.frame.fix(0);
   EXPECT_EQ(refusal([&] { make_structure(model); }), "taken");
   model.gravity = false;

@@ -29,6 +29,15 @@ AMPLIFIED, AMPLIFIED_ROUNDING = ("nodes/acceleration", "/t_peak"), 1e-7
 MEANT = 1e-5
 
 SHORT = OSCILLATORS.replace("duration: 3.0}", "duration: 1.2}").replace("{duration: 1.2}", "{duration: 1.2, output_step: 10 ms}")
+#: A force instead of the ground, and a short one that only the left oscillator feels.
+PUSHED = """\
+structures:
+  left: {oscillator: {mass: 100 t, period: 0.8 s, damping: 5 %}, forces: [{harmonic: {amplitude: 300 kN, period: 0.6 s, duration: 3 s}},
+         {pulse: {shape: half_sine, amplitude: 20 MN, duration: 2 ms, start: 0.1 s}}]}
+  right: {oscillator: {mass: 150 t, period: 0.4 s, damping: 5 %}}
+links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]
+analysis: {duration: 1.2, output_step: 10 ms}
+"""
 ENDLESS = OSCILLATORS.replace("duration: 3.0}", "duration: 100000}").replace("{duration: 100000}",
                                                                               "{duration: 100000, output_step: 10 s}")
 
@@ -149,6 +158,9 @@ class Answers(Processes):
     def test_of_a_small_model_are_those_of_one(self):
         self.agree(SHORT, [2], *SPARSE, base={2: "2 unknowns on 2 processes, each with whole structures"})
 
+    def test_under_forces_are_those_of_one(self):
+        self.agree(PUSHED, [2], *SPARSE, base={2: "2 unknowns on 2 processes, each with whole structures"})
+
     def test_of_frames_too_big_for_modes_are_those_of_one(self):
         self.agree(frames(), [2], base={2: "on 2 processes, each with whole structures"})
 
@@ -160,6 +172,7 @@ class AnswersOfMore(Answers):
     """More processes than structures share one factor. Slow where there are fewer cores than processes."""
 
     test_of_a_small_model_are_those_of_one = None
+    test_under_forces_are_those_of_one = None
     test_of_frames_too_big_for_modes_are_those_of_one = None
     test_of_frames_that_turn_are_those_of_one = None
 

@@ -94,6 +94,16 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
       emit(out, "damping_by_stiffness", s.by_stiffness);
     }
   }
+  if (!s.applied_forces.empty()) {
+    out << YAML::Key << "forces" << YAML::Value << YAML::BeginSeq;
+    for (const AppliedForce& force : s.applied_forces) {
+      out << YAML::BeginMap << YAML::Key << "place" << YAML::Value << force.place;
+      out << YAML::Key << "source" << YAML::Value << force.history.source();
+      emit(out, "peak", force.history.peak());
+      out << YAML::EndMap;
+    }
+    out << YAML::EndSeq;
+  }
   if (s.supports.front().delay > 0) emit(out, "delay", s.supports.front().delay);
   out << YAML::EndMap;
 }

@@ -109,12 +109,15 @@ System assemble(const Model& model, bool with_links) {
       for (int j = 0; j < 3; ++j)
         if (const int ground = plan.supports[i].at(k, j); ground >= 0)
           system.load.col(ground).segment(first[i], s.size()) += s.supports[k].load.col(j);
-    Group group{first[i], s.size(), 1e-12, 1e-9, s.by_mass, s.by_stiffness};
-    // A free body has no period; the ground moves it for as long as it moves, which a second stands for.
-    const double w = std::max(s.frequencies[0], 2 * M_PI);
+    Group group{.first = first[i], .count = s.size(), .displacement_floor = 1e-12, .velocity_floor = 1e-9,
+                .by_mass = s.by_mass, .by_stiffness = s.by_stiffness};
+    // What nothing holds has no period; the ground moves it for as long as it moves, which a second stands for.
+    const double w = s.rigid_motions > 0 ? 2 * M_PI : std::max(s.frequencies[0], 2 * M_PI);
+    group.rigid_motions = s.rigid_motions;
     // Errors are compared with the motion so far; before there is any, with a part of what the ground can cause.
-    if (const double least = plan.least_displacement(w); least > 0) group.displacement_floor = least;
-    if (const double least = plan.least_velocity(w); least > 0) group.velocity_floor = least;
+    const int number = static_cast<int>(i);
+    if (const double least = plan.least_displacement(number, w); least > 0) group.displacement_floor = least;
+    if (const double least = plan.least_velocity(number, w); least > 0) group.velocity_floor = least;
     group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
     // A structure at rest under a preload moves at this speed when it is let go.
     if (with_links && s.preload_displacement.size() > 0)
@@ -122,6 +125,17 @@ System assemble(const Model& model, bool with_links) {
     group.elastic = s.elastic.get();
     system.groups.push_back(group);
   }
+  // What a force drives may hit what stands still.
+  double driven = 0;
+  for (const GroundPlan::Force& force : plan.forces)
+    for (const Group& group : system.groups)
+      if (group.first == first[force.structure]) driven = std::max(driven, group.velocity_floor);
+  for (Group& group : system.groups) group.velocity_floor = std::max(group.velocity_floor, 0.1 * driven);
+  // The force is -P ag, and here ag is the force itself.
+  auto of_plan = plan.forces.begin();
+  for (std::size_t i = 0; i < model.structures.size(); ++i)
+    for (const AppliedForce& force : model.structures[i].applied_forces)
+      system.load.col((of_plan++)->motion).segment(first[i], model.structures[i].size()) -= force.direction;
   system.mass = sparse(mass, n, n);
   system.damping = sparse(damping, n, n);
   system.stiffness = sparse(stiffness, n, n);

@@ -207,8 +207,9 @@ void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
       displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
   if (!(overlap > touching)) return;
   const std::string by = format_quantity(overlap, dimension::length);
-  const std::string apart = are_drawn(a, b) ? fmt::format("they lean towards each other under their loads: move {} away by {} or more with its origin",
-                                                          b.name, by)
+  const bool displaced = a.initial_displacement.any() || b.initial_displacement.any();
+  const std::string apart = are_drawn(a, b) ? fmt::format("they {} towards each other{}: move {} away by {} or more with its origin",
+                                                          displaced ? "are displaced" : "lean", displaced ? "" : " under their loads", b.name, by)
                                             : fmt::format("a gap of {} or more keeps them apart", format_quantity(overlap + link.gap, dimension::length));
   refuse(ModelOption::gap, fmt::format("{} and {} overlap by {} at the start; {}", a.name, b.name, by, apart));
 }

@@ -15,6 +15,7 @@
 #include <pounding/laws/by_name.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/model/contact_stiffness.hpp>
+#include <pounding/model/forces.hpp>
 #include <pounding/model/model_error.hpp>
 #include <pounding/model/scheme.hpp>
 #include <pounding/model/system.hpp>
@@ -99,13 +100,24 @@ class StructureHandle {
   int number_;
 };
 
+/// A displacement of a node of a frame at the start.
+struct NodeDisplacement {
+  std::string node;
+  std::string dof = "ux";  ///< ux ... rz
+  double value = 0;        ///< [m], [rad]
+};
+
 /// Options of a structure of any kind.
 struct StructureOptions {
   /// Needed by every structure but bodies and walls, unless it was made with its damping; 0 for none.
   std::optional<Damping> damping{};
   /// Along x [m/s]: of the floors, one for all or one each from the ground up; of a frame as a whole.
   OneOrEach initial_velocity{};
-  OneOrEach initial_displacement{};  ///< of the floors; a frame starts from its place at rest [m]
+  /// Along x [m]: of the floors, one for all or one each from the ground up. All else of a frame follows as if forces held the floors
+  /// there.
+  OneOrEach initial_displacement{};
+  std::vector<NodeDisplacement> initial_node_displacements{};  ///< of a frame, instead; all else follows likewise
+  std::vector<ForceOptions> forces{};  ///< that act over time
   double delay = 0;                  ///< the ground moves later here [s]
   std::optional<GroundComponents> ground_motion{};  ///< of its own instead of the model's
 };

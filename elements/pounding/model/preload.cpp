@@ -25,7 +25,7 @@ using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 [[noreturn]] void refuse(const std::string& text) { throw ModelError(ModelOption::preload, text); }
 
 void require_linear_start(const Structure& s) {
-  if (s.is_free) refuse(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
+  if (s.is_free || s.rigid_motions > 0) refuse(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
   if (s.elastic)
     refuse(fmt::format("{} has large rotations, and a preload needs a stiffness that stays as it is; leave one of the two out", s.name));
   if (s.initial_displacement.cwiseAbs().maxCoeff() > 0)

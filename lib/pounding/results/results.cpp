@@ -228,7 +228,7 @@ void write_energy(hid_t file, const EnergyHistory& energy) {
     array(place, label, values, {values.size()});
   };
   column({"time", "s", "time"}, energy.time);
-  column({"input", "J", "relative input energy: work of -M r ag on the motion relative to the ground, and the energy at the start"}, energy.input);
+  column({"input", "J", "relative input energy: work of -M r ag and of forces on the motion relative to the ground, and the energy at the start"}, energy.input);
   column({"kinetic", "J", "kinetic energy of the motion relative to the ground"}, energy.kinetic);
   column({"strain", "J", "elastic energy"}, energy.strain);
   column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);

@@ -10,7 +10,7 @@ namespace pounding {
 
 /// Energies at the present state [J]. input = kinetic + strain + damping + hysteretic + impact, up to the error of the steps.
 struct Energies {
-  double input = 0;       ///< work of the ground motion, with that of link forces on moving ground, plus the energy at the start
+  double input = 0;       ///< work of the ground motion and of forces over time, with that of link forces on moving ground, plus the energy at the start
   double kinetic = 0;     ///< of the motion relative to the ground
   double strain = 0;      ///< stored in the structures
   double damping = 0;     ///< dissipated by the damping of the structures
