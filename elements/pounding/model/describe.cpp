@@ -32,6 +32,7 @@ std::string describe(const Model& model) {
                         motion.peak() / standard_gravity);
   }
   for (const Structure& s : model.structures) text += describe(s) + '\n';
+  text += describe_joined(model);
   for (const Link& link : model.links) {
     text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
                         link.formula, 1e3 * link.gap);
@@ -45,6 +46,7 @@ std::string describe(const Model& model) {
         if (value.name == "stiffness")
           text += fmt::format("     stiffness {:.4g} {} ({})\n", value.value, value.unit, link.stiffness_from);
   }
+  for (const Device& device : model.devices) text += describe(model, device);
   return text;
 }
 

@@ -26,7 +26,8 @@ constexpr const Section* all[] = {
     &structure,   &body,            &oscillator,       &shear_building, &wall,     &damping,  &rayleigh, &modal,
     &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
     &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,
-    &spring,      &tie,             &report,           &link,         &link_end,   &stiffness, &analysis, &checkpoint};
+    &spring,      &tie,             &report,           &link,         &link_end,   &stiffness, &device, &bar, &damper,
+    &analysis,    &checkpoint};
 
 }  // namespace
 
