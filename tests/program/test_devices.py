@@ -128,8 +128,9 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
         alone, path = self.results(one, name="one.h5")
         with h5py.File(path) as file:
             expected = file["structures/one/displacement"][:, 0, 0]
-        for stiffness, part in ((1e10, 2e-3), (1e12, 2e-5), (1e14, 5e-6)):
+        for stiffness in (1e10, 1e12, 1e14):
             with self.subTest(stiffness=stiffness):
+                part = 3e7 / stiffness + 2e-6  # the bar gives way by force over stiffness; the run has its tolerance
                 summary, path = self.results(oscillators(f"bar: {{stiffness: {stiffness}}}", damping=0))
                 _, u, _, _, _ = self.motions(path)
                 self.near(u[:, 0], expected, part)
@@ -166,8 +167,10 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
                 errors = []
                 for step in (0.02, 0.01, 0.005):
                     device = f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}"
-                    _, path = self.results(oscillators(device, analysis=scheme), "-pounding_ts_adapt_type", "none", "-pounding_ts_dt", step)
-                    t, u, _, _, _ = self.motions(path)
+                    self.write(oscillators(device, analysis=scheme))
+                    done = self.pounding("run", "model.yaml", "-q", "-o", "out.h5", "-pounding_ts_adapt_type", "none", "-pounding_ts_dt", step)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    t, u, _, _, _ = self.motions(self.folder / "out.h5")
                     errors.append(np.abs(u - linear(t, BAR, DAMPER)[:, :2])[::2].max())
                 self.assertGreater(math.log2(errors[0] / errors[2]) / 2, order - 0.35)
 
@@ -181,7 +184,7 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
             alone = np.hstack([file["no_pounding/structures"][name]["displacement"][:, :, 0] for name in ("left", "right")])
             self.near(alone, exact[:, :2], 2e-4)
             self.assertIn("tie", file["no_pounding/devices"])
-        strong, _ = self.results(oscillators("damper: {coefficient: 2 MN s/m}", more=link, tolerance=1e-5), name="strong.h5")
+        strong, _ = self.results(oscillators("damper: {coefficient: 20 MN s/m}", more=link, tolerance=1e-5), name="strong.h5")
         self.assertEqual(strong["links"][0]["impacts"], 0)
 
     def test_join_a_structure_and_a_wall(self):
@@ -200,9 +203,39 @@ analysis: {{duration: 3, tolerance: 1e-7, output_step: 10 ms}}
         with h5py.File(path) as coupled, h5py.File(other) as single:
             u = coupled["structures/left/displacement"][:, 0, 0]
             self.near(u, single["structures/left/displacement"][:, 0, 0], 2e-6)
-            self.near(coupled["devices/tie/force"][:], -BAR * u, 1e-12)
+            self.near(coupled["devices/tie/force"][:], -BAR * u, 1e-6)  # each is interpolated in the steps by itself
             self.assertNotIn("devices", single)
             self.assertNotIn("devices", single["energy"])
+
+    def test_are_undeformed_by_a_preload(self):
+        model = """\
+ground_motion: {pulse: {shape: sine, amplitude: 1.0, duration: 1, start: 0.5}}
+structures:
+  left:  {oscillator: {mass: 100 t, stiffness: 20 MN/m}, damping: 5 %}
+  right: {oscillator: {mass: 150 t, stiffness: 50 MN/m}, damping: 5 %}
+links: [{between: [left, right], gap: -2 mm, preload: true, law: linear_spring, stiffness: 93.5 MN/m}]
+devices: {tie: {between: [left, right], bar: {stiffness: 50 MN/m}}}
+analysis: {duration: 2, tolerance: 1e-6, output_step: 10 ms}
+"""
+        summary, path = self.results(model)
+        self.assertLess(summary["energy"]["error"], 1e-5)
+        with h5py.File(path) as file:
+            still = file["time"][:] < 0.5
+            force, u = file["devices/tie/force"][:], file["structures/left/displacement"][:, 0, 0]
+            self.assertLess(np.abs(force[still]).max(), 1e-6 * np.abs(force).max())
+            self.assertLess(u[0], -1e-4)
+            np.testing.assert_allclose(u[still], u[0], rtol=1e-6)
+
+    def test_follow_structures_that_the_ground_moves_at_other_times(self):
+        delayed = oscillators(f"bar: {{stiffness: {BAR}}}, damper: {{coefficient: {DAMPER}}}").replace("initial_velocity: 0}", "delay: 0.1 s}", 2)
+        summary, path = self.results(delayed.replace("delay: 0.1 s}", "delay: 0 s}", 1))
+        self.assertLess(summary["energy"]["error"], 1e-5)
+        with h5py.File(path) as file:
+            t = file["time"][:]
+            ground = lambda time: np.where(time > 0, AMPLITUDE * PERIOD / (2 * math.pi) * (
+                time - PERIOD / (2 * math.pi) * np.sin(2 * math.pi / PERIOD * time)), 0)
+            left, right = (file["structures"][name]["displacement"][:, 0, 0] for name in ("left", "right"))
+            self.near(file["devices/tie/elongation"][:], right + ground(t - 0.1) - left - ground(t), 1e-5)
 
     def frames(self, device="between: [{structure: low, node: 1.1.1}, {structure: high, node: 2.0.0}], bar: {stiffness: 20 MN/m}", other=""):
         frame = ("material: {E: 30 GPa}, grid: {storeys: 2, bays: [1, 1], storey_height: 3 m, bay_width: 5 m, rigid_floors: false, "

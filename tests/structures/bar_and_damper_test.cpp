@@ -53,6 +53,7 @@ TEST(BarAndDamper, TakesTheEnergyOfItsForceAndNothingInTheBar) {
     both.accept({.begin = t0,
                  .end = t1,
                  .motion_begin = at(t0),
+                 .motion_middle = {},
                  .motion_end = at(t1),
                  .acceleration_begin = -w * w * at(t0).penetration,
                  .acceleration_end = -w * w * at(t1).penetration});
@@ -65,7 +66,7 @@ TEST(BarAndDamper, TakesTheEnergyOfItsForceAndNothingInTheBar) {
 TEST(BarAndDamper, IsKeptByAnArchive) {
   BarAndDamper kept(Bar{k}, Damper{.coefficient = c, .exponent = 0.5});
   kept.start({0.01, 0});
-  kept.accept({.begin = 0, .end = 0.1, .motion_begin = {0.01, 0.1}, .motion_end = {0.02, 0.1}});
+  kept.accept({.begin = 0, .end = 0.1, .motion_begin = {0.01, 0.1}, .motion_middle = {}, .motion_end = {0.02, 0.1}});
   Archive written;
   kept.archive(written);
   BarAndDamper other(Bar{k}, Damper{.coefficient = c, .exponent = 0.5});
