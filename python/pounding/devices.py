@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import h5py
 import numpy as np
@@ -34,8 +35,8 @@ def read_devices(file: h5py.Group) -> dict[str, Device]:
 
 
 def _device(name: str, group: h5py.Group) -> Device:
-    ends = {key: str(group.attrs[key]) for key in ("left", "left_end", "right", "right_end")}
-    numbers = {key: float(group.attrs[key]) for key in ("stiffness", "coefficient", "exponent")}
+    ends: dict[str, Any] = {key: str(group.attrs[key]) for key in ("left", "left_end", "right", "right_end")}
+    numbers: dict[str, Any] = {key: float(group.attrs[key]) for key in ("stiffness", "coefficient", "exponent")}
     return Device(name=name, **ends, **numbers, direction=np.asarray(group.attrs["direction"], dtype=float),
                   elongation=group["elongation"][:], force=group["force"][:],
                   largest={key: data[:] for key, data in group["envelope"].items()})

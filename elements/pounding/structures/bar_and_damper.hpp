@@ -31,7 +31,7 @@ struct Damper {
   double exponent = 1;              ///< a in [0.2, 2]
   double rounding_velocity = 1e-3;  ///< v0 > 0 [m/s]; without a part where a = 1
 
-  bool is_linear() const noexcept { return exponent == 1; }
+  bool is_linear() const noexcept { return exponent == 1; }  ///< and not rounded
   double force(double rate) const noexcept;  ///< [N]
   double slope(double rate) const noexcept;  ///< of the force, positive [N s/m]
   /// Throws std::invalid_argument for a number that is out of range.
