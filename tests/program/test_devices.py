@@ -239,7 +239,7 @@ analysis: {duration: 2, tolerance: 1e-6, output_step: 10 ms}
 
     def frames(self, device="between: [{structure: low, node: 1.1.1}, {structure: high, node: 2.0.0}], bar: {stiffness: 20 MN/m}", other=""):
         frame = ("material: {E: 30 GPa}, grid: {storeys: 2, bays: [1, 1], storey_height: 3 m, bay_width: 5 m, rigid_floors: false, "
-                 "floor_mass: 60 t, columns: {rectangle: [0.5 m, 0.5 m]}, beams: {rectangle: [0.3 m, 0.5 m]}}")
+                 "floor_mass: 60 t, columns: {rectangle: [0.5 m, 0.5 m]}, beams: {rectangle: [0.3 m, 0.5 m]}}, gravity: true")
         return f"""\
 ground_motion: {{components: {{x: {{harmonic: {{amplitude: 2.0, period: 0.3, duration: 1}}}}, y: {{harmonic: {{amplitude: 1.0, period: 0.4, duration: 1}}}}}}}}
 structures:
@@ -260,9 +260,32 @@ analysis: {{duration: 1, tolerance: 1e-6, output_step: 10 ms}}
             np.testing.assert_allclose(device.attrs["direction"], line / np.linalg.norm(line), rtol=1e-12)
             np.testing.assert_allclose(device["force"][:], 2e7 * device["elongation"][:], rtol=1e-9, atol=1e-6)
             self.assertGreater(np.abs(device["force"][:]).max(), 1e4)
+            self.assertEqual(device["force"][0], 0, "gravity leaves it undeformed")
         by_section = self.frames().replace("{stiffness: 20 MN/m}", f"{{E: 200 GPa, area: {2e7 * math.sqrt(26) / 2e11:.15g}}}")
         other, _ = self.results(by_section, name="section.h5")
         self.assertAlmostEqual(other["devices"][0]["force"]["max"] / summary["devices"][0]["force"]["max"], 1, delta=1e-9)
+
+    def test_balance_mass_and_reactions_of_a_frame(self):
+        model = """\
+ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 10}}
+structures:
+  left:
+    frame:
+      material: {E: 30 GPa}
+      grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 5 m, rigid_floors: true, floor_mass: 60 t,
+             columns: {rectangle: [0.3 m, 0.3 m]}, beams: {rectangle: [0.3 m, 0.5 m]}}
+    damping: 0
+  right: {wall: {}}
+devices: {tie: {between: [left.1, right], bar: {stiffness: 10 MN/m}, damper: {coefficient: 300 kN (s/m)^0.5, exponent: 0.5}}}
+analysis: {duration: 2, tolerance: 1e-8, output_step: 10 ms}
+"""
+        _, path = self.results(model)
+        with h5py.File(path) as file:
+            acceleration = file["structures/left/acceleration"][:, 0, 0]
+            reactions = file["structures/left/reactions/force"][:, :, 0].sum(axis=1)
+            force = file["devices/tie/force"][:]
+            self.assertGreater(np.abs(force).max(), 0.3 * np.abs(reactions).max())
+            self.near(6e4 * acceleration, reactions + force, 1e-4)
 
     @unittest.skipIf(LAUNCHER is None, "needs mpiexec")
     def test_two_processes_have_the_answer_of_one(self):
