@@ -30,7 +30,7 @@ void add_modes(CLI::App& app) {
     const petsc::Environment environment;
     const Model model = read_model(Input::read_file(words->model), petsc::lowest_modes);
     const std::string text = words->json ? modes_json(model, words->count, petsc::lowest_modes) + "\n"
-                                         : modes_table(model, words->count, petsc::lowest_modes);
+                                         : modes_table(model, words->count, petsc::lowest_modes) + describe_joined(model);
     std::fputs(text.c_str(), stdout);
     if (!words->plot && words->picture.empty()) return;
     const std::string picture = words->picture.empty()

@@ -228,6 +228,7 @@ void add_run(CLI::App& app) {
       std::puts(nlohmann::ordered_json{{"status", "ok"},
                                        {"structures", model.structures.size()},
                                        {"links", model.links.size()},
+                                       {"devices", model.devices.size()},
                                        {"warnings", warnings}}
                     .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
                     .c_str());

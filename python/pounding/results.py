@@ -13,6 +13,7 @@ import h5py
 import numpy as np
 
 from pounding import told
+from pounding.devices import Device, read_devices
 from pounding.envelopes import StructureEnvelope, read_envelopes
 from pounding.errors import InputError
 
@@ -164,7 +165,8 @@ class RunData(told.Told, lines=told.run):
     #: [s], v_approach, v_separation [m/s], restitution, peak_force [N] (NaN for a rigid impact), t_peak [s], peak_penetration
     #: [m], impulse [N s], energy_lost, energy_stored [J]. t_end and t_release are NaN while a contact presses.
     impacts: np.ndarray
-    energy: dict[str, np.ndarray]  #: time [s]; input, kinetic, strain, damping, hysteretic, impact, error [J]
+    #: time [s]; input, kinetic, strain, damping, hysteretic, impact, error [J]; with devices also devices [J].
+    energy: dict[str, np.ndarray]
     summary: dict[str, Any]  #: the object of `pounding run --json`
     solver: dict[str, float]  #: steps, rejected, events, iterations, wall seconds
     model_yaml: str  #: the input as given
@@ -172,6 +174,7 @@ class RunData(told.Told, lines=told.run):
     source: Path | bytes = b""  #: the file that was read, or its bytes
     #: Extremes of every structure over all steps; empty in files of version 0.1.
     envelopes: dict[str, StructureEnvelope] = field(default_factory=dict)
+    devices: dict[str, Device] = field(default_factory=dict)  #: bars and dampers in the order of the input
     #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without it.
     no_pounding: RunData | None = None
 
@@ -227,6 +230,7 @@ def _contents(file: h5py.File, name: str) -> dict[str, Any]:
             "model_yaml": _text(file, "input/model.yaml"),
             "resolved_yaml": _text(file, "input/resolved.yaml"),
             "envelopes": read_envelopes(file),
+            "devices": read_devices(file),
         }
     except KeyError as error:
         raise NotResults(f"{name} is not a results file of pounding: {error.args[0]}") from error

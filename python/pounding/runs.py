@@ -62,7 +62,7 @@ class Run(RunData):
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
         """A table for each group of the file, with its own time [s] as index: "impacts", "energy", "ground", "links/NAME",
-        "structures/NAME" with columns (quantity, floor, direction); where the input asked for them "structures/NAME/nodes" with
+        "devices/NAME", "structures/NAME" with columns (quantity, floor, direction); where the input asked for them "structures/NAME/nodes" with
         (quantity, node, direction) and "structures/NAME/members" with (member, component). In SI. Raises ImportError without
         pandas."""
         return _needing("pandas", "pounding.tables").to_pandas(self)

@@ -120,6 +120,9 @@ inline std::string around(const Section& s) {
       {&words::report, in_frame({{"report", "@"}})},
       {&words::link, two_in_space + "links: [@]"},
       {&words::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
+      {&words::device, shaken + pair + "devices: {tie: @}"},
+      {&words::bar, two_in_space + "devices: {tie: {between: [left.1, right.1], bar: @}}"},
+      {&words::damper, shaken + pair + "devices: {tie: {between: [left, right], damper: @}}"},
       {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
   return models.at(&s);
 }
@@ -149,7 +152,12 @@ inline const std::map<const Section*, Keys> beside = {
 /// Keys beside one word; an empty value takes the key out.
 inline const std::map<std::string, Keys> beside_word = {
     {"model.links", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
+    {"model.devices", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
     {"members.truss", {{"section", ""}}},
+    {"bar.E", {{"area", "20 cm^2"}}},
+    {"bar.area", {{"E", "210 GPa"}, {"stiffness", ""}}},
+    {"damper.exponent", {{"coefficient", "2e5"}}},
+    {"damper.rounding_velocity", {{"coefficient", "2e5"}, {"exponent", "0.35"}}},
     {"stiffness.area", {{"length", "9 m"}}},
     {"stiffness.length", {{"area", "3 m^2"}}},
     {"stiffness.velocity", {{"penetration", "5 mm"}}},

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/input/bare_numbers.hpp>
+#include <pounding/input/device_input.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/structure_input.hpp>
@@ -95,6 +96,8 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
       links->fail("takes a list, one link a line; type - {between: [left, right], gap: 20 mm, law: hertz_damped, ...}");
     for (const Input& link : links->items()) read_link(link, model);
   }
+  if (const auto devices = root.find("devices"))
+    for (const auto& [name, device] : devices->entries()) read_device(name, device, model);
   if (const auto analysis = root.find("analysis")) model.analysis = read_analysis(*analysis);
   if (const auto checkpoint = root.find("checkpoint")) model.checkpoint = read_checkpoints(*checkpoint);
   if (const auto compare = root.find("compare")) {

@@ -36,6 +36,7 @@ std::string describe(const Model& model) {
     text += describe(s) + '\n';
     for (const AppliedForce& force : s.applied_forces) text += fmt::format("     force on {}: {}\n", force.place, force.history.source());
   }
+  text += describe_joined(model);
   for (const Link& link : model.links) {
     text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
                         link.formula, 1e3 * link.gap);
@@ -49,6 +50,7 @@ std::string describe(const Model& model) {
         if (value.name == "stiffness")
           text += fmt::format("     stiffness {:.4g} {} ({})\n", value.value, value.unit, link.stiffness_from);
   }
+  for (const Device& device : model.devices) text += describe(model, device);
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <pounding/ground/components.hpp>
@@ -19,6 +20,7 @@
 #include <pounding/model/model_error.hpp>
 #include <pounding/model/scheme.hpp>
 #include <pounding/model/system.hpp>
+#include <pounding/structures/bar_and_damper.hpp>
 #include <pounding/structures/one_or_each.hpp>
 #include <pounding/structures/structure.hpp>
 #include <pounding/structures/structure_damping.hpp>
@@ -50,6 +52,17 @@ struct Link {
   double friction = 0;            ///< Coulomb's coefficient
   double sliding_velocity = 0;    ///< of its regularisation, see Friction [m/s]
   std::unique_ptr<Contact> contact;
+};
+
+/// A bar, a damper or both beside each other between two structures: it always acts, both ways. Gravity and preloads leave it undeformed.
+struct Device {
+  std::string name;
+  LinkEnd left, right;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< along which it acts, from left to right
+  std::optional<double> length;                          ///< that is drawn [m]
+  std::optional<Bar> bar;
+  std::optional<Damper> damper;
+  std::unique_ptr<BarAndDamper> member;
 };
 
 /// Below the first the rounding of the arithmetic is larger than the error; above the second an impact is not resolved.
@@ -150,6 +163,18 @@ struct LinkOptions {
   std::optional<StiffnessEstimate> stiffness{};
 };
 
+/// A bar by its section: the stiffness is E A over the length that is drawn.
+struct BarSection {
+  double young = 0;  ///< E [Pa]
+  double area = 0;   ///< A [m^2]
+};
+
+/// What a device is made of; at least one of the two.
+struct DeviceOptions {
+  std::optional<std::variant<Bar, BarSection>> bar{};
+  std::optional<Damper> damper{};
+};
+
 /// Something in a model that can be and was probably not meant.
 struct Doubt {
   std::string name;  ///< that Model::accept silences it by
@@ -160,7 +185,7 @@ struct Doubt {
 inline constexpr std::string_view built_by_code =
     "# This model was built by a program and not read from a file; resolved.yaml tells what it was.\n";
 
-/// All that is simulated. Structures are added first, links between them afterwards; ground, analysis and the rest may be set at
+/// All that is simulated. Structures are added first, links and devices between them afterwards; ground, analysis and the rest may be set at
 /// any time until the model is completed.
 class Model {
  public:
@@ -178,9 +203,10 @@ class Model {
   std::string source_text{built_by_code};  ///< the input as given
   std::string source_file;                 ///< the file as the user named it; relative paths in the input start from its folder
 
-  /// In the order they were added; made by add() and link(), to be read only.
+  /// In the order they were added; made by add(), link() and connect(), to be read only.
   std::vector<Structure> structures;
   std::vector<Link> links;
+  std::vector<Device> devices;
 
   /// Adds a structure under a name. Throws ModelError for a name that files cannot hold or that is taken, and for options that
   /// are missing, given twice, out of range or without a meaning for this structure.
@@ -190,6 +216,11 @@ class Model {
   /// follow from where frames stand. Throws ModelError for ends, floors, gaps and laws that cannot be, and for what contradicts
   /// the drawing.
   void link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options, const ContactLaw& law);
+
+  /// Connects two structures under a name by a device, the left one first. Two nodes of drawn frames are connected along the line between
+  /// them; all other ends along the horizontal axis in which links act. Throws ModelError for ends that cannot be or have no mass
+  /// along the device, and for numbers out of range.
+  void connect(const std::string& name, const ContactLocation& left, const ContactLocation& right, const DeviceOptions& options);
 
   /// Fills in what was left out (duration, output step), lets the ground act on the structures and checks the whole. A run does
   /// this by itself; whoever assembles a model calls it before. Afterwards nothing can be added; a second call does nothing.
@@ -217,7 +248,7 @@ class Model {
 void require_structure_name(const std::string& name);
 
 /// The equations of motion of a complete model. The contacts and springs stay the model's; the springs start undeformed, whatever an earlier
-/// run has left in them. `with_links` false leaves the links out.
+/// run has left in them. `with_links` false leaves the links out, and no device.
 System assemble(const Model& model, bool with_links = true);
 
 /// First unknown of each structure in the assembled system.
@@ -226,8 +257,21 @@ std::vector<int> offsets(const Model& model);
 /// Initial displacements and velocities of the assembled system. Without its links nothing is displaced by a preload.
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links = true);
 
+/// Structures that bars join, as one: which ones, and the lowest frequencies that they have together, increasing [rad/s].
+struct JoinedByBars {
+  std::vector<int> structures;
+  Eigen::VectorXd frequencies;  ///< empty where no bar joins
+};
+JoinedByBars joined_by_bars(const Model& model);
+
+/// One line on the periods of structures that bars join; empty where there are none. Those of structures by themselves have no bars.
+std::string describe_joined(const Model& model);
+
+/// One line on a device: what it is, between which ends.
+std::string describe(const Model& model, const Device& device);
+
 /// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links with their laws,
-/// gaps and masses.
+/// gaps and masses, devices.
 std::string describe(const Model& model);
 
 }  // namespace pounding

@@ -37,7 +37,12 @@ enum class ModelOption {
   friction,
   sliding_velocity,
   reduced_mass,
-  law
+  law,
+  // of a device
+  device,
+  device_name,
+  bar,
+  damper
 };
 
 /// A model that cannot be. The text says what is wrong and what to give; a reader of inputs finds by the option where in its

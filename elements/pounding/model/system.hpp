@@ -36,7 +36,8 @@ struct Group {
 /// its own the Rayleigh damping acts on the motion in which such unknowns follow as K says.
 ///
 /// Link i closes by column i of B times u: +1 at the left body, -1 at the right one. A positive link force pushes
-/// the bodies apart. The columns of the springs that yield follow those of the contacts, those of friction follow these.
+/// the bodies apart. The columns of the springs follow those of the contacts, -1 at the left end and +1 at the right one, so that
+/// B^T u is their elongation and a positive force pulls: first storeys that yield, then devices. Those of friction follow these.
 /// Contacts, springs and elastic forces are owned by the model and outlive the system.
 struct System {
   SparseMatrix mass;       ///< M, symmetric [kg]

@@ -34,6 +34,18 @@ struct LinkHistory {
   std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
 };
 
+/// History of a bar or damper between two structures at the output times.
+struct DeviceHistory {
+  std::string name;
+  NamedEnd left, right;
+  std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
+  double stiffness = 0;    ///< of the bar [N/m]; 0 for none
+  double coefficient = 0;  ///< of the damper [N (s/m)^exponent]; 0 for none
+  double exponent = 1;
+  std::vector<double> elongation, force;  ///< [m], [N]; positive in tension
+  Extremes extremes{2};                   ///< of the two over all steps
+};
+
 /// Histories of one structure at the output times, row-major [time, place, direction].
 struct StructureHistory {
   std::string name, kind;
@@ -58,9 +70,9 @@ struct StructureHistory {
   int storey_directions() const { return dimension == 3 ? 2 : 1; }
 };
 
-/// Energy balance at the output times [s], [J]: input = kinetic + strain + damping + hysteretic + impact + error.
+/// Energy balance at the output times [s], [J]: input = kinetic + strain + damping + hysteretic + impact + devices + error.
 struct EnergyHistory {
-  std::vector<double> time, input, kinetic, strain, damping, hysteretic, impact, error;
+  std::vector<double> time, input, kinetic, strain, damping, hysteretic, impact, devices, error;
 };
 
 /// Effort of a run.
@@ -83,6 +95,7 @@ struct Results {
   std::vector<double> time;        ///< output times [s]
   std::vector<StructureHistory> structures;
   std::vector<LinkHistory> links;
+  std::vector<DeviceHistory> devices;
   std::vector<ImpactRow> impacts;
   EnergyHistory energy;
   std::vector<double> ground_acceleration;  ///< at the output times [m/s^2]

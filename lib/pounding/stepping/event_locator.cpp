@@ -180,7 +180,8 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
 
 std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
   const Search search{functions_, links_, now, trial, try_step};
-  for (int i = links_.contacts(); i < links_.frictions_from(); ++i) search.stop_at_corner(i);
+  for (int i = links_.contacts(); i < links_.frictions_from(); ++i)
+    if (links_.spring(i).has_corners()) search.stop_at_corner(i);
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
   std::vector<EventBracket> open = search.brackets();
   if (open.empty()) return std::nullopt;

@@ -28,7 +28,8 @@ constexpr const Section* all[] = {
     &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
     &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,
     &node_displacements,
-    &spring,      &tie,             &report,           &link,         &link_end,   &stiffness, &analysis, &checkpoint};
+    &spring,      &tie,             &report,           &link,         &link_end,   &stiffness, &device, &bar, &damper,
+    &analysis,    &checkpoint};
 
 }  // namespace
 
