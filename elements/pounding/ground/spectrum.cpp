@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/limits.hpp>
+
 namespace pounding {
 namespace {
 
@@ -53,8 +55,20 @@ double peak_between(const OscillatorState& begin, const OscillatorState& end, do
   return peak;
 }
 
+constexpr double steps_per_period = 40;
+
+void require_period(const std::vector<Line>& lines, double period) {
+  if (!(period > 0 && std::isfinite(period)))
+    throw std::invalid_argument(fmt::format("spectrum: period {:g} s; it must be finite and > 0", period));
+  double lasts = 0;
+  for (const Line& line : lines) lasts += line.duration;
+  const double shortest = lasts * steps_per_period / limits::spectrum_steps;
+  if (period < shortest)
+    throw std::invalid_argument(fmt::format("spectrum: a period of {:g} s under a motion of {:g} s takes more than {:g} steps; the shortest is {:.2g} s",
+                                            period, lasts, limits::spectrum_steps, shortest));
+}
+
 double peak_displacement(const std::vector<Line>& lines, double period, double damping) {
-  constexpr double steps_per_period = 40;
   const double w = 2 * std::numbers::pi / period;
   OscillatorState state;
   double peak = 0;
@@ -111,8 +125,7 @@ std::vector<SpectrumPoint> response_spectrum(const GroundMotion& motion, std::sp
   const std::vector<Line> lines = straight_lines(motion);
   std::vector<SpectrumPoint> points;
   for (const double period : periods) {
-    if (!(period > 0 && std::isfinite(period)))
-      throw std::invalid_argument(fmt::format("spectrum: period {:g} s; it must be finite and > 0", period));
+    require_period(lines, period);
     const double w = 2 * std::numbers::pi / period;
     const double sd = peak_displacement(lines, period, damping);
     points.push_back({.period = period, .sd = sd, .psv = w * sd, .psa = w * w * sd});
