@@ -53,7 +53,7 @@ void print_warnings(std::span<const std::string> warnings) {
 }
 
 // One line on a terminal, written over and over: a bar, and how long the rest will take.
-class ProgressLine {
+class RunProgress {
  public:
   void show(double time, double duration, int impacts) {
     if (time < begin_ || since_begin_ == Clock::time_point{}) restart(time);
@@ -169,7 +169,7 @@ void run_task(const RunArguments& words, const Task& task) {
                                     resume ? " --resume " : "", words.resume, options.empty() ? "" : " ",
                                     fmt::join(options, " "));
   const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet && ranks.is_root();
-  ProgressLine line;
+  RunProgress line;
   if (terminal) run_options.progress = [&](double time, double duration, int impacts) { line.show(time, duration, impacts); };
   if (!words.json && !words.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
