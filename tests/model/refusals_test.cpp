@@ -119,7 +119,7 @@ TEST(ModelByCode, SaysWhatItLacks) {
               m.analysis.most_steps = 1000;
               m.ground.components[0] = GroundMotion(Harmonic{1, 1e-3, 1});
             }),
-            "a run of 1 s takes 1e+04 steps or more, and 1000 are allowed: the ground motion (harmonic, 1 m/s^2, period 0.001 s, for 1 s) makes "
+            "a run of 1 s takes 1e+04 steps or more, and 1000 are allowed: the ground motion (harmonic, 1 m/s^2 at 0.001 s for 1 s) makes "
             "them so short; look at the units, or type analysis: {duration: 0.1 s}, or {most_steps: 20000} and some patience");
   EXPECT_EQ(refused_model([](Model& m) { m.analysis.max_step = 1e-10; }),
             "a run of 1 s takes 1e+10 steps or more, and 100000000 are allowed: a max_step of 1e-10 s makes them so short; look at the units, or "

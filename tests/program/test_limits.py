@@ -46,7 +46,7 @@ class Sizes(ProgramTest):
                 self.refused(2, "samples, and 1e+07 are the most; type a duration up to", "check", self.write(text))
 
     def test_of_histories_are_bounded_by_the_memory(self):
-        storeys = ROW.format(period=0.5, analysis="duration: 90, output_step: 10 us").replace(
+        storeys = ROW.format(period=0.5, analysis="duration: 90, output_step: 0.01 ms").replace(
             "oscillator: {mass: 100 t, period: 0.5", "shear_building: {storeys: 900, mass: 100 t, stiffness: 1e8")
         self.refused(2, "9e+06 output times of 4.5e+03 numbers each take 324 GB, and there are", "check", self.write(storeys))
 

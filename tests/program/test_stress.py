@@ -62,7 +62,7 @@ class FoundBefore(unittest.TestCase):
 
     def test_go_well(self):
         files = sorted((Path(__file__).parent / "found").glob("*.yaml"))
-        self.assertGreater(len(files), 4)
+        self.assertTrue(files)
         for path in files:
             with self.subTest(file=path.name), tempfile.TemporaryDirectory() as folder:
                 results = Path(folder) / "out.h5"
