@@ -59,7 +59,7 @@ class RunProgress {
     if (time < begin_ || since_begin_ == Clock::time_point{}) restart(time);
     const int width = 30;
     const int filled = static_cast<int>(width * time / duration);
-    const std::string line = fmt::format("\r[{:#<{}}{:.<{}}] {:.2f} of {:.2f} s, {} impacts{}\033[K", "", filled, "", width - filled, time,
+    const std::string line = fmt::format("\r[{:#<{}}{:.<{}}] {:.2f} of {:.2f} s, {} impacts{} \033[K", "", filled, "", width - filled, time,
                                          duration, impacts, rest(time, duration));
     std::fputs(line.c_str(), stderr);
   }
