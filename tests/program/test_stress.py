@@ -77,6 +77,9 @@ class FoundBefore(unittest.TestCase):
                     speed = np.max(np.abs(rows["v_approach"]))
                     ended = rows[~np.isnan(rows["t_end"])]
                     self.assertGreaterEqual(np.min(ended["v_separation"]), -10 * tolerance * speed)
+                    for name, link in file["links"].items():
+                        if link.attrs["law"] != "kelvin_voigt":  # which pulls as published
+                            self.assertGreaterEqual(np.min(link["force"][()], initial=0), 0, name)
 
 
 class TheChecks(unittest.TestCase):
