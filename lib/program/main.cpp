@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/limits.hpp>
 #include <pounding/petsc/launch.hpp>
 #include <pounding/core/version.hpp>
 #include "blas_threads.hpp"
@@ -58,6 +59,13 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
   return {};
 }
 
+// "run", "record info": the commands that were typed.
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* level = &app; !level->get_subcommands().empty(); names.push_back(level->get_name())) level = level->get_subcommands().front();
+  return names;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -90,6 +98,11 @@ int main(int argc, char** argv) {
     if (const std::string unknown = unknown_command(app, {argv + 1, argv + argc}); !unknown.empty())
       return report((unknown + "\nType pounding --help.").c_str(), bad_input);
     return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
+  } catch (const pounding::OutOfMemory& error) {
+    return report(error.what(), exit_code(error));
+  } catch (const std::bad_alloc& error) {
+    return report(fmt::format("pounding {}: out of memory; {} were there", fmt::join(commands_of(app), " "),
+                              pounding::limits::text_of_bytes(pounding::limits::memory())).c_str(), exit_code(error));
   } catch (const std::exception& error) {
     return report(error.what(), exit_code(error));
   }

@@ -282,7 +282,26 @@ class Ends(Processes):
             words += [":"] * number + ["-n", "1", "-wdir", str(self.folder / str(number)), PROGRAM, "run", "model.yaml", "-q"]
         differ = subprocess.run(words, env=SURROUNDINGS, capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual((differ.returncode, self.messages(differ)),
-                         (2, ["pounding: model.yaml: the processes read different models; name a file that all of them see"]))
+                         (2, ["pounding: model.yaml: process 2 of 2 reads another one than process 1; name a file that all of them see, and see alike"]))
+
+    def test_when_processes_read_different_records(self):
+        """Oscillators would answer with the record of the first process, and frames would wait for each other."""
+        for model, record in ((SHORT, "harmonic: {amplitude: 3.0, period: 0.6, duration: 1.2}"),
+                              (frames(), "components: {x: {harmonic: {amplitude: 3.0, period: 0.2, duration: 1}}")):
+            self.assertIn(record, model)
+            own = "record: record.txt, units: m/s^2"
+            text = model.replace(record, own if record.startswith("harmonic") else f"components: {{x: {{{own}}}")
+            for number in (0, 1):
+                (self.folder / str(number)).mkdir(exist_ok=True)
+                self.write(text, f"{number}/model.yaml")
+                self.write(f"0 0\n0.1 {3 + 1e-9 * number}\n1 0\n", f"{number}/record.txt")
+            words = [LAUNCHER]
+            for number in (0, 1):
+                words += [":"] * number + ["-n", "1", "-wdir", str(self.folder / str(number)), PROGRAM, "run", "model.yaml", "-q"]
+            with self.subTest(record=record):
+                differ = subprocess.run(words, env=SURROUNDINGS, capture_output=True, text=True, timeout=PATIENCE)
+                self.assertEqual((differ.returncode, len(self.messages(differ))), (2, 1), differ.stderr)
+                self.assertRegex(self.messages(differ)[0], "model.yaml: the record record.txt, .*: process 2 of 2 reads another one than process 1")
 
 
 class Stopped(Processes):

@@ -37,6 +37,7 @@ AnalysisSettings read_analysis(const Input& node) {
     settings.scheme.spectral_radius = radius->as_quantity();
   }
   settings.max_step = node.find_quantity("max_step").value_or(0);
+  if (const auto most = node.find("most_steps")) settings.most_steps = static_cast<long>(most->as_integer());
   return settings;
 }
 
@@ -65,6 +66,7 @@ Input place_of(const ModelError& error, const Input& input) {
   }
   if (error.option() == ModelOption::ground_component) return component(*motion, error.axis());
   if (error.option() == ModelOption::wave) return motion->at("wave");
+  if (error.option() == ModelOption::analysis) return input.find("analysis").value_or(input);
   if (error.option() == ModelOption::preload)
     for (const Input& link : input.at("links").items())
       if (link.has("preload")) return link.at("preload");

@@ -213,6 +213,7 @@ std::string resolved_yaml(const Model& model) {
   if (model.analysis.scheme.kind == Scheme::Kind::generalized_alpha)
     emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
   if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
+  out << YAML::Key << "most_steps" << YAML::Value << model.analysis.most_steps;
   out << YAML::EndMap;
   if (model.checkpoint.asked()) {
     out << YAML::Key << "checkpoint" << YAML::Value << YAML::BeginMap;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include <pounding/core/limits.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/model/contact_law.hpp>
@@ -15,14 +17,13 @@
 #include <pounding/model/drawing.hpp>
 #include <pounding/model/facing.hpp>
 #include <pounding/model/place_ends.hpp>
+#include <pounding/model/rounding.hpp>
 
 namespace pounding {
 namespace {
 
 // Default sliding velocity: slower than this, friction grows with the velocity [m/s].
 constexpr double usual_sliding = 5e-3;
-// Bodies that rest at a gap of zero overlap by the rounding of its displacements at rest, and by no more than this [m].
-constexpr double touching = 1e-12;
 
 [[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
 [[noreturn]] void refuse_idle(ModelOption option, const std::string& text) { throw ModelError(option, text).as_idle(); }
@@ -136,7 +137,14 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
 void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
   const double overlap =
       displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
-  if (!(overlap > touching)) return;
+  if (!(overlap > 0)) return;
+  // Two equal frames at a gap of zero lean by the same displacement, but for its round-off.
+  const auto rounding = [&](const LinkEnd& end, const Structure& s) {
+    Eigen::VectorXd u = s.initial_displacement;
+    if (s.at_rest.size() > 0) u += s.at_rest;
+    return displacement_rounding(end, s, link.direction, u);
+  };
+  if (overlap <= rounding(link.left, a) + rounding(link.right, b) + std::numeric_limits<double>::epsilon() * link.gap) return;
   const std::string by = format_quantity(overlap, dimension::length);
   const bool displaced = a.initial_displacement.any() || b.initial_displacement.any();
   const std::string apart = are_drawn(a, b) ? fmt::format("they {} towards each other{}: move {} away by {} or more with its origin",
@@ -160,6 +168,9 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
     refuse_idle(ModelOption::preload, "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
   for (int i = 0; i < count; ++i) {
     const std::vector<double> along = along_the_edge(options.points, pairs[i], a, b, side);
+    if (static_cast<double>(links.size() + along.size()) > limits::links)
+      refuse(ModelOption::between, fmt::format("a model has at most {:g} links; link fewer floors, or take fewer points along their edges",
+                                               limits::links));
     for (std::size_t k = 0; k < along.size(); ++k) {
       Link link;
       link.left = place_end(pairs[i].left, a, side, along[k], ModelOption::left);

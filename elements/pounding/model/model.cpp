@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/limits.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/model/cost.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/initial_shape.hpp>
 #include <pounding/model/plausible.hpp>
@@ -18,8 +20,6 @@
 namespace pounding {
 namespace {
 
-// Histories are kept in memory.
-constexpr double max_outputs = 1e7;
 // Supports that a wave reaches within this way of each other move alike [m].
 constexpr double together = 1e-6;
 
@@ -234,6 +234,8 @@ void Model::check_settings() const {
     refuse(fmt::format("the tolerance lies in [{:g}, {:g}]; {:g} was given", min_tolerance, max_tolerance, analysis.tolerance));
   if (analysis.duration > 0 && analysis.output_step > analysis.duration)
     refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step, analysis.duration));
+  if (analysis.most_steps < 1 || analysis.most_steps > limits::most_steps)
+    refuse(fmt::format("most_steps lies in [1, {}]; {} was given", limits::most_steps, analysis.most_steps));
   if (const double radius = analysis.scheme.spectral_radius; !(radius >= 0 && radius <= 1))
     refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
   for (const std::string& name : accept)
@@ -258,10 +260,7 @@ void Model::complete() {
     const double sample = plan.sample_step();
     analysis.output_step = sample > 0 ? std::min(sample, analysis.duration) : analysis.duration / 1000;
   }
-  if (analysis.duration / analysis.output_step > max_outputs)
-    throw ModelError(ModelOption::analysis,
-                     fmt::format("{:.3g} output times are too many; type analysis: {{output_step: {:.3g}}}",
-                                 analysis.duration / analysis.output_step, analysis.duration / 1e4));
+  require_affordable(*this);
   is_complete_ = true;
 }
 

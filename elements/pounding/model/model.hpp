@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include <pounding/core/limits.hpp>
 #include <pounding/ground/components.hpp>
 #include <pounding/laws/by_name.hpp>
 #include <pounding/links/contact.hpp>
@@ -76,6 +77,7 @@ struct AnalysisSettings {
                             ///< without samples a thousandth of the duration
   Scheme scheme{};          ///< scheme of the time stepping
   double max_step = 0;      ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
+  long most_steps = limits::usual_steps;  ///< steps that the run may take, in [1, limits::most_steps]; it then ends and can be resumed
 };
 
 /// How often a run at least leaves a state to go on from; the results file is rewritten then. Zero: not asked for.

@@ -17,6 +17,7 @@
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run_monitor.hpp>
 #include <pounding/run/run_writer.hpp>
+#include <pounding/run/same_model.hpp>
 #include <pounding/run/separation.hpp>
 #include <pounding/run/stopwatch.hpp>
 #include <pounding/run/ts_setup.hpp>
@@ -137,6 +138,7 @@ Outcome run(const Model& model, const RunOptions& options) {
   for (const Link& link : model.links)
     if (has_run(link))
       throw std::logic_error("this model has been run; read it again");
+  require_same_model(petsc::Ranks(options.comm), model);
   if (!options.resume.empty()) {
     const InterruptedRun earlier = read_interrupted_run(options.resume);
     check_same_run(earlier, model, petsc::Environment::given_options());

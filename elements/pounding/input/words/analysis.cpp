@@ -51,7 +51,11 @@ constexpr Word analysis_words[] = {
      .example = "0.8"},
     {.key = "max_step", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
      .otherwise = "chosen from the record and from the shortest period", .meaning = "Longest step of the time stepping.",
-     .example = "1 ms"}};
+     .example = "1 ms"},
+    {.key = "most_steps", .takes = Takes::integer, .bounds = {.low = 1, .high = limits::most_steps}, .otherwise = "100000000", .since = "0.2.0",
+     .meaning = "Steps that the run may take. A run that needs more is refused where that is known at its start; otherwise it ends there, and "
+                "--resume goes on with it.",
+     .example = "500000000"}};
 
 constexpr Word checkpoint_words[] = {
     {.key = "every", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
