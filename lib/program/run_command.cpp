@@ -154,7 +154,7 @@ void run_task(const RunArguments& words, const Task& task) {
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
     if (words.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
-    if (!failed.outcome().results.checkpoint) throw;
+    if (!failed.outcome().resumable) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
     throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}", failed.what(), launcher, run_options.output));
   } catch (...) {

@@ -160,7 +160,7 @@ Ran ran(const Model& model, const Outcome& outcome, std::string failure) {
   std::vector<std::string> doubts = implausible(model);
   for (std::string& text : implausible(model, outcome.summary)) doubts.push_back(std::move(text));
   return {.image = image_for_all(outcome.results), .warning = failure.empty() ? warning(outcome.summary, model.analysis.tolerance) : "",
-          .implausible = std::move(doubts), .failure = failure, .resumable = outcome.results.checkpoint.has_value()};
+          .implausible = std::move(doubts), .failure = failure, .resumable = outcome.resumable};
 }
 
 Ran run_alike(const Model& model, const RunOptions& options) {

@@ -21,7 +21,8 @@ import h5py
 import numpy as np
 
 from pounding.outputs import output_for, tell
-from pounding.results import MemberForces, NotResults, RunData
+from pounding.checked_file import NotResults
+from pounding.results import MemberForces, RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import BadRequest

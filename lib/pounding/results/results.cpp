@@ -13,9 +13,10 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/checksum.hpp>
+#include <pounding/results/checked_file.hpp>
 #include <pounding/results/envelope_file.hpp>
 #include <pounding/results/hdf5.hpp>
-#include <pounding/results/replace_file.hpp>
+#include <pounding/results/replaced_file.hpp>
 
 namespace pounding {
 namespace {
@@ -351,9 +352,11 @@ std::string checksum_of_histories(const Results& results) {
 std::vector<std::byte> results_image(const Results& results) {
   check_names(results.structures, "structure");
   check_names(results.links, "link");
-  return hdf5::file_image([&](hid_t file) { write_all(file, results); });
+  std::vector<std::byte> image = hdf5::file_image([&](hid_t file) { write_all(file, results); });
+  write_checked_block(image);
+  return image;
 }
 
-void write_results(const Results& results, const std::string& path) { replace_file(path, results_image(results)); }
+void write_results(const Results& results, const std::string& path) { ReplacedFile(path).replace(results_image(results)); }
 
 }  // namespace pounding
