@@ -4,7 +4,6 @@
 #include <exception>
 #include <functional>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -36,9 +35,6 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-// A process has one PETSc with one table of options, so one thread at a time may use it.
-std::mutex petsc_in_use;
-
 /// The text of a model and the file that it stands for.
 struct Source {
   std::string text, name;
@@ -51,7 +47,7 @@ Model read(const Source& source) { return read(Input::read_text(source.text, sou
 template <class Task>
 auto with_petsc(Task&& task) {
   const py::gil_scoped_release free;
-  const std::lock_guard one_at_a_time(petsc_in_use);
+  const PetscForThisThread mine;
   start_petsc();
   return task();
 }

@@ -307,7 +307,7 @@ def _reactions(group: h5py.Group) -> Reactions:
 
 def _link(name: str, group: h5py.Group) -> Link:
     series: dict[str, Any] = {key: group[key][:] for key in ("time", "penetration", "velocity", "force", "energy")}
-    ends = {key: text(group.attrs[key]) for key in ("left", "right")}
+    ends: dict[str, Any] = {key: text(group.attrs[key]) for key in ("left", "right")}
     floors: dict[str, Any] = {key: int(group.attrs[key]) for key in ("left_floor", "right_floor")}
     more: dict[str, Any] = {}
     for side, floor in floors.items():
