@@ -53,16 +53,22 @@ void show_progress(double time, double duration, int impacts) {
 
 void clear_progress() { std::fputs("\r\033[K", stderr); }
 
+// As nohup leaves it, read before PETSc begins, which does not give it back.
+const bool hangup_is_ignored = [] {
+  struct sigaction given = {};
+  return sigaction(SIGHUP, nullptr, &given) == 0 && given.sa_handler == SIG_IGN;
+}();
+
 // Ctrl-C (SIGINT), SIGTERM, a terminal that closes (SIGHUP) and a limit on processor time (SIGXCPU) end the run with its results so
-// far in the file. A second Ctrl-C or SIGTERM ends the program at once; the kernel repeats SIGXCPU every second, and nohup ignores SIGHUP.
+// far in the file. A second Ctrl-C or SIGTERM ends the program at once; the kernel repeats SIGXCPU every second.
 class StopOnSignal {
  public:
   StopOnSignal() {
-    struct sigaction action = {};
+    struct sigaction action = {}, ignore = {};
     action.sa_handler = [](int) { stop = 1; };
+    ignore.sa_handler = SIG_IGN;
     sigaction(SIGXCPU, &action, nullptr);
-    struct sigaction hangup = {};
-    if (sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+    sigaction(SIGHUP, hangup_is_ignored ? &ignore : &action, nullptr);
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
