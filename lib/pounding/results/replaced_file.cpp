@@ -191,6 +191,8 @@ Descriptor::~Descriptor() {
   if (number_ >= 0) close(number_);
 }
 
+void ReplacedFile::require_free() const { destination(path_, written_); }
+
 void ReplacedFile::replace(std::span<const std::byte> bytes) {
   const fs::path place = destination(path_, written_);
   const fs::path directory = place.has_parent_path() ? place.parent_path() : fs::path(".");

@@ -32,6 +32,8 @@ class ReplacedFile {
  public:
   explicit ReplacedFile(std::string path) : path_(std::move(path)) {}
 
+  /// Throws InputError where `replace` would refuse the path as it is now.
+  void require_free() const;
   /// Writes `bytes` to a temporary file in the directory of the path (named `.NAME.HOST.PROCESS.tmp`), brings it to the disk and
   /// renames it; a symbolic link is followed and stays. Temporary files of processes of this host that no longer run are removed.
   ///

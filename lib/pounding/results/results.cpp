@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -352,9 +353,17 @@ std::string checksum_of_histories(const Results& results) {
 std::vector<std::byte> results_image(const Results& results) {
   check_names(results.structures, "structure");
   check_names(results.links, "link");
-  std::vector<std::byte> image = hdf5::file_image([&](hid_t file) { write_all(file, results); });
-  write_checked_block(image);
-  return image;
+  try {
+    std::vector<std::byte> image = hdf5::file_image([&](hid_t file) { write_all(file, results); });
+    write_checked_block(image);
+    return image;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    throw SolverError("there is no memory left to make the results file, which keeps what was written before");
+  }
 }
 
 void write_results(const Results& results, const std::string& path) { ReplacedFile(path).replace(results_image(results)); }

@@ -115,7 +115,11 @@ Outcome first_part(const Model& model, const RunOptions& options, const Results&
 Outcome run_without_links(const Model& model, const RunOptions& options, const WriteResults& write,
                           const InterruptedRun* earlier = nullptr) {
   WriteResults write_part;
-  if (write) write_part = [&](const Results& results) { write(first_part(model, options, results).results); };
+  // Its end has no state to continue from: until the run with links has one, the file keeps the last one before.
+  if (write)
+    write_part = [&](const Results& results) {
+      if (results.status != "done") write(first_part(model, options, results).results);
+    };
   RunOptions quiet = options;
   quiet.command.clear();
   try {
@@ -143,7 +147,10 @@ Outcome run(const Model& model, const RunOptions& options) {
       throw std::logic_error("this model has been run; read it again");
   ReplacedFile file(options.output);
   WriteResults write;
-  if (!options.output.empty()) write = [&](const Results& results) { file.replace(results_image(results)); };
+  if (!options.output.empty()) {
+    petsc::Ranks(options.comm).on_root([&] { file.require_free(); });
+    write = [&](const Results& results) { file.replace(results_image(results)); };
+  }
   if (options.resume.empty()) {
     Outcome without_links;
     if (model.compare_no_pounding) without_links = run_without_links(model, options, write);
