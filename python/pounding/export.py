@@ -20,8 +20,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from pounding.outputs import output_for, tell
 from pounding.checked_file import NotResults
+from pounding.outputs import output_for, tell
 from pounding.results import MemberForces, RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
