@@ -25,7 +25,7 @@ void add_modes(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", words->json, "Print one JSON object");
   command->add_flag("--plot", words->plot, "Draw the shapes: MODEL_modes.png in the current folder");
-  command->add_option("-o,--output", words->picture, "Name of the picture");
+  names_a_file(command->add_option("-o,--output", words->picture, "Name of the picture"));
   command->callback([words] {
     const petsc::Environment environment;
     const Model model = read_model(Input::read_file(words->model), petsc::lowest_modes);

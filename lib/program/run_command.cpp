@@ -88,12 +88,22 @@ class RunProgress {
 
 void clear_progress() { std::fputs("\r\033[K", stderr); }
 
-// Ctrl-C (SIGINT) and SIGTERM end the run with its results so far in the file; a second signal ends the program at once.
+// As nohup leaves it, read before PETSc begins, which does not give it back.
+const bool hangup_is_ignored = [] {
+  struct sigaction given = {};
+  return sigaction(SIGHUP, nullptr, &given) == 0 && given.sa_handler == SIG_IGN;
+}();
+
+// Ctrl-C (SIGINT), SIGTERM, a terminal that closes (SIGHUP) and a limit on processor time (SIGXCPU) end the run with its results so
+// far in the file. A second Ctrl-C or SIGTERM ends the program at once; the kernel repeats SIGXCPU every second.
 class StopOnSignal {
  public:
   StopOnSignal() {
-    struct sigaction action = {};
+    struct sigaction action = {}, ignore = {};
     action.sa_handler = [](int) { stop = 1; };
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGXCPU, &action, nullptr);
+    sigaction(SIGHUP, hangup_is_ignored ? &ignore : &action, nullptr);
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
@@ -184,7 +194,7 @@ void run_task(const RunArguments& words, const Task& task) {
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
     if (words.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
-    if (!failed.outcome().results.checkpoint) throw;
+    if (!failed.outcome().resumable) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
     const long steps = failed.outcome().summary.solver.steps;
     const std::string more = steps >= model.analysis.most_steps ? fmt::format(" -pounding_ts_max_steps {}", 2 * steps) : "";
@@ -235,15 +245,16 @@ void run_model(const RunArguments& words, const CLI::App& command) {
 void add_run(CLI::App& app) {
   const auto words = std::make_shared<RunArguments>();
   CLI::App* run_command = app.add_subcommand("run", "Run MODEL, an input file (YAML), through time");
-  run_command->add_option("--resume", words->resume,
-                          "Results file of a run that was killed, stopped or cut: goes on in it with the model that it holds; "
-                          "MODEL and the PETSc options of the beginning need not be named again");
-  run_command->add_option("-o,--output", words->output, "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder");
+  names_a_file(run_command->add_option("--resume", words->resume,
+                                       "Results file of a run that was killed, stopped or cut: goes on in it with the model that it "
+                                       "holds; MODEL and the PETSc options of the beginning need not be named again"));
+  names_a_file(run_command->add_option("-o,--output", words->output,
+                                       "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder"));
   run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file; -o OUT.h5 says where");
   run_command->add_flag("--report", words->report,
                         "Draw all pictures beside the results file: the standard one, the extremes over the height with and without "
                         "links, and of each structure the spectrum of the floor that is shaken hardest");
-  run_command->add_option("--picture", words->picture, "Name of the picture");
+  names_a_file(run_command->add_option("--picture", words->picture, "Name of the picture"));
   run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
   run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but warnings and errors");
   run_command->allow_extras();

@@ -9,6 +9,7 @@ import h5py
 import numpy as np
 
 from pounding import told
+from pounding.texts import text
 
 
 @dataclass(frozen=True, repr=False)
@@ -35,7 +36,7 @@ def read_devices(file: h5py.Group) -> dict[str, Device]:
 
 
 def _device(name: str, group: h5py.Group) -> Device:
-    ends: dict[str, Any] = {key: str(group.attrs[key]) for key in ("left", "left_end", "right", "right_end")}
+    ends: dict[str, Any] = {key: text(group.attrs[key]) for key in ("left", "left_end", "right", "right_end")}
     numbers: dict[str, Any] = {key: float(group.attrs[key]) for key in ("stiffness", "coefficient", "exponent")}
     return Device(name=name, **ends, **numbers, direction=np.asarray(group.attrs["direction"], dtype=float),
                   elongation=group["elongation"][:], force=group["force"][:],

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -13,10 +14,11 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/checksum.hpp>
+#include <pounding/results/checked_file.hpp>
 #include <pounding/results/device_file.hpp>
 #include <pounding/results/envelope_file.hpp>
 #include <pounding/results/hdf5.hpp>
-#include <pounding/results/replace_file.hpp>
+#include <pounding/results/replaced_file.hpp>
 
 namespace pounding {
 namespace {
@@ -360,9 +362,19 @@ std::vector<std::byte> results_image(const Results& results) {
   check_names(results.structures, "structure");
   check_names(results.links, "link");
   check_names(results.devices, "device");
-  return hdf5::file_image([&](hid_t file) { write_all(file, results); });
+  try {
+    std::vector<std::byte> image = hdf5::file_image([&](hid_t file) { write_all(file, results); });
+    write_checked_block(image);
+    return image;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    throw SolverError("there is no memory left to make the results file, which keeps what was written before");
+  }
 }
 
-void write_results(const Results& results, const std::string& path) { replace_file(path, results_image(results)); }
+void write_results(const Results& results, const std::string& path) { ReplacedFile(path).replace(results_image(results)); }
 
 }  // namespace pounding

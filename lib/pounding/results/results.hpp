@@ -113,7 +113,7 @@ struct Results {
 /// a complete earlier or a complete new file. Names of structures and links become group names, so they must differ, must not be
 /// empty, "." or "..", and must not contain '/'.
 /// Throws InputError when `path` cannot be written or a name is not possible, std::invalid_argument when the lengths
-/// of the histories do not fit together, std::runtime_error with HDF5's own text when HDF5 fails.
+/// of the histories do not fit together, SolverError with HDF5's own text when HDF5 fails, which happens without memory alone.
 void write_results(const Results& results, const std::string& path);
 
 /// Bytes of the file that write_results() writes, for readers without a disk; throws as write_results().

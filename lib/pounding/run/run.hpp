@@ -36,6 +36,7 @@ struct RunOptions {
 struct Outcome {
   Results results;
   Summary summary;
+  bool resumable = false;  ///< a run that ended early left a state to continue from in its results file
 };
 
 /// A run that ended early.
