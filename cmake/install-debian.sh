@@ -9,7 +9,7 @@ shift
 # libopenblas0-pthread: the reference BLAS, which PETSc takes otherwise, is two to four times slower. ccache: the wheel takes what
 # the build has compiled.
 packages=(g++ cmake ninja-build ccache pkg-config libpetsc-real-dev slepc-dev libeigen3-dev libyaml-cpp-dev libcli11-dev
-  libfmt-dev nlohmann-json3-dev libopenblas0-pthread)
+  libfmt-dev nlohmann-json3-dev zlib1g-dev libopenblas0-pthread)
 # gfortran compiles the Fortran module, help2man makes the manual pages; the build leaves out what is missing of both.
 if [ "$part" != demo ]; then
   packages+=(libgtest-dev gfortran help2man)

@@ -17,9 +17,9 @@ void add_animate(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("animate", "Draw a results file in motion");
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
-  command->add_option("-o,--output", options->film,
-                      "film: .gif, .mp4 (needs ffmpeg), or .png for one file a frame (default: RESULTS.gif in the current "
-                      "folder)");
+  names_a_file(command->add_option("-o,--output", options->film,
+                                   "film: .gif, .mp4 (needs ffmpeg), or .png for one file a frame (default: RESULTS.gif in the current "
+                                   "folder)"));
   // Numbers are passed on as typed; reading and printing them again could change them.
   command->add_option("--scale", options->scale, "how many times as large displacements and gaps are drawn")
       ->check(CLI::Number);

@@ -19,6 +19,11 @@ void add_export(CLI::App& app);     ///< `export RESULTS.h5`
 void add_reproduce(CLI::App& app);  ///< `reproduce`
 void add_words(CLI::App& app);      ///< `words [NAME]`
 
+/// Refuses the empty name of an option that names a file, as in -o "": a variable of a script that holds nothing.
+inline CLI::Option* names_a_file(CLI::Option* option) {
+  return option->check([](const std::string& name) { return name.empty() ? "the name of the file is empty" : ""; }, "");
+}
+
 /// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.
 void draw(const std::string& results, const std::string& picture);
 

@@ -1,5 +1,8 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -8,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/limits.hpp>
 #include <pounding/petsc/launch.hpp>
 #include <pounding/core/version.hpp>
 #include "blas_threads.hpp"
@@ -58,10 +62,26 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
   return {};
 }
 
+// "run", "record info": the commands that were typed.
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* level = &app; !level->get_subcommands().empty(); names.push_back(level->get_name())) level = level->get_subcommands().front();
+  return names;
+}
+
+// HDF5 1.10 ends a process by exit(-1) when a table of its own gets no memory; nothing else here does.
+void tell_of_hdf5(int status, void*) {
+  if (status != -1) return;
+  report("there is no memory left for HDF5; a results file keeps what was written before", pounding::program::failed_solve);
+  std::fflush(nullptr);
+  _exit(pounding::program::failed_solve);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   pounding::program::use_one_blas_thread();
+  on_exit(tell_of_hdf5, nullptr);
   CLI::App app{"Adjacent structures that hit each other in earthquakes"};
   app.set_version_flag("--version", "pounding " POUNDING_VERSION);
   app.require_subcommand(1);
@@ -90,6 +110,11 @@ int main(int argc, char** argv) {
     if (const std::string unknown = unknown_command(app, {argv + 1, argv + argc}); !unknown.empty())
       return report((unknown + "\nType pounding --help.").c_str(), bad_input);
     return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
+  } catch (const pounding::OutOfMemory& error) {
+    return report(error.what(), exit_code(error));
+  } catch (const std::bad_alloc& error) {
+    return report(fmt::format("pounding {}: out of memory; {} were there", fmt::join(commands_of(app), " "),
+                              pounding::limits::text_of_bytes(pounding::limits::memory())).c_str(), exit_code(error));
   } catch (const std::exception& error) {
     return report(error.what(), exit_code(error));
   }

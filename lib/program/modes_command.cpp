@@ -25,12 +25,12 @@ void add_modes(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", words->json, "Print one JSON object");
   command->add_flag("--plot", words->plot, "Draw the shapes: MODEL_modes.png in the current folder");
-  command->add_option("-o,--output", words->picture, "Name of the picture");
+  names_a_file(command->add_option("-o,--output", words->picture, "Name of the picture"));
   command->callback([words] {
     const petsc::Environment environment;
     const Model model = read_model(Input::read_file(words->model), petsc::lowest_modes);
     const std::string text = words->json ? modes_json(model, words->count, petsc::lowest_modes) + "\n"
-                                         : modes_table(model, words->count, petsc::lowest_modes);
+                                         : modes_table(model, words->count, petsc::lowest_modes) + describe_joined(model);
     std::fputs(text.c_str(), stdout);
     if (!words->plot && words->picture.empty()) return;
     const std::string picture = words->picture.empty()

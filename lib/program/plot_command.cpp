@@ -79,9 +79,9 @@ void add_plot(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plot", "Draw a results file");
   command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
-  command->add_option("-o,--output", options->picture,
-                      "picture: .png, .pdf or .svg (default: RESULTS.png in the current folder; of the other pictures "
-                      "RESULTS-model.png ...)");
+  names_a_file(command->add_option("-o,--output", options->picture,
+                                   "picture: .png, .pdf or .svg (default: RESULTS.png in the current folder; of the other pictures "
+                                   "RESULTS-model.png ...)"));
   command->add_option("--title", options->title, "title instead of that of the run");
   command->add_option("--picture", options->kind,
                       "run (histories and impacts), model (the structures at rest) or profiles (extremes over the height)")

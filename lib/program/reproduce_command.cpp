@@ -121,7 +121,7 @@ void add_reproduce(CLI::App& app) {
   std::string names;
   for (const ItemMaker& maker : reproduce::item_makers()) names += (names.empty() ? "" : ", ") + std::string(maker.name);
   command->add_option("--only", words->only, "A part of the paper, or several: " + names)->delimiter(',');
-  command->add_option("-o,--output", words->directory, "Folder of report.html, report.json, and of the figures as PNG and CSV")
+  names_a_file(command->add_option("-o,--output", words->directory, "Folder of report.html, report.json, and of the figures as PNG and CSV"))
       ->capture_default_str();
   command->add_flag("--json", words->json, "Print the verdicts as one JSON object");
   command->callback([words] { reproduce_paper(*words); });

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,9 +14,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <pounding/core/limits.hpp>
 #include <pounding/run/implausible.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
+#include <pounding/run/same_model.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/linear/lowest_modes.hpp>
@@ -32,7 +36,13 @@ struct RunArguments {
   bool json = false, plot = false, report = false, quiet = false;
 };
 
-Model read(const Input& input) { return read_model(input, petsc::lowest_modes); }
+Model read(const Input& input) {
+  try {
+    return read_model(input, petsc::lowest_modes);
+  } catch (const std::bad_alloc&) {
+    throw OutOfMemory(fmt::format("{}: out of memory while the model was read; {} were there", input.file(), limits::text_of_bytes(limits::memory())));
+  }
+}
 
 std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();
@@ -42,23 +52,58 @@ void print_warnings(std::span<const std::string> warnings) {
   for (const std::string& text : warnings) std::fprintf(stderr, "pounding: warning: %s\n", text.c_str());
 }
 
-// Draws a progress bar on a terminal: one line, written over and over.
-void show_progress(double time, double duration, int impacts) {
-  const int width = 30;
-  const int filled = static_cast<int>(width * time / duration);
-  const std::string line = fmt::format("\r[{:#<{}}{:.<{}}] {:.2f} of {:.2f} s, {} impacts ", "", filled, "", width - filled,
-                                       time, duration, impacts);
-  std::fputs(line.c_str(), stderr);
-}
+// One line on a terminal, written over and over: a bar, and how long the rest will take.
+class RunProgress {
+ public:
+  void show(double time, double duration, int impacts) {
+    if (time < begin_ || since_begin_ == Clock::time_point{}) restart(time);
+    const int width = 30;
+    const int filled = static_cast<int>(width * time / duration);
+    const std::string line = fmt::format("\r[{:#<{}}{:.<{}}] {:.2f} of {:.2f} s, {} impacts{} \033[K", "", filled, "", width - filled, time,
+                                         duration, impacts, rest(time, duration));
+    std::fputs(line.c_str(), stderr);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // The second of two runs begins at zero again, and a run that is resumed later.
+  void restart(double time) {
+    begin_ = time;
+    since_begin_ = Clock::now();
+  }
+  // Nothing in the first second, which tells too little.
+  std::string rest(double time, double duration) const {
+    const double passed = std::chrono::duration<double>(Clock::now() - since_begin_).count();
+    if (passed < 1 || !(time > begin_)) return "";
+    const double left = passed * (duration - time) / (time - begin_);
+    if (left < 100) return fmt::format(", {:.0f} s left", left);
+    if (left < 6000) return fmt::format(", {:.0f} min left", left / 60);
+    return left < 360000 ? fmt::format(", {:.0f} h left", left / 3600) : fmt::format(", {:.3g} days left", left / 86400);
+  }
+
+  double begin_ = 0;  // simulated time of the first report [s]
+  Clock::time_point since_begin_{};
+};
 
 void clear_progress() { std::fputs("\r\033[K", stderr); }
 
-// Ctrl-C (SIGINT) and SIGTERM end the run with its results so far in the file; a second signal ends the program at once.
+// As nohup leaves it, read before PETSc begins, which does not give it back.
+const bool hangup_is_ignored = [] {
+  struct sigaction given = {};
+  return sigaction(SIGHUP, nullptr, &given) == 0 && given.sa_handler == SIG_IGN;
+}();
+
+// Ctrl-C (SIGINT), SIGTERM, a terminal that closes (SIGHUP) and a limit on processor time (SIGXCPU) end the run with its results so
+// far in the file. A second Ctrl-C or SIGTERM ends the program at once; the kernel repeats SIGXCPU every second.
 class StopOnSignal {
  public:
   StopOnSignal() {
-    struct sigaction action = {};
+    struct sigaction action = {}, ignore = {};
     action.sa_handler = [](int) { stop = 1; };
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGXCPU, &action, nullptr);
+    sigaction(SIGHUP, hangup_is_ignored ? &ignore : &action, nullptr);
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
@@ -92,12 +137,6 @@ Rest rest_of(const CLI::App& command) {
   return rest;
 }
 
-// Processes may work in different folders, where a file of the same name may be another one.
-void require_one_model(const petsc::Ranks& ranks, const Model& model, const std::string& file) {
-  if (!ranks.same(model.source_text))
-    throw InputError(fmt::format("{}: the processes read different models; name a file that all of them see", file));
-}
-
 // Ends all processes: the others wait for this one.
 void abort_all(const std::string& text, const std::exception& error) {
   print_failure(text.c_str());
@@ -129,7 +168,7 @@ void run_task(const RunArguments& words, const Task& task) {
   const bool resume = !words.resume.empty();
   const petsc::Ranks ranks(PETSC_COMM_WORLD);
   const Model model = read(model_file.empty() ? input_of(earlier) : Input::read_file(model_file));
-  require_one_model(ranks, model, model_file.empty() ? words.resume : model_file);
+  require_same_model(ranks, model);
   RunOptions run_options;
   const bool plot = words.plot || words.report || !words.picture.empty();
   const bool keep = !words.output.empty() || plot || resume;
@@ -140,7 +179,8 @@ void run_task(const RunArguments& words, const Task& task) {
                                     resume ? " --resume " : "", words.resume, options.empty() ? "" : " ",
                                     fmt::join(options, " "));
   const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet && ranks.is_root();
-  if (terminal) run_options.progress = show_progress;
+  RunProgress line;
+  if (terminal) run_options.progress = [&](double time, double duration, int impacts) { line.show(time, duration, impacts); };
   if (!words.json && !words.quiet && ranks.is_root()) std::fputs((describe(model) + "\n").c_str(), stdout);
   std::fflush(stdout);
   const std::vector<std::string> warnings = implausible(model);
@@ -154,9 +194,15 @@ void run_task(const RunArguments& words, const Task& task) {
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
     if (words.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
-    if (!failed.outcome().results.checkpoint) throw;
+    if (!failed.outcome().resumable) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
-    throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}", failed.what(), launcher, run_options.output));
+    const long steps = failed.outcome().summary.solver.steps;
+    const std::string more = steps >= model.analysis.most_steps ? fmt::format(" -pounding_ts_max_steps {}", 2 * steps) : "";
+    throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}{}", failed.what(), launcher, run_options.output, more));
+  } catch (const std::bad_alloc& lack) {
+    if (terminal) clear_progress();
+    if (run_options.output.empty() || !std::filesystem::exists(run_options.output)) throw;
+    throw OutOfMemory(fmt::format("{}\nWhat was written last is in {}", lack.what(), run_options.output));
   } catch (...) {
     if (terminal) clear_progress();
     throw;
@@ -199,15 +245,16 @@ void run_model(const RunArguments& words, const CLI::App& command) {
 void add_run(CLI::App& app) {
   const auto words = std::make_shared<RunArguments>();
   CLI::App* run_command = app.add_subcommand("run", "Run MODEL, an input file (YAML), through time");
-  run_command->add_option("--resume", words->resume,
-                          "Results file of a run that was killed, stopped or cut: goes on in it with the model that it holds; "
-                          "MODEL and the PETSc options of the beginning need not be named again");
-  run_command->add_option("-o,--output", words->output, "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder");
+  names_a_file(run_command->add_option("--resume", words->resume,
+                                       "Results file of a run that was killed, stopped or cut: goes on in it with the model that it "
+                                       "holds; MODEL and the PETSc options of the beginning need not be named again"));
+  names_a_file(run_command->add_option("-o,--output", words->output,
+                                       "Results file (HDF5); without it --plot and --picture write MODEL.h5 in the current folder"));
   run_command->add_flag("--plot", words->plot, "Draw the standard picture beside the results file; -o OUT.h5 says where");
   run_command->add_flag("--report", words->report,
                         "Draw all pictures beside the results file: the standard one, the extremes over the height with and without "
                         "links, and of each structure the spectrum of the floor that is shaken hardest");
-  run_command->add_option("--picture", words->picture, "Name of the picture");
+  names_a_file(run_command->add_option("--picture", words->picture, "Name of the picture"));
   run_command->add_flag("--json", words->json, "Print the summary as one JSON object");
   run_command->add_flag("-q,--quiet", words->quiet, "Print nothing but warnings and errors");
   run_command->allow_extras();
@@ -228,6 +275,7 @@ void add_run(CLI::App& app) {
       std::puts(nlohmann::ordered_json{{"status", "ok"},
                                        {"structures", model.structures.size()},
                                        {"links", model.links.size()},
+                                       {"devices", model.devices.size()},
                                        {"warnings", warnings}}
                     .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
                     .c_str());

@@ -71,8 +71,8 @@ void SpectrumWords::add_to(CLI::App& command) {
   command.add_option("--damping", damping, "Damping ratio")->capture_default_str();
   command.add_option("--periods", periods, "first:last:count [s], each the same factor longer than the one before")
       ->capture_default_str();
-  command.add_option("--csv", csv, "Write to this file, in SI, instead of the screen");
-  command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of the screen");
+  names_a_file(command.add_option("--csv", csv, "Write to this file, in SI, instead of the screen"));
+  names_a_file(command.add_option("--picture", picture, "Draw to this file, .png, .pdf or .svg, instead of the screen"));
 }
 
 std::vector<double> SpectrumWords::read_periods() const {

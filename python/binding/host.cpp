@@ -6,10 +6,15 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <set>
+#include <stdexcept>
 #include <string_view>
+
+#include <pybind11/pybind11.h>
 
 #include <fmt/format.h>
 
@@ -18,8 +23,13 @@
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
 
+namespace py = pybind11;
+
 namespace pounding::python {
 namespace {
+
+std::timed_mutex petsc_in_use;
+thread_local bool petsc_is_mine = false;
 
 bool mpi_runs() {
   int begun = 0, over = 0;
@@ -97,6 +107,22 @@ void end_petsc(bool failed) {
 }
 
 void leave_the_others() { others_wait = true; }
+
+PetscForThisThread::PetscForThisThread() {
+  if (petsc_is_mine)
+    throw std::runtime_error(
+        "a run reports its progress to this function, and models run one after another: call check, modes and run when it has ended");
+  while (!petsc_in_use.try_lock_for(std::chrono::milliseconds(50))) {
+    const py::gil_scoped_acquire hold;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  petsc_is_mine = true;
+}
+
+PetscForThisThread::~PetscForThisThread() {
+  petsc_is_mine = false;
+  petsc_in_use.unlock();
+}
 
 OptionsOfRun::OptionsOfRun(const std::vector<std::string>& words) {
   std::vector<std::pair<std::string, std::string>> options;

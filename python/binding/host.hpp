@@ -19,6 +19,18 @@ void end_petsc(bool failed);
 /// end aborts the others.
 void leave_the_others();
 
+/// Holds PETSc for this thread, which does not hold the interpreter meanwhile: a process has one PETSc with one table of options, so
+/// one thread at a time may use it.
+class PetscForThisThread {
+ public:
+  /// Waits for other threads; a signal handler that raises (Ctrl-C) ends the wait by its exception. Throws std::runtime_error in a
+  /// thread that has PETSc already, which would wait for itself.
+  PetscForThisThread();
+  ~PetscForThisThread();
+  PetscForThisThread(const PetscForThisThread&) = delete;
+  PetscForThisThread& operator=(const PetscForThisThread&) = delete;
+};
+
 /// PETSc's options of one run, given as words of a command line; removed by the destructor.
 class OptionsOfRun {
  public:

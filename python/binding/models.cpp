@@ -4,7 +4,6 @@
 #include <exception>
 #include <functional>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -36,9 +35,6 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-// A process has one PETSc with one table of options, so one thread at a time may use it.
-std::mutex petsc_in_use;
-
 /// The text of a model and the file that it stands for.
 struct Source {
   std::string text, name;
@@ -51,7 +47,7 @@ Model read(const Source& source) { return read(Input::read_text(source.text, sou
 template <class Task>
 auto with_petsc(Task&& task) {
   const py::gil_scoped_release free;
-  const std::lock_guard one_at_a_time(petsc_in_use);
+  const PetscForThisThread mine;
   start_petsc();
   return task();
 }
@@ -160,7 +156,7 @@ Ran ran(const Model& model, const Outcome& outcome, std::string failure) {
   std::vector<std::string> doubts = implausible(model);
   for (std::string& text : implausible(model, outcome.summary)) doubts.push_back(std::move(text));
   return {.image = image_for_all(outcome.results), .warning = failure.empty() ? warning(outcome.summary, model.analysis.tolerance) : "",
-          .implausible = std::move(doubts), .failure = failure, .resumable = outcome.results.checkpoint.has_value()};
+          .implausible = std::move(doubts), .failure = failure, .resumable = outcome.resumable};
 }
 
 Ran run_alike(const Model& model, const RunOptions& options) {

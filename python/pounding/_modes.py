@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -30,11 +30,24 @@ class Mode(told.Told, lines=told.mode):
     shape: np.ndarray  #: [floor], of a frame [floor, direction]; 1 at the top, of a frame at its largest translation
 
 
+class _Drawn(NamedTuple):
+    """How the shapes of one structure are drawn."""
+
+    name: str
+    elevations: list[float | None]  #: [floor] [m]
+    nodes: np.ndarray  #: [node, 3] at rest [m]; none without geometry
+    members: np.ndarray  #: [member, 2] numbers of their nodes
+    node_shapes: list[np.ndarray]  #: [mode] displacements of the nodes, to the scale of the mode
+
+
 class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
     """Modes of every structure, longest period first: `modes["left"][0].period`."""
 
     def __init__(self, found: Sequence[core.StructureModes], title: str) -> None:
-        self._found, self._title = found, title
+        self._title = title
+        self._drawn = [_Drawn(structure.name, list(structure.elevations), np.reshape(structure.nodes, (-1, 3)),
+                              np.reshape(np.array(structure.members, int), (-1, 2)), [np.array(shape) for shape in structure.node_shapes])
+                       for structure in found]
         self._modes = {structure.name: [_mode(one, structure.is_frame) for one in structure.modes] for structure in found}
 
     def __getitem__(self, structure: str) -> list[Mode]:
@@ -58,9 +71,9 @@ class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
         from pounding.mode_shapes import DrawnMode, DrawnStructure, plot_modes
 
         structures = [DrawnStructure(
-            one.name, [DrawnMode(mode.period, mode.damping_ratio, mode.shape) for mode in self[one.name]], one.elevations,
-            np.reshape(one.nodes, (-1, 3)), np.reshape(np.array(one.members, int), (-1, 2)), one.node_shapes)
-            for one in self._found]
+            one.name, [DrawnMode(mode.period, mode.damping_ratio, mode.shape) for mode in self[one.name]], one.elevations, one.nodes,
+            one.members, one.node_shapes)
+            for one in self._drawn]
         return plot_modes(structures, title or self._title or "Mode shapes")
 
 

@@ -27,10 +27,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from pounding import told
+from pounding.checked_file import NotResults
 from pounding.outputs import output_for, tell
 from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes
 from pounding.pictures.panels import legend_below
-from pounding.results import NotResults, RunData
+from pounding.results import RunData
 from pounding.pictures.scene import Motion, Scene
 from pounding.pictures.style import STYLE, TIME_UNITS, VERMILION, BadRequest, head, largest
 

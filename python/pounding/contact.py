@@ -126,6 +126,10 @@ class Law:
             except InputError:
                 self._made = None
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The compiled law is made again from the parameters: copies, and laws sent to other processes, have the same bits.
+        return Law, (self.kind, self.restitution, self.formula, self.impact_velocity, self.reduced_mass, self.parameters)
+
     def force(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None = None, *,
               reduced_mass: Quantity | None = None, in_order: bool = False) -> Values:
         """Contact force [N] at penetrations [m] and rates [m/s], arrays of any shapes that go together.
@@ -225,6 +229,9 @@ class Laws(Mapping[str, LawKind]):
 
     def __repr__(self) -> str:
         return f"<pounding.laws: {', '.join(self._kinds)}>"
+
+    def __reduce__(self) -> str:
+        return "laws"
 
 
 def calibrate(law: str, *, m1: Quantity, m2: Quantity = "wall", restitution: Quantity | None = None,

@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 import h5py
 import numpy as np
 
+from pounding.texts import texts
+
 
 @dataclass(frozen=True)
 class Extremes:
@@ -69,18 +71,12 @@ def _envelope(name: str, group: h5py.Group) -> StructureEnvelope:
     quantities = ("displacement", "acceleration", "drift", "storey_shear", "base_shear", "member_force", "reaction")
     found = {key: Extremes(group[key][:], group[f"{key}_time"][:]) for key in quantities if key in group}
     return StructureEnvelope(
-        name=name, floors=_texts(group.attrs["floors"]), directions=_attribute(group, "displacement", "directions"),
-        members=_texts(group["members"][:]) if "members" in group else [],
+        name=name, floors=texts(group.attrs["floors"]), directions=_attribute(group, "displacement", "directions"),
+        members=texts(group["members"][:]) if "members" in group else [],
         components=_attribute(group, "member_force", "components"),
-        supports=_texts(group["supports"][:]) if "supports" in group else [],
+        supports=texts(group["supports"][:]) if "supports" in group else [],
         support_directions=_attribute(group, "reaction", "directions"), **found)
 
 
 def _attribute(group: h5py.Group, quantity: str, name: str) -> list[str]:
-    return _texts(group[quantity].attrs[name]) if quantity in group else []
-
-
-def _texts(values: h5py.Empty | np.ndarray) -> list[str]:
-    if isinstance(values, h5py.Empty):
-        return []
-    return [value.decode() if isinstance(value, bytes) else str(value) for value in values]
+    return texts(group[quantity].attrs[name]) if quantity in group else []

@@ -20,7 +20,7 @@ class SolverError(RuntimeError):
 class Interrupted(KeyboardInterrupt):
     """A run that Ctrl-C, or the stop button of a notebook, ended."""
 
-    def __init__(self, text: str, results: Any) -> None:
+    def __init__(self, text: str, results: Any = None) -> None:
         super().__init__(text)
         self.results = results  #: a `pounding.Run` with what was computed until then
 

@@ -20,12 +20,16 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from pounding.checked_file import NotResults
 from pounding.outputs import output_for, tell
-from pounding.results import MemberForces, NotResults, RunData
+from pounding.results import MemberForces, RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import BadRequest
+from pounding.texts import text
 
+#: By which an export knows the data of an earlier one.
+MARK = "pounding export"
 #: Times whose displacements are in memory at once.
 BLOCK = 200
 
@@ -42,7 +46,9 @@ def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]
     companion = path.with_name(f"{path.stem}.data.h5")
     if companion.resolve() == Path(results).resolve():
         raise BadRequest(f"cannot write {companion} beside {path}: it is the results file. Type another name after -o")
+    _refuse_others_data(companion)
     with h5py.File(companion, "w") as data:
+        data.attrs["program"] = MARK
         scene = Scene(run)
         grids = [_Grid(name, scene, Path(results), companion, data) for name in run.structures]
         grids = [grid for grid in grids if grid.has_points]
@@ -56,6 +62,20 @@ def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
     return companion
+
+
+def _refuse_others_data(companion: Path) -> None:
+    """Raises BadRequest where the file of data would replace what no export has written."""
+    if not companion.exists() or not companion.stat().st_size:
+        return
+    try:
+        with h5py.File(companion) as earlier:
+            if text(earlier.attrs.get("program", "")) == MARK:
+                return
+    except OSError:
+        pass
+    raise BadRequest(f"cannot write {companion} beside the .xdmf: a file of this name exists and holds no export. Type another name "
+                     "after -o")
 
 
 class _Data:

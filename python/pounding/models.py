@@ -18,7 +18,7 @@ from pounding.pictures.html import text_html
 from pounding.records import POUNDING_RECORDS, data_folder
 
 #: The parts of an input, in the order of the examples.
-PARTS = ("title", "ground_motion", "structures", "links", "analysis", "checkpoint", "compare", "accept")
+PARTS = ("title", "ground_motion", "structures", "links", "devices", "analysis", "checkpoint", "compare", "accept")
 
 
 class Model(told.Told, lines=told.model):
@@ -37,7 +37,8 @@ class Model(told.Told, lines=told.model):
     def __init__(self, structures: Mapping[str, Any], links: Sequence[Mapping[str, Any]] = (), *,
                  ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
                  title: str | None = None, compare: str | None = None,
-                 checkpoint: Mapping[str, Any] | None = None, accept: Sequence[str] | None = None) -> None:
+                 checkpoint: Mapping[str, Any] | None = None, accept: Sequence[str] | None = None,
+                 devices: Mapping[str, Any] | None = None) -> None:
         self.structures = structures
         self.links = links
         self.ground_motion = ground_motion
@@ -46,6 +47,7 @@ class Model(told.Told, lines=told.model):
         self.compare = compare
         self.checkpoint = checkpoint
         self.accept = accept
+        self.devices = devices
         self._file = ""
         self._text = ""
         self._parts_of_text: dict[str, Any] | None = None
@@ -111,7 +113,7 @@ class Model(told.Told, lines=told.model):
 class Checked:
     """A model that holds what it must."""
 
-    description: str  #: ground motions, structures and links, one line each
+    description: str  #: ground motions, structures, links and devices, one line each
     resolved: str  #: YAML with every default and calibrated parameter, SI
     warnings: tuple[str, ...] = ()  #: of numbers far from those of buildings, without those that the model accepts
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import sys
 
+from pounding.checked_file import NotResults
 from pounding.outputs import output_for
 from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
@@ -19,7 +20,7 @@ from pounding.pictures.panels import label_time
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
 from pounding.pictures.style import BadRequest, write_picture
-from pounding.results import NotResults, RunData
+from pounding.results import RunData
 
 __all__ = ["draw_balance_error", "draw_displacements", "draw_energies", "draw_forces", "draw_ground", "draw_loops",
            "draw_openings", "draw_restitution", "draw_strongest_loop", "label_time", "main", "model_figure", "profiles_figure",

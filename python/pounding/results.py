@@ -13,14 +13,12 @@ import h5py
 import numpy as np
 
 from pounding import told
+from pounding.checked_file import NotResults, require_whole, require_whole_image
+from pounding.devices import Device, read_devices
 from pounding.envelopes import StructureEnvelope, read_envelopes
-from pounding.errors import InputError
+from pounding.texts import text, texts
 
 Data = TypeVar("Data", bound="RunData")
-
-
-class NotResults(InputError):
-    """A file that is there, but not one that `pounding run` wrote."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -164,7 +162,8 @@ class RunData(told.Told, lines=told.run):
     #: [s], v_approach, v_separation [m/s], restitution, peak_force [N] (NaN for a rigid impact), t_peak [s], peak_penetration
     #: [m], impulse [N s], energy_lost, energy_stored [J]. t_end and t_release are NaN while a contact presses.
     impacts: np.ndarray
-    energy: dict[str, np.ndarray]  #: time [s]; input, kinetic, strain, damping, hysteretic, impact, error [J]
+    #: time [s]; input, kinetic, strain, damping, hysteretic, impact, error [J]; with devices also devices [J].
+    energy: dict[str, np.ndarray]
     summary: dict[str, Any]  #: the object of `pounding run --json`
     solver: dict[str, float]  #: steps, rejected, events, iterations, wall seconds
     model_yaml: str  #: the input as given
@@ -172,31 +171,39 @@ class RunData(told.Told, lines=told.run):
     source: Path | bytes = b""  #: the file that was read, or its bytes
     #: Extremes of every structure over all steps; empty in files of version 0.1.
     envelopes: dict[str, StructureEnvelope] = field(default_factory=dict)
+    devices: dict[str, Device] = field(default_factory=dict)  #: bars and dampers in the order of the input
     #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without it.
     no_pounding: RunData | None = None
 
     @classmethod
-    def read(cls: type[Data], path: str | PathLike[str]) -> Data:
-        """The results in the file `path`. Raises OSError when it cannot be opened, NotResults when it is something else."""
-        if not Path(path).is_file():
+    def read(cls: type[Data], path: str | PathLike[str], *, checked: bool = True) -> Data:
+        """The results in the file `path`. Its checksum is compared first; `checked=False` reads a file that has none, of an earlier
+        version, or to which you have added something, as it stands: HDF5 may never end on a damaged one. Raises OSError when it
+        cannot be opened, NotResults when it is something else or damaged."""
+        if checked:
+            require_whole(path)
+        elif not Path(path).is_file():
             raise FileNotFoundError(f"there is no file {path}")
-        if not h5py.is_hdf5(path):
-            raise NotResults(_no_results(Path(path)))
-        with h5py.File(path) as file:
+        with _opened(path, str(path)) as file:
             return cls._of(file, str(path), Path(path))
 
     @classmethod
     def from_image(cls: type[Data], image: bytes) -> Data:
         """The results in the bytes of such a file. Raises NotResults."""
-        with h5py.File(h5py.h5f.open_file_image(image)) as file:
+        require_whole_image(image)
+        with _opened(image, "what was given") as file:
             return cls._of(file, "what was given", image)
 
     @classmethod
     def _of(cls: type[Data], file: h5py.File, name: str, source: Path | bytes) -> Data:
-        without = None
-        if "no_pounding" in file:
-            without = cls(**_contents(file["no_pounding"], name), source=source)
-        return cls(**_contents(file, name), source=source, no_pounding=without)
+        # In a file that was not checked anything may be missing or of another type.
+        try:
+            without = None
+            if "no_pounding" in file:
+                without = cls(**_contents(file["no_pounding"]), source=source)
+            return cls(**_contents(file), source=source, no_pounding=without)
+        except Exception as error:
+            raise NotResults(f"{name} is not a results file of pounding: {error}") from error
 
     def impacts_of(self, link: str) -> np.ndarray:
         """The rows of `impacts` that belong to one link."""
@@ -210,40 +217,40 @@ class RunData(told.Told, lines=told.run):
             shutil.copyfile(self.source, path)
 
 
-def _contents(file: h5py.File, name: str) -> dict[str, Any]:
-    """The fields of RunData but `source` and `no_pounding`."""
+def _opened(source: str | PathLike[str] | bytes, name: str) -> h5py.File:
+    """The HDF5 file, open for reading. Raises NotResults where HDF5 finds none, OSError where it cannot be opened."""
     try:
-        return {
-            "title": file.attrs["title"],
-            "status": file.attrs["status"],
-            "time": file["time"][:],
-            "ground_acceleration": file["ground/acceleration"][:],
-            "structures": {name: _structure(name, group) for name, group in file["structures"].items()},
-            "links": {name: _link(name, group) for name, group in file["links"].items()},
-            "impacts": _with_text(file["impacts"][:]),
-            "energy": {name: data[:] for name, data in file["energy"].items()},
-            "summary": json.loads(file["summary"].asstr()[()] or "{}"),
-            "solver": {name: data[()] for name, data in file.get("solver", {}).items()},
-            "model_yaml": _text(file, "input/model.yaml"),
-            "resolved_yaml": _text(file, "input/resolved.yaml"),
-            "envelopes": read_envelopes(file),
-        }
-    except KeyError as error:
-        raise NotResults(f"{name} is not a results file of pounding: {error.args[0]}") from error
+        return h5py.File(h5py.h5f.open_file_image(source) if isinstance(source, bytes) else source, "r")
+    except OSError as error:
+        if not isinstance(source, bytes):
+            open(source, "rb").close()
+        raise NotResults(f"{name} is not a results file of pounding: {error}") from error
 
 
-def _no_results(path: Path) -> str:
-    """How to get results where a file is none."""
-    if path.suffix.lower() not in (".yaml", ".yml"):
-        return f"{path} is not a results file of pounding, such as pounding run MODEL.yaml -o OUT.h5 writes"
-    results = path.with_suffix(".h5")
-    return f"{path} is an input file; type pounding run {path} -o {results}, and name {results} here"
+def _contents(file: h5py.Group) -> dict[str, Any]:
+    """The fields of RunData but `source` and `no_pounding`."""
+    return {
+        "title": text(file.attrs["title"]),
+        "status": text(file.attrs["status"]),
+        "time": file["time"][:],
+        "ground_acceleration": file["ground/acceleration"][:],
+        "structures": {name: _structure(name, group) for name, group in file["structures"].items()},
+        "links": {name: _link(name, group) for name, group in file["links"].items()},
+        "impacts": _with_text(file["impacts"][:]),
+        "energy": {name: data[:] for name, data in file["energy"].items()},
+        "summary": json.loads(text(file["summary"][()]) or "{}"),
+        "solver": {name: data[()] for name, data in file.get("solver", {}).items()},
+        "model_yaml": _text(file, "input/model.yaml"),
+        "resolved_yaml": _text(file, "input/resolved.yaml"),
+        "envelopes": read_envelopes(file),
+        "devices": read_devices(file),
+    }
 
 
 def _with_text(rows: np.ndarray) -> np.ndarray:
     """A structured array whose columns of bytes are columns of str."""
     columns = {name: rows[name] for name in rows.dtype.names or ()}
-    columns = {name: np.array(_texts(values), dtype=str) if values.dtype.kind in "SO" else values
+    columns = {name: np.array(texts(values), dtype=str) if values.dtype.kind in "SO" else values
                for name, values in columns.items()}
     table = np.empty(rows.shape, dtype=[(name, values.dtype) for name, values in columns.items()])
     for name, values in columns.items():
@@ -252,16 +259,16 @@ def _with_text(rows: np.ndarray) -> np.ndarray:
 
 
 def _text(file: h5py.File, place: str) -> str:
-    return file[place].asstr()[()] if place in file else ""
+    return text(file[place][()]) if place in file else ""
 
 
 def _structure(name: str, group: h5py.Group) -> Structure:
-    floors = _texts(group.attrs["floors"])
-    directions = _texts(group.attrs.get("directions", ["x"]))
+    floors = texts(group.attrs["floors"])
+    directions = texts(group.attrs.get("directions", ["x"]))
     return Structure(
         name=name, floors=floors,
         along={direction: _floor_motion(group, i) for i, direction in enumerate(directions)},
-        kind=group.attrs.get("kind", ""), dimension=int(group.attrs.get("dimension", 1)),
+        kind=text(group.attrs.get("kind", "")), dimension=int(group.attrs.get("dimension", 1)),
         elevations=np.asarray(group.attrs["elevations"] if floors and "elevations" in group.attrs else
                               np.full(len(floors), np.nan), dtype=float),
         geometry=_geometry(group["geometry"]) if "geometry" in group else None,
@@ -284,32 +291,32 @@ def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
 
 def _geometry(group: h5py.Group) -> Geometry:
     return Geometry(nodes=group["nodes"][:], members=group["members"][:].astype(int).reshape(-1, 2),
-                    floor_of_node=group["floor_of_node"][:].astype(int), node_names=_texts(group["node_names"][:]),
-                    member_names=_texts(group["member_names"][:]))
+                    floor_of_node=group["floor_of_node"][:].astype(int), node_names=texts(group["node_names"][:]),
+                    member_names=texts(group["member_names"][:]))
 
 
 def _nodes(group: h5py.Group) -> NodeMotion:
-    return NodeMotion(names=_texts(group["names"][:]), directions=_texts(group["displacement"].attrs["directions"]),
+    return NodeMotion(names=texts(group["names"][:]), directions=texts(group["displacement"].attrs["directions"]),
                       **{key: group[key][:] for key in ("displacement", "velocity", "acceleration")})
 
 
 def _members(group: h5py.Group) -> MemberForces:
-    return MemberForces(names=_texts(group["names"][:]), components=_texts(group["end_forces"].attrs["components"]),
+    return MemberForces(names=texts(group["names"][:]), components=texts(group["end_forces"].attrs["components"]),
                         end_forces=group["end_forces"][:])
 
 
 def _reactions(group: h5py.Group) -> Reactions:
-    return Reactions(names=_texts(group["names"][:]), directions=_texts(group["force"].attrs["directions"]), force=group["force"][:])
+    return Reactions(names=texts(group["names"][:]), directions=texts(group["force"].attrs["directions"]), force=group["force"][:])
 
 
 def _link(name: str, group: h5py.Group) -> Link:
     series: dict[str, Any] = {key: group[key][:] for key in ("time", "penetration", "velocity", "force", "energy")}
-    ends = {key: group.attrs[key] for key in ("left", "right")}
+    ends: dict[str, Any] = {key: text(group.attrs[key]) for key in ("left", "right")}
     floors: dict[str, Any] = {key: int(group.attrs[key]) for key in ("left_floor", "right_floor")}
     more: dict[str, Any] = {}
     for side, floor in floors.items():
         word = side.replace("floor", "end")
-        more[word] = group.attrs.get(word, f"floor {floor}" if floor else "")
+        more[word] = text(group.attrs.get(word, f"floor {floor}" if floor else ""))
     # A link between structures without a place of their own has a position that is not a number.
     position = np.asarray(group.attrs.get("position", np.full(3, np.nan)), dtype=float)
     more["position"] = position if np.isfinite(position).all() else None
@@ -317,10 +324,4 @@ def _link(name: str, group: h5py.Group) -> Link:
         more["direction"] = np.asarray(group.attrs["direction"], dtype=float)
     if "friction" in group:
         more["friction"] = group["friction"][:]
-    return Link(name=name, law=group.attrs["law"], gap=float(group.attrs["gap"]), **ends, **floors, **series, **more)
-
-
-def _texts(values: Any) -> list[str]:
-    if isinstance(values, h5py.Empty):
-        return []
-    return [value.decode() if isinstance(value, bytes) else str(value) for value in values]
+    return Link(name=name, law=text(group.attrs["law"]), gap=float(group.attrs["gap"]), **ends, **floors, **series, **more)

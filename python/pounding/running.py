@@ -40,7 +40,7 @@ def run(model: Model | File, *, tolerance: float | None = None, output: File | N
         words = _words(options)
         source = model._source()
         call = " ".join(["pounding.run", source.name, *words])
-    place = "" if output is None else fspath(output)
+        place = _place(output)
     with _Shown(progress) as shown:
         ran = core.run(source, place, words, call, shown.report)
     return _results(ran, place)
@@ -51,11 +51,19 @@ def resume(results: File, *, output: File | None = None, options: Mapping[str, A
     """Goes on with a run that was killed, interrupted or cut, from its results file, to the bits of one that never stopped.
     `output` is another file to write; `options` beside those of the beginning. Raises as `run`."""
     with _refused_by_all():
-        place, words = fspath(results), _words(options)
+        place, words, other = fspath(results), _words(options), _place(output)
     with _Shown(progress) as shown:
-        ran = core.resume(place, "" if output is None else fspath(output), words, " ".join(["pounding.resume", place, *words]),
-                          shown.report)
-    return _results(ran, place if output is None else fspath(output))
+        ran = core.resume(place, other, words, " ".join(["pounding.resume", place, *words]), shown.report)
+    return _results(ran, other or place)
+
+
+def _place(output: File | None) -> str:
+    """The name of a results file; empty for none. Raises InputError for an empty name, which hardly means none."""
+    if output is None:
+        return ""
+    if not fspath(output):
+        raise InputError("the name of the output is empty: name a file, or write output=None")
+    return fspath(output)
 
 
 @contextlib.contextmanager

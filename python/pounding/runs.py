@@ -62,7 +62,7 @@ class Run(RunData):
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
         """A table for each group of the file, with its own time [s] as index: "impacts", "energy", "ground", "links/NAME",
-        "structures/NAME" with columns (quantity, floor, direction); where the input asked for them "structures/NAME/nodes" with
+        "devices/NAME", "structures/NAME" with columns (quantity, floor, direction); where the input asked for them "structures/NAME/nodes" with
         (quantity, node, direction) and "structures/NAME/members" with (member, component). In SI. Raises ImportError without
         pandas."""
         return _needing("pandas", "pounding.tables").to_pandas(self)
@@ -76,9 +76,11 @@ class Run(RunData):
         return run_html(self.title, self.status, self.summary)
 
 
-def read(path: str | PathLike[str]) -> Run:
-    """The run in the results file `path`. Raises OSError when it cannot be opened, NotResults when it is something else."""
-    return Run.read(path)
+def read(path: str | PathLike[str], *, checked: bool = True) -> Run:
+    """The run in the results file `path`. Its checksum is compared first; `checked=False` reads a file that has none, of an earlier
+    version, or to which you have added something, as it stands. Raises OSError when it cannot be opened, NotResults when it is
+    something else or damaged."""
+    return Run.read(path, checked=checked)
 
 
 def _needing(package: str, module: str) -> Any:

@@ -18,6 +18,8 @@ UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift
 NODE_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 #: Units of the histories of a link.
 LINK_UNITS = {"penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
+#: Units of the histories of a device.
+DEVICE_UNITS = {"elongation": "m", "force": "N"}
 
 
 def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
@@ -29,6 +31,8 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
               "energy": pandas.DataFrame({k: v for k, v in run.energy.items() if k != "time"}, _index(run.energy["time"]))}
     for name, link in run.links.items():
         tables[f"links/{name}"] = pandas.DataFrame({key: getattr(link, key) for key in LINK_UNITS}, _index(link.time))
+    for name, device in run.devices.items():
+        tables[f"devices/{name}"] = pandas.DataFrame({key: getattr(device, key) for key in DEVICE_UNITS}, _index(run.time))
     for name, structure in run.structures.items():
         columns: dict[tuple[str, ...], np.ndarray] = {
             (key, floor, direction): getattr(motion, key)[:, i]
@@ -63,6 +67,9 @@ def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
     for name, link in run.links.items():
         sets[f"links/{name}"] = dataset(link.time, {key: ("time", getattr(link, key), {"units": unit})
                                                     for key, unit in LINK_UNITS.items()})
+    for name, device in run.devices.items():
+        sets[f"devices/{name}"] = dataset(run.time, {key: ("time", getattr(device, key), {"units": unit})
+                                                     for key, unit in DEVICE_UNITS.items()})
     for name, structure in run.structures.items():
         sets[f"structures/{name}"] = dataset(run.time, _motion(structure), floor=structure.floors,
                                              direction=structure.directions)

@@ -88,6 +88,17 @@ def link(one: Any) -> list[str]:
             f"{counted(one.time.size, 'sample')} {span}"]
 
 
+def device(one: Any) -> list[str]:
+    """Ends and kind; largest values; samples."""
+    left, right = (name + (f" ({end})" if end else "") for name, end in ((one.left, one.left_end), (one.right, one.right_end)))
+    parts = [f"bar {one.stiffness:.4g} N/m"] if one.stiffness else []
+    if one.coefficient:
+        parts.append(f"damper {one.coefficient:.4g} N (s/m)^{one.exponent:g}")
+    return [f"{one.name}: {', '.join(parts)} between {left} and {right}",
+            f"largest force {peak(one.largest['force'])} N, elongation {peak(one.largest['elongation'])} m",
+            f"{counted(one.force.size, 'output time')}"]
+
+
 def law(one: Any) -> list[str]:
     """Parameters; force; meaning."""
     return [repr(one), one.kind.shape, one.kind.summary]

@@ -58,7 +58,7 @@ class Names(unittest.TestCase):
         installed = {str(path.relative_to(ROOT)) for path in installed_headers()}
         self.assertLessEqual({"lib/pounding/lib.hpp", "lib/pounding/run/run.hpp", "elements/pounding/laws/all.hpp"}, installed)
         private = {f"lib/pounding/{name}.hpp" for name in ("run/run_monitor", "run/run_writer", "run/ts_setup", "run/recorder", "results/hdf5",
-                                                           "results/replace_file")} | {"elements/pounding/ground/records/format.hpp"}
+                                                           "results/replaced_file")} | {"elements/pounding/ground/records/format.hpp"}
         self.assertEqual(installed & private, set())
 
     def test_TheReaderFindsWhatTheHeadersDeclare(self):

@@ -66,6 +66,8 @@ inline const std::string beside_wall =
 
 /// A model around one section, whose keys stand at the @.
 inline std::string around(const Section& s) {
+  Keys with_floor = bent;
+  with_floor["floors"] = "[{nodes: [b, c]}]";
   const std::map<const Section*, std::string> models = {
       {&words::model, "@"},
       {&words::analysis, pair + "analysis: @"},
@@ -89,6 +91,11 @@ inline std::string around(const Section& s) {
       {&words::damping, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: @}"},
       {&words::rayleigh, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: {rayleigh: @}}"},
       {&words::modal, shaken + pair + "  a: {oscillator: {mass: 1 t, period: 1}, damping: {modal: @}}"},
+      {&words::force, shaken + "structures: {tower: {frame: " + map_of(with_floor) + ", forces: [@]}}"},
+      {&words::force_harmonic, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{harmonic: @}]}"},
+      {&words::force_sum_part, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{sum: [@], duration: 1}]}"},
+      {&words::force_pulse, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{pulse: @}]}"},
+      {&words::step_force, shaken + pair + "  a: {body: {mass: 1 t}, forces: [{step_force: @}]}"},
       {&words::frame, shaken + "structures: {tower: {frame: @}}"},
       {&words::material, in_frame({{"material", "@"}})},
       {&words::cross_section, in_frame({{"sections", "{one: @}"}})},
@@ -107,11 +114,15 @@ inline std::string around(const Section& s) {
       {&words::floor, in_frame({{"floors", "[@]"}})},
       {&words::node_masses, in_space({{"masses", "{b: @, c: 10 t}"}})},
       {&words::node_loads, in_space({{"loads", "{b: @}"}})},
+      {&words::node_displacements, in_space({{"mass", "consistent"}, {"initial_node_displacements", "{b: @}"}})},
       {&words::spring, in_space({{"springs", "[@]"}})},
       {&words::tie, in_frame({{"ties", "[@]"}})},
       {&words::report, in_frame({{"report", "@"}})},
       {&words::link, two_in_space + "links: [@]"},
       {&words::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
+      {&words::device, shaken + pair + "devices: {tie: @}"},
+      {&words::bar, two_in_space + "devices: {tie: {between: [left.1, right.1], bar: @}}"},
+      {&words::damper, shaken + pair + "devices: {tie: {between: [left, right], damper: @}}"},
       {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
   return models.at(&s);
 }
@@ -125,6 +136,9 @@ inline const std::map<const Section*, Keys> beside = {
     {&words::motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
     {&words::displacement, {{"harmonic", "{amplitude: 1 mm, period: 1, duration: 1}"}}},
     {&words::structure, {{"oscillator", "{mass: 100 t, period: 0.8}"}, {"damping", "5 %"}}},
+    {&words::force, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
+    {&words::force_harmonic, {{"period", "1"}}},
+    {&words::force_sum_part, {{"period", "1"}}},
     {&words::grid, {{"floor_mass", "20 t"}}},
     {&words::oscillator, {{"damping", "5 %"}}},
     {&words::shear_building, {{"damping", "5 %"}}},
@@ -138,7 +152,12 @@ inline const std::map<const Section*, Keys> beside = {
 /// Keys beside one word; an empty value takes the key out.
 inline const std::map<std::string, Keys> beside_word = {
     {"model.links", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
+    {"model.devices", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
     {"members.truss", {{"section", ""}}},
+    {"bar.E", {{"area", "20 cm^2"}}},
+    {"bar.area", {{"E", "210 GPa"}, {"stiffness", ""}}},
+    {"damper.exponent", {{"coefficient", "2e5"}}},
+    {"damper.rounding_velocity", {{"coefficient", "2e5"}, {"exponent", "0.35"}}},
     {"stiffness.area", {{"length", "9 m"}}},
     {"stiffness.length", {{"area", "3 m^2"}}},
     {"stiffness.velocity", {{"penetration", "5 mm"}}},
@@ -167,6 +186,13 @@ inline const std::map<std::string, Keys> beside_word = {
     {"displacement.initial_velocity", {{"record", "moved.csv"}, {"harmonic", ""}}},
     {"displacement.sum", {{"duration", "1"}}},
     {"displacement.duration", {{"sum", "[{amplitude: 1 mm, period: 1}]"}, {"harmonic", ""}}},
+    {"forces.channel", {{"record", "channels_of_force.csv"}, {"pulse", ""}}},
+    {"forces.units", {{"record", "plain.csv"}, {"pulse", ""}}},
+    {"forces.step", {{"record", "values.txt"}, {"units", "kN"}, {"pulse", ""}}},
+    {"forces.scale", {{"record", "forces.csv"}, {"pulse", ""}}},
+    {"forces.start", {{"record", "forces.csv"}, {"pulse", ""}}},
+    {"forces.sum", {{"duration", "1"}}},
+    {"forces.duration", {{"sum", "[{amplitude: 1, period: 1}]"}, {"pulse", ""}}},
     {"synthetic.omega_g", {{"zeta_g", "0.6"}, {"omega_f", "1.5 rad/s"}, {"zeta_f", "0.6"}}},
     {"synthetic.zeta_g", {{"omega_g", "15 rad/s"}, {"omega_f", "1.5 rad/s"}, {"zeta_f", "0.6"}}},
     {"synthetic.omega_f", {{"omega_g", "15 rad/s"}, {"zeta_g", "0.6"}, {"zeta_f", "0.6"}}},
@@ -178,6 +204,7 @@ inline const std::map<std::string, Keys> beside_word = {
     {"structures.wall", {{"damping", ""}}},
     {"oscillator.hardening", {{"yield_force", "1 MN"}}},
     {"shear_building.hardening", {{"yield_force", "1 MN"}}},
+    {"frame.initial_displacement", {{"floors", "[{nodes: [b, c]}]"}}},
     {"frame.grid", {{"nodes", ""}, {"members", ""}, {"supports", ""}, {"masses", ""}}},
     {"frame.nodes", {{"members", "{c1: {between: [a, b], section: " + rectangle + "}}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},
     {"frame.members", {{"nodes", "{a: [0, 0], b: [0, 3 m]}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},

@@ -78,7 +78,7 @@ TEST(StructureInput, HasOneKnownKind) {
           "2:7: structures.a.wall: a structure has one kind, and a body is given too; keep one of the two");
   refused(structure("{body: {mass: 1}, mass: 3}"),
           R"(2:24: structures.a: unknown key "mass". Allowed: damping, initial_velocity, initial_displacement, )"
-          "delay, ground_motion, body, oscillator, shear_building, frame, wall.");
+          "delay, ground_motion, forces, body, oscillator, shear_building, frame, wall.");
 }
 
 TEST(StructureInput, OfAWallHasNothingElse) {
@@ -105,7 +105,7 @@ TEST(StructureInput, OfABodyHasAMass) {
   refused(structure("{body: {mass: .nan}}"),
           R"(2:20: structures.a.body.mass: takes a mass such as "100 t"; ".nan" is not a finite number)");
   refused(structure("{body: {mass: 5 t, period: 1}}"),
-          R"(2:25: structures.a.body: unknown key "period". Allowed: mass, initial_velocity, initial_displacement.)");
+          R"(2:25: structures.a.body: unknown key "period". Allowed: mass, gravity, initial_velocity, initial_displacement.)");
   refused(structure("{body: {mass: 5 t}, damping: 5 %}"),
           "2:26: structures.a.damping: a body has no damping of its own; leave it out");
 }

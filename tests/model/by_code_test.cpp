@@ -117,6 +117,25 @@ TEST(ModelByCode, OfBuildingsThatYieldBesideAWallIsThatOfTheInput) {
             std::move(model));
 }
 
+TEST(ModelByCode, TakesForcesAsTheInputDoes) {
+  Model model;
+  const auto left = model.add("left", make_shear_building({.storeys = 2, .mass = 100e3, .stiffness = 90e6}),
+                              {.damping = 0.05,
+                               .forces = {{.floor = 2, .history = GroundMotion(Harmonic{400e3, 0.5, 2, 0.1}, dimension::force)},
+                                          {.floor = 1, .history = GroundMotion(Step{50e3, 0, 0.2}, dimension::force)}}});
+  const auto right = model.add("right", make_body({.mass = 150e3, .gravity = -0.2}));
+  model.link(left.floor(2), right, {.gap = 0.01}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
+  model.analysis = {.duration = 1};
+  expect_as("structures:\n"
+            "  left: {shear_building: {storeys: 2, mass: 100 t, stiffness: 90 MN/m}, damping: 5 %,\n"
+            "         forces: [{floor: 2, harmonic: {amplitude: 400 kN, period: 0.5, duration: 2, start: 0.1}},\n"
+            "                  {floor: 1, step_force: {amplitude: 50 kN, rise: 0.2}}]}\n"
+            "  right: {body: {mass: 150 t, gravity: -0.2}}\n"
+            "links: [{between: [left.2, right], gap: 10 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
+            "analysis: {duration: 1}\n",
+            std::move(model));
+}
+
 const Material concrete = isotropic(30e9);
 
 GridFrame plane(int storeys, double depth, double origin) {
@@ -251,6 +270,55 @@ TEST(ModelByCode, TakesALawOfItsUser) {
   const Outcome a = run(own), b = run(library);
   ASSERT_FALSE(a.results.impacts.empty());
   EXPECT_EQ(a.results.links[0].force, b.results.links[0].force);
+}
+
+TEST(ModelByCode, ConnectsStructuresAsTheInputDoes) {
+  Model model;
+  const auto left = model.add("left", make_oscillator({.mass = 100e3, .period = 0.8, .damping_ratio = 0.05}));
+  const auto right = model.add("right", make_oscillator({.mass = 150e3, .period = 0.4, .damping_ratio = 0.05}));
+  const auto wall = model.add("wall", make_wall());
+  model.link(left, right, {.gap = 0.02}, laws::Jankowski{.stiffness = 2.75e9, .restitution = 0.65});
+  model.connect("both", left.floor(1), right, {.bar = Bar{.stiffness = 1e6}, .damper = Damper{.coefficient = 2e4, .exponent = 0.5}});
+  model.connect("ground", right, wall, {.damper = Damper{.coefficient = 1e4}});
+  model.ground = Harmonic{.amplitude = 3.0, .period = 0.6, .duration = 3.0};
+  model.analysis = {.duration = 1.5, .tolerance = 1e-6};
+  expect_as(R"(
+ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}
+structures:
+  left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}
+  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}
+  wall: {wall: {}}
+links: [{between: [left, right], gap: 20 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]
+devices:
+  both: {between: [left, right], bar: {stiffness: 1 MN/m}, damper: {coefficient: 20 kN (s/m)^0.5, exponent: 0.5}}
+  ground: {between: [right, wall], damper: {coefficient: 10 kN s/m}}
+analysis: {duration: 1.5, tolerance: 1e-6}
+)",
+            std::move(model));
+}
+
+TEST(ModelByCode, RefusesDevicesThatCannotBe) {
+  Model model;
+  const auto left = model.add("left", make_oscillator({.mass = 100e3, .period = 0.8, .damping_ratio = 0.05}));
+  const auto right = model.add("right", make_oscillator({.mass = 150e3, .period = 0.4, .damping_ratio = 0.05}));
+  const auto option_of = [&](const std::string& name, const ContactLocation& end, const DeviceOptions& options) {
+    try {
+      model.connect(name, left, end, options);
+    } catch (const ModelError& error) {
+      return error.option();
+    }
+    ADD_FAILURE() << name << " was taken";
+    return ModelOption::structures;
+  };
+  EXPECT_EQ(option_of("none", right, {}), ModelOption::device);
+  EXPECT_EQ(option_of("soft", right, {.bar = Bar{}}), ModelOption::bar);
+  EXPECT_EQ(option_of("drawn", right, {.bar = BarSection{2e11, 1e-3}}), ModelOption::bar);
+  EXPECT_EQ(option_of("steep", right, {.damper = Damper{.coefficient = 1, .exponent = 3}}), ModelOption::damper);
+  EXPECT_EQ(option_of("itself", left, {.bar = Bar{1e6}}), ModelOption::between);
+  EXPECT_EQ(option_of("high", right.floor(2), {.bar = Bar{1e6}}), ModelOption::right);
+  EXPECT_EQ(option_of("", right, {.bar = Bar{1e6}}), ModelOption::device_name);
+  model.connect("tie", left, right, {.bar = Bar{1e6}});
+  EXPECT_EQ(option_of("tie", right, {.bar = Bar{1e6}}), ModelOption::device_name);
 }
 
 TEST(ModelByCode, KeepsTheReducedMassThatItsLawWasGiven) {

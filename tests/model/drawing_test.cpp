@@ -51,19 +51,35 @@ TEST(DrawnGap, IsNoneWhereRoundingParts) {
   EXPECT_FALSE(std::signbit(Pair(6 - 1e-15).gap()));
 }
 
-// Under their weight equal frames move sideways by the rounding of their displacements at rest.
-TEST(DrawnGap, OfZeroHoldsUnderGravity) {
-  const auto heavy = [](double origin) {
+// Two equal frames side by side under their weight.
+Model leaning(int storeys, double floor_mass, double load = 0) {
+  const auto heavy = [&](double origin) {
+    GridFrame parts_of = grid(origin, storeys);
+    parts_of.floor_mass = {floor_mass};
     FrameModel model{.frame = Frame(2)};
-    const GridParts parts = add_grid(model, grid(origin));
+    const GridParts parts = add_grid(model, parts_of);
     for (const int foot : parts.feet) model.frame.fix(foot);
+    // Towards the other frame.
+    if (load != 0) model.frame.add_load(model.floors.back().nodes.front(), Dof::ux, origin < 1 ? load : -load);
     model.gravity = true;
     return make_structure(model);
   };
   Model model;
   const StructureHandle left = model.add("left", heavy(0.1), {.damping = 0.05}), right = model.add("right", heavy(6.1), {.damping = 0.05});
-  EXPECT_NO_THROW(model.link(left, right, {.floors = FacingFloors::all}, laws::Hertz{.stiffness = 1e9}));
-  EXPECT_EQ(model.links.at(1).gap, 0);
+  model.link(left, right, {.floors = FacingFloors::all}, laws::Hertz{.stiffness = 1e9});
+  return model;
+}
+
+// Under their weight equal frames move sideways by the rounding of their displacements at rest, which grows with these.
+TEST(DrawnGap, OfZeroHoldsUnderGravity) {
+  for (const int storeys : {2, 7, 30})
+    for (const double floor_mass : {6e4, 6e7, 6e12}) {
+      EXPECT_NO_THROW(EXPECT_EQ(leaning(storeys, floor_mass).links.at(1).gap, 0)) << storeys << " storeys of " << floor_mass << " kg";
+    }
+}
+
+TEST(DrawnGap, OfZeroIsRefusedWhereFramesLeanTogether) {
+  EXPECT_NE(test::refusal([] { leaning(2, 6e4, 1e-6); }).find("overlap by"), std::string::npos);
 }
 
 TEST(DrawnGap, IsTheGivenOneWhereTheyDifferByRounding) {

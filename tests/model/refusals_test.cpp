@@ -111,6 +111,19 @@ TEST(ModelByCode, SaysWhatItLacks) {
   EXPECT_EQ(refused_model([](Model& m) { m.analysis.duration = 0; }), "the duration is missing; type analysis: {duration: 10 s}");
   EXPECT_EQ(refused_model([](Model& m) { m.analysis.output_step = 1e-9; }),
             "1e+09 output times are too many; type analysis: {output_step: 0.0001}");
+  EXPECT_EQ(refused_model([](Model& m) { m.analysis.most_steps = 0; }), "most_steps lies in [1, 2000000000]; 0 was given");
+  EXPECT_EQ(refused_model([](Model& m) { m.analysis.most_steps = 10; }),
+            "a run of 1 s takes 20 steps or more, and 10 are allowed: the period of 0.5 s of structure left makes them so short; look at the "
+            "units, or type analysis: {duration: 0.5 s}, or {most_steps: 40} and some patience");
+  EXPECT_EQ(refused_model([](Model& m) {
+              m.analysis.most_steps = 1000;
+              m.ground.components[0] = GroundMotion(Harmonic{1, 1e-3, 1});
+            }),
+            "a run of 1 s takes 1e+04 steps or more, and 1000 are allowed: the ground motion (harmonic, 1 m/s^2 at 0.001 s for 1 s) makes "
+            "them so short; look at the units, or type analysis: {duration: 0.1 s}, or {most_steps: 20000} and some patience");
+  EXPECT_EQ(refused_model([](Model& m) { m.analysis.max_step = 1e-10; }),
+            "a run of 1 s takes 1e+10 steps or more, and 100000000 are allowed: a max_step of 1e-10 s makes them so short; look at the units, or "
+            "type analysis: {duration: 0.01 s}");
   EXPECT_EQ(refused_model([](Model& m) { m.analysis.output_step = 2; }), "the output_step of 2 s is longer than the duration of 1 s");
   EXPECT_EQ(refused_model([](Model& m) { m.analysis.tolerance = 1; }), "the tolerance lies in [1e-10, 0.1]; 1 was given");
   EXPECT_EQ(refused_model([](Model& m) { m.analysis.scheme.spectral_radius = 2; }), "the spectral_radius lies in [0, 1]; 2 was given");
@@ -153,7 +166,7 @@ TEST(FrameModel, SaysWhatItLacks) {
   model.frame.add_node({0, 0, 3}, "b");
   model.frame.add_member(0, 1, rectangle_section(0.4, 0.4), isotropic(30e9));
   model.frame.add_mass(1, 1e3);
-  EXPECT_EQ(refusal([&] { make_structure(model); }), "nothing holds the frame to the ground; type supports: {a: fixed}");
+  EXPECT_EQ(refusal([&] { make_structure(model); }), "nothing holds the frame to the ground; type supports: {a: fixed}, or supports: none for a frame free in space");
   model.frame.fix(0);
   EXPECT_EQ(refusal([&] { make_structure(model); }), "taken");
   model.gravity = false;

@@ -89,7 +89,7 @@ def unfounded(text, stated, models):
         elif unit == "times":
             possible = ratios + values
         else:
-            possible = [value / UNITS[unit] for value in values]
+            possible = [abs(value) / UNITS[unit] for value in values]  # a text tells the size of a push
         allowed = 0.5 * 10 ** -len(said["decimals"] or "") * (1 + 1e-6)
         if said[0] not in given and not any(abs(value - figure) <= allowed for value in possible):
             wrong.append(said[0])

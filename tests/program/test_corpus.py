@@ -105,7 +105,7 @@ class Models(CorpusTest):
             "tag_binary": ":1:8: the tag tag:yaml.org,2002:binary is not read; leave it out",
             "deep_by_aliases": "more than 64 maps and lists are in each other here",
             "period_1e308": ":3:39: structures.a.oscillator.period: is so long that the stiffness m (2 pi/T)^2 is zero",
-            "floor_beyond_int": ':6:15: links[0].between[0]: "a.99999999999" names no floor of a',
+            "floor_beyond_int": ':6:16: links[0].between[0]: "a.99999999999" names no floor of a',
         }.items():
             with self.subTest(name=name):
                 self.refused("check", CORPUS / "model" / f"{name}.yaml", told=told)
@@ -186,7 +186,7 @@ class Units(CorpusTest):
             with self.subTest(words=words):
                 self.refused(*words, told="has no number for these values; look at their units")
         record = CORPUS / "records" / "fine_columns.txt"
-        for periods in ("1e-300:1e300:10000", "1e-12:4:100"):
+        for periods in ("1e-300:4:100", "1e-12:4:100"):
             self.refused("record", "spectrum", record, "--periods", periods, told="take longer periods")
         self.refused("record", "spectrum", "--units", "g", CORPUS / "records" / "fine_sample_1e30.txt", told="take longer periods")
 

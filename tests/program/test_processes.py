@@ -29,6 +29,15 @@ AMPLIFIED, AMPLIFIED_ROUNDING = ("nodes/acceleration", "/t_peak"), 1e-7
 MEANT = 1e-5
 
 SHORT = OSCILLATORS.replace("duration: 3.0}", "duration: 1.2}").replace("{duration: 1.2}", "{duration: 1.2, output_step: 10 ms}")
+#: A force instead of the ground, and a short one that only the left oscillator feels.
+PUSHED = """\
+structures:
+  left: {oscillator: {mass: 100 t, period: 0.8 s, damping: 5 %}, forces: [{harmonic: {amplitude: 300 kN, period: 0.6 s, duration: 3 s}},
+         {pulse: {shape: half_sine, amplitude: 20 MN, duration: 2 ms, start: 0.1 s}}]}
+  right: {oscillator: {mass: 150 t, period: 0.4 s, damping: 5 %}}
+links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]
+analysis: {duration: 1.2, output_step: 10 ms}
+"""
 ENDLESS = OSCILLATORS.replace("duration: 3.0}", "duration: 100000}").replace("{duration: 100000}",
                                                                               "{duration: 100000, output_step: 10 s}")
 
@@ -149,6 +158,9 @@ class Answers(Processes):
     def test_of_a_small_model_are_those_of_one(self):
         self.agree(SHORT, [2], *SPARSE, base={2: "2 unknowns on 2 processes, each with whole structures"})
 
+    def test_under_forces_are_those_of_one(self):
+        self.agree(PUSHED, [2], *SPARSE, base={2: "2 unknowns on 2 processes, each with whole structures"})
+
     def test_of_frames_too_big_for_modes_are_those_of_one(self):
         self.agree(frames(), [2], base={2: "on 2 processes, each with whole structures"})
 
@@ -160,6 +172,7 @@ class AnswersOfMore(Answers):
     """More processes than structures share one factor. Slow where there are fewer cores than processes."""
 
     test_of_a_small_model_are_those_of_one = None
+    test_under_forces_are_those_of_one = None
     test_of_frames_too_big_for_modes_are_those_of_one = None
     test_of_frames_that_turn_are_those_of_one = None
 
@@ -207,7 +220,7 @@ class Voice(Processes):
         failed = self.on(2, "run", "model.yaml", "-q", "-o", "out.h5", *SPARSE)
         self.assertEqual((failed.returncode, len(self.messages(failed))), (3, 1), failed.stderr)
         with h5py.File(self.folder / "out.h5") as file:
-            self.assertIn("failed: the solve stopped", file.attrs["status"])
+            self.assertIn("failed: the solve stopped", file.attrs["status"].decode())
 
 
 class Alone(Processes):
@@ -269,7 +282,26 @@ class Ends(Processes):
             words += [":"] * number + ["-n", "1", "-wdir", str(self.folder / str(number)), PROGRAM, "run", "model.yaml", "-q"]
         differ = subprocess.run(words, env=SURROUNDINGS, capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual((differ.returncode, self.messages(differ)),
-                         (2, ["pounding: model.yaml: the processes read different models; name a file that all of them see"]))
+                         (2, ["pounding: model.yaml: process 2 of 2 reads another one than process 1; name a file that all of them see, and see alike"]))
+
+    def test_when_processes_read_different_records(self):
+        """Oscillators would answer with the record of the first process, and frames would wait for each other."""
+        for model, record in ((SHORT, "harmonic: {amplitude: 3.0, period: 0.6, duration: 1.2}"),
+                              (frames(), "components: {x: {harmonic: {amplitude: 3.0, period: 0.2, duration: 1}}")):
+            self.assertIn(record, model)
+            own = "record: record.txt, units: m/s^2"
+            text = model.replace(record, own if record.startswith("harmonic") else f"components: {{x: {{{own}}}")
+            for number in (0, 1):
+                (self.folder / str(number)).mkdir(exist_ok=True)
+                self.write(text, f"{number}/model.yaml")
+                self.write(f"0 0\n0.1 {3 + 1e-9 * number}\n1 0\n", f"{number}/record.txt")
+            words = [LAUNCHER]
+            for number in (0, 1):
+                words += [":"] * number + ["-n", "1", "-wdir", str(self.folder / str(number)), PROGRAM, "run", "model.yaml", "-q"]
+            with self.subTest(record=record):
+                differ = subprocess.run(words, env=SURROUNDINGS, capture_output=True, text=True, timeout=PATIENCE)
+                self.assertEqual((differ.returncode, len(self.messages(differ))), (2, 1), differ.stderr)
+                self.assertRegex(self.messages(differ)[0], "model.yaml: the record record.txt, .*: process 2 of 2 reads another one than process 1")
 
 
 class Stopped(Processes):
@@ -302,7 +334,7 @@ class Stopped(Processes):
             with self.subTest(number):
                 self.stop(number, "model.yaml", "-o", "out.h5", *SPARSE)
                 with h5py.File(self.folder / "out.h5") as file:
-                    self.assertIn("failed: stopped by the user", file.attrs["status"])
+                    self.assertIn("failed: stopped by the user", file.attrs["status"].decode())
                 self.done(2, "--resume", "out.h5")
                 whole, resumed = (numbers(self.folder / name) for name in ("whole.h5", "out.h5"))
                 self.assertEqual(list(whole), list(resumed))
@@ -337,7 +369,7 @@ class StoppedBetweenLongSteps(Processes):
         run.send_signal(signal.SIGTERM)
         run.communicate(timeout=PATIENCE)
         with h5py.File(path) as file:
-            self.assertIn("failed: stopped by the user", file.attrs["status"])
+            self.assertIn("failed: stopped by the user", file.attrs["status"].decode())
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 import numpy as np
-from support import MASTS, OSCILLATORS, PROGRAM, ProgramTest
+from support import MASTS, OSCILLATORS, PROGRAM, ProgramTest, seal
 
 #: Durations that take a second or two of run time.
 SECOND_ORDER = "integrator: generalized_alpha, spectral_radius: "
@@ -71,7 +71,7 @@ class Resumed(ProgramTest):
 
     def status(self):
         with h5py.File(self.folder / "out.h5") as file:
-            return file.attrs["status"]
+            return file.attrs["status"].decode()
 
     def cut(self, text=OSCILLATORS, *words):
         """A file whose run was cut after 100 steps, and its model."""
@@ -240,6 +240,7 @@ class Refused(Resumed):
     def change(self, edit):
         with h5py.File(self.folder / "out.h5", "r+") as file:
             edit(file)
+        seal(self.folder / "out.h5")
 
     def test_a_run_that_is_done(self):
         self.write(OSCILLATORS)
@@ -257,7 +258,7 @@ class Refused(Resumed):
 
     def test_another_version_of_the_program(self):
         self.cut()
-        self.change(lambda file: file.attrs.modify("version", "0.0.1"))
+        self.change(lambda file: file.attrs.modify("version", np.bytes_("0.0.1")))
         self.refuse("out.h5: was written by pounding 0.0.1, and this is ")
 
     def test_another_model(self):
@@ -315,11 +316,27 @@ class Refused(Resumed):
         self.cut()
         path = self.folder / "out.h5"
         path.write_bytes(path.read_bytes()[:path.stat().st_size // 2])
-        self.refuse("out.h5: cannot be read as a results file, it is another or a damaged one (HDF5 could not open the file")
+        self.refuse("out.h5: the file is damaged, or another program has changed it: it has ")
+
+    def test_one_changed_bit(self):
+        self.cut()
+        path = self.folder / "out.h5"
+        content = bytearray(path.read_bytes())
+        content[len(content) // 2] ^= 1
+        path.write_bytes(content)
+        self.refuse("out.h5: the file is damaged, or another program has changed it: its checksum is another one")
+
+    def test_a_file_without_a_checksum(self):
+        self.cut()
+        path = self.folder / "out.h5"
+        path.write_bytes(path.read_bytes()[512:])
+        self.refuse("out.h5: has no checksum, so damage in it cannot be seen")
 
     def test_what_is_no_results_file(self):
         (self.folder / "out.h5").write_text("time, force\n")
-        self.refuse("out.h5: cannot be read as a results file")
+        self.refuse("out.h5: is not a results file of pounding")
+        (self.folder / "out.h5").write_text("")
+        self.refuse("out.h5: the file is empty; run the model again")
         self.refused(2, "none.h5: no such file", "run", "--resume", "none.h5")
 
     def test_an_adaptive_control_with_a_memory(self):

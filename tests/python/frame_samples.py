@@ -4,6 +4,8 @@ space, that sway with given motions. Nothing is solved; every number in the file
 import h5py
 import numpy as np
 
+from sealed import seal
+
 GAP = 0.025  #: [m]
 TIME = np.linspace(0, 4, 201)  #: [s]
 BAY, STOREY = 5.0, 3.2  #: [m]
@@ -83,6 +85,7 @@ def write(path, dimension=2, nodes="all", members=True, wall=False, compare=Fals
         file["summary"] = "{}"
         if compare:
             write_without_links(file, file.create_group("no_pounding", track_order=True))
+    seal(path)
 
 
 def write_envelope(group, structure):

@@ -11,6 +11,7 @@ import h5py
 import numpy as np
 
 import frame_samples
+from sealed import seal
 from pounding import export
 from pounding.runs import read
 from pounding.pictures.geometry import node_displacements
@@ -102,6 +103,7 @@ class Exports(unittest.TestCase):
             group["end_forces"] = forces
             group["end_forces"].attrs["components"] = components
             group["names"] = ["m4", "m2"]
+        seal(self.results)
         export.export(self.results, read(self.results), self.directory / "out.xdmf")
         shown = self.grids(37)["tall"]["end N"]
         np.testing.assert_array_equal(np.flatnonzero(np.isfinite(shown)), [2, 4])

@@ -1,7 +1,9 @@
 """Laws on arrays: the bits of the C++ laws, closed forms, shapes, and what is refused."""
 
+import copy
 import json
 import os
+import pickle
 import subprocess
 import unittest
 
@@ -31,6 +33,17 @@ def typical(name, **more):
 
 def with_force_history():
     return [name for name, kind in pounding.laws.items() if not kind.instantaneous]
+
+
+class Copies(unittest.TestCase):
+    def test_of_every_law_have_the_same_bits(self):
+        penetration, rate = np.random.default_rng(2).uniform([0, -1], [1e-2, 1], (100, 2)).T
+        for name in with_force_history():
+            law = typical(name)
+            for copied in (pickle.loads(pickle.dumps(law)), copy.copy(law), copy.deepcopy(law)):
+                self.assertEqual(repr(copied), repr(law))
+                np.testing.assert_array_equal(copied.force(penetration, rate, 0.5), law.force(penetration, rate, 0.5), name)
+        self.assertIs(pickle.loads(pickle.dumps(pounding.laws)), pounding.laws)
 
 
 class Forces(unittest.TestCase):

@@ -56,6 +56,14 @@ class Words(unittest.TestCase):
                 self.assertEqual(again, model)
                 self.assertLess(max(map(len, yaml_text.emit(model._parts()).splitlines())), 260)
 
+    def test_devices_are_a_part(self):
+        model = two_oscillators()
+        model.devices = {"top damper": {"between": ["left", "right"], "damper": {"coefficient": "200 kN s/m"}}}
+        self.assertIn("device top damper: damper 200 kN s/m", str(pounding.check(model)))
+        again = pounding.Model.from_yaml(model.to_yaml())
+        self.assertEqual(again.devices, model.devices)
+        self.assertEqual(again, model)
+
     def test_awkward_texts_come_back(self):
         title = 'a: "b" #c, [d] {e}\n null \\ é \t'
         model = two_oscillators()

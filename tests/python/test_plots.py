@@ -263,9 +263,11 @@ class CommandLine(unittest.TestCase):
         h5py.File(other, "w").close()
         with self.assertRaises(NotResults):
             read(other)
+        with self.assertRaisesRegex(NotResults, "is not a results file of pounding"):
+            read(other, checked=False)
         code, text = self.run_main(other, "-o", "x.png")
         self.assertEqual(code, 2)
-        self.assertIn("is not a results file of pounding", text)
+        self.assertIn("has no checksum", text)
 
     def test_unknown_kind_of_picture_is_refused(self):
         code, text = self.run_main(self.results, "-o", self.directory / "run.xyz")

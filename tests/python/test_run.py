@@ -1,8 +1,11 @@
 """Runs from Python: the numbers of the program, and what happens to a process and its threads meanwhile."""
 
 import base64
+import contextlib
+import copy
 import json
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -276,6 +279,53 @@ class Stopping(RunTest):
         self.assertEqual(told, sorted(told))
         self.assertEqual(told[0][1], 500.0)
         self.assertIn("stopped", pounding.read(self.folder / "out.h5").status)
+
+    def test_what_would_wait_for_the_run_is_refused_inside_progress(self):
+        for ask in (pounding.check, pounding.modes, pounding.run):
+            with self.subTest(ask.__name__), self.assertRaisesRegex(RuntimeError, "models run one after another"):
+                pounding.run(long_model(), progress=lambda *_: ask(TWO_OSCILLATORS))
+        self.assertEqual(pounding.run(TWO_OSCILLATORS, progress=False).status, "done")
+
+    def test_ctrl_c_ends_the_wait_for_the_run_of_another_thread(self):
+        stops = threading.Event()
+
+        def progress(*_):
+            if stops.is_set():
+                raise RuntimeError("enough")
+
+        def run():
+            with contextlib.suppress(RuntimeError):
+                pounding.run(long_model(), progress=progress)
+
+        other = threading.Thread(target=run)
+        other.start()
+        time.sleep(0.5)
+        timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                pounding.check(TWO_OSCILLATORS)
+            self.assertTrue(other.is_alive())
+        finally:
+            stops.set()
+            timer.join()
+            other.join()
+
+    def test_an_empty_name_of_the_output_is_refused(self):
+        with self.assertRaisesRegex(pounding.InputError, "the name of the output is empty"):
+            pounding.run(TWO_OSCILLATORS, output="")
+
+    def test_what_ended_a_run_can_be_sent_to_another_process(self):
+        results = pounding.run(two_oscillators())
+        for kind in (pounding.Interrupted, pounding.SolverError):
+            for copied in (pickle.loads(pickle.dumps(kind("enough", results))), copy.copy(kind("enough", results))):
+                self.assertIsInstance(copied, kind)
+                self.assertEqual(str(copied), "enough")
+                np.testing.assert_array_equal(copied.results.impacts, results.impacts)
+        checked = pounding.check(TWO_OSCILLATORS)
+        self.assertEqual(pickle.loads(pickle.dumps(checked)), checked)
+        found = pounding.modes(TWO_OSCILLATORS)
+        self.assertEqual(pickle.loads(pickle.dumps(found))["left"][0].period, found["left"][0].period)
 
     def test_progress_is_one_line_that_goes_away(self):
         with mock.patch("sys.stderr") as screen:

@@ -10,14 +10,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 #include <pounding/core/error.hpp>
+#include <pounding/results/checked_file.hpp>
+#include <pounding/results/replaced_file.hpp>
 
 namespace pounding {
 namespace {
@@ -117,6 +121,20 @@ class ResultsFile : public testing::Test {
     return "nothing was thrown";
   }
 
+  static std::string content(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  static std::string whole_or_not(const std::string& file) {
+    try {
+      require_whole(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing was thrown";
+  }
+
   fs::path directory;
   std::string path;
 };
@@ -143,23 +161,23 @@ class Reader {
   }
 
   std::string text(const std::string& name) const {
-    char* read = nullptr;
-    EXPECT_GE(H5Dread(open(name), variable_text(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &read), 0) << name;
-    return take(read);
+    const hid_t found = open(name), type = H5Dget_type(found);
+    EXPECT_EQ(H5Tis_variable_str(type), 0) << name << ": a damaged heap of such texts never ends";
+    std::string read(H5Tget_size(type), '\0');
+    EXPECT_GE(H5Dread(found, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()), 0) << name;
+    return without_zeros(read);
   }
 
-  std::string text_attribute(const std::string& object, const char* name) const {
-    char* read = nullptr;
-    EXPECT_GE(H5Aread(attribute(object, name), variable_text(), &read), 0) << object << ' ' << name;
-    return take(read);
-  }
+  std::string text_attribute(const std::string& object, const char* name) const { return text_attributes(object, name).at(0); }
 
   std::vector<std::string> text_attributes(const std::string& object, const char* name) const {
-    const hid_t found = attribute(object, name);
-    std::vector<char*> read(static_cast<std::size_t>(H5Sget_simple_extent_npoints(H5Aget_space(found))));
-    EXPECT_GE(H5Aread(found, variable_text(), read.data()), 0) << object << ' ' << name;
+    const hid_t found = attribute(object, name), type = H5Aget_type(found);
+    EXPECT_EQ(H5Tis_variable_str(type), 0) << object << ' ' << name;
+    const std::size_t size = H5Tget_size(type);
+    std::string read(size * static_cast<std::size_t>(H5Sget_simple_extent_npoints(H5Aget_space(found))), '\0');
+    EXPECT_GE(H5Aread(found, type, read.data()), 0) << object << ' ' << name;
     std::vector<std::string> texts;
-    for (char* one : read) texts.push_back(take(one));
+    for (std::size_t first = 0; first < read.size(); first += size) texts.push_back(without_zeros(read.substr(first, size)));
     return texts;
   }
 
@@ -194,18 +212,7 @@ class Reader {
   hid_t id() const { return file_; }
 
  private:
-  static std::string take(char* text) {
-    const std::string copy = text == nullptr ? "" : text;
-    H5free_memory(text);
-    return copy;
-  }
-
-  static hid_t variable_text() {
-    const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, H5T_VARIABLE);
-    H5Tset_cset(type, H5T_CSET_UTF8);
-    return type;
-  }
+  static std::string without_zeros(const std::string& text) { return text.substr(0, text.find_last_not_of('\0') + 1); }
 
   hid_t attribute(const std::string& object, const char* name) const {
     return H5Aopen_by_name(file_, object.c_str(), name, H5P_DEFAULT, H5P_DEFAULT);
@@ -359,34 +366,125 @@ TEST_F(ResultsFile, SymbolicLinkStaysALink) {
   EXPECT_EQ(Reader(elsewhere.string()).text_attribute("/", "status"), "done");
 }
 
-TEST_F(ResultsFile, LeftoversOfDeadProcessesAreRemovedAndOthersKept) {
+TEST_F(ResultsFile, SymbolicLinkToAFileThatIsNotThereYetStaysALink) {
+  const fs::path elsewhere = directory / "elsewhere.h5";
+  fs::create_symlink("elsewhere.h5", directory / "between.h5");
+  fs::create_symlink(directory / "between.h5", path);
+  write_results(small_run(), path);
+  EXPECT_TRUE(fs::is_symlink(path));
+  EXPECT_TRUE(fs::is_symlink(directory / "between.h5"));
+  EXPECT_EQ(Reader(elsewhere.string()).text_attribute("/", "status"), "done");
+}
+
+TEST_F(ResultsFile, SymbolicLinkInACircleIsRefused) {
+  fs::create_symlink("other.h5", path);
+  fs::create_symlink("run.h5", directory / "other.h5");
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "Too many levels of symbolic links. Name a file: -o results.h5", refusal(path));
+  EXPECT_TRUE(fs::is_symlink(path));
+}
+
+TEST_F(ResultsFile, LeftoversOfDeadProcessesOfThisHostAreRemovedAndOthersKept) {
   const pid_t dead = fork();
   if (dead == 0) _exit(0);
   waitpid(dead, nullptr, 0);
-  const std::string leftover = ".run.h5." + std::to_string(dead) + ".tmp";
-  const std::string living = ".run.h5." + std::to_string(getppid()) + ".tmp";
-  for (const std::string& name : {leftover, living, std::string(".run.h5.notes.tmp"), std::string("run.h5.tmp")})
-    std::ofstream(directory / name) << "half a file";
+  std::array<char, 256> host{};
+  ASSERT_EQ(gethostname(host.data(), host.size() - 1), 0);
+  const std::string here = std::string(".run.h5.") + host.data() + ".";
+  const std::string leftover = here + std::to_string(dead) + ".tmp";
+  const std::string living = here + std::to_string(getppid()) + ".tmp";
+  const std::string of_another_host = ".run.h5.another-host." + std::to_string(dead) + ".tmp";
+  Texts kept{living, of_another_host, here + "notes.tmp", "run.h5.tmp", "run.h5"};
+  for (const std::string& name : {leftover, kept[0], kept[1], kept[2], kept[3]}) std::ofstream(directory / name) << "half a file";
   write_results(small_run(), path);
-  EXPECT_EQ(names_in_directory(), (Texts{living, ".run.h5.notes.tmp", "run.h5", "run.h5.tmp"}));
+  std::sort(kept.begin(), kept.end());
+  EXPECT_EQ(names_in_directory(), kept);
 }
 
-TEST_F(ResultsFile, FullDiskLeavesTheEarlierFile) {
+TEST_F(ResultsFile, LimitOnTheSizeOfFilesLeavesTheEarlierFile) {
   Results earlier = small_run();
   earlier.status = "running";
   write_results(earlier, path);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit tight{.rlim_cur = 4096, .rlim_max = before.rlim_max};
-  const auto handler = signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &tight);
-  const std::string text = refusal(path);
+  const std::string text = refusal(path);  // without SIGXFSZ, which would end this test
   setrlimit(RLIMIT_FSIZE, &before);
-  signal(SIGXFSZ, handler);
   EXPECT_EQ(text, "cannot write \"" + path +
                       "\": File too large. Make room, or name a file on another disk: -o /other/disk/results.h5");
   EXPECT_EQ(Reader(path).text_attribute("/", "status"), "running");
   EXPECT_EQ(names_in_directory(), Texts{"run.h5"});
+}
+
+TEST_F(ResultsFile, PlaceOfAnotherRunIsRefusedUntilThatEnds) {
+  const std::vector<std::byte> image = results_image(small_run());
+  const std::string busy = "cannot write \"" + path + "\": another run writes it now. Wait for its end, or name another file: -o other.h5";
+  {
+    ReplacedFile one(path);
+    one.replace(image);
+    EXPECT_EQ(refusal(path), busy);
+    one.replace(image);
+    EXPECT_EQ(Reader(path).text_attribute("/", "status"), "done") << "a reader is not refused";
+    EXPECT_EQ(refusal(path), busy);
+  }
+  EXPECT_EQ(refusal(path), "nothing was thrown");
+  EXPECT_EQ(names_in_directory(), Texts{"run.h5"});
+}
+
+TEST_F(ResultsFile, PlaceThatAnotherRunHasTakenIsLeftToIt) {
+  ReplacedFile one(path);
+  one.replace(results_image(small_run()));
+  write_results(Results{}, path + ".new");
+  fs::rename(path + ".new", path);
+  EXPECT_THROW(one.replace(results_image(small_run())), InputError);
+  EXPECT_EQ(Reader(path).text_attribute("/", "status"), "running");
+  fs::remove(path);
+  one.replace(results_image(small_run()));
+  EXPECT_EQ(Reader(path).text_attribute("/", "status"), "done") << "a file that was removed is written again";
+}
+
+TEST_F(ResultsFile, OnlyResultsAreReplaced) {
+  const hid_t foreign = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(foreign);
+  const auto size = fs::file_size(path);
+  EXPECT_EQ(refusal(path), "cannot write \"" + path + "\": a file of this name exists and holds no results of this version. "
+                           "Name another file: -o results.h5, or first type: rm " + path);
+  EXPECT_EQ(fs::file_size(path), size);
+  std::ofstream(path, std::ios::trunc).close();
+  EXPECT_EQ(refusal(path), "nothing was thrown") << "an empty file holds nothing";
+}
+
+TEST_F(ResultsFile, EveryChangedByteIsSeen) {
+  write_results(small_run(), path);
+  require_whole(path);
+  std::string whole = content(path);
+  for (std::size_t place = 0; place < whole.size(); place += place < 24 ? 1 : 997) {
+    std::string damaged = whole;
+    damaged[place] = static_cast<char>(damaged[place] ^ (1 << place % 8));
+    std::ofstream(path, std::ios::binary) << damaged;
+    EXPECT_THROW(require_whole(path), InputError) << place;
+  }
+  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{511}, std::size_t{512}, std::size_t{600}, whole.size() - 1}) {
+    std::ofstream(path, std::ios::binary) << whole.substr(0, length);
+    EXPECT_THROW(require_whole(path), InputError) << length;
+  }
+  std::ofstream(path, std::ios::binary) << whole << '\n';
+  EXPECT_THROW(require_whole(path), InputError);
+  std::ofstream(path, std::ios::binary) << whole.substr(checked_block_size);
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "has no checksum", whole_or_not(path)) << "as files of earlier versions";
+  std::ofstream(path, std::ios::binary) << whole.substr(0, 1000);
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "it has 1000 of its " + std::to_string(whole.size()) + " bytes", whole_or_not(path));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "is a directory", whole_or_not(directory.string()));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "no such file", whole_or_not(path + ".none"));
+}
+
+TEST_F(ResultsFile, TitlesBeyondAnAttributeOfHdf5AreRefused) {
+  Results run = small_run();
+  run.title = std::string(64000, 'a');
+  write_results(run, path);
+  EXPECT_EQ(Reader(path).text_attribute("/", "title"), run.title);
+  run.title += 'a';
+  EXPECT_THROW(write_results(run, path), InputError);
 }
 
 TEST_F(ResultsFile, PlacesThatCannotHoldAFileAreRefusedWithAdvice) {

@@ -159,6 +159,21 @@ TEST(ResumeInAShortPulse, GivesTheSameBits) {
   }
 }
 
+// Forces alone: a short one, one with corners, and one that stays.
+TEST(ResumeUnderForces, GivesTheSameBits) {
+  for (const std::string scheme : schemes)
+    for (const StopWhen when : {pressed, apart}) {
+      SCOPED_TRACE(scheme);
+      expect_to_go_on("structures:\n"
+                      "  a: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}, forces: [{harmonic: {amplitude: 300 kN, period: 0.6, duration: 3}},\n"
+                      "      {pulse: {shape: sine, amplitude: 9 MN, start: 0.2, duration: 5 ms}}, {step_force: {amplitude: 50 kN, start: 0.1, rise: 0.3}}]}\n"
+                      "  b: {body: {mass: 50 t, gravity: -0.1 m/s^2}}\n"
+                      "links: [{between: [a, b], gap: 5 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.6}]\n"
+                      "analysis: {duration: 2, tolerance: " + std::string(scheme == "integrator: esdirk4" ? "1e-10" : "1e-5") + ", " + scheme + "}\n",
+                      when);
+    }
+}
+
 // A record with corners, several links at once, storeys that yield.
 constexpr const char* buildings =
     "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"

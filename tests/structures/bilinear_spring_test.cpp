@@ -254,7 +254,7 @@ TEST(YieldingStoreys, AreRefusedWithAReason) {
   test::refused(structure("{shear_building: {storeys: 2, mass: 1, stiffness: 1 N/m, yield_force: 5 mm}, damping: 0}"),
                 R"(2:76: structures.a.shear_building.yield_force: takes a force such as "200 kN"; "5 mm" is a length)");
   test::refused(structure("{body: {mass: 1, yield_force: 1}}"),
-                R"(2:23: structures.a.body: unknown key "yield_force". Allowed: mass, initial_velocity, initial_displacement.)");
+                R"(2:23: structures.a.body: unknown key "yield_force". Allowed: mass, gravity, initial_velocity, initial_displacement.)");
 }
 
 // An initial displacement beyond yield is refused: the yielding before the start is not known.

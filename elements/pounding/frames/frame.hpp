@@ -314,6 +314,8 @@ struct GridFrame {
   std::string place(int storey, int i, int k = 0) const;
   /// The names of its members, in the order in which they are made.
   std::vector<std::string> member_names() const;
+  /// Throws std::invalid_argument for more nodes than limits.hpp allows, or than the machine has memory for.
+  void require_affordable() const;
 };
 
 /// Throws std::invalid_argument for a grid that cannot be, in the name of its member.

@@ -143,7 +143,8 @@ Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& 
 }
 
 std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame) {
-  const std::vector<std::vector<bool>> above = storey_cuts(model);
+  // Without supports no storey stands on the ground.
+  const std::vector<std::vector<bool>> above = model.is_free ? std::vector<std::vector<bool>>() : storey_cuts(model);
   std::vector<Floor> floors;
   for (const FrameFloor& of : model.floors) {
     Floor floor;
@@ -151,7 +152,7 @@ std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& fr
     floor.mass = mass_along_x(frame, of.nodes);
     floor.elevation = of.elevation;
     floor.motion = floor_motion(model, frame, of);
-    floor.storey_shear = shear_through(model, frame, above[floors.size()]);
+    if (!model.is_free) floor.storey_shear = shear_through(model, frame, above[floors.size()]);
     floors.push_back(std::move(floor));
   }
   return floors;

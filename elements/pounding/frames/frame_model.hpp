@@ -46,6 +46,8 @@ struct FrameModel {
   FrameGeometry geometry = FrameGeometry::linear;
   /// Whether the weights of the masses act; where nothing is said they do beside loads, and for p_delta.
   std::optional<bool> gravity{};
+  /// Nothing holds it to the ground, and it may move as a rigid body. It takes no loads, and nothing turns by large angles.
+  bool is_free = false;
   /// The nodes from this one on are masters that make_floor_rigid has added in space; -1 for none.
   int first_master = -1;
 

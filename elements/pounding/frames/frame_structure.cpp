@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <pounding/frames/corotational_forces.hpp>
+#include <pounding/frames/frame_completion.hpp>
 #include <pounding/frames/frame_floors.hpp>
 #include <pounding/frames/frame_surface.hpp>
 
@@ -18,38 +18,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Up to here all nodes are reported when nothing else is asked for.
-constexpr int max_reported = 100;
-
 std::vector<std::string> directions(int dimension) {
   return dimension == 2 ? std::vector<std::string>{"x", "z", "ry"} : std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz"};
 }
 
 bool turns(const FrameModel& model) { return model.geometry == FrameGeometry::corotational; }
-
-// Fills in what the caller left out: the supports that move together, and the nodes that are reported.
-void complete(FrameModel& model) {
-  std::vector<bool> in_a_group(model.frame.nodes(), false);
-  for (const FrameSupport& support : model.supports)
-    for (const int node : support.nodes) in_a_group.at(node) = true;
-  std::vector<int> others;
-  for (const int node : model.frame.grounded_nodes())
-    if (node < model.given_nodes() && !in_a_group[node]) others.push_back(node);
-  const auto moves_as_all = [](const FrameSupport& support) { return support.delay == 0 && !support.motion; };
-  if (!others.empty()) {
-    if (model.supports.empty() || !moves_as_all(model.supports.front())) model.supports.insert(model.supports.begin(), FrameSupport{});
-    std::vector<int>& common = model.supports.front().nodes;
-    common.insert(common.end(), others.begin(), others.end());
-  }
-  if (model.supports.empty()) throw std::invalid_argument("nothing holds the frame to the ground; type supports: {a: fixed}");
-  for (const FrameSupport& support : model.supports)
-    if (model.frame.dimension() == 2 && support.motion && !(*support.motion)[1].is_still())
-      throw std::invalid_argument(fmt::format("support {}: the frame is plane; leave the motion along y out", support.name));
-  if (!model.reported_nodes) {
-    model.reported_nodes.emplace(model.given_nodes() <= max_reported ? model.given_nodes() : 0);
-    std::iota(model.reported_nodes->begin(), model.reported_nodes->end(), 0);
-  }
-}
 
 // The part of the reports that follows from the motion of a support itself.
 void report_enforced(const FrameModel& model, const AssembledFrame& frame, const InternalForces& report,
@@ -75,6 +48,7 @@ std::vector<Support> make_supports(const FrameModel& model, const AssembledFrame
   for (const FrameSupport& of : given) {
     Support support;
     support.name = of.name;
+    if (model.is_free) support.position = model.frame.position(0);
     for (const int node : of.nodes) support.position += model.frame.position(node) / static_cast<double>(of.nodes.size());
     support.delay = of.delay;
     support.motion = of.motion;
@@ -248,8 +222,12 @@ Structure make_structure(FrameModel given) {
   s.damping = frame->damping;
   for (const auto& [node, dof] : frame->unknowns)
     s.unknowns.push_back(fmt::format("{}{} {}", node < model->given_nodes() ? "node " : "", frame->node_names[node], name(dof)));
+  if (model->is_free) {
+    s.rigid_motions = frame->dimension == 2 ? 3 : 6;
+    model->frame.require_motion(*frame);
+  }
   // Also says which node gives way when nothing holds the frame.
-  Eigen::VectorXd rest = model->frame.rest(*frame);
+  Eigen::VectorXd rest = model->is_free ? Eigen::VectorXd::Zero(frame->size()) : model->frame.rest(*frame);
   std::shared_ptr<const CorotationalFrame> turning;
   if (turns(*model)) {
     turning = std::make_shared<const CorotationalFrame>(*frame, corotational_members(model->frame));
@@ -269,7 +247,7 @@ Structure make_structure(FrameModel given) {
   s.reported_members = model->reported_members;
   s.supports = make_supports(*model, *frame, model->supports, s.forces, reactions);
   if (turning) let_turn(model, turning, reactions, s);
-  s.supports_along = [model, frame, forces = s.forces, reactions](const Vector3d& direction) {
+  if (!model->is_free) s.supports_along = [model, frame, forces = s.forces, reactions](const Vector3d& direction) {
     const std::vector<FrameSupport> apart = apart_along(*model, direction);
     if (turns(*model) && apart.size() > 1)
       throw std::invalid_argument("a wave moves the supports of a frame one after the other, and with geometry: corotational all move "

@@ -137,13 +137,27 @@ ContactPoint FrameSurface::column(double elevation, Side side, double along) con
   return pushed(point, axis);
 }
 
-ContactPoint FrameSurface::node(const std::string& name) const {
+int FrameSurface::numbered(const std::string& name) const {
   std::vector<std::string> names;
   for (int node = 0; node < model_->given_nodes(); ++node) {
     names.push_back(model_->frame.node_name(node));
-    if (names.back() == name) return on_arm(node, position(node), mass_along_x(*assembled_, {node}));
+    if (names.back() == name) return node;
   }
   refuse(unknown_name("node", name, names));
+}
+
+ContactPoint FrameSurface::node(const std::string& name) const {
+  const int node = numbered(name);
+  return on_arm(node, position(node), mass_along_x(*assembled_, {node}));
+}
+
+Row FrameSurface::displacement(const std::string& node, const std::string& dof) const {
+  std::vector<std::string> names;
+  for (const Dof each : dofs_of(assembled_->dimension)) {
+    names.emplace_back(name(each));
+    if (names.back() == dof) return assembled_->motion(numbered(node), each);
+  }
+  refuse(unknown_name("displacement", dof, names));
 }
 
 // The member from node to node over its rigid offsets; nothing where it does not reach this height or lies level.

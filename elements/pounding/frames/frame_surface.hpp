@@ -30,6 +30,7 @@ class FrameSurface final : public Surface {
   ContactPoint floor(int floor, Side side, double along) const override;
   ContactPoint column(double elevation, Side side, double along) const override;
   ContactPoint node(const std::string& name) const override;
+  Row displacement(const std::string& node, const std::string& dof) const override;
 
  private:
   struct OnColumn {
@@ -43,6 +44,7 @@ class FrameSurface final : public Surface {
   std::vector<int> edge_nodes(int floor, Side side) const;
   std::optional<OnColumn> on_column(int member, double elevation) const;
   std::optional<std::pair<int, double>> member_through(const Eigen::Vector3d& point) const;
+  int numbered(const std::string& node) const;
   double mass_of(int node) const;
   double mass_of(const OnColumn& point) const;
   ContactPoint on_arm(int node, const Eigen::Vector3d& position, double mass) const;

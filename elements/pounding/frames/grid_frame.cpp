@@ -5,6 +5,9 @@
 #include <numeric>
 #include <string>
 
+#include <fmt/format.h>
+
+#include <pounding/core/limits.hpp>
 #include <pounding/core/names.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 
@@ -130,8 +133,22 @@ std::vector<int> add_member_in_parts(Frame& frame, const std::string& name, int 
   return added;
 }
 
+void GridFrame::require_affordable() const {
+  const double nodes = (storeys + 1.0) * (bays_x + 1.0) * (bays_y + 1.0);
+  const std::string grid = fmt::format("a grid of {} storeys and {}{} bays has {:.0f} nodes", storeys, bays_x,
+                                       bays_y > 0 ? fmt::format(" x {}", bays_y) : "", nodes);
+  if (nodes > limits::grid_nodes)
+    refuse(fmt::format("{}, and {:g} are the most; take fewer storeys or bays", grid, limits::grid_nodes));
+  // In space a node of a rigid floor has three unknowns, too.
+  const double bytes = 3 * nodes * limits::bytes_of_unknown, memory = limits::memory();
+  if (bytes > memory)
+    refuse(fmt::format("{}, which take some {}, and there are {}; take fewer storeys or bays, or a machine with more memory", grid,
+                       limits::text_of_bytes(bytes), limits::text_of_bytes(memory)));
+}
+
 GridParts add_grid(FrameModel& model, const GridFrame& grid) {
   if (grid.storeys < 1 || grid.bays_x < 1 || grid.bays_y < 0) refuse("a grid needs a storey and a bay along x");
+  grid.require_affordable();
   Frame& frame = model.frame;
   const bool is_plane = frame.dimension() == 2;
   if (is_plane != (grid.bays_y == 0)) refuse("a grid has bays along y in space, and in the plane none");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,8 @@ double end_of(const Closed& motion) {
   return motion.start + motion.duration;
 }
 
+inline double end_of(const Step&) { return std::numeric_limits<double>::infinity(); }
+
 /// Acceleration at time t of a motion that has begun and is not over [m/s^2].
 inline double inside(const Harmonic& motion, double t) {
   return motion.amplitude * std::sin(two_pi * (t - motion.start) / motion.period + motion.phase);
@@ -37,6 +40,11 @@ inline double inside(const Pulse& pulse, double t) {
     case Pulse::Shape::rectangle: return pulse.amplitude;
   }
   return 0;
+}
+
+inline double inside(const Step& step, double t) {
+  const double s = t - step.start;
+  return s < step.rise ? step.amplitude * (s / step.rise) : step.amplitude;
 }
 
 /// Integrals of the acceleration from rest.
@@ -75,6 +83,15 @@ inline Moved moved_inside(const Pulse& pulse, double s) {
   return {};
 }
 
+/// As a difference of two ramps, so that no large numbers cancel.
+inline Moved moved(const Step& step, double t) {
+  const double s = t - step.start;
+  if (!(s > 0)) return {};
+  if (s < step.rise) return {step.amplitude * s * (s / step.rise) / 2, step.amplitude * s * s * (s / step.rise) / 6};
+  const double after = s - step.rise;
+  return {step.amplitude * (step.rise / 2 + after), step.amplitude * (step.rise * step.rise / 6 + after * (step.rise + after) / 2)};
+}
+
 /// Integrals at time t [s]; when the motion is over the ground keeps its velocity.
 template <class Closed>
 Moved moved(const Closed& motion, double t) {
@@ -111,9 +128,14 @@ inline void require_positive(double value, const char* what) {
     throw std::invalid_argument(fmt::format("ground motion: {} is {:g}; it must be finite and > 0", what, value));
 }
 
+/// Amplitude as reports show it: of a moment in kN m rather than kJ.
+inline std::string amplitude_text(double amplitude, const Dimension& values) {
+  return values == dimension::energy ? format_quantity(amplitude, dimension::force) + " m" : format_quantity(amplitude, values);
+}
+
 /// Amplitude, period and phase as reports show them.
-inline std::string described(double amplitude, double period, double phase) {
-  const std::string text = fmt::format("{} at {:g} s", format_quantity(amplitude, dimension::acceleration), period);
+inline std::string described(double amplitude, double period, double phase, const Dimension& values) {
+  const std::string text = fmt::format("{} at {:g} s", amplitude_text(amplitude, values), period);
   return phase == 0 ? text : fmt::format("{} and {:g} deg", text, phase * 180 / std::numbers::pi);
 }
 

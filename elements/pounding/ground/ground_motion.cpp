@@ -63,7 +63,7 @@ bool evenly_spaced(const std::vector<double>& times) {
   return true;
 }
 
-GroundMotion::GroundMotion(Harmonic motion) : motion_(motion) {
+GroundMotion::GroundMotion(Harmonic motion, const Dimension& values) : motion_(motion) {
   require_finite(motion.amplitude, "amplitude");
   require_positive(motion.period, "period");
   require_positive(motion.duration, "duration");
@@ -77,17 +77,29 @@ GroundMotion::GroundMotion(Harmonic motion) : motion_(motion) {
               : std::max(std::abs(inside(motion, motion.start)), std::abs(inside(motion, end_of(motion))));
   describe(motion, {(0.5 * std::ceil(2 * turns) - turns) * motion.period, (0.5 * std::ceil(2 * turns) + 0.5 - turns) * motion.period});
   if (motion.phase != 0) peak_displacement_ = largest_of(motion).displacement;
-  source_ = fmt::format("harmonic, {} for {:g} s", described(motion.amplitude, motion.period, motion.phase), motion.duration);
+  source_ = fmt::format("harmonic, {} for {:g} s", described(motion.amplitude, motion.period, motion.phase, values), motion.duration);
 }
 
-GroundMotion::GroundMotion(Pulse motion) : motion_(motion) {
+GroundMotion::GroundMotion(Pulse motion, const Dimension& values) : motion_(motion) {
   require_finite(motion.amplitude, "amplitude");
   require_finite(motion.start, "start");
   require_positive(motion.duration, "duration");
   peak_ = std::abs(motion.amplitude);
   describe(motion, {motion.shape == Pulse::Shape::sine ? motion.duration / 2 : motion.duration});
   source_ = fmt::format("{} pulse, {} for {:g} s from {:g} s", name_of(motion.shape),
-                        format_quantity(motion.amplitude, dimension::acceleration), motion.duration, motion.start);
+                        amplitude_text(motion.amplitude, values), motion.duration, motion.start);
+}
+
+GroundMotion::GroundMotion(Step motion, const Dimension& values) : motion_(motion) {
+  require_finite(motion.amplitude, "amplitude");
+  require_finite(motion.start, "start");
+  if (!(motion.rise >= 0 && std::isfinite(motion.rise)))
+    throw std::invalid_argument(fmt::format("ground motion: rise is {:g}; it must be finite and not negative", motion.rise));
+  peak_ = std::abs(motion.amplitude);
+  start_ = motion.start;
+  duration_ = peak_velocity_ = peak_displacement_ = infinity;
+  source_ = fmt::format("step to {} at {:g} s", amplitude_text(motion.amplitude, values), motion.start);
+  if (motion.rise > 0) source_ += fmt::format(" within {:g} s", motion.rise);
 }
 
 GroundMotion::GroundMotion(Samples motion, std::string source) : source_(std::move(source)) {
@@ -241,6 +253,10 @@ double GroundMotion::next_break(double t) const noexcept {
   return std::visit(
       Overloaded{[](const Still&) { return infinity; },
                  [&](const auto& closed) { return next_of_two(closed.start, end_of(closed)); },
+                 [&](const Step& step) {
+                   const double full = step.start + step.rise;
+                   return step.rise > 0 ? next_of_two(step.start, full) : next_of_two(step.start, step.start);
+                 },
                  [this, t](const SharedSamples& shared) {
                    const std::vector<double>& times = shared->times;
                    if (t < times.front()) return times.front();

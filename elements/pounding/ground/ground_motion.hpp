@@ -1,6 +1,6 @@
 #pragma once
 /// One component of the ground's motion: acceleration as a function of time, in closed form or as samples with straight lines
-/// between them, and its exact integrals.
+/// between them, and its exact integrals. A force over time is the same mathematics, with newtons in the place of m/s^2.
 
 #include <cstdint>
 #include <initializer_list>
@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include <pounding/core/units.hpp>
 #include <pounding/ground/harmonic_sum.hpp>
 
 namespace pounding {
@@ -35,6 +36,13 @@ struct Pulse {
   double start = 0;  ///< [s]
 };
 
+/// A value that stays: zero before `start`, straight up to the amplitude within `rise`, the amplitude from then on without an end.
+struct Step {
+  double amplitude;  ///< [m/s^2]
+  double start = 0;  ///< [s]
+  double rise = 0;   ///< [s]
+};
+
 /// Samples, linear between them, zero before the first and after the last.
 struct Samples {
   std::vector<double> times;          ///< increasing [s]
@@ -50,10 +58,12 @@ class GroundMotion {
  public:
   GroundMotion() : motion_(Still{}) {}
   /// Throws std::invalid_argument when a value is not finite, times do not increase, a duration or period is not positive, there
-  /// are fewer than two samples, or samples marked as uniform are not.
-  explicit GroundMotion(Harmonic motion);
-  explicit GroundMotion(HarmonicSum motion);
-  explicit GroundMotion(Pulse motion);
+  /// are fewer than two samples, or samples marked as uniform are not. `values` is the dimension of what is given over time, for
+  /// source(): that of a force [N] or of a moment [N m] where the history is one.
+  explicit GroundMotion(Harmonic motion, const Dimension& values = dimension::acceleration);
+  explicit GroundMotion(HarmonicSum motion, const Dimension& values = dimension::acceleration);
+  explicit GroundMotion(Pulse motion, const Dimension& values = dimension::acceleration);
+  explicit GroundMotion(Step motion, const Dimension& values = dimension::acceleration);
   explicit GroundMotion(Samples motion, std::string source = {});
   /// This motion on a ground that has a velocity [m/s] and a displacement [m] at t = 0 already. A harmonic acceleration does not drift
   /// with the velocity -A T/(2 pi) cos(phase). Throws std::invalid_argument when a value is not finite, and for a ground at rest.
@@ -83,7 +93,7 @@ class GroundMotion {
   double peak_displacement() const noexcept { return peak_displacement_; }
   /// Time before which the acceleration is zero [s].
   double start() const noexcept { return start_; }
-  /// Time after which the acceleration is zero [s].
+  /// Time after which the acceleration is zero [s]; infinity for a Step.
   double duration() const noexcept { return duration_; }
   /// Spacing of uniform samples [s]; 0 when the motion is a closed form or the spacing varies.
   double sample_step() const noexcept;
@@ -115,7 +125,7 @@ class GroundMotion {
   double velocity_from_rest(double t) const noexcept;
   double displacement_from_rest(double t) const noexcept;
 
-  std::variant<Still, Harmonic, HarmonicSum, Pulse, SharedSamples> motion_;
+  std::variant<Still, Harmonic, HarmonicSum, Pulse, Step, SharedSamples> motion_;
   double per_step_ = 0;  ///< uniform samples in a second [1/s]; 0 otherwise
   double initial_velocity_ = 0, initial_displacement_ = 0;
   double peak_ = 0, peak_velocity_ = 0, peak_displacement_ = 0;

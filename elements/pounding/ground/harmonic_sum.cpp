@@ -51,14 +51,14 @@ double HarmonicSum::peak() const {
   return largest;
 }
 
-GroundMotion::GroundMotion(HarmonicSum motion) {
+GroundMotion::GroundMotion(HarmonicSum motion, const Dimension& values) {
   if (motion.parts.empty()) throw std::invalid_argument("ground motion: a sum of no harmonics; give one or more");
   std::vector<std::string> texts;
   for (const auto& [amplitude, period, phase] : motion.parts) {
     closed_forms::require_finite(amplitude, "amplitude");
     closed_forms::require_positive(period, "period");
     closed_forms::require_finite(phase, "phase");
-    texts.push_back(closed_forms::described(amplitude, period, phase));
+    texts.push_back(closed_forms::described(amplitude, period, phase, values));
   }
   closed_forms::require_positive(motion.duration, "duration");
   closed_forms::require_finite(motion.start, "start");

@@ -2,9 +2,11 @@
 /// Accelerograms from files of the formats in which strong motion is published.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include <pounding/core/units.hpp>
 #include <pounding/ground/ground_motion.hpp>
 
 namespace pounding {
@@ -60,6 +62,8 @@ struct RecordOptions {
   bool displacement = false;
   /// Velocity of the ground at the first displacement [m/s].
   double initial_velocity = 0;
+  /// The file holds forces or moments, of this dimension, and their unit is written as in an input: N, kN, kN m.
+  std::optional<Dimension> force = {};
 };
 
 /// Reads a record; the format is found from the content, never from the name.

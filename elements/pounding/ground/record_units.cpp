@@ -21,6 +21,8 @@ struct Wanted {
 };
 
 Wanted wanted(const RecordOptions& options) {
+  if (options.force == dimension::energy) return {dimension::energy, "a moment", "moments", "N m, kN m or MN m"};
+  if (options.force) return {*options.force, "a force", "forces", "N, kN or MN"};
   if (options.displacement) return {dimension::length, "a displacement", "displacements", "m, cm, mm or in"};
   return {dimension::acceleration, "an acceleration", "accelerations", "g, m/s^2, cm/s^2 or gal"};
 }
@@ -39,6 +41,14 @@ std::optional<Unit> unit_of(std::string_view text) {
   for (std::size_t at; (at = unit.find("\xC2\xB2")) != std::string::npos; unit[at + 1] = '2') unit[at] = '^';  // the sign for "squared"
   try {
     return parse_unit(unit);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Unit> unit_of_force(std::string_view text) {
+  try {
+    return parse_unit(std::string(trimmed(text)));
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -87,7 +97,7 @@ bool states_unit(const std::vector<Word>& words, std::size_t i) {
 }  // namespace
 
 std::optional<double> unit_of_values(std::string_view text, const RecordOptions& options) {
-  const std::optional<Unit> unit = unit_of(text);
+  const std::optional<Unit> unit = options.force ? unit_of_force(text) : unit_of(text);
   return unit && unit->dimension == wanted(options).dimension ? std::optional(unit->factor) : std::nullopt;
 }
 

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/limits.hpp>
+
 namespace pounding {
 namespace {
 
@@ -57,13 +59,13 @@ constexpr double steps_per_period = 40;
 
 // Refuses what would be computed for hours: periods far too short for the motion.
 void require_few_steps(const std::vector<Line>& lines, std::span<const double> periods) {
-  constexpr double most = 2e10;
   double duration = 0, steps = 0;
   for (const Line& line : lines) duration += line.duration;
   for (const double period : periods) steps += static_cast<double>(lines.size()) + duration / period * steps_per_period;
-  if (steps > most)
+  if (steps > limits::spectrum_steps)
     throw std::invalid_argument(fmt::format("spectrum: {} periods from {:g} s on and a motion of {:g} s need {:.1e} steps, and {:.0e} can be "
-                                            "computed; take longer periods", periods.size(), *std::ranges::min_element(periods), duration, steps, most));
+                                            "computed; take longer periods", periods.size(), *std::ranges::min_element(periods), duration, steps,
+                                            limits::spectrum_steps));
 }
 
 double peak_displacement(const std::vector<Line>& lines, double period, double damping) {

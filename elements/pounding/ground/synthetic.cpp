@@ -10,8 +10,9 @@
 
 #include <fmt/format.h>
 
-#include <pounding/ground/spectrum.hpp>
+#include <pounding/core/limits.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/ground/spectrum.hpp>
 
 namespace pounding {
 namespace {
@@ -54,6 +55,11 @@ void check(const SyntheticOptions& options) {
   require(options.duration >= 10 * options.step, "step", options.step, "at most a tenth of the duration");
   const double fastest = std::max(options.filter.omega_g, options.filter.omega_f);
   require(fastest * options.step <= 0.5, "step", options.step, "at most 1/2 divided by the filter's larger omega");
+  if (const double count = options.duration / options.step; count > limits::samples)
+    throw std::invalid_argument(fmt::format("synthetic motion: {:g} s in steps of {:g} s are {:.3g} samples, and {:g} are the most; type a duration "
+                                            "up to {:g} s, or a step of {:.3g} s or more",
+                                            options.duration, options.step, count, limits::samples, limits::samples * options.step,
+                                            options.duration / limits::samples));
 }
 
 /// `part` is the time as a part of the duration.

@@ -126,7 +126,15 @@ class Reader {
     const std::vector<int>& feet = parts_.grid().feet;
     std::vector<int> open = feet;
     std::optional<Input> feet_place;
-    if (const auto supports = body_.find("supports"))
+    const auto supports = body_.find("supports");
+    if (supports && supports->is_scalar()) {
+      if (supports->as_text() != "none")
+        supports->fail(fmt::format("takes supports by their nodes, such as {{a: fixed}}, feet for those of a grid, or none; \"{}\" was read",
+                                   supports->as_text()));
+      model_.is_free = true;
+      return;
+    }
+    if (supports)
       for (const auto& [name, node] : supports->entries()) {
         if (name == "feet" && !feet.empty()) {
           of_feet = parts_.words().support(node);

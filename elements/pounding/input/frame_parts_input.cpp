@@ -77,6 +77,7 @@ void FramePartsInput::read_grid(const Input& node) {
   const auto [along_x, along_y] = read_bays(node, dimension_);
   grid.bays_x = static_cast<int>(along_x.size());
   grid.bays_y = static_cast<int>(along_y.size());
+  placed(node, [&] { grid.require_affordable(); });
   grid.bay_width_x = along_x;
   grid.bay_width_y = along_y;
   grid.storey_height = node.at("storey_height").as_quantities(grid.storeys);

@@ -66,19 +66,6 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
   return given == Given::displacement || velocity == 0 ? motion : motion.with_initial_motion(velocity);
 }
 
-/// An angle [rad]. A bare number above a full turn is one in degrees.
-double read_phase(const Input& node) {
-  const auto phase = node.find("phase");
-  if (!phase) return 0;
-  const std::string text = phase->as_text();
-  const double angle = phase->as_quantity(dimension::none, bounds::any);
-  if (text.find('%') != std::string::npos) phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", excerpt(text)));
-  if (!(std::abs(angle) <= 2 * std::numbers::pi))
-    phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg", excerpt(text),
-                            angle * 180 / std::numbers::pi));
-  return angle;
-}
-
 GroundMotion read_harmonic(const Input& node, Given given) {
   node.only_keys();
   const Harmonic harmonic{.amplitude = node.quantity("amplitude"),
@@ -123,11 +110,7 @@ GroundMotion read_displacement(const Input& node) {
 
 GroundMotion read_pulse(const Input& node) {
   node.only_keys();
-  const std::string name = node.at("shape").as_choice();
-  const Pulse::Shape shape = name == "half_sine" ? Pulse::Shape::half_sine
-                             : name == "sine"    ? Pulse::Shape::sine
-                                                 : Pulse::Shape::rectangle;
-  return GroundMotion(Pulse{.shape = shape,
+  return GroundMotion(Pulse{.shape = read_shape(node),
                             .amplitude = node.quantity("amplitude"),
                             .duration = node.quantity("duration"),
                             .start = node.quantity("start")});
@@ -173,10 +156,6 @@ GroundMotion read_synthetic(const Input& node) {
     node.fail(error.what());
   }
 }
-
-}  // namespace
-
-namespace {
 
 // Keys of the section that say nothing about the motion itself are allowed beside it.
 GroundMotion read_motion(const Input& section, std::initializer_list<std::string_view> beside) {
@@ -231,6 +210,24 @@ TravellingWave read_wave(const Input& node) {
 }
 
 }  // namespace
+
+// A bare number above a full turn is one in degrees.
+double read_phase(const Input& harmonic) {
+  const auto phase = harmonic.find("phase");
+  if (!phase) return 0;
+  const std::string text = phase->as_text();
+  const double angle = phase->as_quantity(dimension::none, bounds::any);
+  if (text.find('%') != std::string::npos) phase->fail(fmt::format("takes an angle such as \"90 deg\"; \"{}\" is none", excerpt(text)));
+  if (!(std::abs(angle) <= 2 * std::numbers::pi))
+    phase->fail(fmt::format("takes an angle from -360 deg to 360 deg such as \"90 deg\"; \"{}\" is {:g} deg", excerpt(text),
+                            angle * 180 / std::numbers::pi));
+  return angle;
+}
+
+Pulse::Shape read_shape(const Input& pulse) {
+  const std::string name = pulse.at("shape").as_choice();
+  return name == "half_sine" ? Pulse::Shape::half_sine : name == "sine" ? Pulse::Shape::sine : Pulse::Shape::rectangle;
+}
 
 GroundMotion read_ground_motion(const Input& section) { return read_motion(section.in(words::motion), {}); }
 

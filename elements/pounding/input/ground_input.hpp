@@ -22,6 +22,12 @@ namespace pounding {
 /// variable POUNDING_RECORDS names. Throws InputError with the place of what is wrong.
 GroundMotion read_ground_motion(const Input& section);
 
+/// `phase` of a harmonic, 0 unless given [rad].
+double read_phase(const Input& harmonic);
+
+/// `shape` of a pulse.
+Pulse::Shape read_shape(const Input& pulse);
+
 /// Reads a motion along x, or `components: {x: ..., y: ..., z: ...}` with such a section each; and, besides,
 ///
 ///     wave: {velocity: 500 m/s, direction: x | y | [cosine, sine]}

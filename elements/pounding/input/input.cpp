@@ -259,7 +259,7 @@ bool Input::as_bool() const {
 }
 
 std::string Input::as_choice() const {
-  const bool in_place_of_all = part_ != Part::item && !word().instead.empty();
+  const bool in_place_of_all = part_ == Part::value && !word().instead.empty();
   return as_choice(word().noun.empty() ? word().key : word().noun, in_place_of_all ? word().instead : word().choices);
 }
 

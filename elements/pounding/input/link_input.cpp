@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -106,12 +107,17 @@ LinkOptions read_options(const Input& node, int count, bool is_drawn) {
 
 }  // namespace
 
-void read_link(const Input& node, Model& model) {
-  const Input between = node.at("between");
+std::pair<ContactLocation, ContactLocation> read_ends(const Input& between, const Model& model) {
   if (!between.is_list() || between.items().size() != 2)
     between.fail("takes two structures, the left one first; type between: [left, right]");
   const std::vector<Input> ends = between.items();
   const ContactLocation left = read_end(ends[0], model), right = read_end(ends[1], model);
+  return {left, right};
+}
+
+void read_link(const Input& node, Model& model) {
+  const Input between = node.at("between");
+  const auto [left, right] = read_ends(between, model);
   try {
     std::optional<FacingFloors> floors;
     if (const auto choice = node.find("floors")) floors = read_floors(*choice);

@@ -1,6 +1,8 @@
 #pragma once
 /// The `links:` section of an input file.
 
+#include <utility>
+
 #include <pounding/input/input.hpp>
 #include <pounding/model/model.hpp>
 
@@ -8,5 +10,8 @@ namespace pounding {
 
 /// Adds the links of one entry of the section to the model, whose structures have been read. Throws InputError with the place.
 void read_link(const Input& node, Model& model);
+
+/// The two ends that stand under `between`, the left one first. Throws InputError.
+std::pair<ContactLocation, ContactLocation> read_ends(const Input& between, const Model& model);
 
 }  // namespace pounding

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/input/bare_numbers.hpp>
+#include <pounding/input/device_input.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/structure_input.hpp>
@@ -36,6 +37,7 @@ AnalysisSettings read_analysis(const Input& node) {
     settings.scheme.spectral_radius = radius->as_quantity();
   }
   settings.max_step = node.find_quantity("max_step").value_or(0);
+  if (const auto most = node.find("most_steps")) settings.most_steps = static_cast<long>(most->as_integer());
   return settings;
 }
 
@@ -64,6 +66,7 @@ Input place_of(const ModelError& error, const Input& input) {
   }
   if (error.option() == ModelOption::ground_component) return component(*motion, error.axis());
   if (error.option() == ModelOption::wave) return motion->at("wave");
+  if (error.option() == ModelOption::analysis) return input.find("analysis").value_or(input);
   if (error.option() == ModelOption::preload)
     for (const Input& link : input.at("links").items())
       if (link.has("preload")) return link.at("preload");
@@ -95,6 +98,8 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
       links->fail("takes a list, one link a line; type - {between: [left, right], gap: 20 mm, law: hertz_damped, ...}");
     for (const Input& link : links->items()) read_link(link, model);
   }
+  if (const auto devices = root.find("devices"))
+    for (const auto& [name, device] : devices->entries()) read_device(name, device, model);
   if (const auto analysis = root.find("analysis")) model.analysis = read_analysis(*analysis);
   if (const auto checkpoint = root.find("checkpoint")) model.checkpoint = read_checkpoints(*checkpoint);
   if (const auto compare = root.find("compare")) {

@@ -94,6 +94,16 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
       emit(out, "damping_by_stiffness", s.by_stiffness);
     }
   }
+  if (!s.applied_forces.empty()) {
+    out << YAML::Key << "forces" << YAML::Value << YAML::BeginSeq;
+    for (const AppliedForce& force : s.applied_forces) {
+      out << YAML::BeginMap << YAML::Key << "place" << YAML::Value << force.place;
+      out << YAML::Key << "source" << YAML::Value << force.history.source();
+      emit(out, "peak", force.history.peak());
+      out << YAML::EndMap;
+    }
+    out << YAML::EndSeq;
+  }
   if (s.supports.front().delay > 0) emit(out, "delay", s.supports.front().delay);
   out << YAML::EndMap;
 }
@@ -155,6 +165,27 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   out << YAML::EndMap << YAML::EndMap;
 }
 
+void emit_device(YAML::Emitter& out, const Model& model, const Device& device) {
+  out << YAML::Key << device.name << YAML::Value << YAML::BeginMap;
+  out << YAML::Key << "between" << YAML::Value << YAML::Flow << YAML::BeginSeq
+      << end_of(model, device.left) << end_of(model, device.right) << YAML::EndSeq;
+  emit_list(out, "direction", {device.direction.begin(), device.direction.end()});
+  if (device.length) emit(out, "length", *device.length);
+  if (device.bar) {
+    out << YAML::Key << "bar" << YAML::Value << YAML::BeginMap;
+    emit(out, "stiffness", device.bar->stiffness);
+    out << YAML::EndMap;
+  }
+  if (device.damper) {
+    out << YAML::Key << "damper" << YAML::Value << YAML::BeginMap;
+    emit(out, "coefficient", device.damper->coefficient);
+    emit(out, "exponent", device.damper->exponent);
+    if (!device.damper->is_linear()) emit(out, "rounding_velocity", device.damper->rounding_velocity);
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
+}
+
 }  // namespace
 
 std::string resolved_yaml(const Model& model) {
@@ -169,6 +200,11 @@ std::string resolved_yaml(const Model& model) {
   out << YAML::Key << "links" << YAML::Value << YAML::BeginSeq;
   for (const Link& link : model.links) emit_link(out, model, link);
   out << YAML::EndSeq;
+  if (!model.devices.empty()) {
+    out << YAML::Key << "devices" << YAML::Value << YAML::BeginMap;
+    for (const Device& device : model.devices) emit_device(out, model, device);
+    out << YAML::EndMap;
+  }
   out << YAML::Key << "analysis" << YAML::Value << YAML::BeginMap;
   emit(out, "duration", model.analysis.duration);
   emit(out, "tolerance", model.analysis.tolerance);
@@ -177,6 +213,7 @@ std::string resolved_yaml(const Model& model) {
   if (model.analysis.scheme.kind == Scheme::Kind::generalized_alpha)
     emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
   if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
+  out << YAML::Key << "most_steps" << YAML::Value << model.analysis.most_steps;
   out << YAML::EndMap;
   if (model.checkpoint.asked()) {
     out << YAML::Key << "checkpoint" << YAML::Value << YAML::BeginMap;

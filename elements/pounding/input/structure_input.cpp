@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/force_input.hpp>
 #include <pounding/input/frame_input.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/structures/oscillators.hpp>
@@ -18,7 +19,7 @@ namespace {
 
 Structure read_body(const Input& body) {
   body.only_keys();
-  return make_body({.mass = body.quantity("mass")});
+  return make_body({.mass = body.quantity("mass"), .gravity = body.quantity("gravity")});
 }
 
 void read_yielding(const Input& body, Structure& s) {
@@ -135,10 +136,25 @@ Damping read_damping(const Input& node, const Structure& s) {
   return ModalDamping{modal->quantity("ratio")};
 }
 
-// Floors of a structure along x have one value each; a frame moves as a whole, and of a wall the model refuses any.
-OneOrEach read_initial_motion(const Input& node, const Structure& s) {
+// Floors have one value each, but a frame moves as a whole; of a wall, and of a frame without floors, the model refuses any.
+OneOrEach read_velocity(const Input& node, const Structure& s) {
   if (s.dimension > 1) return node.as_quantity();
   return node.as_quantities(s.size());
+}
+
+OneOrEach read_displacement(const Input& node, const Structure& s) {
+  if (s.floors.empty()) return node.as_quantity();
+  return node.as_quantities(static_cast<int>(s.floors.size()));
+}
+
+std::vector<NodeDisplacement> read_node_displacements(const Input& nodes) {
+  std::vector<NodeDisplacement> all;
+  for (const auto& [name, node] : nodes.entries()) {
+    if (!node.is_map()) node.fail("takes displacements by their names; type {ux: 5 mm}");
+    node.only_keys();
+    for (const auto& [dof, value] : node.entries()) all.push_back({name, dof, value.as_quantity()});
+  }
+  return all;
 }
 
 // Reads one structure; what the model refuses is reported at its place in the input.
@@ -158,14 +174,17 @@ class StructureInput {
     const std::optional<Input> delay = place_.find("delay"), motion = place_.find("ground_motion");
     const bool is_damped = !s.is_rigid() && !s.is_free;
     if (damping_) options.damping = is_damped ? read_damping(*damping_, s) : Damping(0);
-    if (velocity_) options.initial_velocity = read_initial_motion(*velocity_, s);
-    if (displacement_) options.initial_displacement = read_initial_motion(*displacement_, s);
+    if (velocity_) options.initial_velocity = read_velocity(*velocity_, s);
+    if (displacement_) options.initial_displacement = read_displacement(*displacement_, s);
+    if (kind.word == "frame") node_displacements_ = body_->find("initial_node_displacements");
+    if (node_displacements_) options.initial_node_displacements = read_node_displacements(*node_displacements_);
     if (motion) {
       GroundSection ground = read_ground_section(*motion);
       if (ground.wave) motion->fail("a wave belongs to the ground_motion of all structures; give this one a delay");
       options.ground_motion = std::move(ground.components);
     }
     if (delay) options.delay = delay->as_quantity();
+    if (const auto forces = place_.find("forces")) options.forces = read_forces(*forces);
     try {
       model.add(name_, std::move(s), options);
     } catch (const ModelError& error) {
@@ -199,8 +218,10 @@ class StructureInput {
         // The reading has let pass too many modes for modal damping, and what the solver of modes refuses.
         if (damping_->is_map() && damping_->has("modal")) damping_->at("modal").fail_at_key(error.what());
         break;
+      case ModelOption::forces: place_.at("forces").items()[static_cast<std::size_t>(error.item())].fail(error.what());
       case ModelOption::initial_velocity: at = &*velocity_; break;
       case ModelOption::initial_displacement: at = &*displacement_; break;
+      case ModelOption::initial_node_displacements: at = &*node_displacements_; break;
       default: break;
     }
     if (error.is_idle()) at->fail_at_key(error.what());
@@ -209,7 +230,7 @@ class StructureInput {
 
   const std::string& name_;
   const Input& place_;
-  std::optional<Input> body_, damping_, velocity_, displacement_;
+  std::optional<Input> body_, damping_, velocity_, displacement_, node_displacements_;
 };
 
 }  // namespace

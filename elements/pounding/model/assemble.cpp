@@ -50,6 +50,13 @@ void add_ground_motion(Eigen::MatrixXd& by_ground, int link, double sign, const 
   }
 }
 
+double displacement_along(const LinkEnd& end, const Eigen::Vector3d& direction, const Eigen::VectorXd& unknowns) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+    if (direction[i] != 0 && end.point.motion[i].nonZeros() > 0) sum += direction[i] * end.point.motion[i].dot(unknowns);
+  return sum;
+}
+
 // Directions in the plane of a contact in which structures of this dimension slide.
 std::vector<Eigen::Vector3d> tangents(const Eigen::Vector3d& normal, int dimension) {
   if (dimension < 3) return {Eigen::Vector3d::UnitZ()};
@@ -109,12 +116,15 @@ System assemble(const Model& model, bool with_links) {
       for (int j = 0; j < 3; ++j)
         if (const int ground = plan.supports[i].at(k, j); ground >= 0)
           system.load.col(ground).segment(first[i], s.size()) += s.supports[k].load.col(j);
-    Group group{first[i], s.size(), 1e-12, 1e-9, s.by_mass, s.by_stiffness};
-    // A free body has no period; the ground moves it for as long as it moves, which a second stands for.
-    const double w = std::max(s.frequencies[0], 2 * M_PI);
+    Group group{.first = first[i], .count = s.size(), .displacement_floor = 1e-12, .velocity_floor = 1e-9,
+                .by_mass = s.by_mass, .by_stiffness = s.by_stiffness};
+    // What nothing holds has no period; the ground moves it for as long as it moves, which a second stands for.
+    const double w = s.rigid_motions > 0 ? 2 * M_PI : std::max(s.frequencies[0], 2 * M_PI);
+    group.rigid_motions = s.rigid_motions;
     // Errors are compared with the motion so far; before there is any, with a part of what the ground can cause.
-    if (const double least = plan.least_displacement(w); least > 0) group.displacement_floor = least;
-    if (const double least = plan.least_velocity(w); least > 0) group.velocity_floor = least;
+    const int number = static_cast<int>(i);
+    if (const double least = plan.least_displacement(number, w); least > 0) group.displacement_floor = least;
+    if (const double least = plan.least_velocity(number, w); least > 0) group.velocity_floor = least;
     group.velocity_floor = std::max(group.velocity_floor, 1e-3 * fastest);
     // A structure at rest under a preload moves at this speed when it is let go.
     if (with_links && s.preload_displacement.size() > 0)
@@ -122,24 +132,36 @@ System assemble(const Model& model, bool with_links) {
     group.elastic = s.elastic.get();
     system.groups.push_back(group);
   }
+  // What a force drives may hit what stands still.
+  double driven = 0;
+  for (const GroundPlan::Force& force : plan.forces)
+    for (const Group& group : system.groups)
+      if (group.first == first[force.structure]) driven = std::max(driven, group.velocity_floor);
+  for (Group& group : system.groups) group.velocity_floor = std::max(group.velocity_floor, 0.1 * driven);
+  // The force is -P ag, and here ag is the force itself.
+  auto of_plan = plan.forces.begin();
+  for (std::size_t i = 0; i < model.structures.size(); ++i)
+    for (const AppliedForce& force : model.structures[i].applied_forces)
+      system.load.col((of_plan++)->motion).segment(first[i], model.structures[i].size()) -= force.direction;
   system.mass = sparse(mass, n, n);
   system.damping = sparse(damping, n, n);
   system.stiffness = sparse(stiffness, n, n);
 
   // Which way a column closes, for what the ground does to it.
   struct Column {
-    const Link* link = nullptr;
+    const LinkEnd *left = nullptr, *right = nullptr;
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+    bool is_device = false;
   };
   std::vector<Column> columns;
-  const auto add_column = [&](const Link& link, const Eigen::Vector3d& direction) {
+  const auto add_column = [&](const auto& link, const Eigen::Vector3d& direction, bool is_device = false) {
     const int column = static_cast<int>(columns.size());
     for (int i = 0; i < 3; ++i) {
       if (direction[i] == 0) continue;
       add_row(closing, link.left.point.motion[i], direction[i], first[link.left.structure], column);
       add_row(closing, link.right.point.motion[i], -direction[i], first[link.right.structure], column);
     }
-    columns.push_back({&link, direction});
+    columns.push_back({&link.left, &link.right, direction, is_device});
   };
   if (with_links)
     for (const Link& link : model.links) {
@@ -158,6 +180,11 @@ System assemble(const Model& model, bool with_links) {
       system.springs.push_back(storeys[storey].spring.get());
       columns.emplace_back();
     }
+  }
+  for (const Device& device : model.devices) {
+    add_column(device, -device.direction, true);  // it gets longer
+    *device.member = BarAndDamper(device.bar, device.damper);
+    system.springs.push_back(device.member.get());
   }
   for (std::size_t i = 0; with_links && i < model.links.size(); ++i) {
     const Link& link = model.links[i];
@@ -179,13 +206,17 @@ System assemble(const Model& model, bool with_links) {
   Eigen::MatrixXd by_ground = Eigen::MatrixXd::Zero(links, system.load.cols());
   Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(links);
   for (int c = 0; c < links; ++c) {
-    if (!columns[c].link) continue;
-    const Link& link = *columns[c].link;
-    for (const auto& [end, sign] : {std::pair(&link.left, 1.0), std::pair(&link.right, -1.0)}) {
+    if (!columns[c].left) continue;
+    for (const auto& [end, sign] : {std::pair(columns[c].left, 1.0), std::pair(columns[c].right, -1.0)}) {
       const Structure& s = model.structures[end->structure];
       add_ground_motion(by_ground, c, sign, *end, s, plan.supports[end->structure], columns[c].direction);
-      if (s.at_rest.size() == 0) continue;
-      for (int i = 0; i < 3; ++i) at_rest[c] += sign * columns[c].direction[i] * end->point.motion[i].dot(s.at_rest);
+      if (columns[c].is_device) {
+        // Preloads leave it undeformed, as gravity does.
+        if (with_links && s.preload_displacement.size() > 0)
+          at_rest[c] -= sign * displacement_along(*end, columns[c].direction, s.preload_displacement);
+      } else if (s.at_rest.size() > 0) {
+        for (int i = 0; i < 3; ++i) at_rest[c] += sign * columns[c].direction[i] * end->point.motion[i].dot(s.at_rest);
+      }
     }
   }
   if (links > 0 && by_ground.cwiseAbs().maxCoeff() > 0) system.gap_by_ground = by_ground;

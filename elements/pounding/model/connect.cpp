@@ -1,28 +1,29 @@
 /// From what is said of a link to its contacts: points, names, laws.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include <pounding/core/limits.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/model/contact_law.hpp>
 #include <pounding/model/contact_stiffness.hpp>
 #include <pounding/model/drawing.hpp>
 #include <pounding/model/facing.hpp>
+#include <pounding/model/place_ends.hpp>
+#include <pounding/model/rounding.hpp>
 
 namespace pounding {
 namespace {
 
 // Default sliding velocity: slower than this, friction grows with the velocity [m/s].
 constexpr double usual_sliding = 5e-3;
-// Bodies that rest at a gap of zero overlap by the rounding of its displacements at rest, and by no more than this [m].
-constexpr double touching = 1e-12;
 
 [[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
 [[noreturn]] void refuse_idle(ModelOption option, const std::string& text) { throw ModelError(option, text).as_idle(); }
@@ -31,65 +32,6 @@ std::string text_of(const PairEnd& end, const Structure& s) {
   if (end.elevation) return fmt::format("{}@{:.6g}m", s.name, *end.elevation);
   if (!end.node.empty()) return fmt::format("{}:{}", s.name, end.node);
   return end.is_numbered && end.floor ? fmt::format("{}.{}", s.name, *end.floor + 1) : s.name;
-}
-
-LinkEnd place_end(const PairEnd& end, const Structure& s, Side side, double along, ModelOption option) {
-  LinkEnd found;
-  found.structure = end.structure;
-  if (end.floor) found.floor = *end.floor;
-  try {
-    if (end.elevation) {
-      found.label = fmt::format("{:.6g} m up", *end.elevation);
-      found.point = s.surface->column(*end.elevation, side, along);
-    } else if (!end.node.empty()) {
-      found.label = "node " + end.node;
-      found.point = s.surface->node(end.node);
-    } else {
-      if (!s.is_rigid()) found.label = "floor " + s.floors[found.floor].label;
-      found.point = s.surface->floor(found.floor, side, along);
-    }
-  } catch (const std::invalid_argument& error) {
-    refuse(option, fmt::format("{}: {}", s.name, error.what()));
-  }
-  return found;
-}
-
-// Positions of the contact points along the common edge of two floors.
-std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a, const Structure& b, Side side) {
-  const auto edge = [](const PairEnd& end, const Structure& s, Side own) -> std::optional<std::array<double, 2>> {
-    if (!end.floor || s.dimension < 3) return {};
-    return s.surface->edge(*end.floor, own);
-  };
-  const auto first = edge(pair.left, a, side), second = edge(pair.right, b, opposite(side));
-  if (!first && !second) {
-    if (points.value_or(1) > 1)
-      refuse_idle(ModelOption::points, "several points need floors of structures in space on both sides; leave it out");
-    return {0};
-  }
-  if (!first || !second) {
-    if (points.value_or(1) > 1) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
-    const auto [low, high] = first ? *first : *second;
-    const double middle = 0.5 * (low + high);
-    const Structure& s = first ? b : a;
-    if (s.is_rigid() || s.dimension < 3) return {middle};
-    // A node or a column is hit where it stands.
-    const LinkEnd met = first ? place_end(pair.right, b, opposite(side), middle, ModelOption::right)
-                              : place_end(pair.left, a, side, middle, ModelOption::left);
-    const int across = side == Side::plus_x || side == Side::minus_x ? 1 : 0;
-    return {std::clamp(met.point.position[across], low, high)};
-  }
-  const std::array<double, 2> own = *first, other = *second;
-  double low = std::max(own[0], other[0]), high = std::min(own[1], other[1]);
-  if (low > high)
-    refuse(ModelOption::link, fmt::format("the edges of {} and {} pass each other: from {:.6g} m to {:.6g} m and from {:.6g} m to {:.6g} m; "
-                          "move one by its origin, or link nodes", a.name, b.name, own[0], own[1], other[0], other[1]));
-  const bool wide = high > low;
-  const int count = points.value_or(wide ? 2 : 1);
-  if (count > 1 && !wide) refuse_idle(ModelOption::points, "the two meet at one point; leave it out");
-  if (count == 1) return {0.5 * (low + high)};
-  std::vector<double> along;
-  for (int i = 0; i < count; ++i) along.push_back(low + (high - low) * i / (count - 1));
-  return along;
 }
 
 double displacement_along(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction) {
@@ -101,16 +43,6 @@ double displacement_along(const LinkEnd& end, const Structure& s, const Eigen::V
     if (s.at_rest.size() > 0) sum += direction[i] * row.dot(s.at_rest);
   }
   return sum;
-}
-
-// Points that have no mass of their own in the way of the contact could be given any velocity at once.
-void require_inertia(const LinkEnd& end, const Structure& s, Side side, ModelOption option) {
-  if (s.is_rigid()) return;
-  const int axis = side == Side::plus_x || side == Side::minus_x ? 0 : 1;
-  if (end.point.motion[axis].nonZeros() == 0)
-    refuse(option, fmt::format("{} of {} is held by its support and cannot be hit; name a floor, or a node that moves", end.label, s.name));
-  if (end.point.mass > 0) return;
-  refuse(option, fmt::format("{} of {} has no mass; give it one, or name a floor", end.label, s.name));
 }
 
 double reduced_mass(double left, double right) {
@@ -205,10 +137,18 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
 void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
   const double overlap =
       displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
-  if (!(overlap > touching)) return;
+  if (!(overlap > 0)) return;
+  // Two equal frames at a gap of zero lean by the same displacement, but for its round-off.
+  const auto rounding = [&](const LinkEnd& end, const Structure& s) {
+    Eigen::VectorXd u = s.initial_displacement;
+    if (s.at_rest.size() > 0) u += s.at_rest;
+    return displacement_rounding(end, s, link.direction, u);
+  };
+  if (overlap <= rounding(link.left, a) + rounding(link.right, b) + std::numeric_limits<double>::epsilon() * link.gap) return;
   const std::string by = format_quantity(overlap, dimension::length);
-  const std::string apart = are_drawn(a, b) ? fmt::format("they lean towards each other under their loads: move {} away by {} or more with its origin",
-                                                          b.name, by)
+  const bool displaced = a.initial_displacement.any() || b.initial_displacement.any();
+  const std::string apart = are_drawn(a, b) ? fmt::format("they {} towards each other{}: move {} away by {} or more with its origin",
+                                                          displaced ? "are displaced" : "lean", displaced ? "" : " under their loads", b.name, by)
                                             : fmt::format("a gap of {} or more keeps them apart", format_quantity(overlap + link.gap, dimension::length));
   refuse(ModelOption::gap, fmt::format("{} and {} overlap by {} at the start; {}", a.name, b.name, by, apart));
 }
@@ -228,6 +168,9 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
     refuse_idle(ModelOption::preload, "needs a negative gap, the overlap of the two ends undeformed, as in gap: -2 mm; leave it out");
   for (int i = 0; i < count; ++i) {
     const std::vector<double> along = along_the_edge(options.points, pairs[i], a, b, side);
+    if (static_cast<double>(links.size() + along.size()) > limits::links)
+      refuse(ModelOption::between, fmt::format("a model has at most {:g} links; link fewer floors, or take fewer points along their edges",
+                                               limits::links));
     for (std::size_t k = 0; k < along.size(); ++k) {
       Link link;
       link.left = place_end(pairs[i].left, a, side, along[k], ModelOption::left);

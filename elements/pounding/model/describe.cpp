@@ -16,6 +16,7 @@ std::string describe(const Structure& s) {
   if (!s.is_free) text += fmt::format(", {} floor{}", s.floors.size(), s.floors.size() == 1 ? "" : "s");
   text += ", " + format_quantity(s.total_mass()[0], dimension::mass, 6);
   if (s.is_free) return text;
+  if (s.rigid_motions > 0) text += ", without supports";
   const auto period = [&](int mode) { return fmt::format("{:.4g} s", 2 * M_PI / s.frequencies[mode]); };
   return text + (s.frequencies.size() > 1 ? fmt::format(", first periods {} and {}", period(0), period(1)) : ", period " + period(0));
 }
@@ -31,7 +32,11 @@ std::string describe(const Model& model) {
     text += fmt::format("ground motion{}  {}, peak {:.4g} m/s^2 ({:.4g} g)\n", axes[i], motion.source(), motion.peak(),
                         motion.peak() / standard_gravity);
   }
-  for (const Structure& s : model.structures) text += describe(s) + '\n';
+  for (const Structure& s : model.structures) {
+    text += describe(s) + '\n';
+    for (const AppliedForce& force : s.applied_forces) text += fmt::format("     force on {}: {}\n", force.place, force.history.source());
+  }
+  text += describe_joined(model);
   for (const Link& link : model.links) {
     text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
                         link.formula, 1e3 * link.gap);
@@ -45,6 +50,7 @@ std::string describe(const Model& model) {
         if (value.name == "stiffness")
           text += fmt::format("     stiffness {:.4g} {} ({})\n", value.value, value.unit, link.stiffness_from);
   }
+  for (const Device& device : model.devices) text += describe(model, device);
   return text;
 }
 

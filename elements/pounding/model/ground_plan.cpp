@@ -27,6 +27,18 @@ double delay_by_wave(const Model& model, const Eigen::Vector3d& position) {
 // exception: it has an unknown along x and stays where it is along y and z.
 bool moves_along(const Structure& s, int direction) { return direction == 0 || !s.is_free; }
 
+// Off the diagonal the masses hardly matter to a scale.
+double share_of(const AppliedForce& force, const Structure& s) {
+  const Eigen::VectorXd masses = s.mass.diagonal();
+  double sum = 0;
+  for (Row::InnerIterator it(force.direction); it; ++it)
+    if (masses[it.index()] > 0) sum += it.value() * it.value() / masses[it.index()];
+  return std::sqrt(sum / masses.sum());
+}
+
+// The difference of the velocities before and after a motion.
+double last_velocity(const GroundMotion& motion) { return std::abs(motion.velocity(motion.duration()) - motion.initial_velocity()); }
+
 }  // namespace
 
 GroundPlan ground_plan(const Model& model) {
@@ -53,6 +65,11 @@ GroundPlan ground_plan(const Model& model) {
   }
   if (plan.motions.empty()) plan.motions.emplace_back();
   for (std::vector<std::array<int, 3>>& under : indices) plan.supports.emplace_back(plan.motions, std::move(under));
+  for (std::size_t i = 0; i < model.structures.size(); ++i)
+    for (const AppliedForce& force : model.structures[i].applied_forces) {
+      plan.forces.push_back({static_cast<int>(i), static_cast<int>(plan.motions.size()), share_of(force, model.structures[i])});
+      plan.motions.push_back(force.history);
+    }
   return plan;
 }
 
@@ -75,24 +92,26 @@ double GroundPlan::longest_step(double t) const {
   return shortest;
 }
 
-double GroundPlan::least_displacement(double w) const {
-  double largest = 0;
-  for (const GroundMotion& motion : motions) {
-    const double last_velocity = std::abs(motion.velocity(motion.duration()) - motion.initial_velocity());
-    largest = std::max(largest, std::min({least_part * motion.peak() / (w * w), motion.peak_velocity() / w,
-                                          motion.peak_displacement() + last_velocity / w}));
-  }
-  return largest;
+template <class Least>
+double GroundPlan::largest(int structure, const Least& least) const {
+  double found = 0;
+  for (std::size_t k = 0; k < motions.size() - forces.size(); ++k) found = std::max(found, least(motions[k]));
+  for (const Force& force : forces)
+    if (force.structure == structure) found = std::max(found, force.share * least(motions[static_cast<std::size_t>(force.motion)]));
+  return found;
 }
 
-double GroundPlan::least_velocity(double w) const {
-  double largest = 0;
-  for (const GroundMotion& motion : motions) {
-    const double last_velocity = std::abs(motion.velocity(motion.duration()) - motion.initial_velocity());
-    largest = std::max(largest, std::min({least_part * motion.peak() / w, motion.peak_velocity(),
-                                          w * motion.peak_displacement() + last_velocity}));
-  }
-  return largest;
+double GroundPlan::least_displacement(int structure, double w) const {
+  return largest(structure, [w](const GroundMotion& motion) {
+    return std::min({least_part * motion.peak() / (w * w), motion.peak_velocity() / w,
+                     motion.peak_displacement() + last_velocity(motion) / w});
+  });
+}
+
+double GroundPlan::least_velocity(int structure, double w) const {
+  return largest(structure, [w](const GroundMotion& motion) {
+    return std::min({least_part * motion.peak() / w, motion.peak_velocity(), w * motion.peak_displacement() + last_velocity(motion)});
+  });
 }
 
 }  // namespace pounding

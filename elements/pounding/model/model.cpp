@@ -8,17 +8,18 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/limits.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/model/cost.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/model/initial_shape.hpp>
 #include <pounding/model/plausible.hpp>
 #include <pounding/model/preload.hpp>
 
 namespace pounding {
 namespace {
 
-// Histories are kept in memory.
-constexpr double max_outputs = 1e7;
 // Supports that a wave reaches within this way of each other move alike [m].
 constexpr double together = 1e-6;
 
@@ -61,11 +62,13 @@ void refuse_initial_yield(const Structure& s) {
   }
 }
 
-// Floors of a structure along x are its unknowns; a frame as a whole moves along x, with all its supports.
+// Floors of a structure along x are its unknowns; a frame moves along x as a whole, with all its supports, and is displaced by its floors.
 Eigen::VectorXd initial_motion(const OneOrEach& given, const Structure& s, ModelOption option, const char* what) {
   if (given.empty()) return Eigen::VectorXd::Zero(s.size());
   if (s.is_rigid()) throw ModelError(option, "a wall moves with the ground; leave it out").as_idle();
   try {
+    if (s.dimension > 1 && option == ModelOption::initial_displacement)
+      return shape_of_floors(s, given.of_each(static_cast<int>(s.floors.size()), what));
     if (s.dimension > 1) {
       Eigen::VectorXd whole = Eigen::VectorXd::Zero(s.size());
       for (const Support& support : s.supports) whole += support.influence.col(0);
@@ -78,13 +81,29 @@ Eigen::VectorXd initial_motion(const OneOrEach& given, const Structure& s, Model
   }
 }
 
+void apply_forces(Structure& s, const std::vector<ForceOptions>& forces) {
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    try {
+      s.applied_forces.push_back(applied_force(s, forces[i]));
+    } catch (const std::invalid_argument& error) {
+      throw ModelError(ModelOption::forces, error.what()).of(static_cast<int>(i));
+    }
+  }
+}
+
 void set_initial_motion(Structure& s, const StructureOptions& options) {
   s.initial_velocity = initial_motion(options.initial_velocity, s, ModelOption::initial_velocity, "initial_velocity");
-  if (!options.initial_displacement.empty() && s.dimension > 1 && !s.is_rigid())
-    throw ModelError(ModelOption::initial_displacement, "a frame starts from its place at rest; leave it out, or give an initial_velocity")
-        .as_idle();
   s.initial_displacement =
       initial_motion(options.initial_displacement, s, ModelOption::initial_displacement, "initial_displacement");
+  if (!options.initial_node_displacements.empty()) {
+    if (!options.initial_displacement.empty())
+      throw ModelError(ModelOption::initial_node_displacements, "initial_displacement is given too; keep one of the two").as_idle();
+    try {
+      s.initial_displacement = shape_of_nodes(s, options.initial_node_displacements);
+    } catch (const std::invalid_argument& error) {
+      throw ModelError(ModelOption::initial_node_displacements, error.what());
+    }
+  }
   refuse_initial_yield(s);
 }
 
@@ -133,6 +152,7 @@ StructureHandle Model::add(const std::string& name, Structure s, const Structure
                      "nothing in it has mass; type masses: {NODE: 10 t}, floor_mass: 60 t in a grid, or density: 2500 kg/m^3 in a material");
   damp(s, options.damping, mode_solver);
   set_initial_motion(s, options);
+  apply_forces(s, options.forces);
   if (!(options.delay >= 0) || std::isinf(options.delay))
     throw ModelError(ModelOption::delay, "delay must be finite and not negative");
   structures.push_back(std::move(s));
@@ -214,6 +234,8 @@ void Model::check_settings() const {
     refuse(fmt::format("the tolerance lies in [{:g}, {:g}]; {:g} was given", min_tolerance, max_tolerance, analysis.tolerance));
   if (analysis.duration > 0 && analysis.output_step > analysis.duration)
     refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step, analysis.duration));
+  if (analysis.most_steps < 1 || analysis.most_steps > limits::most_steps)
+    refuse(fmt::format("most_steps lies in [1, {}]; {} was given", limits::most_steps, analysis.most_steps));
   if (const double radius = analysis.scheme.spectral_radius; !(radius >= 0 && radius <= 1))
     refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
   for (const std::string& name : accept)
@@ -233,15 +255,12 @@ void Model::complete() {
   press_preloaded(structures, links);
   const GroundPlan plan = ground_plan(*this);
   if (analysis.duration == 0) analysis.duration = plan.duration();
-  if (analysis.duration == 0) throw ModelError(ModelOption::analysis, "the duration is missing; type analysis: {duration: 10 s}");
+  if (analysis.duration == 0 || std::isinf(analysis.duration)) throw ModelError(ModelOption::analysis, "the duration is missing; type analysis: {duration: 10 s}");
   if (analysis.output_step == 0) {
     const double sample = plan.sample_step();
     analysis.output_step = sample > 0 ? std::min(sample, analysis.duration) : analysis.duration / 1000;
   }
-  if (analysis.duration / analysis.output_step > max_outputs)
-    throw ModelError(ModelOption::analysis,
-                     fmt::format("{:.3g} output times are too many; type analysis: {{output_step: {:.3g}}}",
-                                 analysis.duration / analysis.output_step, analysis.duration / 1e4));
+  require_affordable(*this);
   is_complete_ = true;
 }
 

@@ -9,15 +9,19 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include <pounding/core/limits.hpp>
 #include <pounding/ground/components.hpp>
 #include <pounding/laws/by_name.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/model/contact_stiffness.hpp>
+#include <pounding/model/forces.hpp>
 #include <pounding/model/model_error.hpp>
 #include <pounding/model/scheme.hpp>
 #include <pounding/model/system.hpp>
+#include <pounding/structures/bar_and_damper.hpp>
 #include <pounding/structures/one_or_each.hpp>
 #include <pounding/structures/structure.hpp>
 #include <pounding/structures/structure_damping.hpp>
@@ -51,6 +55,17 @@ struct Link {
   std::unique_ptr<Contact> contact;
 };
 
+/// A bar, a damper or both beside each other between two structures: it always acts, both ways. Gravity and preloads leave it undeformed.
+struct Device {
+  std::string name;
+  LinkEnd left, right;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< along which it acts, from left to right
+  std::optional<double> length;                          ///< that is drawn [m]
+  std::optional<Bar> bar;
+  std::optional<Damper> damper;
+  std::unique_ptr<BarAndDamper> member;
+};
+
 /// Below the first the rounding of the arithmetic is larger than the error; above the second an impact is not resolved.
 inline constexpr double min_tolerance = 1e-10, max_tolerance = 0.1;
 
@@ -62,6 +77,7 @@ struct AnalysisSettings {
                             ///< without samples a thousandth of the duration
   Scheme scheme{};          ///< scheme of the time stepping
   double max_step = 0;      ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
+  long most_steps = limits::usual_steps;  ///< steps that the run may take, in [1, limits::most_steps]; it then ends and can be resumed
 };
 
 /// How often a run at least leaves a state to go on from; the results file is rewritten then. Zero: not asked for.
@@ -99,13 +115,24 @@ class StructureHandle {
   int number_;
 };
 
+/// A displacement of a node of a frame at the start.
+struct NodeDisplacement {
+  std::string node;
+  std::string dof = "ux";  ///< ux ... rz
+  double value = 0;        ///< [m], [rad]
+};
+
 /// Options of a structure of any kind.
 struct StructureOptions {
   /// Needed by every structure but bodies and walls, unless it was made with its damping; 0 for none.
   std::optional<Damping> damping{};
   /// Along x [m/s]: of the floors, one for all or one each from the ground up; of a frame as a whole.
   OneOrEach initial_velocity{};
-  OneOrEach initial_displacement{};  ///< of the floors; a frame starts from its place at rest [m]
+  /// Along x [m]: of the floors, one for all or one each from the ground up. All else of a frame follows as if forces held the floors
+  /// there.
+  OneOrEach initial_displacement{};
+  std::vector<NodeDisplacement> initial_node_displacements{};  ///< of a frame, instead; all else follows likewise
+  std::vector<ForceOptions> forces{};  ///< that act over time
   double delay = 0;                  ///< the ground moves later here [s]
   std::optional<GroundComponents> ground_motion{};  ///< of its own instead of the model's
 };
@@ -138,6 +165,18 @@ struct LinkOptions {
   std::optional<StiffnessEstimate> stiffness{};
 };
 
+/// A bar by its section: the stiffness is E A over the length that is drawn.
+struct BarSection {
+  double young = 0;  ///< E [Pa]
+  double area = 0;   ///< A [m^2]
+};
+
+/// What a device is made of; at least one of the two.
+struct DeviceOptions {
+  std::optional<std::variant<Bar, BarSection>> bar{};
+  std::optional<Damper> damper{};
+};
+
 /// Something in a model that can be and was probably not meant.
 struct Doubt {
   std::string name;  ///< that Model::accept silences it by
@@ -148,7 +187,7 @@ struct Doubt {
 inline constexpr std::string_view built_by_code =
     "# This model was built by a program and not read from a file; resolved.yaml tells what it was.\n";
 
-/// All that is simulated. Structures are added first, links between them afterwards; ground, analysis and the rest may be set at
+/// All that is simulated. Structures are added first, links and devices between them afterwards; ground, analysis and the rest may be set at
 /// any time until the model is completed.
 class Model {
  public:
@@ -166,9 +205,10 @@ class Model {
   std::string source_text{built_by_code};  ///< the input as given
   std::string source_file;                 ///< the file as the user named it; relative paths in the input start from its folder
 
-  /// In the order they were added; made by add() and link(), to be read only.
+  /// In the order they were added; made by add(), link() and connect(), to be read only.
   std::vector<Structure> structures;
   std::vector<Link> links;
+  std::vector<Device> devices;
 
   /// Adds a structure under a name. Throws ModelError for a name that files cannot hold or that is taken, and for options that
   /// are missing, given twice, out of range or without a meaning for this structure.
@@ -178,6 +218,11 @@ class Model {
   /// follow from where frames stand. Throws ModelError for ends, floors, gaps and laws that cannot be, and for what contradicts
   /// the drawing.
   void link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options, const ContactLaw& law);
+
+  /// Connects two structures under a name by a device, the left one first. Two nodes of drawn frames are connected along the line between
+  /// them; all other ends along the horizontal axis in which links act. Throws ModelError for ends that cannot be or have no mass
+  /// along the device, and for numbers out of range.
+  void connect(const std::string& name, const ContactLocation& left, const ContactLocation& right, const DeviceOptions& options);
 
   /// Fills in what was left out (duration, output step), lets the ground act on the structures and checks the whole. A run does
   /// this by itself; whoever assembles a model calls it before. Afterwards nothing can be added; a second call does nothing.
@@ -205,7 +250,7 @@ class Model {
 void require_structure_name(const std::string& name);
 
 /// The equations of motion of a complete model. The contacts and springs stay the model's; the springs start undeformed, whatever an earlier
-/// run has left in them. `with_links` false leaves the links out.
+/// run has left in them. `with_links` false leaves the links out, and no device.
 System assemble(const Model& model, bool with_links = true);
 
 /// First unknown of each structure in the assembled system.
@@ -214,8 +259,21 @@ std::vector<int> offsets(const Model& model);
 /// Initial displacements and velocities of the assembled system. Without its links nothing is displaced by a preload.
 std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bool with_links = true);
 
+/// Structures that bars join, as one: which ones, and the lowest frequencies that they have together, increasing [rad/s].
+struct JoinedByBars {
+  std::vector<int> structures;
+  Eigen::VectorXd frequencies;  ///< empty where no bar joins
+};
+JoinedByBars joined_by_bars(const Model& model);
+
+/// One line on the periods of structures that bars join; empty where there are none. Those of structures by themselves have no bars.
+std::string describe_joined(const Model& model);
+
+/// One line on a device: what it is, between which ends.
+std::string describe(const Model& model, const Device& device);
+
 /// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links with their laws,
-/// gaps and masses.
+/// gaps and masses, devices.
 std::string describe(const Model& model);
 
 }  // namespace pounding

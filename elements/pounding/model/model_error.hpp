@@ -20,7 +20,9 @@ enum class ModelOption {
   name,
   damping,
   initial_displacement,
+  initial_node_displacements,
   initial_velocity,
+  forces,
   delay,
   // of a link
   link,
@@ -35,7 +37,12 @@ enum class ModelOption {
   friction,
   sliding_velocity,
   reduced_mass,
-  law
+  law,
+  // of a device
+  device,
+  device_name,
+  bar,
+  damper
 };
 
 /// A model that cannot be. The text says what is wrong and what to give; a reader of inputs finds by the option where in its
@@ -52,6 +59,12 @@ class ModelError : public std::invalid_argument {
     copy.is_idle_ = true;
     return copy;
   }
+  /// Of several, the one with this number from 0.
+  ModelError of(int item) const {
+    ModelError copy = *this;
+    copy.item_ = item;
+    return copy;
+  }
   /// A motion of the ground along this axis, 0 for x.
   ModelError along(int axis) const {
     ModelError copy = *this;
@@ -62,11 +75,12 @@ class ModelError : public std::invalid_argument {
   ModelOption option() const noexcept { return option_; }  ///< that is wrong
   int structure() const noexcept { return structure_; }  ///< -1: of none, or of one that is not in the model yet
   int axis() const noexcept { return axis_; }  ///< of a motion of the ground, 0 for x
+  int item() const noexcept { return item_; }  ///< among several of an option, from 0
   bool is_idle() const noexcept { return is_idle_; }  ///< whether the option should not be there
 
  private:
   ModelOption option_;
-  int structure_ = -1, axis_ = 0;
+  int structure_ = -1, axis_ = 0, item_ = 0;
   bool is_idle_ = false;
 };
 

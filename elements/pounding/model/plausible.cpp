@@ -55,7 +55,7 @@ void doubt_members(const Structure& s, std::vector<Doubt>& doubts) {
   const auto deepest = std::max_element(g.depths.begin(), g.depths.end());
   const auto name_of = [&](std::ptrdiff_t member) -> const std::string& { return g.member_names[member]; };
   const auto metres = [](double length) { return format_quantity(length, dimension::length); };
-  if (const double storey = highest_storey(s); *deepest > storey)
+  if (const double storey = highest_storey(s); storey > 0 && *deepest > storey)
     doubts.push_back({"section", fmt::format("structure {}: member {} is some {} deep, more than a storey of {}; a bare length is in m, type its "
                                              "unit, as in 400 mm",
                                              s.name, name_of(deepest - g.depths.begin()), metres(*deepest), metres(storey))});

@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/model/rounding.hpp>
 
 namespace pounding {
 namespace {
@@ -25,7 +27,7 @@ using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 [[noreturn]] void refuse(const std::string& text) { throw ModelError(ModelOption::preload, text); }
 
 void require_linear_start(const Structure& s) {
-  if (s.is_free) refuse(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
+  if (s.is_free || s.rigid_motions > 0) refuse(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
   if (s.elastic)
     refuse(fmt::format("{} has large rotations, and a preload needs a stiffness that stays as it is; leave one of the two out", s.name));
   if (s.initial_displacement.cwiseAbs().maxCoeff() > 0)
@@ -142,16 +144,23 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
     refuse_yield(structures[number]);
   }
 
+  const auto at_start = [](const Structure& s) -> Eigen::VectorXd {
+    if (s.is_rigid()) return {};
+    Eigen::VectorXd u = s.initial_displacement;
+    if (s.at_rest.size() > 0) u += s.at_rest;
+    if (s.preload_displacement.size() > 0) u += s.preload_displacement;
+    return u;
+  };
   for (const Link& link : links) {
     if (link.preload) continue;
-    const double overlap = approach(link, structures, [](const Structure& s) -> Eigen::VectorXd {
-      if (s.is_rigid()) return {};
-      Eigen::VectorXd u = s.initial_displacement;
-      if (s.at_rest.size() > 0) u += s.at_rest;
-      if (s.preload_displacement.size() > 0) u += s.preload_displacement;
-      return u;
-    }) - link.gap;
-    if (overlap > 0)
+    const double overlap = approach(link, structures, at_start) - link.gap;
+    if (!(overlap > 0)) continue;
+    double rounding = std::numeric_limits<double>::epsilon() * link.gap;
+    for (const LinkEnd* end : {&link.left, &link.right}) {
+      const Structure& s = structures[end->structure];
+      rounding += displacement_rounding(*end, s, link.direction, at_start(s));
+    }
+    if (overlap > rounding)
       refuse(fmt::format("closes {} as well, by {}; give that link a wider gap, or a negative one and preload: true", link.name,
                          format_quantity(overlap, dimension::length)));
   }

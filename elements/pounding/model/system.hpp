@@ -24,31 +24,33 @@ struct Group {
   double velocity_floor = 0;      ///< [m/s]
   double by_mass = 0;             ///< Rayleigh damping of this structure: by_mass M + by_stiffness K [1/s]
   double by_stiffness = 0;        ///< [s]
+  int rigid_motions = 0;          ///< modes that meet no stiffness at all
   /// Instead of K u, which stays their part that is linear at rest, and what the damping goes by; nothing for K u alone.
   const ElasticForces* elastic = nullptr;
 };
 
-/// M a + C v + K u + B F = -P ag(t), displacements relative to the ground; the links feel the relative displacements
+/// M a + C v + K u + B F = -P ag(t), with accelerations of the ground and forces over time in ag; displacements relative to the ground; the links feel the relative displacements
 /// B^T u + S dg(t) + c, where the ground itself takes the two sides of a link differently.
 ///
 /// An unknown without mass has an empty row in M; no link and no dashpot may act on it. In a group with elastic forces of
 /// its own the Rayleigh damping acts on the motion in which such unknowns follow as K says.
 ///
 /// Link i closes by column i of B times u: +1 at the left body, -1 at the right one. A positive link force pushes
-/// the bodies apart. The columns of the springs that yield follow those of the contacts, those of friction follow these.
+/// the bodies apart. The columns of the springs follow those of the contacts, -1 at the left end and +1 at the right one, so that
+/// B^T u is their elongation and a positive force pulls: first storeys that yield, then devices. Those of friction follow these.
 /// Contacts, springs and elastic forces are owned by the model and outlive the system.
 struct System {
   SparseMatrix mass;       ///< M, symmetric [kg]
   SparseMatrix damping;    ///< C without the Rayleigh damping of the groups [N s/m]
   SparseMatrix stiffness;  ///< K, symmetric [N/m]
-  Eigen::MatrixXd load;    ///< P, one column a ground motion [kg]
+  Eigen::MatrixXd load;    ///< P, one column a ground motion [kg], then one a force: minus the displacement on which it works [-]
   SparseMatrix gap_jacobian;    ///< B, one column a contact, then one a spring, then one or two a friction
   std::vector<Contact*> contacts;
   std::vector<std::string> names;  ///< of the contacts, for messages; may be empty
   std::vector<Spring*> springs;
   std::vector<Friction> frictions;
   std::vector<Group> groups;
-  std::vector<GroundMotion> grounds;  ///< components of the motions of the supports, ag(t) together
+  std::vector<GroundMotion> grounds;  ///< components of the motions of the supports, then forces [N]: ag(t) together
   Eigen::MatrixXd gap_by_ground;  ///< S, links x grounds; empty where the ground takes both sides of every link alike
   Eigen::VectorXd gravity_offset;     ///< c, by gravity [m]; empty for none
   SparseMatrix outputs;   ///< n x k: what a report follows is outputs^T u

@@ -96,6 +96,10 @@ Structure make_body(const BodyOptions& options) {
   s.damping_note = "none";
   s.is_free = true;
   s.frequencies = Eigen::VectorXd::Zero(1);
+  if (!std::isfinite(options.gravity)) throw std::invalid_argument("gravity must be finite");
+  if (options.gravity != 0)
+    s.applied_forces.push_back({"ux by its weight", s.floors.front().motion.front(),
+                                GroundMotion(Step{.amplitude = options.mass * options.gravity}, dimension::force)});
   return s;
 }
 

@@ -12,8 +12,11 @@ namespace pounding {
 /// A free mass.
 struct BodyOptions {
   double mass = 0;  ///< [kg]
+  /// Constant acceleration along x, as by the weight where x is drawn upright [m/s^2]: -9.80665 falls to the left.
+  double gravity = 0;
 };
-/// A mass that nothing holds to the ground. Throws std::invalid_argument for a mass that is not positive and finite.
+/// A mass that nothing holds to the ground. Throws std::invalid_argument for a mass that is not positive and finite, and for a gravity
+/// that is not finite.
 Structure make_body(const BodyOptions& options);
 
 /// One mass on a spring and a dashpot.

@@ -1,23 +1,30 @@
 #pragma once
-/// A spring that yields: what its force differs by from the linear stiffness that the structure is assembled with.
+/// Forces between two points beside those of the linear structures: of storeys that yield, of bars and dampers.
 
 #include <pounding/core/archive.hpp>
 #include <pounding/links/contact.hpp>
 
 namespace pounding {
 
-/// The force on top of k u, as a function of the deformation (LinkMotion::penetration) from the last kept state on.
-/// Histories move at kept steps only.
+/// The force on top of k u, as a function of the deformation (LinkMotion::penetration) from the last kept state on, where k is the
+/// stiffness that the structures are assembled with: that of a storey, none for what joins two structures. It pulls the two points
+/// together where it is positive. Histories move at kept steps only.
 class Spring {
  public:
   virtual ~Spring() = default;
 
-  /// Pure. force is that of the spring minus k times the deformation, so its slope is not positive [N], [N/m].
+  /// Pure. force is that of the spring minus k times the deformation, so the slope of a storey is not positive [N], [N/m].
   virtual laws::Response evaluate(const LinkMotion& motion) const noexcept = 0;
+  /// Whether the force has corners, at which steps end.
+  virtual bool has_corners() const noexcept { return true; }
+  /// The run begins with this motion, or goes on from it after somebody changed it.
+  virtual void start(const LinkMotion& /*motion*/) {}
   /// A step was kept.
   virtual void accept(const LinkStep& step) = 0;
   /// Energy that the spring has lost by yielding [J].
   virtual double lost() const noexcept = 0;
+  /// Energy that it has lost by damping [J].
+  virtual double damped() const noexcept { return 0; }
   /// Energy that it stores, minus k/2 times the square of its deformation [J].
   virtual double stored_correction() const noexcept = 0;
   virtual void archive(Archive& archive) = 0;

@@ -37,6 +37,10 @@ ContactPoint Surface::node(const std::string&) const {
   throw std::invalid_argument("it has no nodes; name a floor");
 }
 
+Row Surface::displacement(const std::string&, const std::string&) const {
+  throw std::invalid_argument("it has no nodes; name a floor");
+}
+
 SparseMatrix Structure::whole_damping() const { return by_mass * mass + by_stiffness * stiffness + damping; }
 
 Eigen::Vector3d Structure::total_mass() const {

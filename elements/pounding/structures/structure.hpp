@@ -32,6 +32,13 @@ struct YieldingStorey {
   YieldingStorey(double force, double ratio, std::unique_ptr<Spring> undeformed);
 };
 
+/// A force that acts on a structure over time.
+struct AppliedForce {
+  std::string place;     ///< "floor 3 ux", for reports
+  Row direction;         ///< the displacement on which it works
+  GroundMotion history;  ///< [N], or [N m] for a moment
+};
+
 /// Supports that the ground moves alike.
 struct Support {
   std::string name;                                     ///< for messages; empty where the structure has one support only
@@ -91,6 +98,8 @@ class Surface {
   /// The point of the column on this side at this elevation [m]; in space of the column nearest to `along`.
   virtual ContactPoint column(double elevation, Side side, double along) const;
   virtual ContactPoint node(const std::string& name) const;
+  /// The displacement of a node by its name, "ux" ... "rz".
+  virtual Row displacement(const std::string& node, const std::string& dof) const;
 };
 
 /// Nodes whose motion is reported, in the order of `directions` ("x", "z", "ry" ...).
@@ -145,10 +154,13 @@ struct Structure {
   std::vector<double> storey_stiffness;  ///< of a structure whose storeys are springs, from the ground up [N/m]
   std::vector<YieldingStorey> yielding;  ///< one a storey from the ground up; empty when they stay elastic
   bool is_free = false;                  ///< nothing holds it to the ground: a body
+  int rigid_motions = 0;                 ///< of a frame that nothing holds, which has this many modes of frequency 0: 3 or 6
+  std::vector<AppliedForce> applied_forces;  ///< over time
   Eigen::VectorXd at_rest;               ///< displacements under gravity [m]; empty for none
   Eigen::VectorXd initial_displacement, initial_velocity;  ///< of the unknowns [m], [m/s]
   Eigen::VectorXd preload_displacement;  ///< by contacts that press from the start, added to the initial one [m]; empty for none
-  Eigen::VectorXd frequencies;  ///< of its lowest modes, at least two where it has them, increasing [rad/s]; 0 for a body
+  /// Of its lowest modes, at least two where it has them, increasing [rad/s]; without rigid motions; 0 for a body.
+  Eigen::VectorXd frequencies;
   std::string damping_note;  ///< how the damping was made, one line
   std::shared_ptr<const Surface> surface;
   NodeReport nodes;

@@ -47,6 +47,11 @@ void use_rayleigh(Structure& s, double ratio, const TwoFrequencies& points) {
 
 void damp(Structure& s, double ratio, const ModeSolver&) {
   check_ratio(ratio);
+  if (s.rigid_motions > 0) {
+    s.by_stiffness = 2 * ratio / s.frequencies[0];
+    s.damping_note = fmt::format("{:.4g} % in the first mode that bends it, in proportion to the stiffness", 100 * ratio);
+    return;
+  }
   if (count_of_modes(s) == 1 && s.size() == 1) {
     s.damping.coeffRef(0, 0) += 2 * ratio * s.frequencies[0] * s.mass.coeff(0, 0);
     s.damping_note = fmt::format("{:.4g} % of critical", 100 * ratio);
@@ -58,6 +63,9 @@ void damp(Structure& s, double ratio, const ModeSolver&) {
 
 void damp(Structure& s, const RayleighDamping& rayleigh, const ModeSolver& solver) {
   check_ratio(rayleigh.ratio);
+  if (s.rigid_motions > 0)
+    throw std::invalid_argument("without supports Rayleigh damping would brake the motion as a rigid body; type damping: 5 %, or damping: "
+                                "{modal: {ratio: 5 %}}");
   use_rayleigh(s, rayleigh.ratio, points_of(rayleigh, s, solver));
 }
 
@@ -78,8 +86,17 @@ void damp(Structure& s, const ModalDamping& modal, const ModeSolver&) {
 int count_of_modes(const Structure& s) { return static_cast<int>(split_by_mass(s.mass).dynamic.size()); }
 
 void set_frequencies(Structure& s, const ModeSolver& modes) {
-  s.frequencies = s.is_free ? Eigen::VectorXd(Eigen::VectorXd::Zero(1))
-                            : modes(s.mass, s.stiffness, std::min(modes_of_a_structure, count_of_modes(s))).frequencies;
+  if (s.is_free) {
+    s.frequencies = Eigen::VectorXd::Zero(1);
+    return;
+  }
+  const int rigid = s.rigid_motions, count = std::min(modes_of_a_structure + rigid, count_of_modes(s));
+  s.frequencies = modes(s.mass, s.stiffness, count).frequencies;
+  if (rigid == 0) return;
+  if (count <= rigid) throw std::invalid_argument("without supports it has no mode that bends it; take a body, or give more nodes a mass");
+  if (!(s.frequencies[rigid] > 0))
+    throw std::invalid_argument("without supports its parts move in other ways than those of one rigid body; connect or brace them");
+  s.frequencies = s.frequencies.tail(count - rigid).eval();
 }
 
 void set_damping(Structure& s, const Damping& damping, const ModeSolver& modes) {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
 #include <pounding/petsc/version.hpp>
 
 namespace pounding::petsc {
@@ -114,6 +117,7 @@ void Factor::set_up() {
     check(KSPSetUp(ksp_));
     PCFailedReason reason = PC_NOERROR;
     check(PCGetFailedReason(pc, &reason));
+    if (reason == PC_FACTOR_OUTMEMORY) throw OutOfMemory(fmt::format("out of memory for the factor of a matrix of {} rows", product_.rows()));
     ok_ = reason == PC_NOERROR && reproduces();
   } catch (const SolverError&) {
     ok_ = false;

@@ -98,8 +98,8 @@ void ModalSolver::add_block(const System& system, const Group& group) {
   if (recovery.size() > 0) block.shapes(massless, Eigen::all) = recovery * phi;
   block.project = Eigen::MatrixXd::Zero(count, group.count);
   block.project(Eigen::all, dynamic) = phi.transpose() * mass;
-
-  const Eigen::VectorXd squares = modes.eigenvalues().cwiseMax(0);
+  Eigen::VectorXd squares = modes.eigenvalues().cwiseMax(0);
+  squares.head(std::min<Eigen::Index>(group.rigid_motions, count)).setZero();
   const Eigen::MatrixXd rest = phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi;
   Eigen::VectorXd diagonal = rest.diagonal() + group.by_stiffness * squares;
   diagonal.array() += group.by_mass;

@@ -109,12 +109,13 @@ void check(PetscErrorCode code) {
   if (code == 0) return;
   std::string text = failure.empty() ? "PETSc error " + std::to_string(static_cast<int>(code)) : failure;
   failure.clear();
+  if (code == PETSC_ERR_MEM) throw OutOfMemory(text);
   throw SolverError(text);
 }
 
-PetscErrorCode fail(const std::string& text) {
+PetscErrorCode fail(const std::string& text, PetscErrorCode code) {
   failure = text;
-  return PETSC_ERR_CONV_FAILED;
+  return code;
 }
 
 }  // namespace pounding::petsc

@@ -29,10 +29,10 @@ class Environment {
   bool owns_petsc_ = false, owns_slepc_ = false;
 };
 
-/// Throws SolverError with PETSc's own text when `code` is not zero.
+/// Throws SolverError with PETSc's own text when `code` is not zero, and OutOfMemory where PETSc could get no memory.
 void check(PetscErrorCode code);
 
 /// For a callback of PETSc's that fails: returns the error code to return from it, after which check() throws `text` alone.
-PetscErrorCode fail(const std::string& text);
+PetscErrorCode fail(const std::string& text, PetscErrorCode code = static_cast<PetscErrorCode>(PETSC_ERR_CONV_FAILED));
 
 }  // namespace pounding::petsc

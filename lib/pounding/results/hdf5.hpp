@@ -17,6 +17,22 @@ namespace pounding::hdf5 {
 /// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`.
 hid_t checked(hid_t status, std::string_view action);
 
+/// Silences HDF5's own printing while it lives; a host program's handler comes back afterwards.
+class Quiet {
+ public:
+  Quiet() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Quiet() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+ private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
 /// Owns one identifier.
 class Handle {
  public:
@@ -35,16 +51,18 @@ class Handle {
   Close close_;
 };
 
-/// Makes a file in memory, lets `write` fill it, and returns its bytes; HDF5 never touches the disk.
+/// Makes a file in memory, lets `write` fill it, and returns its bytes behind `checked_block_size` bytes without a meaning; HDF5
+/// never touches the disk.
 std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write);
 
 /// Creates a group whose members are listed in the order of their creation.
 Handle group(hid_t parent, const std::string& name);
 
-/// Type of UTF-8 text of any length, or of `size` bytes for the rows of a table.
-Handle text_type(std::size_t size = H5T_VARIABLE);
+/// Type of UTF-8 text of `size` bytes, filled up with zeros. Texts have a fixed length, that of the longest of a list: HDF5 keeps
+/// those of variable lengths in heaps, and never ends when one of these is damaged.
+Handle text_type(std::size_t size);
 
-/// Writes an attribute of an object.
+/// Writes an attribute of an object. Throws InputError for a text of more than 64,000 bytes.
 void attribute(hid_t object, const char* name, const std::string& value);
 void attribute(hid_t object, const char* name, double value);
 void attribute(hid_t object, const char* name, int value);
@@ -78,7 +96,7 @@ void add_file(hid_t file, const std::string& name, const std::vector<std::byte>&
 /// The content of a group as the image of a file: the inverse of add_file().
 std::vector<std::byte> group_image(hid_t file, const std::string& name);
 
-/// Opens a file on the disk for `read` and closes it afterwards.
+/// Opens a results file on the disk for `read` and closes it afterwards. Throws InputError where require_whole() does.
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read);
 bool has(hid_t file, const char* path);
 /// Names in a group, in the order of the alphabet.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -13,9 +14,11 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/checksum.hpp>
+#include <pounding/results/checked_file.hpp>
+#include <pounding/results/device_file.hpp>
 #include <pounding/results/envelope_file.hpp>
 #include <pounding/results/hdf5.hpp>
-#include <pounding/results/replace_file.hpp>
+#include <pounding/results/replaced_file.hpp>
 
 namespace pounding {
 namespace {
@@ -221,19 +224,20 @@ void write_impacts(hid_t file, const Results& results) {
               long_names);
 }
 
-void write_energy(hid_t file, const EnergyHistory& energy) {
+void write_energy(hid_t file, const EnergyHistory& energy, bool has_devices) {
   const Handle place = group(file, "energy");
   const auto column = [&](const Label& label, const std::vector<double>& values) {
     check_length(values.size(), energy.time.size(), std::string("energy: ") + label.name);
     array(place, label, values, {values.size()});
   };
   column({"time", "s", "time"}, energy.time);
-  column({"input", "J", "relative input energy: work of -M r ag on the motion relative to the ground, and the energy at the start"}, energy.input);
+  column({"input", "J", "relative input energy: work of -M r ag and of forces on the motion relative to the ground, and the energy at the start"}, energy.input);
   column({"kinetic", "J", "kinetic energy of the motion relative to the ground"}, energy.kinetic);
   column({"strain", "J", "elastic energy"}, energy.strain);
   column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);
   column({"hysteretic", "J", "energy dissipated by yielding"}, energy.hysteretic);
   column({"impact", "J", "work done on the links: lost, and stored while they press"}, energy.impact);
+  if (has_devices) column({"devices", "J", "energy dissipated by the dampers between structures"}, energy.devices);
   column({"error", "J", "input minus all other parts"}, energy.error);
 }
 
@@ -293,6 +297,10 @@ void visit_all(AnyResults& results, Visit&& visit) {
     visit(place + "energy", link.energy);
     if (link.tangents > 0) visit(place + "friction", link.friction);
   }
+  for (auto& device : results.devices) {
+    visit("devices/" + device.name + "/elongation", device.elongation);
+    visit("devices/" + device.name + "/force", device.force);
+  }
   auto& energy = results.energy;
   visit("energy/time", energy.time);
   visit("energy/input", energy.input);
@@ -301,6 +309,7 @@ void visit_all(AnyResults& results, Visit&& visit) {
   visit("energy/damping", energy.damping);
   visit("energy/hysteretic", energy.hysteretic);
   visit("energy/impact", energy.impact);
+  if (!results.devices.empty()) visit("energy/devices", energy.devices);
   visit("energy/error", energy.error);
 }
 
@@ -326,9 +335,10 @@ void write_all(hid_t file, const Results& results) {
   for (const StructureHistory& history : results.structures) write_structure(structures, history, results.time.size());
   const Handle links = group(file, "links");
   for (const LinkHistory& history : results.links) write_link(links, history);
+  write_devices(file, results.devices, results.time.size());
   write_envelopes(file, results.structures);
   write_impacts(file, results);
-  write_energy(file, results.energy);
+  write_energy(file, results.energy, !results.devices.empty());
   text(file, "summary", "summary as JSON", results.summary_json);
   write_solver(file, results.integrator, results.solver);
   if (!results.no_pounding.empty()) hdf5::add_file(file, "no_pounding", results.no_pounding, without_pounding_leaves_out);
@@ -351,9 +361,20 @@ std::string checksum_of_histories(const Results& results) {
 std::vector<std::byte> results_image(const Results& results) {
   check_names(results.structures, "structure");
   check_names(results.links, "link");
-  return hdf5::file_image([&](hid_t file) { write_all(file, results); });
+  check_names(results.devices, "device");
+  try {
+    std::vector<std::byte> image = hdf5::file_image([&](hid_t file) { write_all(file, results); });
+    write_checked_block(image);
+    return image;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    throw SolverError("there is no memory left to make the results file, which keeps what was written before");
+  }
 }
 
-void write_results(const Results& results, const std::string& path) { replace_file(path, results_image(results)); }
+void write_results(const Results& results, const std::string& path) { ReplacedFile(path).replace(results_image(results)); }
 
 }  // namespace pounding

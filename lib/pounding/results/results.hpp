@@ -34,6 +34,18 @@ struct LinkHistory {
   std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
 };
 
+/// History of a bar or damper between two structures at the output times.
+struct DeviceHistory {
+  std::string name;
+  NamedEnd left, right;
+  std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
+  double stiffness = 0;    ///< of the bar [N/m]; 0 for none
+  double coefficient = 0;  ///< of the damper [N (s/m)^exponent]; 0 for none
+  double exponent = 1;
+  std::vector<double> elongation, force;  ///< [m], [N]; positive in tension
+  Extremes extremes{2};                   ///< of the two over all steps
+};
+
 /// Histories of one structure at the output times, row-major [time, place, direction].
 struct StructureHistory {
   std::string name, kind;
@@ -58,9 +70,9 @@ struct StructureHistory {
   int storey_directions() const { return dimension == 3 ? 2 : 1; }
 };
 
-/// Energy balance at the output times [s], [J]: input = kinetic + strain + damping + hysteretic + impact + error.
+/// Energy balance at the output times [s], [J]: input = kinetic + strain + damping + hysteretic + impact + devices + error.
 struct EnergyHistory {
-  std::vector<double> time, input, kinetic, strain, damping, hysteretic, impact, error;
+  std::vector<double> time, input, kinetic, strain, damping, hysteretic, impact, devices, error;
 };
 
 /// Effort of a run.
@@ -83,6 +95,7 @@ struct Results {
   std::vector<double> time;        ///< output times [s]
   std::vector<StructureHistory> structures;
   std::vector<LinkHistory> links;
+  std::vector<DeviceHistory> devices;
   std::vector<ImpactRow> impacts;
   EnergyHistory energy;
   std::vector<double> ground_acceleration;  ///< at the output times [m/s^2]
@@ -100,7 +113,7 @@ struct Results {
 /// a complete earlier or a complete new file. Names of structures and links become group names, so they must differ, must not be
 /// empty, "." or "..", and must not contain '/'.
 /// Throws InputError when `path` cannot be written or a name is not possible, std::invalid_argument when the lengths
-/// of the histories do not fit together, std::runtime_error with HDF5's own text when HDF5 fails.
+/// of the histories do not fit together, SolverError with HDF5's own text when HDF5 fails, which happens without memory alone.
 void write_results(const Results& results, const std::string& path);
 
 /// Bytes of the file that write_results() writes, for readers without a disk; throws as write_results().

@@ -106,6 +106,21 @@ Json impacts_json(const Summary& summary) {
   return all;
 }
 
+Json devices_json(const std::vector<DeviceSummary>& devices) {
+  Json all = Json::array();
+  for (const DeviceSummary& s : devices) {
+    Json one = {{"name", s.name}};
+    for (std::size_t i = 0; const char* quantity : {"elongation", "force"}) {
+      const Extremes& e = s.extremes;
+      one[quantity] = {{"min", number(e.min[i])}, {"max", number(e.max[i])}, {"t_min", e.t_min[i]}, {"t_max", e.t_max[i]}};
+      ++i;
+    }
+    one["energy_lost"] = s.energy_lost;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
 Json separations_json(const std::vector<LinkSeparation>& separations) {
   Json all = Json::array();
   for (const LinkSeparation& s : separations)
@@ -167,6 +182,10 @@ std::string to_json(const Summary& summary) {
                 {"rejected", summary.solver.rejected},
                 {"events", summary.solver.events},
                 {"wall_seconds", summary.solver.wall_seconds}}}};
+  if (!summary.devices.empty()) {
+    all["devices"] = devices_json(summary.devices);
+    all["energy"]["devices"] = e.devices;
+  }
   if (!summary.without_pounding.empty()) {
     Json amplification = Json::object();
     for (std::size_t k = 0; k < summary.structures.size(); ++k) {

@@ -27,6 +27,13 @@ struct LinkSummary {
 /// Summary of the impacts of one link, without friction.
 LinkSummary summary_of(const std::string& name, std::span<const ImpactRow> impacts);
 
+/// Extremes of one bar or damper with their times; positive in tension.
+struct DeviceSummary {
+  std::string name;
+  Extremes extremes{2};    ///< elongation [m], force [N]
+  double energy_lost = 0;  ///< by the damper [J]
+};
+
 /// Peaks of one structure: largest absolute values, one a floor from the lowest up. Displacement relative to the ground, drift
 /// relative to the floor below, acceleration absolute; in space lengths of horizontal vectors. A structure without storeys has no
 /// drift. The envelope has the signed extremes of these and of the forces, with their times.
@@ -67,13 +74,14 @@ struct LinkSeparation {
 
 /// Energies at the end of the run [J]; `error` is the largest imbalance of the run over its largest input [-].
 struct EnergySummary {
-  double input = 0, kinetic = 0, strain = 0, damping = 0, hysteretic = 0, impact = 0, error = 0;
+  double input = 0, kinetic = 0, strain = 0, damping = 0, hysteretic = 0, impact = 0, devices = 0, error = 0;
 };
 
 /// A run in a few numbers.
 struct Summary {
   std::string status;  ///< running | done | failed: reason
   std::vector<LinkSummary> links;
+  std::vector<DeviceSummary> devices;
   std::vector<StructureSummary> structures;
   EnergySummary energy;
   std::string integrator;  ///< scheme of the time stepping by its name in the input

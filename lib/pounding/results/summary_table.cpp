@@ -54,6 +54,22 @@ std::string links_table(const std::vector<LinkSummary>& links) {
   return text;
 }
 
+std::string devices_table(const std::vector<DeviceSummary>& devices) {
+  std::size_t width = 6;
+  for (const DeviceSummary& s : devices) width = std::max(width, s.name.size());
+  std::string text = fmt::format("{:<{}}  {:<15}  {:>12}  {:>8}  {:>12}  {:>8}  {:>16}\n", "device", width, "", "least", "at (s)", "largest",
+                                 "at (s)", "energy lost (kJ)");
+  for (const DeviceSummary& s : devices)
+    for (int i = 1; i >= 0; --i) {
+      const Extremes& e = s.extremes;
+      const double scale = i == 0 ? 1e3 : 1e-3;
+      text += fmt::format("{:<{}}  {:<15}  {:>12.4f}  {:>8.3f}  {:>12.4f}  {:>8.3f}", s.name, width, i == 0 ? "elongation (mm)" : "force (kN)",
+                          shown(scale * e.min[i], 4), e.t_min[i], shown(scale * e.max[i], 4), e.t_max[i]);
+      text += i == 0 ? "\n" : fmt::format("  {:>16.5f}\n", shown(s.energy_lost / 1e3, 5));
+    }
+  return text;
+}
+
 // One line of the table of forces: least and largest value in kN, or kN m, with what and when.
 struct ForceLine {
   std::string structure, force;
@@ -137,14 +153,16 @@ std::string separations_table(const std::vector<LinkSeparation>& separations) {
 std::string to_table(const Summary& summary) {
   std::string text = structures_table(summary.structures, summary.without_pounding);
   if (const std::string forces = forces_table(summary.structures); !forces.empty()) text += '\n' + forces;
+  if (!summary.devices.empty()) text += '\n' + devices_table(summary.devices);
   if (!summary.separations.empty()) text += '\n' + separations_table(summary.separations);
   if (!summary.links.empty()) text += '\n' + links_table(summary.links);
   const EnergySummary& e = summary.energy;
   text += fmt::format(
-      "\nenergy (kJ)  input {:.5f} = kinetic {:.5f} + strain {:.5f} + damping {:.5f} + hysteretic {:.5f} + impact {:.5f}\n"
+      "\nenergy (kJ)  input {:.5f} = kinetic {:.5f} + strain {:.5f} + damping {:.5f} + hysteretic {:.5f} + impact {:.5f}{}\n"
       "             largest imbalance {:.1e} of the input\n",
       shown(e.input / 1e3, 5), shown(e.kinetic / 1e3, 5), shown(e.strain / 1e3, 5), shown(e.damping / 1e3, 5),
-      shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5), e.error);
+      shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5),
+      summary.devices.empty() ? "" : fmt::format(" + devices {:.5f}", shown(e.devices / 1e3, 5)), e.error);
   text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
   return text;

@@ -28,7 +28,7 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
   std::size_t spring = system.contact_count();
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
-    every_step_ = every_step_ || s.is_free;
+    every_step_ = every_step_ || s.is_free || s.rigid_motions > 0;
     turns_ = turns_ || s.forces.turned;
     first_spring_.push_back(spring);
     spring += s.yielding.size();

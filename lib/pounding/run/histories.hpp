@@ -33,8 +33,8 @@ inline std::array<std::vector<double>*, 5> columns(LinkHistory& h) {
   return {&h.time, &h.penetration, &h.velocity, &h.force, &h.energy};
 }
 
-inline std::array<std::vector<double>*, 8> columns(EnergyHistory& e) {
-  return {&e.time, &e.input, &e.kinetic, &e.strain, &e.damping, &e.hysteretic, &e.impact, &e.error};
+inline std::array<std::vector<double>*, 9> columns(EnergyHistory& e) {
+  return {&e.time, &e.input, &e.kinetic, &e.strain, &e.damping, &e.hysteretic, &e.impact, &e.devices, &e.error};
 }
 
 /// Cuts every column of a history to a length.

@@ -155,7 +155,8 @@ void LinkSamples::step(bool output_due) {
                     contact.work() - work_of_second_half(step), friction(i, &LinkStep::force_middle)});
         if (known) add_between(i, step, 0.5, step.force_middle, 1, step.force_end, max_depth);
       }
-      const double force = presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end;
+      // A located end lies behind the true one by the round-off of the motion, and there the formula of the law would pull.
+      const double force = contact.acting_force(presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end);
       impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});
     }
     if (presses) continue;

@@ -15,6 +15,7 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       plan_(ground_plan(model)),
       response_(model, plan_),
       links_(model, stepper, results.links),
+      devices_(model, stepper, results.devices),
       structures_(model, plan_, response_, stepper, results.structures),
       step_motion_(response_, stepper),
       floors_(model, response_, results.structures),
@@ -33,6 +34,7 @@ void Recorder::begin() {
   ++outputs_;
   floors_.begin(motion_, stepper_.time());
   forces_.begin(motion_);
+  devices_.begin();
   sample_energy();
 }
 
@@ -41,6 +43,7 @@ void Recorder::sample(double time, bool inside) {
   const int along_x = plan_.supports.front().at_first(0);
   results_.ground_acceleration.push_back(along_x < 0 ? 0.0 : ground_[along_x]);
   structures_.sample({time, inside, motion_, ground_});
+  devices_.sample(time, inside);
 }
 
 void Recorder::sample_outputs_until(double end) {
@@ -67,13 +70,14 @@ void Recorder::step() {
   floors_.step(step_motion_);
   forces_.step(step_motion_);
   links_.step(output_due);
+  devices_.step();
   if (output_due) sample_energy();
 }
 
 void Recorder::sample_energy() {
   EnergyHistory& e = results_.energy;
   const Energies now = stepper_.energies();
-  const double error = now.input - (now.kinetic + now.strain + now.damping + now.hysteretic + now.impact);
+  const double error = now.input - (now.kinetic + now.strain + now.damping + now.hysteretic + now.impact + now.devices);
   e.time.push_back(stepper_.time());
   e.input.push_back(now.input);
   e.kinetic.push_back(now.kinetic);
@@ -81,6 +85,7 @@ void Recorder::sample_energy() {
   e.damping.push_back(now.damping);
   e.hysteretic.push_back(now.hysteretic);
   e.impact.push_back(now.impact);
+  e.devices.push_back(now.devices);
   e.error.push_back(error);
   max_input_ = std::max(max_input_, std::abs(now.input));
   max_imbalance_ = std::max(max_imbalance_, std::abs(error));
@@ -108,6 +113,7 @@ void Recorder::archive(Archive& archive) {
   floors_.archive(archive);
   forces_.archive(archive);
   links_.archive(archive);
+  devices_.archive(archive);
   archive(max_input_);
   archive(max_imbalance_);
   archive_length(archive, results_.energy);
@@ -142,11 +148,12 @@ void Recorder::summarize(Summary& summary) const {
     for (std::size_t f = 0; f < frictions.size(); ++f)
       summary.links[frictions[f].contact].energy_lost += stepper_.friction_work()[f];
   }
+  summary.devices = devices_.summary();
   summary.impacts = impacts_in_order();
   const EnergyHistory& e = results_.energy;
   if (e.time.empty()) return;
   summary.energy = {e.input.back(),  e.kinetic.back(), e.strain.back(),
-                    e.damping.back(), e.hysteretic.back(), e.impact.back(),
+                    e.damping.back(), e.hysteretic.back(), e.impact.back(), e.devices.back(),
                     max_input_ > 0 ? max_imbalance_ / max_input_ : 0};
 }
 

@@ -9,6 +9,7 @@
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/results/summary.hpp>
+#include <pounding/run/device_histories.hpp>
 #include <pounding/run/floor_envelopes.hpp>
 #include <pounding/run/floor_response.hpp>
 #include <pounding/run/force_envelopes.hpp>
@@ -41,7 +42,7 @@ class Recorder {
 
   /// Impacts of all links so far.
   int impacts() const;
-  /// Fills peaks, links and energies of a summary from the run so far.
+  /// Fills peaks, links, devices and energies of a summary from the run so far.
   void summarize(Summary& summary) const;
 
  private:
@@ -58,6 +59,7 @@ class Recorder {
   GroundPlan plan_;
   FloorResponse response_;
   LinkSamples links_;
+  DeviceHistories devices_;
   StructureHistories structures_;
   StepMotion step_motion_;
   FloorEnvelopes floors_;

@@ -19,6 +19,9 @@
 namespace pounding {
 namespace {
 
+// Where the run without links stands.
+constexpr const char* without_links_group = "no_pounding";
+
 // Options that only print or draw, and the limit on steps, leave the steps as they are.
 bool result_depends_on(const std::string& option) {
   const std::string name = option.substr(0, option.find(' '));
@@ -75,14 +78,18 @@ void read(hid_t file, InterruptedRun& run) {
                                  "result. Run the model from the start",
                                  run.file, version, POUNDING_VERSION));
   if (status == "done") throw InputError(fmt::format("{}: the run is done; there is nothing to go on with", run.file));
-  if (!hdf5::has(file, "checkpoint"))
+  const bool has_other_run = hdf5::has(file, without_links_group);
+  const std::string of_other_run = std::string(without_links_group) + "/checkpoint";
+  run.without_links = !hdf5::has(file, "checkpoint") && has_other_run && hdf5::has(file, of_other_run.c_str());
+  if (!hdf5::has(file, "checkpoint") && !run.without_links)
     throw InputError(fmt::format("{}: holds no checkpoint (status: {}); run the model from the start", run.file, status));
-  const hdf5::Handle place(H5Gopen2(file, "checkpoint", H5P_DEFAULT), H5Gclose, "open group checkpoint");
+  const std::string group = run.without_links ? of_other_run : "checkpoint";
+  const hdf5::Handle place(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose, "open group checkpoint");
   Checkpoint& checkpoint = run.checkpoint;
   run.model_yaml = hdf5::read_text(file, "input/model.yaml");
   run.resolved_yaml = hdf5::read_text(file, "input/resolved.yaml");
   run.histories = hdf5::read_attribute(place, "histories");
-  if (hdf5::has(file, "no_pounding")) run.no_pounding = hdf5::group_image(file, "no_pounding");
+  if (has_other_run && !run.without_links) run.no_pounding = hdf5::group_image(file, without_links_group);
   checkpoint.ground = hdf5::read_attribute(place, "ground");
   checkpoint.model_file = hdf5::read_text(place, "model_file");
   checkpoint.options = lines_of(hdf5::read_text(place, "options"));
@@ -153,9 +160,11 @@ void read_histories(const InterruptedRun& run, Results& results) {
   try {
     hdf5::open_file(run.file, [&](hid_t file) {
       visit_histories(results, [&](const std::string& place, std::vector<double>& values) {
-        hdf5::read_array(file, place.c_str(), values);
+        hdf5::read_array(file, (run.without_links ? std::string(without_links_group) + '/' + place : place).c_str(), values);
       });
     });
+  } catch (const InputError&) {
+    throw;
   } catch (const std::runtime_error& error) {
     refuse_damaged(run.file, error.what());
   }

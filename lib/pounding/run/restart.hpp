@@ -21,6 +21,8 @@ struct InterruptedRun {
   std::string model_yaml = {};     ///< the input as given
   std::string resolved_yaml = {};  ///< the input with all defaults filled in
   std::string histories = {};      ///< checksum of the histories
+  /// Whether `compare: no_pounding` was interrupted in its first part, the run without links: the checkpoint and the histories are its.
+  bool without_links = false;
   std::vector<std::byte> no_pounding = {};  ///< image of its run without links; empty for none
   Checkpoint checkpoint = {};
 };

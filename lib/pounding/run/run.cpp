@@ -13,10 +13,12 @@
 #include <pounding/linear/make_solver.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
+#include <pounding/results/replaced_file.hpp>
 #include <pounding/run/recorder.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run_monitor.hpp>
 #include <pounding/run/run_writer.hpp>
+#include <pounding/run/same_model.hpp>
 #include <pounding/run/separation.hpp>
 #include <pounding/run/stopwatch.hpp>
 #include <pounding/run/ts_setup.hpp>
@@ -48,8 +50,8 @@ Results heading(const Model& model, const RunOptions& options) {
   return results;
 }
 
-// `without` is the run without links, where there is one.
-Outcome run_once(const Model& model, const RunOptions& options, bool with_links, const Outcome& without,
+// `without` is the run without links, where there is one. `write` is empty where there is no file to write.
+Outcome run_once(const Model& model, const RunOptions& options, const WriteResults& write, bool with_links, const Outcome& without,
                  const InterruptedRun* earlier = nullptr) {
   const Stopwatch since_start;
   Outcome outcome{heading(model, options), {}};
@@ -73,7 +75,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   refuse_unread_options(true);
 
   Recorder recorder(model, stepper, results);
-  RunWriter writer(model, options, setup.ts, stepper, recorder, outcome, since_start);
+  RunWriter writer(model, options, write, setup.ts, stepper, recorder, outcome, since_start);
   if (earlier)
     writer.restart(*earlier);
   else
@@ -85,6 +87,7 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   RunMonitor monitor(options, model.analysis.duration, since_start, setup.ts, stepper, recorder, writer);
   const std::string failure = monitor.solve();
   if (!monitor.is_resumable()) results.checkpoint.reset();
+  outcome.resumable = results.checkpoint.has_value();
   recorder.end();
   fill_statistics(setup.ts, stepper, results.solver);
   results.solver.wall_seconds = writer.seconds();
@@ -95,29 +98,35 @@ Outcome run_once(const Model& model, const RunOptions& options, bool with_links,
   return outcome;
 }
 
-// The run that `compare: no_pounding` asks for. A failure is written to the output of the run that was to follow.
-Outcome run_without_links(const Model& model, const RunOptions& options) {
-  // Wrong options and an output that cannot be written are found before the first of the two runs.
-  const auto [u, v] = initial_state(model, false);
-  set_up_ts(model, u, v, options.comm);
-  const petsc::Ranks ranks(options.comm);
-  const auto write = [&](const Results& results) {
-    if (!options.output.empty()) ranks.on_root([&] { write_results(results, options.output); });
-  };
-  write(heading(model, options));
-  RunOptions quiet;
-  quiet.comm = options.comm;
-  quiet.progress = options.progress;
-  quiet.stop = options.stop;
+// The file of a run whose first part, without links, has this state.
+Outcome first_part(const Model& model, const RunOptions& options, const Results& without_links) {
+  Outcome outcome{heading(model, options), {}};
+  Results& results = outcome.results;
+  results.no_pounding = results_image(without_links);
+  const std::string failed = "failed: ";
+  if (!without_links.status.starts_with(failed)) return outcome;
+  results.status = outcome.summary.status = failed + "(the run without links) " + without_links.status.substr(failed.size());
+  outcome.summary.integrator = results.integrator;
+  results.summary_json = to_json(outcome.summary);
+  outcome.resumable = without_links.checkpoint.has_value();
+  return outcome;
+}
+
+// The run that `compare: no_pounding` asks for. It is kept in the output of the run that is to follow.
+Outcome run_without_links(const Model& model, const RunOptions& options, const WriteResults& write,
+                          const InterruptedRun* earlier = nullptr) {
+  WriteResults write_part;
+  // Its end has no state to continue from: until the run with links has one, the file keeps the last one before.
+  if (write)
+    write_part = [&](const Results& results) {
+      if (results.status != "done") write(first_part(model, options, results).results);
+    };
+  RunOptions quiet = options;
+  quiet.command.clear();
   try {
-    return run_once(model, quiet, false, {});
+    return run_once(model, quiet, write_part, false, {}, earlier);
   } catch (const FailedRun& failed) {
-    Outcome outcome{heading(model, options), {}};
-    outcome.summary.integrator = outcome.results.integrator;
-    outcome.results.status = outcome.summary.status = fmt::format("failed: (the run without links) {}", failed.what());
-    outcome.results.summary_json = to_json(outcome.summary);
-    write(outcome.results);
-    throw FailedRun(fmt::format("the run without links: {}", failed.what()), std::move(outcome));
+    throw FailedRun(fmt::format("the run without links: {}", failed.what()), first_part(model, options, failed.outcome().results));
   }
 }
 
@@ -137,14 +146,22 @@ Outcome run(const Model& model, const RunOptions& options) {
   for (const Link& link : model.links)
     if (has_run(link))
       throw std::logic_error("this model has been run; read it again");
-  if (!options.resume.empty()) {
-    const InterruptedRun earlier = read_interrupted_run(options.resume);
-    check_same_run(earlier, model, petsc::Environment::given_options());
-    return run_once(model, options, true, {}, &earlier);
+  require_same_model(petsc::Ranks(options.comm), model);
+  ReplacedFile file(options.output);
+  WriteResults write;
+  if (!options.output.empty()) {
+    petsc::Ranks(options.comm).on_root([&] { file.require_free(); });
+    write = [&](const Results& results) { file.replace(results_image(results)); };
   }
-  Outcome without_links;
-  if (model.compare_no_pounding) without_links = run_without_links(model, options);
-  return run_once(model, options, true, without_links);
+  if (options.resume.empty()) {
+    Outcome without_links;
+    if (model.compare_no_pounding) without_links = run_without_links(model, options, write);
+    return run_once(model, options, write, true, without_links);
+  }
+  const InterruptedRun earlier = read_interrupted_run(options.resume);
+  check_same_run(earlier, model, petsc::Environment::given_options());
+  if (!earlier.without_links) return run_once(model, options, write, true, {}, &earlier);
+  return run_once(model, options, write, true, run_without_links(model, options, write, &earlier));
 }
 
 }  // namespace pounding

@@ -36,6 +36,7 @@ struct RunOptions {
 struct Outcome {
   Results results;
   Summary summary;
+  bool resumable = false;  ///< a run that ended early left a state to continue from in its results file
 };
 
 /// A run that ended early.
@@ -57,8 +58,9 @@ class FailedRun : public SolverError {
 ///
 /// Throws
 ///   FailedRun         when the solve fails or is stopped, after the results so far and the reason were written
-///   InputError        for a file that cannot be written, for PETSc options that are wrong or that nothing reads, and for a run
-///                     that cannot be resumed (read_interrupted_run, check_same_run)
+///   InputError        for a file that cannot be written, for PETSc options that are wrong or that nothing reads, for a run that
+///                     cannot be resumed (read_interrupted_run, check_same_run), and for models or records that differ between processes
+///   OutOfMemory       when memory ends while steps are taken; the file stays as it was written last, and `resume` takes it
 ///   std::logic_error  for a model that has been run or is not complete, and for options made before PETSc's start
 Outcome run(const Model& model, const RunOptions& options = {});
 /// Completes the model first; throws ModelError where that fails.

@@ -1,6 +1,8 @@
 #include <pounding/run/run_monitor.hpp>
 
 #include <algorithm>
+#include <new>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -42,6 +44,10 @@ std::string RunMonitor::solve() {
   petsc::check(TSSetPostStep(ts_, after_step));
   try {
     petsc::check(TSSolve(ts_, nullptr));
+  } catch (const std::bad_alloc&) {
+    throw OutOfMemory(fmt::format("out of memory at t = {:.6g} s of {:.6g} s, after {} impacts; the histories need fewer output times, reported "
+                                  "nodes or members, or a machine with more memory",
+                                  stepper_.time(), duration_, recorder_.impacts()));
   } catch (const SolverError& error) {
     return failure_ ? text_of(failure_) : error.what();
   }
@@ -55,6 +61,8 @@ PetscErrorCode RunMonitor::after_step(TS ts) {
   try {
     monitor->recorder_.step();
     if (--monitor->steps_to_look_ == 0) monitor->look();
+  } catch (const std::bad_alloc&) {
+    PetscFunctionReturn(petsc::fail("out of memory", static_cast<PetscErrorCode>(PETSC_ERR_MEM)));
   } catch (...) {
     monitor->failure_ = std::current_exception();
   }
@@ -85,15 +93,18 @@ int RunMonitor::steps_until_next_look() const {
   return static_cast<int>(std::clamp(steps, 1.0, 1.0 * max_steps_between_looks));
 }
 
-// A limit on steps (-pounding_ts_max_steps) ends a TS without an error.
+// A limit on steps (most_steps, -pounding_ts_max_steps) ends a TS without an error.
 std::string RunMonitor::early_end() {
   if (stepper_.time() >= duration_ * (1 - 1e-12)) return "";
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
+  PetscInt steps = 0;
   petsc::check(TSGetConvergedReason(ts_, &reason));
+  petsc::check(TSGetStepNumber(ts_, &steps));
   resumable_ = reason == TS_CONVERGED_ITS;
   if (resumable_) writer_.save();
   return fmt::format("the time stepping ended at t = {:.6g} s of {:.6g} s ({})", stepper_.time(), duration_,
-                     TSConvergedReasons[reason]);
+                     resumable_ ? fmt::format("{}: {} steps, and more are not allowed", TSConvergedReasons[reason], steps)
+                                : std::string(TSConvergedReasons[reason]));
 }
 
 }  // namespace pounding

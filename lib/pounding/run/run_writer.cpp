@@ -1,6 +1,7 @@
 #include <pounding/run/run_writer.hpp>
 
 #include <exception>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,11 +18,12 @@ constexpr double seconds_between_writes = 1;
 
 }  // namespace
 
-RunWriter::RunWriter(const Model& model, const RunOptions& options, TS ts, const Stepper& stepper, Recorder& recorder,
-                     Outcome& outcome, const Stopwatch& since_start)
+RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
+                     Recorder& recorder, Outcome& outcome, const Stopwatch& since_start)
     : ranks_(options.comm),
       model_(model),
       options_(options),
+      write_results_(std::move(write)),
       ts_(ts),
       stepper_(stepper),
       recorder_(recorder),
@@ -41,7 +43,7 @@ void RunWriter::archive(Archive& archive) {
 }
 
 void RunWriter::save() {
-  if (options_.output.empty()) return;
+  if (!write_results_) return;
   Archive state;
   try {
     archive(state);
@@ -82,7 +84,8 @@ void RunWriter::restart(const InterruptedRun& run) {
 }
 
 void RunWriter::conclude(const std::string& status) {
-  auto& [results, summary] = outcome_;
+  Results& results = outcome_.results;
+  Summary& summary = outcome_.summary;
   results.status = summary.status = status;
   recorder_.summarize(summary);
   summary.integrator = results.integrator;
@@ -94,10 +97,10 @@ void RunWriter::conclude(const std::string& status) {
 }
 
 void RunWriter::write(const std::string& status) {
-  if (options_.output.empty()) return;
+  if (!write_results_) return;
   const Stopwatch cost;
   conclude(status);
-  recorder_.with_present_state([&] { ranks_.on_root([&] { write_results(outcome_.results, options_.output); }); });
+  recorder_.with_present_state([&] { ranks_.on_root([&] { write_results_(outcome_.results); }); });
   since_write_.restart();
   written_time_ = stepper_.time();
   write_cost_ = cost.seconds();

@@ -3,6 +3,7 @@
 
 #include <petscts.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,17 @@
 
 namespace pounding {
 
+/// Writes results where they belong; called on the first process alone.
+using WriteResults = std::function<void(const Results&)>;
+
 /// The results file of one run, and the state between two steps that goes into it. All functions but those that are const are
 /// collective.
 class RunWriter {
  public:
-  /// `since_start` runs since the beginning of the run. All arguments but it must outlive this.
-  RunWriter(const Model& model, const RunOptions& options, TS ts, const Stepper& stepper, Recorder& recorder, Outcome& outcome,
-            const Stopwatch& since_start);
+  /// `write` is empty for a run that leaves no file; `since_start` runs since the beginning of the run. All other arguments must
+  /// outlive this.
+  RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper, Recorder& recorder,
+            Outcome& outcome, const Stopwatch& since_start);
 
   /// Takes up an interrupted run: its histories and its state. Throws InputError when they do not fit.
   void restart(const InterruptedRun& run);
@@ -46,6 +51,7 @@ class RunWriter {
   petsc::Ranks ranks_;
   const Model& model_;
   const RunOptions& options_;
+  WriteResults write_results_;
   TS ts_;
   const Stepper& stepper_;
   Recorder& recorder_;

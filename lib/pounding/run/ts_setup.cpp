@@ -1,12 +1,12 @@
 #include <pounding/run/ts_setup.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/model/cost.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/vectors.hpp>
@@ -17,27 +17,10 @@ namespace {
 
 using petsc::check;
 
-// The longest step as a part of the shortest of all first periods, and of the duration. Motions of the ground shorten it while they
-// last, and error control further.
-constexpr double max_part_of_period = 0.1;
-constexpr double max_part_of_duration = 1.0 / 16;
 // The first step that is wanted, as a part of the longest there.
 constexpr double first_part = 1.0 / 64;
 
-double max_step(const Model& model) {
-  double longest = max_part_of_duration * model.analysis.duration;
-  if (model.analysis.max_step > 0) longest = std::min(longest, model.analysis.max_step);
-  double free = longest;
-  for (const Structure& s : model.structures) {
-    if (s.is_rigid() || s.is_free) continue;
-    free = std::min(free, max_part_of_period * 2 * M_PI / s.frequencies[0]);
-  }
-  // Samples of a record are never divided for the periods of the structures alone.
-  const double sample = ground_plan(model).sample_step();
-  return std::max(free, std::min(sample, model.analysis.max_step > 0 ? longest : model.analysis.duration));
-}
-
-double first_step(const Model& model) { return first_part * std::min(max_step(model), ground_plan(model).longest_step(0)); }
+double first_step(const Model& model) { return first_part * std::min(longest_step(model), ground_plan(model).longest_step(0)); }
 
 // PETSc reads these for every TS; here they would change nothing.
 void refuse_idle_options() {
@@ -73,12 +56,12 @@ void set_defaults(TS ts, const Model& model) {
   check(TSSetType(ts, petsc::ts_type));
   check(petsc::set_solver_options(ts, {analysis.scheme, petsc::SolverKind::automatic}));
   check(TSSetMaxTime(ts, analysis.duration));
-  check(TSSetMaxSteps(ts, PETSC_MAX_INT));
+  check(TSSetMaxSteps(ts, static_cast<PetscInt>(analysis.most_steps)));
   check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
   check(TSSetTolerances(ts, 0, nullptr, analysis.tolerance, nullptr));
   TSAdapt adapt = nullptr;
   check(TSGetAdapt(ts, &adapt));
-  check(TSAdaptSetStepLimits(adapt, 1e-18, max_step(model)));
+  check(TSAdaptSetStepLimits(adapt, 1e-18, longest_step(model)));
   check(TSSetTimeStep(ts, first_step(model)));
 }
 
@@ -117,7 +100,7 @@ void take_settings(TsSetup& setup, const Model& model) {
                                  max_tolerance));
   setup.stepper.tolerance = tolerance;
   setup.stepper.scheme = chosen.scheme;
-  setup.stepper.max_step = max_step(model);
+  setup.stepper.max_step = longest_step(model);
   setup.solver = chosen.solver;
   setup.first_step = first_step;
 }

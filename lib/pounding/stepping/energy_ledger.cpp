@@ -64,6 +64,7 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
   }
   for (const Spring* spring : equations.system.springs) {
     e.hysteretic += spring->lost();
+    e.devices += spring->damped();
     e.strain += spring->stored_correction();
   }
   for (const Contact* contact : equations.system.contacts) e.impact += contact->work();

@@ -8,14 +8,15 @@
 
 namespace pounding {
 
-/// Energies at the present state [J]. input = kinetic + strain + damping + hysteretic + impact, up to the error of the steps.
+/// Energies at the present state [J]. input = kinetic + strain + damping + hysteretic + impact + devices, up to the error of the steps.
 struct Energies {
-  double input = 0;       ///< work of the ground motion, with that of link forces on moving ground, plus the energy at the start
+  double input = 0;       ///< work of the ground motion and of forces over time, with that of link forces on moving ground, plus the energy at the start
   double kinetic = 0;     ///< of the motion relative to the ground
-  double strain = 0;      ///< stored in the structures
+  double strain = 0;      ///< stored in the structures and in the bars between them
   double damping = 0;     ///< dissipated by the damping of the structures
   double hysteretic = 0;  ///< dissipated by yielding
   double impact = 0;      ///< work done on the contacts: lost, friction included, and stored while they press
+  double devices = 0;     ///< dissipated by the dampers between structures
 };
 
 /// Three times the mean of a product of force and rate over a step, by Simpson's rule from values at its beginning, middle and

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <pounding/core/error.hpp>
-
 namespace pounding {
 namespace {
 
@@ -48,9 +46,16 @@ struct EventLocator::Search {
   bool solve(const EventBracket& bracket, double longest) const;
   bool touches_now(const EventBracket& bracket) const;
   void restore(double h, double end) const {
-    if (!try_step(h, end)) throw SolverError(lost_trial);
+    if (!try_step(h, end)) throw LostTrial(lost_trial);
   }
   LinkMotion at_end(int link) const { return links.motion(link, trial.end); }
+  // The value up to which an event function that changes by so much counts as zero at the end of the trial. A compliant contact begins
+  // where its gap is closed to round-off: across an opening it would pull, or part again at once and leave an impact that never was.
+  double together(const EventId& id, double change) const {
+    const Contact& contact = links.contact(id.link);
+    const bool touches = contact.phase() == ContactPhase::open && !contact.is_rigid();
+    return touches ? functions.noise(id, at_end(id.link), now) : grouped_part * change;
+  }
 };
 
 std::vector<EventBracket> EventLocator::Search::brackets() const {
@@ -180,7 +185,8 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
 
 std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
   const Search search{functions_, links_, now, trial, try_step};
-  for (int i = links_.contacts(); i < links_.frictions_from(); ++i) search.stop_at_corner(i);
+  for (int i = links_.contacts(); i < links_.frictions_from(); ++i)
+    if (links_.spring(i).has_corners()) search.stop_at_corner(i);
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
   std::vector<EventBracket> open = search.brackets();
   if (open.empty()) return std::nullopt;
@@ -198,7 +204,7 @@ std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Tria
           if (other.id.link != first.id.link && search.touches_now(other)) located.events.push_back(other.id);
       return located;
     }
-    if (!search.solve(first, longest)) throw SolverError(lost_trial);
+    if (!search.solve(first, longest)) throw LostTrial(lost_trial);
     // Events that come still earlier than the one just located.
     open.clear();
     for (const EventBracket& bracket : search.brackets())
@@ -213,7 +219,7 @@ std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Tria
       const double change = std::abs(other.at_begin) + std::abs(other.at_end);
       const bool known = std::any_of(located.events.begin(), located.events.end(),
                                      [&](const EventId& e) { return e.link == other.id.link; });
-      if (!known && value <= grouped_part * change) located.events.push_back(other.id);
+      if (!known && value <= search.together(other.id, change)) located.events.push_back(other.id);
     }
     return located;
   }

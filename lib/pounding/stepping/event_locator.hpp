@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <pounding/core/error.hpp>
 #include <pounding/stepping/event_functions.hpp>
 
 namespace pounding {
@@ -13,6 +14,12 @@ namespace pounding {
 struct LocatedEvents {
   double step = 0;  ///< from the beginning to the events [s]; zero if they are there already
   std::vector<EventId> events;
+};
+
+/// A step that could not be solved while an event was located in it; a shorter one may be.
+class LostTrial : public SolverError {
+ public:
+  using SolverError::SolverError;
 };
 
 /// Shortest trial step that ends where an event function is zero. Each guess is a step integrated anew, so the end of the
@@ -30,8 +37,8 @@ class EventLocator {
   explicit EventLocator(const EventFunctions& functions) : functions_(functions), links_(functions.links()) {}
 
   /// `trial` is a solved step from `now` that `try_step` replaces. Nothing if no phase ends inside it; the trial may still
-  /// have become shorter, because of a corner. Nearly simultaneous events are grouped. Throws SolverError if a step cannot be
-  /// solved while an event is located.
+  /// have become shorter, because of a corner. Nearly simultaneous events are grouped. Throws LostTrial if a step cannot be
+  /// solved while an event is located; the trial must then be made anew.
   std::optional<LocatedEvents> locate(const Instant& now, const Trial& trial, const TryStep& try_step) const;
 
  private:

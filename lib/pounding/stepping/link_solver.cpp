@@ -13,6 +13,12 @@ double terms(const laws::Response& law, const LinkMotion& at) {
   return std::abs(law.by_penetration * at.penetration) + std::abs(law.by_rate * at.rate);
 }
 
+// A stiff bar leaves next to nothing of the free motion, whose round-off its force has still. Storeys that yield are softer than
+// their linear stiffness and have none of this.
+double terms(const laws::Response& law, const LinkMotion& at, const LinkMotion& free) {
+  return std::max(terms(law, at), std::max(law.by_penetration, 0.0) * std::abs(free.penetration) + law.by_rate * std::abs(free.rate));
+}
+
 constexpr double solved = 1e-14;  // relative to the terms of a force
 constexpr int max_doublings = 60;
 
@@ -54,7 +60,8 @@ bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, do
     const LinkMotion at{free.penetration - relief_u * trial, free.rate - relief_v * trial};
     const laws::Response answer = links_.law(link, at);
     const double residual = answer.force - trial;
-    if (std::abs(residual) <= solved * std::max({std::abs(trial), std::abs(answer.force), terms(answer, at)})) {
+    const double size = link < links_.contacts() ? terms(answer, at) : terms(answer, at, free);
+    if (std::abs(residual) <= solved * std::max({std::abs(trial), std::abs(answer.force), size})) {
       force = trial;
       return true;
     }
@@ -137,7 +144,7 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
     const LinkMotion at{links.free[i].penetration - by_u * relief_[i], links.free[i].rate - by_v * relief_[i]};
     const laws::Response answer = links_.law(links.active[i], at);
     residual_[i] = answer.force - x[i];
-    terms_ = std::max(terms_, terms(answer, at));
+    terms_ = std::max(terms_, links.active[i] < links_.contacts() ? terms(answer, at) : terms(answer, at, links.free[i]));
     if (!with_slopes) continue;
     slopes_.row(i) = (by_u * answer.by_penetration + by_v * answer.by_rate) * g.row(i);
     slopes_(i, i) += 1;

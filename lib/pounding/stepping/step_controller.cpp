@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/stepping/event_locator.hpp>
 
 namespace pounding {
 namespace {
@@ -88,7 +89,15 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
     // A short step to a breakpoint says nothing against the longer one that was wanted. What the ground forbids is not remembered.
     const double good = std::min(goal.end ? std::max(verdict.next, wanted) : verdict.next, longest);
     const bool was_in_contact = stepper_.in_contact();
-    const std::optional<double> located = stepper_.locate_event();
+    std::optional<double> located;
+    try {
+      located = stepper_.locate_event();
+    } catch (const LostTrial&) {
+      if (fixed) throw;
+      reject(goal.step, policy);
+      wanted = goal.step / 4;
+      continue;
+    }
     if (located && *located == 0) {
       count_event_in_place(goal.step);
       stepper_.apply_event();

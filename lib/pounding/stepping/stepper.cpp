@@ -68,6 +68,8 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   solver.stiffness_times(now.motion.col(Instant::u), now.motion.col(Instant::ku));
   if (equations_.pseudo_forces.any()) equations_.pseudo_force(now.motion.col(Instant::u), now.pseudo_force);
   balance_now();
+  for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i)
+    equations_.links.spring(i).start(equations_.links.motion(i, now));
   history_.restart();
   output_.forget();
   const Energies after = energies();

@@ -3,6 +3,7 @@
 #include <petsc/private/tsimpl.h>
 
 #include <exception>
+#include <new>
 #include <optional>
 #include <string>
 
@@ -35,6 +36,8 @@ template <class Body>
 PetscErrorCode guarded(const Body& body) {
   try {
     return body();
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", static_cast<PetscErrorCode>(PETSC_ERR_MEM));
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -25,13 +25,13 @@ struct Name {
 };
 
 /// Splits the bracket off that holds a unit, or what is meant as one.
-Name read_name(std::string text) {
+Name read_name(std::string text, const RecordOptions& options) {
   std::erase(text, '"');
   const std::size_t begin = text.find_first_of("(["), end = text.find_last_of(")]");
   if (begin == std::string::npos || end == std::string::npos || end < begin) return {text, {}, {}};
   const std::string inside(trimmed(std::string_view(text).substr(begin + 1, end - begin - 1)));
   const bool is_formula = inside.find_first_of("/^") != std::string::npos;
-  if (!is_formula && !is_unit(inside)) return {text, {}, inside};
+  if (!is_formula && !is_unit(inside) && !unit_of_values(inside, options)) return {text, {}, inside};
   return {std::string(trimmed(std::string_view(text).substr(0, begin))), inside, inside};
 }
 
@@ -68,7 +68,8 @@ Header read_header(const Lines& lines, const NumberTable& table, const RecordOpt
     if (lines[i].size() > longest_line_of_names) break;
     const std::vector<std::string> names = column_names(lines[i]);
     if (names.size() != count) break;
-    std::transform(names.begin(), names.end(), header.columns.begin(), read_name);
+    std::transform(names.begin(), names.end(), header.columns.begin(),
+                   [&](const auto& name) { return read_name(std::string(name), options); });
     header.line = i;
     header.is_comment = trimmed(lines[i]).find_first_of("#%") == 0;
     if (header.is_comment && !names_columns(header.columns, options)) header.columns.assign(count, {});

@@ -118,7 +118,7 @@ std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Co
 /// 0, dt, 2 dt, ... [s]
 std::vector<double> even_times(std::size_t count, double dt);
 
-// Units, of accelerations or, where the options say so, of displacements.
+// Units, of accelerations or, where the options say so, of displacements or forces.
 
 /// A unit that the header of a file states, and the line where it does.
 struct StatedUnit {

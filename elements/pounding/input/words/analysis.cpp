@@ -20,6 +20,9 @@ constexpr Word model_words[] = {
     {.key = "links", .form = Form::list, .inside = &link, .otherwise = "no links",
      .meaning = "The places where two structures can hit each other, one member of the list a link.",
      .example = "[{between: [left, right], gap: 20 mm, law: hertz, stiffness: 2.75e9}]"},
+    {.key = "devices", .form = Form::named, .inside = &device, .otherwise = "no devices", .since = "0.2.0",
+     .meaning = "Bars and dampers between two structures by their names: they always act, both ways.",
+     .example = "{top damper: {between: [left, right], damper: {coefficient: 200 kN s/m}}}"},
     {.key = "analysis", .inside = &analysis, .meaning = "How long and how exactly the model is run.",
      .example = "{duration: 10 s}"},
     {.key = "checkpoint", .inside = &checkpoint, .otherwise = "every second of run time",
@@ -48,7 +51,11 @@ constexpr Word analysis_words[] = {
      .example = "0.8"},
     {.key = "max_step", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
      .otherwise = "chosen from the record and from the shortest period", .meaning = "Longest step of the time stepping.",
-     .example = "1 ms"}};
+     .example = "1 ms"},
+    {.key = "most_steps", .takes = Takes::integer, .bounds = {.low = 1, .high = limits::most_steps}, .otherwise = "100000000", .since = "0.2.0",
+     .meaning = "Steps that the run may take. A run that needs more is refused where that is known at its start; otherwise it ends there, and "
+                "--resume goes on with it.",
+     .example = "500000000"}};
 
 constexpr Word checkpoint_words[] = {
     {.key = "every", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,

@@ -7,6 +7,7 @@ namespace {
 constexpr std::string_view mass_kinds[] = {"lumped", "consistent"};
 constexpr std::string_view geometries[] = {"linear", "p_delta", "corotational"};
 constexpr std::string_view everything[] = {"all"};
+constexpr std::string_view no_supports[] = {"none"};
 
 constexpr Word frame_words[] = {
     {.key = "dimension", .takes = Takes::integer, .bounds = {.low = 2, .high = 3}, .otherwise = "as the bays or the nodes tell, else 2",
@@ -35,10 +36,11 @@ constexpr Word frame_words[] = {
     {.key = "members", .form = Form::named, .inside = &member,
      .meaning = "Beams, columns and trusses by their names. Members of a grid are called column S.I, beam x S.I, beam y S.I.K.",
      .example = "{c1: {between: [a, b], section: {rectangle: [0.4 m, 0.4 m]}}}"},
-    {.key = "supports", .takes = Takes::choice, .form = Form::named, .inside = &support, .choices = supports, .noun = "support",
-     .otherwise = "the feet of a grid are fixed",
+    {.key = "supports", .takes = Takes::choice, .form = Form::named, .inside = &support, .choices = supports,
+     .instead = no_supports, .noun = "support", .otherwise = "the feet of a grid are fixed",
      .meaning = "Supports by the names of their nodes; feet are all nodes of a grid on the ground. fixed holds every displacement, "
-                "pinned the translations, roller uz.",
+                "pinned the translations, roller uz. none leaves the frame free in space: it takes no loads, and a damping ratio is "
+                "that of the first mode that bends it.",
      .example = "{a: fixed, d: {fix: [uz, ry], springs: {ux: 20 MN/m}}}"},
     {.key = "floors", .form = Form::list, .inside = &floor, .otherwise = "those of the grid",
      .meaning = "Floors from the ground up, beside or instead of those of a grid.", .example = "[{nodes: [b, c], elevation: 3 m}]"},
@@ -67,7 +69,10 @@ constexpr Word frame_words[] = {
      .meaning = "Nodes and members whose histories stand in the results.", .example = "{nodes: all, members: [c1]}"},
     damping_word,
     velocity_word,
-    displacement_word};
+    displacement_word,
+    {.key = "initial_node_displacements", .form = Form::named, .inside = &node_displacements, .otherwise = "none", .since = "0.2.0",
+     .meaning = "Displacements at time 0 of nodes by their names, instead of floors; all else follows as if forces held the nodes there.",
+     .example = "{b: {ux: -5 mm}}"}};
 
 constexpr Word grid_words[] = {
     {.key = "storeys", .takes = Takes::integer, .bounds = {.low = 1, .high = 1000}, .need = Need::required,

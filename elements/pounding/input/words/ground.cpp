@@ -2,11 +2,11 @@
 #include <numbers>
 
 #include <pounding/input/words/sections.hpp>
+#include <pounding/input/words/shared.hpp>
 
 namespace pounding::words {
 namespace {
 
-constexpr std::string_view shapes[] = {"half_sine", "sine", "rectangle"};
 constexpr std::string_view soils[] = {"firm", "medium", "soft"};
 constexpr std::string_view directions[] = {"x", "y"};
 
@@ -122,7 +122,7 @@ constexpr Word displacement_words[] = {
      .since = "0.2.0", .meaning = "Length of a sum of harmonics, which begins at time 0.", .example = "10 s"}};
 
 constexpr Word pulse_words[] = {
-    {.key = "shape", .takes = Takes::choice, .choices = shapes, .noun = "pulse shape", .need = Need::required,
+    {.key = "shape", .takes = Takes::choice, .choices = pulse_shapes, .noun = "pulse shape", .need = Need::required,
      .meaning = "half_sine has one sign, sine is a full wave, rectangle is constant.", .example = "half_sine"},
     {.key = "amplitude", .takes = Takes::quantity, .dimension = dimension::acceleration, .need = Need::required,
      .meaning = "Largest acceleration. Positive begins towards +x, the right.", .example = "0.35 g"},

@@ -25,6 +25,7 @@ constexpr std::array<Word, 6> by_displacement(const Dimension& of_translation, c
 constexpr auto masses =
     by_displacement(dimension::mass, dimension::rotational_inertia, bounds::non_negative, {"10 t", "5 t m^2"});
 constexpr auto loads = by_displacement(dimension::force, dimension::energy, bounds::any, {"-10 kN", "5 kN m"});
+constexpr auto moved = by_displacement(dimension::length, dimension::none, bounds::any, {"-5 mm", "0.002"});
 constexpr auto springs = by_displacement(dimension::stiffness, dimension::energy, bounds::positive, {"20 MN/m", "100 MN m"});
 constexpr auto dashpots = by_displacement(dimension::damping, turning_damping, bounds::positive, {"100 kN s/m", "1 MN m s"});
 
@@ -77,6 +78,9 @@ constinit const Section node_masses{.name = "masses", .place = "structures.NAME.
                                     .meaning = "Masses of one node.", .words = masses};
 constinit const Section node_loads{.name = "loads", .place = "structures.NAME.frame.loads.NODE",
                                    .meaning = "Forces and moments on one node, in global axes.", .words = loads};
+constinit const Section node_displacements{.name = "node_displacements", .place = "structures.NAME.frame.initial_node_displacements.NODE",
+                                           .meaning = "Displacements and rotations of one node at time 0, relative to its place at rest.",
+                                           .words = moved};
 constinit const Section spring{.name = "springs", .place = "structures.NAME.frame.springs[]",
                                .meaning = "A spring, a dashpot, or both side by side.", .words = spring_words};
 constinit const Section tie{.name = "ties", .place = "structures.NAME.frame.ties[]",

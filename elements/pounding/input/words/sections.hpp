@@ -19,13 +19,19 @@ extern const Section displacement, moved_harmonic, moved_part;
 /// Structures of all kinds and their damping: structures.cpp.
 extern const Section structure, body, oscillator, shear_building, wall, damping, rayleigh, modal;
 
+/// Forces over time on them: forces.cpp.
+extern const Section force, force_harmonic, force_sum_part, force_pulse, step_force;
+
 /// Frames: frames.cpp; their materials, sections and members: members.cpp; their supports and what acts on nodes: nodes.cpp.
 extern const Section frame, grid, bay_width, floor, report;
 extern const Section material, cross_section, i_section, tube, member, releases, offsets;
-extern const Section support, support_springs, support_dashpots, node_masses, node_loads, spring, tie;
+extern const Section support, support_springs, support_dashpots, node_masses, node_loads, node_displacements, spring, tie;
 
 /// Links without the parameters of their laws, one of the two ends, and estimates of the stiffness: links.cpp.
 extern const Section link, link_end, stiffness;
+
+/// Bars and dampers between two structures, whose ends are those of links: devices.cpp.
+extern const Section device, bar, damper;
 
 /// Keys of a link that has this law: those of `link`, and the parameters of the law in the order of its table.
 const Section& link_with(const laws::Entry& law);

@@ -21,11 +21,14 @@ inline constexpr Word displacement_word{
     .key = "initial_displacement", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::length,
     .otherwise = "0 m",
     .meaning = "Displacement at time 0 relative to the ground, positive to the right: one for all floors, or a list from the "
-               "ground up. A frame starts from its place at rest and has none.",
+               "ground up; of a frame relative to its place at rest, and all between the floors follows as if forces held them there.",
     .example = "-5 mm"};
 
 /// Supports of a node of a frame by one word.
 inline constexpr std::string_view supports[] = {"fixed", "pinned", "roller"};
+
+/// Pulses over time.
+inline constexpr std::string_view pulse_shapes[] = {"half_sine", "sine", "rectangle"};
 
 /// Displacements of a node: in the plane ux, uz, ry.
 inline constexpr std::string_view displacements[] = {"ux", "uy", "uz", "rx", "ry", "rz"};

@@ -27,6 +27,9 @@ constexpr Word structure_words[] = {
     {.key = "ground_motion", .inside = &ground_motion, .otherwise = "that of the model",
      .meaning = "Motion of the ground under this structure alone; without a wave.",
      .example = "{harmonic: {amplitude: 3 m/s^2, period: 0.6 s, duration: 3 s}}"},
+    {.key = "forces", .form = Form::list, .inside = &force, .since = "0.2.0",
+     .meaning = "Forces over time on floors, nodes and bodies. A wall takes none.",
+     .example = "[{floor: 1, harmonic: {amplitude: 20 kN, period: 0.5 s, duration: 10 s}}]"},
     {.key = "body", .inside = &body, .need = Need::exactly_one, .meaning = "A free mass, for collisions.",
      .example = "{mass: 60 t}"},
     {.key = "oscillator", .inside = &oscillator, .need = Need::exactly_one, .meaning = "One mass on one spring.",
@@ -40,7 +43,13 @@ constexpr Word structure_words[] = {
     {.key = "wall", .inside = &wall, .need = Need::exactly_one, .meaning = "Rigid and infinitely heavy; moves with the ground.",
      .example = "{}"}};
 
-constexpr Word body_words[] = {mass_word, velocity_word, displacement_word};
+constexpr Word body_words[] = {
+    mass_word,
+    {.key = "gravity", .takes = Takes::quantity, .dimension = dimension::acceleration,
+     .otherwise = "0 m/s^2", .since = "0.2.0",
+     .meaning = "Constant acceleration along x, for a body that falls: with -1 g it falls to the left, onto what stands there.",
+     .example = "-1 g"},
+    velocity_word, displacement_word};
 
 constexpr Word oscillator_words[] = {
     mass_word,

@@ -24,9 +24,12 @@ constexpr const Section* all[] = {
     &model,       &ground_motion,   &components,       &motion,       &wave,       &harmonic, &sum_part, &pulse, &synthetic,
     &displacement, &moved_harmonic, &moved_part,
     &structure,   &body,            &oscillator,       &shear_building, &wall,     &damping,  &rayleigh, &modal,
+    &force,       &force_harmonic,  &force_sum_part,   &force_pulse,  &step_force,
     &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
     &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,
-    &spring,      &tie,             &report,           &link,         &link_end,   &stiffness, &analysis, &checkpoint};
+    &node_displacements,
+    &spring,      &tie,             &report,           &link,         &link_end,   &stiffness, &device, &bar, &damper,
+    &analysis,    &checkpoint};
 
 }  // namespace
 

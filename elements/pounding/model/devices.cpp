@@ -1,0 +1,218 @@
+/// Bars and dampers between two structures: ends, direction, and the periods of what bars join.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
+#include <pounding/model/drawing.hpp>
+#include <pounding/model/facing.hpp>
+#include <pounding/model/place_ends.hpp>
+
+namespace pounding {
+namespace {
+
+// A device does not act along an axis that it is square to, up to the rounding of coordinates.
+constexpr double square = 1e-9;
+// Frequencies of structures that bars join.
+constexpr int max_joined_modes = 3;
+
+[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
+
+void check_name(const std::string& name, const std::vector<Device>& others) {
+  if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
+    refuse(ModelOption::device_name, "a name must not be empty, \".\" or \"..\", or contain \"/\"; type a name such as top damper");
+  for (const Device& other : others)
+    if (other.name == name)
+      refuse(ModelOption::device_name, fmt::format("a device \"{}\" exists already; give this one another name", name));
+}
+
+// The unit vector from one point to the other, without the rounding of their coordinates.
+Eigen::Vector3d unit_vector(const Eigen::Vector3d& from_to) {
+  Eigen::Vector3d direction = from_to.normalized();
+  for (double& component : direction)
+    if (std::abs(component) < square) component = 0;
+  return direction.normalized();
+}
+
+// Two nodes that are drawn are joined by the line between them.
+void lay_between_nodes(Device& device, const LinkPair& pair, const Structure& a, const Structure& b) {
+  device.left = place_end(pair.left, a, Side::plus_x, 0, ModelOption::left);
+  device.right = place_end(pair.right, b, Side::minus_x, 0, ModelOption::right);
+  const Eigen::Vector3d line = device.right.point.position - device.left.point.position;
+  if (line.norm() <= drawn_rounding)
+    refuse(ModelOption::between, fmt::format("{} of {} and {} of {} stand at one point, and a device acts along the line between its "
+                                             "ends; name nodes apart from each other, or floors",
+                                             device.left.label, a.name, device.right.label, b.name));
+  device.direction = unit_vector(line);
+  device.length = line.norm();
+}
+
+// All other ends are joined as links join them.
+void lay_between_sides(Device& device, const LinkPair& pair, const Model& model) {
+  const Structure &a = model.structures[pair.left.structure], &b = model.structures[pair.right.structure];
+  const Side side = facing_side(a, b);
+  const double along = along_the_edge(1, pair, a, b, side).front();
+  device.left = place_end(pair.left, a, side, along, ModelOption::left);
+  device.right = place_end(pair.right, b, opposite(side), along, ModelOption::right);
+  device.direction = outward(side);
+  if (are_drawn(a, b)) device.length = drawn_gap(model, device.left, device.right, side, {});
+}
+
+// The end moves with mass along every axis along which the device acts, so that its force is nowhere taken by a support alone and
+// gives nothing any velocity at once.
+void require_motion(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction, ModelOption option) {
+  if (s.is_rigid()) return;
+  if (end.point.member >= 0)
+    refuse(option, fmt::format("the device meets member {} of {} between its ends; name a node there, or a floor", s.forces.members[end.point.member],
+                               s.name));
+  constexpr char axes[] = "xyz";
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0) continue;
+    const Row& row = end.point.motion[axis];
+    if (row.nonZeros() == 0)
+      refuse(option, fmt::format("{} of {} does not move along {}, and the device acts there; name a floor, or a node that moves", end.label,
+                                 s.name, axes[axis]));
+    for (Row::InnerIterator it(row); it; ++it)
+      if (it.value() != 0 && !(s.mass.coeff(it.index(), it.index()) > 0))
+        refuse(option, fmt::format("the device acts on {} of {}, which has no mass; give it one, or name a floor",
+                                   s.unknowns[static_cast<std::size_t>(it.index())], s.name));
+  }
+}
+
+Bar bar_of(const std::variant<Bar, BarSection>& given, const Device& device) {
+  if (const Bar* bar = std::get_if<Bar>(&given)) return *bar;
+  const BarSection& section = std::get<BarSection>(given);
+  if (!(section.young > 0 && section.area > 0))
+    refuse(ModelOption::bar, "Young's modulus and area of a bar must be positive");
+  if (!device.length.value_or(0))
+    refuse(ModelOption::bar, "E and area need the length of the bar, which is drawn between frames that stand apart; type bar: "
+                             "{stiffness: 50 MN/m}");
+  return {section.young * section.area / *device.length};
+}
+
+std::string text_of(const LinkEnd& end, const Structure& s) {
+  return end.label.empty() ? s.name : fmt::format("{} of {}", end.label, s.name);
+}
+
+std::string names_of(const Model& model, const std::vector<int>& structures) {
+  std::string text;
+  for (std::size_t i = 0; i < structures.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == structures.size() ? " and " : ", ") + model.structures[structures[i]].name;
+  return text;
+}
+
+// Motion of an end along the device by the unknowns of all joined structures, from this one on.
+void add_motion(const LinkEnd& end, const Eigen::Vector3d& direction, int first, Eigen::SparseVector<double>& row) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (direction[axis] != 0)
+      for (Row::InnerIterator it(end.point.motion[axis]); it; ++it) row.coeffRef(first + it.index()) += direction[axis] * it.value();
+}
+
+}  // namespace
+
+void Model::connect(const std::string& name, const ContactLocation& left, const ContactLocation& right, const DeviceOptions& options) {
+  require_open();
+  check_name(name, devices);
+  if (left.structure == right.structure)
+    refuse(ModelOption::between, "both ends are on one structure; name two structures, the left one first");
+  const LinkPair pair = pairs_of(*this, left, right, {}).front();
+  const Structure &a = structures[left.structure], &b = structures[right.structure];
+  Device device;
+  device.name = name;
+  if (!pair.left.node.empty() && !pair.right.node.empty() && are_drawn(a, b))
+    lay_between_nodes(device, pair, a, b);
+  else
+    lay_between_sides(device, pair, *this);
+  require_motion(device.left, a, device.direction, ModelOption::left);
+  require_motion(device.right, b, device.direction, ModelOption::right);
+  try {
+    if (options.bar) device.bar = bar_of(*options.bar, device);
+    if (device.bar) device.bar->check();
+  } catch (const ModelError&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    refuse(ModelOption::bar, error.what());
+  }
+  try {
+    device.damper = options.damper;
+    if (device.damper) device.damper->check();
+  } catch (const std::invalid_argument& error) {
+    refuse(ModelOption::damper, error.what());
+  }
+  if (!device.bar && !device.damper)
+    refuse(ModelOption::device, "is neither a bar nor a damper; type bar: {stiffness: 50 MN/m}, damper: {coefficient: 200 kN s/m}, or both");
+  device.member = std::make_unique<BarAndDamper>(device.bar, device.damper);
+  devices.push_back(std::move(device));
+}
+
+JoinedByBars joined_by_bars(const Model& model) {
+  std::set<int> numbers;
+  for (const Device& device : model.devices)
+    for (const LinkEnd* end : {&device.left, &device.right})
+      if (device.bar && !model.structures[end->structure].is_rigid()) numbers.insert(end->structure);
+  JoinedByBars joined{{numbers.begin(), numbers.end()}, {}};
+  if (numbers.empty()) return joined;
+
+  std::vector<int> first(model.structures.size(), 0);
+  std::vector<Eigen::Triplet<double>> mass, stiffness;
+  int n = 0, modes = 0;
+  const auto add = [](std::vector<Eigen::Triplet<double>>& entries, const SparseMatrix& block, int at) {
+    for (int j = 0; j < block.outerSize(); ++j)
+      for (SparseMatrix::InnerIterator it(block, j); it; ++it) entries.emplace_back(at + static_cast<int>(it.row()), at + j, it.value());
+  };
+  for (const int number : joined.structures) {
+    const Structure& s = model.structures[number];
+    first[number] = n;
+    add(mass, s.mass, n);
+    add(stiffness, s.stiffness, n);
+    n += s.size();
+    modes += count_of_modes(s);
+  }
+  for (const Device& device : model.devices) {
+    if (!device.bar) continue;
+    Eigen::SparseVector<double> elongation(n);
+    for (const auto& [end, sign] : {std::pair(&device.left, -1.0), std::pair(&device.right, 1.0)})
+      if (!model.structures[end->structure].is_rigid()) add_motion(*end, sign * device.direction, first[end->structure], elongation);
+    for (Row::InnerIterator i(elongation); i; ++i)
+      for (Row::InnerIterator j(elongation); j; ++j)
+        stiffness.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()), device.bar->stiffness * i.value() * j.value());
+  }
+  SparseMatrix m(n, n), k(n, n);
+  m.setFromTriplets(mass.begin(), mass.end());
+  k.setFromTriplets(stiffness.begin(), stiffness.end());
+  joined.frequencies = model.mode_solver(m, k, std::min(modes, max_joined_modes)).frequencies;
+  return joined;
+}
+
+std::string describe_joined(const Model& model) {
+  const JoinedByBars joined = joined_by_bars(model);
+  std::string periods;
+  for (const double w : joined.frequencies)
+    if (w > 0) periods += fmt::format("{}{:.4g} s", periods.empty() ? "" : ", ", 2 * M_PI / w);
+  if (periods.empty()) return {};
+  return fmt::format("joined by bars: {} together, first periods {}; those above are of each by itself\n", names_of(model, joined.structures),
+                     periods);
+}
+
+std::string describe(const Model& model, const Device& device) {
+  std::string text = fmt::format("device {}: ", device.name);
+  if (device.bar) text += "bar " + format_quantity(device.bar->stiffness, dimension::stiffness, 6);
+  if (device.damper) {
+    const Damper& damper = *device.damper;
+    text += fmt::format("{}damper {:.6g} kN ", device.bar ? ", " : "", damper.coefficient / 1e3);
+    text += damper.is_linear() ? "s/m"
+                               : fmt::format("(s/m)^{0:g}, rounded as c v (v^2 + v0^2)^{1:g} with v0 = {2:g} mm/s", damper.exponent,
+                                             0.5 * (damper.exponent - 1), 1e3 * damper.rounding_velocity);
+  }
+  text += fmt::format(", between {} and {}", text_of(device.left, model.structures[device.left.structure]),
+                      text_of(device.right, model.structures[device.right.structure]));
+  if (device.length) text += fmt::format(", {} long", format_quantity(*device.length, dimension::length, 6));
+  return text + '\n';
+}
+
+}  // namespace pounding

@@ -1,0 +1,66 @@
+#include <pounding/model/forces.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <pounding/core/names.hpp>
+
+namespace pounding {
+namespace {
+
+[[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
+
+const Row& motion_of_floor(const Structure& s, const ForceOptions& options) {
+  const int count = static_cast<int>(s.floors.size());
+  if (count == 0) refuse("the frame has no floors; type the node on which the force acts, as in node: b");
+  if (!options.floor && count > 1) refuse(fmt::format("its place is missing; type floor: {}, or the node of a frame", count));
+  const int floor = options.floor.value_or(1);
+  if (floor < 1 || floor > count) refuse(fmt::format("there is no floor {} among {}", floor, count));
+  const std::vector<Row>& motion = s.floors[floor - 1].motion;
+  std::vector<std::string> names{"ux", "uy", "rz"};
+  names.resize(motion.size());
+  const auto found = std::find(names.begin(), names.end(), options.dof);
+  if (found == names.end())
+    refuse(fmt::format("a force on a floor acts along {}; \"{}\" was given{}", fmt::join(names, ", "), options.dof,
+                       s.dimension > 1 ? ", which a node may take" : ""));
+  return motion[static_cast<std::size_t>(std::distance(names.begin(), found))];
+}
+
+bool has_mass(const Structure& s, int unknown) {
+  for (SparseMatrix::InnerIterator it(s.mass, unknown); it; ++it)
+    if (it.value() != 0) return true;
+  return false;
+}
+
+}  // namespace
+
+AppliedForce applied_force(const Structure& s, const ForceOptions& options) {
+  if (s.is_rigid()) refuse("a wall moves with the ground, whatever pushes it; leave the force out");
+  if (!options.node.empty() && options.floor) refuse("a force acts on a floor or on a node; keep one of the two");
+  AppliedForce force;
+  force.history = options.history;
+  if (options.node.empty()) {
+    force.direction = motion_of_floor(s, options);
+    force.place = s.is_free ? options.dof : fmt::format("floor {} {}", options.floor.value_or(1), options.dof);
+  } else {
+    force.direction = s.surface->displacement(options.node, options.dof);
+    force.place = fmt::format("node {} {}", options.node, options.dof);
+  }
+  force.direction.prune(0.0);
+  if (force.direction.nonZeros() == 0) refuse(fmt::format("{} is held, and a force there moves nothing; leave it out", force.place));
+  for (Row::InnerIterator it(force.direction); it; ++it)
+    if (!has_mass(s, static_cast<int>(it.index()))) {
+      const bool turns = s.unknowns[it.index()].find(" r") != std::string::npos;
+      refuse(fmt::format("the force acts on {0}, which has no mass; give it one under masses, such as {1}, or type mass: consistent "
+                         "with a density", s.unknowns[it.index()], turns ? "100 kg m^2" : "1 t"));
+    }
+  return force;
+}
+
+}  // namespace pounding

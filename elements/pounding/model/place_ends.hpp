@@ -1,0 +1,21 @@
+#pragma once
+/// Where links and devices meet their structures.
+
+#include <optional>
+#include <vector>
+
+#include <pounding/model/facing.hpp>
+
+namespace pounding {
+
+/// One end of a link on this side of its structure, `along` its edge where it is a floor in space. Errors concern `option`.
+LinkEnd place_end(const PairEnd& end, const Structure& structure, Side side, double along, ModelOption option);
+
+/// Positions of the contact points along the common edge of two floors; one where the two are not both floors in space.
+std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a, const Structure& b, Side side);
+
+/// Throws ModelError for an end that its support holds in the way of a contact on this side, and for one without mass: it could be
+/// given any velocity at once.
+void require_inertia(const LinkEnd& end, const Structure& structure, Side side, ModelOption option);
+
+}  // namespace pounding

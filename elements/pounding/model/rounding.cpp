@@ -1,0 +1,27 @@
+#include <pounding/model/rounding.hpp>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <limits>
+
+namespace pounding {
+
+double displacement_rounding(const LinkEnd& end, const Structure& s, const Eigen::Vector3d& direction, const Eigen::VectorXd& u) {
+  if (u.size() == 0) return 0;
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(s.size());
+  for (int i = 0; i < 3; ++i)
+    if (direction[i] != 0 && end.point.motion[i].nonZeros() > 0) row += direction[i] * end.point.motion[i];
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  // Of the sum r'u itself.
+  const double of_sum = eps * row.cwiseAbs().dot(u.cwiseAbs());
+  if (s.at_rest.size() == 0 && s.preload_displacement.size() == 0) return of_sum;
+  const Eigen::SimplicialLDLT<SparseMatrix> factor(s.stiffness);
+  if (factor.info() != Eigen::Success) return of_sum;
+  Eigen::Index most_in_a_row = 0;
+  for (Eigen::Index j = 0; j < s.stiffness.outerSize(); ++j)
+    most_in_a_row = std::max<Eigen::Index>(most_in_a_row, s.stiffness.outerIndexPtr()[j + 1] - s.stiffness.outerIndexPtr()[j]);
+  const Eigen::VectorXd answer = factor.solve(row), change = s.stiffness.cwiseAbs() * u.cwiseAbs();
+  return of_sum + static_cast<double>(most_in_a_row) * eps * answer.cwiseAbs().dot(change);
+}
+
+}  // namespace pounding

@@ -1,0 +1,121 @@
+/// Reading of HDF5 files, and copies between them.
+
+#include <pounding/results/hdf5.hpp>
+
+#include <stdexcept>
+
+#include <pounding/results/checked_file.hpp>
+
+namespace pounding::hdf5 {
+namespace {
+
+std::vector<std::string> members_of(hid_t group) {
+  std::vector<std::string> found;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* target) -> herr_t {
+    static_cast<std::vector<std::string>*>(target)->emplace_back(name);
+    return 0;
+  };
+  checked(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &found), "list a group");
+  return found;
+}
+
+// Copies all members and the attributes, which are texts, of a group or of the root of a file.
+void copy_content(hid_t from, hid_t to, const std::set<std::string>& but) {
+  std::vector<std::string> attributes;
+  const auto list_attribute = [](hid_t, const char* name, const H5A_info_t*, void* target) -> herr_t {
+    static_cast<std::vector<std::string>*>(target)->emplace_back(name);
+    return 0;
+  };
+  checked(H5Aiterate2(from, H5_INDEX_NAME, H5_ITER_INC, nullptr, list_attribute, &attributes), "list attributes");
+  for (const std::string& name : attributes) attribute(to, name.c_str(), read_attribute(from, name.c_str()));
+  for (const std::string& name : members_of(from))
+    if (!but.contains(name)) checked(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "copy " + name);
+}
+
+}  // namespace
+
+void add_file(hid_t file, const std::string& name, const std::vector<std::byte>& image, const std::set<std::string>& but) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe a file");
+  checked(H5Pset_fapl_core(access, image.size(), false), "choose a file in memory");
+  std::vector<std::byte> bytes = image;  // HDF5 asks for a buffer that it may change, and copies it
+  checked(H5Pset_file_image(access, bytes.data(), bytes.size()), "give a file image");
+  const Handle from(H5Fopen("results to add", H5F_ACC_RDONLY, access), H5Fclose, "open a file image");
+  copy_content(from, group(file, name), but);
+}
+
+std::vector<std::byte> group_image(hid_t file, const std::string& name) {
+  const Handle from(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, "open group " + name);
+  return file_image([&](hid_t to) { copy_content(from, to, {}); });
+}
+
+void open_file(const std::string& path, const std::function<void(hid_t file)>& read) {
+  require_whole(path);
+  const Quiet quiet;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file");
+  read(file);
+}
+
+bool has(hid_t file, const char* path) { return H5Lexists(file, path, H5P_DEFAULT) > 0; }
+
+std::vector<std::string> members(hid_t file, const char* path) {
+  return members_of(Handle(H5Gopen2(file, path, H5P_DEFAULT), H5Gclose, std::string("open group ") + path));
+}
+
+namespace {
+
+Handle open_dataset(hid_t file, const char* path) {
+  return {H5Dopen2(file, path, H5P_DEFAULT), H5Dclose, std::string("open dataset ") + path};
+}
+
+// One text of the fixed length of `type`.
+template <class Read>
+std::string fixed_text(const Handle& type, Read&& read, const char* name) {
+  const std::string action = std::string("read ") + name;
+  std::string value(H5Tget_size(type), '\0');
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+    throw std::runtime_error(std::string(name) + " is no text of a fixed length");
+  checked(read(text_type(value.size()), value.data()), action);
+  value.resize(value.find_last_not_of('\0') + 1);
+  return value;
+}
+
+template <class Value>
+void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& values) {
+  const Handle dataset = open_dataset(file, path);
+  const Handle space(H5Dget_space(dataset), H5Sclose, std::string("size dataset ") + path);
+  values.resize(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), std::string("size dataset ") + path)));
+  if (!values.empty())
+    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("read dataset ") + path);
+}
+
+}  // namespace
+
+std::vector<std::size_t> shape(hid_t file, const char* path) {
+  const Handle dataset = open_dataset(file, path);
+  const Handle space(H5Dget_space(dataset), H5Sclose, std::string("size dataset ") + path);
+  std::vector<hsize_t> extents(static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space), "size a dataset")));
+  checked(H5Sget_simple_extent_dims(space, extents.data(), nullptr), "size a dataset");
+  return {extents.begin(), extents.end()};
+}
+
+std::string read_attribute(hid_t object, const char* name) {
+  const Handle made(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, std::string("open attribute ") + name);
+  const Handle type(H5Aget_type(made), H5Tclose, std::string("read attribute ") + name);
+  return fixed_text(type, [&](hid_t as, char* text) { return H5Aread(made, as, text); }, name);
+}
+
+std::string read_text(hid_t file, const char* path) {
+  const Handle dataset = open_dataset(file, path);
+  const Handle type(H5Dget_type(dataset), H5Tclose, std::string("read ") + path);
+  return fixed_text(type, [&](hid_t as, char* text) { return H5Dread(dataset, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, text); }, path);
+}
+
+void read_array(hid_t file, const char* path, std::vector<double>& values) {
+  read_all(file, path, H5T_NATIVE_DOUBLE, values);
+}
+
+void read_bytes(hid_t file, const char* path, std::vector<std::byte>& values) {
+  read_all(file, path, H5T_NATIVE_UINT8, values);
+}
+
+}  // namespace pounding::hdf5

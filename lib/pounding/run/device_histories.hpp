@@ -1,0 +1,42 @@
+#pragma once
+/// Histories and extremes of bars and dampers between structures.
+
+#include <cstddef>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/results/results.hpp>
+#include <pounding/results/summary.hpp>
+#include <pounding/stepping/stepper.hpp>
+
+namespace pounding {
+
+/// Fills the history of each device of a model.
+class DeviceHistories {
+ public:
+  /// Makes one history a device in `histories`, which must outlive this as model and stepper must.
+  DeviceHistories(const Model& model, const Stepper& stepper, std::vector<DeviceHistory>& histories);
+
+  /// The initial state.
+  void begin();
+  /// The step that the stepper has just kept.
+  void step();
+  /// An output time: inside that step, or else the present state.
+  void sample(double time, bool inside);
+  /// One entry a device, of the run so far.
+  std::vector<DeviceSummary> summary() const;
+  /// For a checkpoint: the extremes.
+  void archive(Archive& archive);
+
+ private:
+  const LinkStep& step_of(std::size_t device) const { return stepper_.link_steps()[first_ + device]; }
+  double force_now(std::size_t device) const { return stepper_.link_forces()[static_cast<int>(first_ + device)]; }
+
+  const Model& model_;
+  const Stepper& stepper_;
+  std::vector<DeviceHistory>& histories_;
+  std::size_t first_;  // link of the first device
+};
+
+}  // namespace pounding

@@ -1,0 +1,72 @@
+"""The text in front of a results file, by which a reader knows whose file it is and whether every byte is as it was written. HDF5
+sees a file only afterwards: on a damaged one it may crash or never end."""
+
+from __future__ import annotations
+
+import io
+import zlib
+from os import PathLike
+from pathlib import Path
+from typing import BinaryIO
+
+from pounding.errors import InputError
+
+#: Bytes in front of the HDF5 data: an HDF5 user block, which h5py, h5dump and others skip.
+BLOCK = 512
+FIRST_LINE = b"results of pounding\n"
+_HDF5 = b"\x89HDF\r\n\x1a\n"
+
+
+class NotResults(InputError):
+    """A file that is there, but not one that `pounding run` wrote, or not any more as it was written."""
+
+
+def block(size: int, crc: int) -> bytes:
+    """The text in front of a file of `size` bytes, this text included, whose other bytes have the CRC-32 `crc`."""
+    text = FIRST_LINE + (f"size {size:020}\ncrc32 {crc:08x}\n"
+                         f"The HDF5 file begins at byte {BLOCK}, as HDF5 allows; h5py and h5dump open it as it is.\n"
+                         "size: all bytes, these included. crc32: of the bytes behind these.\n").encode()
+    return text.ljust(BLOCK - 1) + b"\n"
+
+
+def require_whole(path: str | PathLike[str]) -> None:
+    """Raises NotResults unless the file is a results file with every byte as it was written; OSError when it cannot be read."""
+    if not Path(path).is_file():
+        raise FileNotFoundError(f"there is no file {path}")
+    with open(path, "rb") as file:
+        _require_whole(file, str(path))
+
+
+def require_whole_image(image: bytes) -> None:
+    """As `require_whole`, for the bytes of a file."""
+    _require_whole(io.BytesIO(image), "what was given")
+
+
+def _require_whole(file: BinaryIO, name: str) -> None:
+    start = file.read(BLOCK)
+    signature = file.read(len(_HDF5))
+    # A block whose first line is damaged still has HDF5 behind it.
+    if not start.startswith(FIRST_LINE) and signature != _HDF5:
+        raise NotResults(_foreign(name, start))
+    size, crc = len(start) + len(signature), zlib.crc32(signature)
+    while part := file.read(1 << 20):
+        size, crc = size + len(part), zlib.crc32(part, crc)
+    if start == block(size, crc):
+        return
+    digits = start[len(FIRST_LINE) + len("size "):][:20]
+    what = f"it has {size} of its {int(digits)} bytes" if digits.isdigit() and size < int(digits) else "its checksum is another one"
+    raise NotResults(f"{name}: the file is damaged, or another program has changed it: {what}. Take a copy of it, or run the model "
+                     "again")
+
+
+def _foreign(name: str, start: bytes) -> str:
+    """How to get results where a file holds none."""
+    if not start:
+        return f"{name}: the file is empty; run the model again"
+    if start.startswith(_HDF5):
+        return (f"{name}: has no checksum, so damage in it cannot be seen: an earlier version of pounding or another program wrote it. "
+                f'Run the model again, or read results of your own as they stand: pounding.read("{name}", checked=False)')
+    if Path(name).suffix.lower() in (".yaml", ".yml"):
+        results = Path(name).with_suffix(".h5")
+        return f"{name} is an input file; type pounding run {name} -o {results}, and name {results} here"
+    return f"{name} is not a results file of pounding, such as pounding run MODEL.yaml -o OUT.h5 writes"

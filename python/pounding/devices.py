@@ -1,0 +1,43 @@
+"""Bars and dampers between two structures, as results files hold them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import h5py
+import numpy as np
+
+from pounding import told
+from pounding.texts import text
+
+
+@dataclass(frozen=True, repr=False)
+class Device(told.Told, lines=told.device):
+    """A bar, a damper or both between two structures. Elongation and force are positive in tension."""
+
+    name: str
+    left: str  #: name of the structure on the left
+    left_end: str  #: "floor 3", "node b"; empty for a wall
+    right: str
+    right_end: str
+    direction: np.ndarray  #: unit, from left to right
+    stiffness: float  #: of the bar [N/m]; 0 for none
+    coefficient: float  #: of the damper [N (s/m)^exponent]; 0 for none
+    exponent: float  #: of the velocity
+    elongation: np.ndarray  #: [time] at the output times [m]
+    force: np.ndarray  #: [time] [N]
+    largest: dict[str, np.ndarray]  #: least and largest elongation and force over all steps; elongation_time and force_time [s]
+
+
+def read_devices(file: h5py.Group) -> dict[str, Device]:
+    """The devices of a results file in the order of the input; none in a file without them."""
+    return {name: _device(name, group) for name, group in file["devices"].items()} if "devices" in file else {}
+
+
+def _device(name: str, group: h5py.Group) -> Device:
+    ends: dict[str, Any] = {key: text(group.attrs[key]) for key in ("left", "left_end", "right", "right_end")}
+    numbers: dict[str, Any] = {key: float(group.attrs[key]) for key in ("stiffness", "coefficient", "exponent")}
+    return Device(name=name, **ends, **numbers, direction=np.asarray(group.attrs["direction"], dtype=float),
+                  elongation=group["elongation"][:], force=group["force"][:],
+                  largest={key: data[:] for key, data in group["envelope"].items()})

@@ -1,0 +1,310 @@
+"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, frames, under all laws."""
+import math
+import random
+
+import numpy as np
+
+#: Laws by the unit of their stiffness, with the formulas that follow from a restitution.
+LINEAR = {
+    "linear_spring": [],
+    "kelvin_voigt": ["exact", "anagnostopoulos"],
+    "kelvin_voigt_no_tension": ["exact", "anagnostopoulos"],
+    "komodromos": ["exact", "anagnostopoulos"],
+    "modified_linear_viscoelastic": ["exact", "mahmoud_jankowski_2011", "simple"],
+    "modified_kelvin": ["exact", "ye_2009_linear"],
+}
+HERTZ = {
+    "hertz": [],
+    "hertz_damped": ["exact", "lankarani_nikravesh", "hunt_crossley", "ye_2009", "hu_guo", "gonthier", "herbert_mcwhannell",
+                     "lee_wang", "zhiying_qishao", "gharib_hurmuzlu"],
+    "jankowski": ["exact", "jankowski_2005", "jankowski_2006"],
+    "bilinear_hertz": ["exact", "muthukumar_desroches"],
+    "viscous_hertz": ["exact", "antypov_elliott"],
+    "kuwabara_kono": ["exact"],
+    "adams_impact": ["exact"],
+    "limited_damper": ["exact"],
+    "elastoplastic": ["exact"],
+}
+LAWS = [*LINEAR, *HERTZ, "stereomechanical"]
+DIRECT = {
+    "kelvin_voigt": ("damping_ratio", 0, 0.9),
+    "kelvin_voigt_no_tension": ("damping_ratio", 0, 3),
+    "komodromos": ("damping_ratio", 0, 3),
+    "modified_linear_viscoelastic": ("damping_ratio", 0, 5),
+    "modified_kelvin": ("damping_factor", 0, 10),
+    "hertz_damped": ("damping_factor", 0, 10),
+    "jankowski": ("damping_ratio", 0, 5),
+    "viscous_hertz": ("damping_ratio", 0, 4),
+}
+WITH_DESIGN_SPEED = ["modified_kelvin", "hertz_damped", "bilinear_hertz", "kuwabara_kono", "adams_impact", "limited_damper"]
+RESTITUTIONS = [0.05, 0.1, 0.3, 0.5, 0.65, 0.8, 0.95, 1.0]
+#: The loop of bilinear_hertz cannot lose more.
+LEAST_BILINEAR = 0.5
+#: The balance and the impacts are sums over contacts that amplify one another's errors: this many tolerances.
+SPREAD = 10
+
+
+def decades(chance, low, high):
+    return 10 ** chance.uniform(low, high)
+
+
+def link(chance, left, right, gap, restitutions=RESTITUTIONS, laws=LAWS):
+    law = chance.choice(laws)
+    own = {"left": left, "right": right, "gap": gap, "law": law}
+    if law != "stereomechanical":
+        own["stiffness"] = decades(chance, 5, 11) if law in LINEAR else decades(chance, 6, 12)
+    if law == "adams_impact":
+        own["depth"] = decades(chance, -4, -2.5)
+    if law in DIRECT and chance.random() < 0.08:
+        name, low, high = DIRECT[law]
+        own[name] = chance.uniform(low, high)
+        return own
+    if law in ("linear_spring", "hertz"):
+        return own
+    own["restitution"] = chance.choice(restitutions)
+    formulas = LINEAR.get(law) or HERTZ.get(law) or ["exact"]
+    if chance.random() < 0.3:
+        own["formula"] = chance.choice(formulas) if law != "stereomechanical" else "exact"
+    if law == "stereomechanical":
+        own.pop("formula", None)
+    if law == "bilinear_hertz":
+        own["restitution"] = max(own["restitution"], LEAST_BILINEAR)
+    if law in WITH_DESIGN_SPEED and chance.random() < 0.08:
+        own["impact_velocity"] = decades(chance, -2, 0.5)
+    return own
+
+
+def body(chance, number, speed):
+    return {"name": f"b{number}", "kind": "body", "mass": decades(chance, 3, 6), "velocity": speed}
+
+
+def oscillator(chance, number, speed):
+    return {"name": f"b{number}", "kind": "oscillator", "mass": decades(chance, 3, 6), "period": decades(chance, -1.3, 0.5),
+            "damping": chance.choice([0, 0.02, 0.05, 0.1]), "velocity": speed}
+
+
+def wall(number):
+    return {"name": f"b{number}", "kind": "wall", "velocity": 0.0}
+
+
+def storeys_of(chance, storeys, low, high):
+    """A value for each storey, or one for all."""
+    first = decades(chance, low, high)
+    return [first * chance.uniform(0.5, 2) for _ in range(storeys)] if chance.random() < 0.3 else first
+
+
+def building(chance, number, storeys, yields):
+    """A shear building whose first period is some 0.1 s a storey; one that yields does so at 2 to 40 % of its weight."""
+    mass = storeys_of(chance, storeys, 4, 6)
+    least = min(mass) if isinstance(mass, list) else mass
+    stiffness = storeys_of(chance, storeys, math.log10(least) + 2.7, math.log10(least) + 4)
+    own = {"name": f"b{number}", "kind": "shear_building", "storeys": storeys, "mass": mass, "stiffness": stiffness,
+           "damping": chance.choice([0, 0.02, 0.05]), "velocity": chance.choice([0.0, chance.uniform(-0.5, 0.5)])}
+    if yields:
+        own["yield_force"] = chance.uniform(0.02, 0.4) * 9.81 * least * storeys
+        own["hardening"] = chance.choice([0, 0.02, 0.2])
+    return own
+
+
+def quake(chance):
+    """A harmonic, a pulse or an artificial earthquake."""
+    if chance.random() < 0.5:
+        return shaking(chance)
+    duration = chance.uniform(2, 5)
+    return {"kind": "synthetic", "seed": chance.randrange(10**6), "duration": duration, "pga": chance.uniform(0.5, 6),
+            "soil": chance.choice(["firm", "medium", "soft"]), "step": 0.02}
+
+
+def buildings(chance, yields):
+    """A row of shear buildings, or of one beside oscillators, linked floor by floor."""
+    count = chance.choice([2, 2, 2, 3])
+    structures = [building(chance, k, chance.randint(1, 8), yields) for k in range(count)]
+    gap = chance.choice([0, 1e-3, 5e-3, 0.02, 0.05])
+    links = []
+    for k in range(count - 1):
+        shared = min(structures[k]["storeys"], structures[k + 1]["storeys"])
+        like = link(chance, f"b{k}", f"b{k + 1}", gap)
+        for floor in range(1, shared + 1):
+            own = like | {"left": f"b{k}.{floor}", "right": f"b{k + 1}.{floor}"}
+            links.append(own | {"gap": gap + chance.choice([0, 0, 1e-6, chance.uniform(0, 0.01)])})
+    ground = quake(chance)
+    return {"structures": structures, "links": links, "ground": ground, "duration": min(4.0, ground["duration"] + 1)}
+
+
+def towers(chance):
+    return buildings(chance, False)
+
+
+def yielding(chance):
+    return buildings(chance, True)
+
+
+def frames(chance):
+    """Two plane frames of storeys of one height. Under their weight they lean by micrometres, and a gap keeps them apart."""
+    height, width = chance.choice([3.0, 3.5]), chance.choice([4.0, 6.0])
+    storeys, bays = [chance.randint(1, 4) for _ in range(2)], [chance.randint(1, 2) for _ in range(2)]
+    gravity = chance.random() < 0.5
+    gap = chance.choice([1e-3, 5e-3, 0.02] if gravity else [0, 0, 1e-3, 5e-3, 0.02])
+    deep = [chance.choice([0.3, 0.4, 0.5]) for _ in range(2)]
+    structures = [{"name": f"b{k}", "kind": "frame", "storeys": storeys[k], "bays": bays[k], "height": height, "width": width,
+                   "depth": deep[k], "origin": k * (bays[0] * width + gap), "floor_mass": decades(chance, 4, 5),
+                   "damping": chance.choice([0.02, 0.05]), "gravity": gravity, "velocity": chance.choice([0.0, chance.uniform(-0.3, 0.3)])}
+                  for k in range(2)]
+    if chance.random() < 0.2:  # equal frames, whose floors touch at one instant
+        structures[1] = structures[0] | {"name": "b1", "origin": structures[1]["origin"], "velocity": structures[1]["velocity"]}
+    like = link(chance, "b0", "b1", gap, laws=[law for law in LAWS if law != "stereomechanical"])
+    links = [like | {"left": f"b0.{floor}", "right": f"b1.{floor}"} for floor in range(1, min(s["storeys"] for s in structures) + 1)]
+    ground = quake(chance)
+    return {"structures": structures, "links": links, "ground": ground, "duration": min(2.0, ground["duration"])}
+
+
+def shaking(chance):
+    if chance.random() < 0.75:
+        return {"kind": "harmonic", "amplitude": chance.uniform(0.5, 5), "period": chance.uniform(0.1, 1.5),
+                "duration": chance.uniform(0.5, 3)}
+    return {"kind": "pulse", "shape": chance.choice(["half_sine", "sine", "rectangle"]), "amplitude": chance.uniform(-5, 5),
+            "start": chance.choice([0.0, chance.uniform(0, 1)]), "duration": chance.uniform(0.2, 1.5)}
+
+
+def mixed(chance):
+    """Anything beside anything."""
+    count, structures = chance.randint(2, 5), []
+    for k in range(count):
+        speed = chance.choice([0.0, chance.uniform(-1, 1)])
+        if count > 2 and k in (0, count - 1) and chance.random() < 0.2:
+            structures.append(wall(k))
+        else:
+            structures.append((oscillator if chance.random() < 0.8 else body)(chance, k, speed))
+    gap = chance.choice([0, 1e-3, 5e-3, 0.02, 0.1, 0.5])
+    links = []
+    for k in range(count - 1):
+        own = gap if chance.random() < 0.5 else gap + chance.choice([1e-6, chance.uniform(0, 0.02)])
+        links.append(link(chance, f"b{k}", f"b{k + 1}", own))
+    return {"structures": structures, "links": links, "ground": shaking(chance) if chance.random() < 0.7 else None,
+            "duration": 3.0}
+
+
+def grazing(chance):
+    """Two oscillators in free vibration whose nearest approach is the gap but for a millionth to a hundredth."""
+    left = oscillator(chance, 0, chance.uniform(0.1, 1))
+    right = oscillator(chance, 1, chance.choice([0.0, chance.uniform(-1, 1)]))
+    if chance.random() < 0.3:
+        right = wall(1)
+    duration = chance.uniform(1.0, 3) * left["period"]
+
+    def closure(t):
+        total = 0.0
+        for sign, s in ((1, left), (-1, right)):
+            if s["kind"] == "oscillator":
+                w, z = 2 * math.pi / s["period"], s["damping"]
+                damped = w * math.sqrt(1 - z * z)
+                total = total + sign * s["velocity"] / damped * np.exp(-z * w * t) * np.sin(damped * t)
+        return total
+
+    t, width = np.linspace(0, duration, 20001), duration / 20000
+    for _ in range(4):
+        nearest = t[np.argmax(closure(t))]
+        t, width = np.linspace(max(0, nearest - width), min(duration, nearest + width), 201), width / 50
+    peak = float(np.max(closure(t)))
+    part = chance.choice([-1, 1]) * decades(chance, -6, -2)
+    tolerance = chance.choice([1e-4, 1e-5, 1e-6])
+    case = {"structures": [left, right], "links": [link(chance, "b0", "b1", peak * (1 + part))], "ground": None,
+            "duration": duration, "tolerance": tolerance}
+    swing = sum(abs(s["velocity"]) * s.get("period", 0) / (2 * math.pi) for s in (left, right))
+    if abs(part) * peak > SPREAD * tolerance * swing and nearest < 0.99 * duration:
+        case["touches"] = part < 0
+    return case
+
+
+def resting(chance):
+    """Bodies at zero gap, or nearly, that the ground presses on a wall, for good or until it turns."""
+    count = chance.randint(2, 5)
+    structures = [(body if chance.random() < 0.7 else oscillator)(chance, k, 0.0) for k in range(count - 1)] + [wall(count - 1)]
+    links = [link(chance, f"b{k}", f"b{k + 1}", chance.choice([0, 0, 0, 1e-9, 1e-6, 1e-3]), [0.05, 0.1, 0.2, 0.3])
+             for k in range(count - 1)]
+    ground = {"kind": "pulse", "shape": chance.choice(["rectangle", "rectangle", "half_sine", "sine"]),
+              "amplitude": -chance.uniform(0.1, 5), "start": 0.0, "duration": chance.choice([1.0, 2.5])}
+    return {"structures": structures, "links": links, "ground": ground, "duration": 2.0}
+
+
+def together(chance):
+    """Rows that close everywhere at one instant, or within gaps that differ by 1e-9 to 1e-5 m."""
+    count, speed = chance.randint(3, 5), chance.uniform(0.1, 1)
+    period, damping, bodies = decades(chance, -1, 0.5), chance.choice([0, 0.05]), chance.random() < 0.4
+    structures = []
+    for k in range(count):
+        own = (speed * ((count - 1) / 2 - k))
+        structures.append(body(chance, k, own) if bodies else
+                          {"name": f"b{k}", "kind": "oscillator", "mass": decades(chance, 3, 6), "period": period,
+                           "damping": damping, "velocity": own})
+    gap = chance.choice([0, 1e-3, 0.1 * speed * period])
+    links = []
+    for k in range(count - 1):
+        more = 0 if chance.random() < 0.4 else decades(chance, -9, -5)
+        links.append(link(chance, f"b{k}", f"b{k + 1}", gap + more))
+    if chance.random() < 0.2:  # a second link beside the first
+        links.append(link(chance, "b0", "b1", gap + chance.choice([0, decades(chance, -9, -5)])) | {"name": "beside"})
+    return {"structures": structures, "links": links, "ground": shaking(chance) if chance.random() < 0.3 else None,
+            "duration": chance.uniform(0.5, 3)}
+
+
+def free(chance):
+    """Bodies without a ground motion: undisturbed impacts, where the asked restitution must come out."""
+    count = chance.choice([2, 2, 2, 3, 4, 5])
+    structures = [body(chance, k, chance.uniform(-1, 1)) for k in range(count)]
+    structures[0]["velocity"] = chance.uniform(0.2, 2)
+    if chance.random() < 0.3:
+        structures[-1] = wall(count - 1)
+    links = [link(chance, f"b{k}", f"b{k + 1}", chance.choice([0, chance.uniform(1e-3, 0.05)])) for k in range(count - 1)]
+    return {"structures": structures, "links": links, "ground": None, "duration": 2.0}
+
+
+FAMILIES = {mixed: 35, grazing: 11, resting: 12, together: 13, free: 9, towers: 8, yielding: 8, frames: 4}
+
+
+#: Families with structures that independent.py does not know.
+BEYOND_INDEPENDENT = ("towers", "yielding", "frames")
+
+
+def case_of(seed, number):
+    chance = random.Random(seed * 1_000_000 + number)
+    family = chance.choices(list(FAMILIES), FAMILIES.values())[0]
+    case = family(chance)
+    case.setdefault("tolerance", chance.choice([1e-4, 1e-4, 1e-4, 1e-3, 1e-5]))
+    return case | {"family": family.__name__}
+
+
+def frame_text(s):
+    """A frame as the program reads it."""
+    sections = f"columns: {{rectangle: [{s['depth']}, {s['depth']}]}}, beams: {{rectangle: [0.3, 0.5]}}"
+    return (f"  {s['name']}:\n    frame:\n      material: {{E: 30 GPa, density: 2500 kg/m^3}}\n      origin: [{s['origin']}]\n"
+            f"      gravity: {str(s['gravity']).lower()}\n"
+            f"      grid: {{storeys: {s['storeys']}, bays: {s['bays']}, storey_height: {s['height']}, bay_width: {s['width']}, {sections}, "
+            f"floor_mass: {s['floor_mass']}}}\n"
+            f"    damping: {s['damping']}\n    initial_velocity: {s['velocity']}\n")
+
+
+def input_file(case):
+    """The case as the program reads it."""
+    def flow(pairs):
+        return "{" + ", ".join(f"{key}: {value}" for key, value in pairs.items()) + "}"
+
+    text = f"title: {case['family']}\n"
+    if case["ground"]:
+        ground = {key: value for key, value in case["ground"].items() if key != "kind"}
+        text += f"ground_motion: {{{case['ground']['kind']}: {flow(ground)}}}\n"
+    text += "structures:\n"
+    for s in case["structures"]:
+        if s["kind"] == "wall":
+            text += f"  {s['name']}: {{wall: {{}}}}\n"
+            continue
+        if s["kind"] == "frame":
+            text += frame_text(s)
+            continue
+        own = flow({key: s[key] for key in ("storeys", "mass", "period", "stiffness", "yield_force", "hardening", "damping") if key in s})
+        text += f"  {s['name']}: {{{s['kind']}: {own}, initial_velocity: {s['velocity']}}}\n"
+    text += "links:\n"
+    for l in case["links"]:
+        own = {"between": f"[{l['left']}, {l['right']}]"} | {k: v for k, v in l.items() if k not in ("left", "right")}
+        text += f"  - {flow(own)}\n"
+    return text + f"analysis: {{duration: {case['duration']}, tolerance: {case['tolerance']}}}\n"

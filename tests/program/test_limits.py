@@ -1,0 +1,117 @@
+"""Sizes and costs are refused before they are paid for; memory that ends is told, with what was computed before."""
+
+import os
+import resource
+import subprocess
+import unittest
+
+import h5py
+from support import OSCILLATORS, PROGRAM, ProgramTest
+
+GRID = """\
+structures:
+  a:
+    frame:
+      material: {E: 30 GPa, density: 2500 kg/m^3}
+      grid: {storeys: 1000, bays: 1000, storey_height: 3 m, bay_width: 5 m, columns: {rectangle: [0.5 m, 0.5 m]}, beams: {rectangle: [0.3 m, 0.5 m]}}
+    damping: 5 %
+analysis: {duration: 1}
+"""
+ROW = """\
+structures: {{a: {{oscillator: {{mass: 100 t, period: {period}, damping: 5 %}}}}}}
+analysis: {{{analysis}}}
+"""
+
+
+def within(gigabytes):
+    """Bounds the memory of a process that begins."""
+    return lambda: resource.setrlimit(resource.RLIMIT_AS, (int(gigabytes * 1e9), int(gigabytes * 1e9)))
+
+
+class Sizes(ProgramTest):
+    def test_of_a_grid_are_bounded(self):
+        self.refused(2, "model.yaml:5:13: structures.a.frame.grid: a grid of 1000 storeys and 1000 bays has 1002001 nodes, and 200000 are "
+                     "the most; take fewer storeys or bays", "check", self.write(GRID))
+
+    def test_that_the_memory_cannot_hold_are_refused_before_it_is_taken(self):
+        path = self.write(GRID.replace("storeys: 1000, bays: 1000", "storeys: 300, bays: 300"))
+        done = subprocess.run([PROGRAM, "check", path], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(1.5))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("a grid of 300 storeys and 300 bays has 90601 nodes, which take some 2.17 GB, and there are 1.5 GB; take fewer", done.stderr)
+
+    def test_of_a_synthetic_motion_are_bounded(self):
+        for words in ("duration: 1e9 s", "duration: 10 s, step: 1e-12", "duration: 1e300 s"):
+            text = OSCILLATORS.replace("harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}", f"synthetic: {{seed: 1, pga: 1.0, {words}}}")
+            with self.subTest(words=words):
+                self.refused(2, "samples, and 1e+07 are the most; type a duration up to", "check", self.write(text))
+
+    def test_of_histories_are_bounded_by_the_memory(self):
+        storeys = ROW.format(period=0.5, analysis="duration: 90, output_step: 0.01 ms").replace(
+            "oscillator: {mass: 100 t, period: 0.5", "shear_building: {storeys: 900, mass: 100 t, stiffness: 1e8")
+        self.refused(2, "9e+06 output times of 4.5e+03 numbers each take 324 GB, and there are", "check", self.write(storeys))
+
+
+class Steps(ProgramTest):
+    def test_without_hope_are_refused_at_the_start(self):
+        hopeless = ROW.format(period="1e-9", analysis="duration: 1e6 s, output_step: 1 s")
+        self.refused(2, "model.yaml:2:11: analysis: a run of 1e+06 s takes 1e+16 steps or more, and 100000000 are allowed: the period of 1e-09 s "
+                     "of structure a makes them so short; look at the units, or type analysis: {duration: 0.01 s}", "run", self.write(hopeless))
+
+    def test_that_patience_affords_say_what_to_type(self):
+        many = ROW.format(period="0.1", analysis="duration: 1e6 s, output_step: 1000 s, most_steps: 50000000")
+        self.refused(2, "or {most_steps: 200000000} and some patience", "run", self.write(many))
+
+    def test_end_at_the_budget_and_go_on(self):
+        self.write(OSCILLATORS)
+        self.assertEqual(self.pounding("run", "model.yaml", "-o", "whole.h5", "-q").returncode, 0)
+        self.write(OSCILLATORS.replace("analysis: {", "analysis: {most_steps: 100, "), "short.yaml")
+        cut = self.pounding("run", "short.yaml", "-o", "out.h5", "-q")
+        self.assertEqual(cut.returncode, 3, cut.stderr)
+        self.assertRegex(cut.stderr, r"100 steps, and more are not allowed\)\nTo go on: pounding run --resume out.h5 -pounding_ts_max_steps 200\n")
+        on = self.pounding("run", "--resume", "out.h5", "-q", "-pounding_ts_max_steps", "1000000")
+        self.assertEqual((on.returncode, on.stderr), (0, ""))
+        with h5py.File(self.folder / "whole.h5") as whole, h5py.File(self.folder / "out.h5") as resumed:
+            self.assertEqual(whole["impacts"][()].tobytes(), resumed["impacts"][()].tobytes())
+
+
+class Memory(ProgramTest):
+    def test_that_ends_is_told(self):
+        """A row of resting bodies, whose histories grow with every step, in what little is left beside the libraries."""
+        text = OSCILLATORS.replace("duration: 3.0}}", "duration: 30000}}").replace(
+            "{duration: 3.0}", "{duration: 30000, output_step: 4 ms}")
+        self.write(text)
+        done = subprocess.run([PROGRAM, "run", "model.yaml", "-o", "out.h5", "-q"], cwd=self.folder, capture_output=True, text=True,
+                              preexec_fn=within(0.75))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertRegex(done.stderr, "out of memory")
+        self.assertNotIn("bad_alloc", done.stderr)
+
+    def test_for_a_text_is_told(self):
+        """A model of 200 MB, of which the reader of YAML makes a tree."""
+        with open(self.folder / "model.yaml", "w") as file:
+            file.write(OSCILLATORS + "accept: [" + "mass, " * 30_000_000 + "mass]\n")
+        done = subprocess.run([PROGRAM, "check", "model.yaml"], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(1))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("out of memory", done.stderr)
+
+
+class Progress(ProgramTest):
+    def test_tells_after_a_second_how_long_the_rest_will_take(self):
+        text = OSCILLATORS.replace("duration: 3.0}}", "duration: 200000}}").replace("{duration: 3.0}", "{duration: 200000, output_step: 10 s}")
+        self.write(text)
+        seen, screen = os.openpty()
+        run = subprocess.Popen([PROGRAM, "run", "model.yaml"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=screen)
+        os.close(screen)
+        shown = b""
+        while b" left" not in shown:
+            part = os.read(seen, 4096)
+            self.assertTrue(part, shown[-200:])
+            shown += part
+        run.terminate()
+        run.wait()
+        os.close(seen)
+        self.assertRegex(shown.decode(), r"impacts, [\d.]+ (s|min|h) left")
+
+
+if __name__ == "__main__":
+    unittest.main()

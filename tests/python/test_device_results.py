@@ -1,0 +1,67 @@
+"""Bars and dampers in the results of a run, as Python reads, prints and tabulates them."""
+
+import importlib.util
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+from pounding import results, tables
+
+MODEL = """\
+ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 1.0}}
+structures:
+  left:  {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}
+  right: {oscillator: {mass: 150 t, period: 0.4, damping: 5 %}}
+devices:
+  both ways: {between: [left, right], bar: {stiffness: 5 MN/m}, damper: {coefficient: 200 kN (s/m)^0.5, exponent: 0.5}}
+analysis: {duration: 1.0, output_step: 10 ms}
+"""
+
+
+def results_of(model):
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "model.yaml").write_text(model)
+        subprocess.run([os.environ["POUNDING_PROGRAM"], "run", "model.yaml", "-q", "-o", "out.h5"], cwd=folder, check=True)
+        return results.RunData.from_image((Path(folder) / "out.h5").read_bytes())
+
+
+class Devices(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.results = results_of(MODEL)
+
+    def test_are_read_with_their_histories_and_largest_values(self):
+        device = self.results.devices["both ways"]
+        self.assertEqual((device.left, device.left_end, device.right, device.right_end), ("left", "floor 1", "right", "floor 1"))
+        self.assertEqual((device.stiffness, device.coefficient, device.exponent), (5e6, 2e5, 0.5))
+        self.assertEqual(device.force.shape, self.results.time.shape)
+        least, largest = device.largest["force"]
+        self.assertLessEqual(least, device.force.min())
+        self.assertGreaterEqual(largest, device.force.max())
+        at = np.interp(device.largest["elongation_time"], self.results.time, device.elongation)
+        np.testing.assert_allclose(at, device.largest["elongation"], rtol=3e-3)  # straight lines between the output times
+        self.assertGreater(self.results.energy["devices"][-1], 0)
+
+    def test_are_printed_in_three_lines(self):
+        lines = str(self.results.devices["both ways"]).splitlines()
+        self.assertEqual(lines[0], "both ways: bar 5e+06 N/m, damper 2e+05 N (s/m)^0.5 between left (floor 1) and right (floor 1)")
+        self.assertEqual(len(lines), 3)
+
+    @unittest.skipIf(importlib.util.find_spec("pandas") is None or importlib.util.find_spec("xarray") is None, "needs pandas and xarray")
+    def test_are_tables(self):
+        device = self.results.devices["both ways"]
+        self.assertTrue((tables.to_pandas(self.results)["devices/both ways"]["force"].to_numpy() == device.force).all())
+        self.assertEqual(tables.to_xarray(self.results)["devices/both ways"]["elongation"].attrs["units"], "m")
+
+    def test_are_none_in_a_run_without_them(self):
+        without = results_of("".join(line + "\n" for line in MODEL.splitlines() if "devices" not in line and "both ways" not in line))
+        self.assertEqual(without.devices, {})
+        self.assertNotIn("devices", without.energy)
+
+
+if __name__ == "__main__":
+    unittest.main()
