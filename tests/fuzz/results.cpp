@@ -7,6 +7,7 @@
 #include <fstream>
 #include <vector>
 
+#include <pounding/core/version.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/run/restart.hpp>
 #include "fuzz.hpp"
