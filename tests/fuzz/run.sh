@@ -38,7 +38,7 @@ for target in "${targets[@]}"; do
   printf '%-12s %12s executions in %s s\n' "$target" "${executions:-?}" "$seconds"
   if [ $code -ne 0 ]; then
     status=1
-    echo "  a fault: $(grep -E '^(SUMMARY|broken promise)|runtime error:' "$log" | head -n 1)"
+    echo "  a fault: $(grep -E '^(SUMMARY|broken promise)|runtime error:|what\(\):' "$log" | head -n 1)"
     echo "  the input: $(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1); the whole text: $log"
   fi
 done
