@@ -14,8 +14,7 @@ ifeq ($(LONG),0)
 CTEST_FLAGS += --label-exclude long
 endif
 
-.PHONY: build program test test-sanitized fuzz demo announce docs wheel test-wheel python python-test packages-demo packages clean \
-  distclean help
+.PHONY: build program test test-sanitized fuzz demo announce docs wheel test-wheel python python-test packages-demo packages clean distclean help
 
 build: build/with-tests
 	cmake --build build --parallel $(JOBS)
