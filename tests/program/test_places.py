@@ -22,7 +22,7 @@ class Place(ProgramTest):
 
     def status(self, name="out.h5"):
         with h5py.File(self.folder / name) as file:
-            return file.attrs["status"].decode()
+            return file.attrs["status"]
 
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
