@@ -3,6 +3,8 @@
 
 JOBS ?= $(shell nproc)
 LONG ?= 1
+MINUTES ?= 10
+PART ?= all
 
 # The matrices are small: more BLAS threads would only stand in each other's way.
 export OPENBLAS_NUM_THREADS ?= 1
@@ -12,7 +14,8 @@ ifeq ($(LONG),0)
 CTEST_FLAGS += --label-exclude long
 endif
 
-.PHONY: build program test demo announce docs wheel test-wheel python python-test packages-demo packages clean distclean help
+.PHONY: build program test test-sanitized fuzz demo announce docs wheel test-wheel python python-test packages-demo packages clean \
+  distclean help
 
 build: build/with-tests
 	cmake --build build --parallel $(JOBS)
@@ -22,6 +25,18 @@ program: build/build.ninja
 
 test: build
 	ctest --test-dir build $(CTEST_FLAGS)
+
+# Unit tests and the corpus under the address and undefined-behaviour sanitizers; PART=quick leaves out what has matrices in it.
+test-sanitized: | packages
+	cmake --preset sanitize
+	bash tests/sanitized.sh build-sanitize $(PART) $(JOBS)
+
+# Clang's libFuzzer looks for texts that crash, hang or fill the memory, MINUTES in all.
+fuzz:
+	@bash cmake/install-debian.sh demo clang-14 libclang-rt-14-dev llvm-14
+	cmake --preset fuzz
+	cmake --build build-fuzz --parallel $(JOBS) --target fuzz
+	bash tests/fuzz/run.sh build-fuzz $(MINUTES)
 
 demo: announce .venv/ready program
 	@bash cmake/demo.sh
@@ -76,7 +91,7 @@ build/with-tests: .venv/ready .venv-test/ready | packages
 	@touch $@
 
 clean:
-	rm -rf build demo.h5 demo.png
+	rm -rf build build-fuzz build-sanitize demo.h5 demo.png
 
 distclean: clean
 	rm -rf .venv .venv-test
@@ -84,9 +99,11 @@ distclean: clean
 help:
 	@echo "make demo       install what the program needs, compile it, run two frames through an earthquake: demo.h5, demo.png"
 	@echo "make test       install what tests need, compile everything, run every test; LONG=0 leaves the long ones out"
+	@echo "make test-sanitized   unit tests under the address and undefined-behaviour sanitizers; PART=quick some of them"
+	@echo "make fuzz       MINUTES=n: look for inputs that crash or hang; installs Clang"
 	@echo "make build      compile everything into build/"
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"
 	@echo "make wheel      the Python package for pip: build/dist; test-wheel installs it into a new environment and runs it there"
 	@echo "make python     only the Python environment .venv that draws pictures; python-test: .venv-test, for tests and builds"
-	@echo "make clean      remove build/ and the demo's files; distclean removes .venv and .venv-test too"
+	@echo "make clean      remove build/, build-fuzz/, build-sanitize/ and the demo's files; distclean removes .venv and .venv-test too"
 	@echo "JOBS=$(JOBS) processes are used"

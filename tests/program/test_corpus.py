@@ -215,6 +215,14 @@ class Records(CorpusTest):
             with self.subTest(name=name):
                 self.refused("record", "info", "--units", "g", CORPUS / "records" / name, told=told)
 
+    def test_of_displacements_are_refused_at_their_place(self):
+        for name, told in {
+            "peer_displacement_step_1e308.at2": "sample 3 does not come after the one before it, at inf s after 1e+308 s",
+            "displacement_times_1e-324.txt": "sample 2 does not come after the one before it, at 0 s after 0 s",
+        }.items():
+            with self.subTest(name=name):
+                self.refused("record", "info", "--displacement", "--units", "cm", CORPUS / "records" / name, told=f"{name}: {told}")
+
     def test_tell_headers_that_are_no_utf8(self):
         done = subprocess.run([PROGRAM, "record", "info", "--json", CORPUS / "records" / "fine_peer_escape_in_title.at2"], capture_output=True,
                               timeout=WAIT)

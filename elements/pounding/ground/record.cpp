@@ -44,6 +44,15 @@ void derive_accelerations(Record& record, double initial_velocity) {
   record.remark += record.remark.empty() ? "displacements" : ", displacements";
 }
 
+// Times that differ in the file, and no longer as numbers in seconds.
+void require_times(const Record& record) {
+  const std::vector<double>& times = record.samples.times;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (!(times[i] > times[i - 1]) || !std::isfinite(times[i]))
+      throw InputError(fmt::format("{}: sample {} does not come after the one before it, at {:g} s after {:g} s; look at the step and the unit of "
+                                   "the times", record.file, i + 1, times[i], times[i - 1]));
+}
+
 // Steps so short, or values so large, that no motion follows from them.
 void require_finite(const Record& record) {
   const RecordMeasures& m = record.measures;
@@ -65,6 +74,7 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
     record.file = name;
     record.samples.uniform = evenly_spaced(record.samples.times);
     for (std::string* said : {&record.title, &record.station, &record.channel, &record.unit, &record.remark}) *said = excerpt(shown_line(*said));
+    require_times(record);
     require_step(record, options.step);
     if (options.displacement) derive_accelerations(record, options.initial_velocity);
     record.measures = measure(record.samples, record.initial_velocity, record.initial_displacement);

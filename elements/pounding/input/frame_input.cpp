@@ -65,7 +65,7 @@ class Reader {
     if (!value.is_map()) value.fail("takes forces with their directions; type {uz: -10 kN}");
     for (const auto& [key, each] : value.entries()) {
       const Dof dof = parts_.words().dof_at_key(key, each);
-      placed(each, [&] { model_.frame.add_load(node, dof, each.as_quantity()); });
+      placed(each, [&, &load = each] { model_.frame.add_load(node, dof, load.as_quantity()); });
     }
   }
 

@@ -147,7 +147,7 @@ struct BilinearHertz {
     const auto [k1, k2, yield] = curve(impact);
     const double stretch = penetration - impact.slip, line = k2 * penetration;
     const double loaded = line + (k1 - k2) * std::min(stretch, yield);
-    return {stretch > 0 ? loaded : line, (stretch > 0) & (stretch < yield) ? k1 : k2, 0};
+    return {stretch > 0 ? loaded : line, ((stretch > 0) & (stretch < yield)) ? k1 : k2, 0};
   }
   /// Energy of both springs [J]; the slip stores none.
   double stored_energy(double penetration, const Impact& impact) const noexcept {

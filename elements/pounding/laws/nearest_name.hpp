@@ -20,6 +20,9 @@ constexpr char folded(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+/// Whether two names are equal for comparison.
+constexpr bool is_same_name(std::string_view a, std::string_view b) noexcept { return std::ranges::equal(a, b, {}, folded, folded); }
+
 /// Number of letters to insert, delete, replace, or swap with their neighbour that turns one name into the other.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
@@ -66,12 +69,14 @@ inline std::string_view nearest_name(std::string_view read, std::span<const std:
   if (read.size() > longest_name_compared) return {};
   if (std::find(allowed.begin(), allowed.end(), read) == allowed.end())
     for (const OtherWord& other : other_words)
-      if (edit_distance(read, other.word) == 0 && std::find(allowed.begin(), allowed.end(), other.name) != allowed.end()) return other.name;
+      if (is_same_name(read, other.word) && std::find(allowed.begin(), allowed.end(), other.name) != allowed.end()) return other.name;
   // One slip in three letters is a typing mistake; more is another word.
   std::size_t nearest_distance = std::max<std::size_t>(1, read.size() / 3) + 1;
   std::string_view nearest;
   for (const std::string_view name : allowed) {
-    if (name.size() > longest_name_compared) continue;
+    // As many letters as one is longer are at least to insert.
+    const std::size_t longer = std::max(read.size(), name.size()) - std::min(read.size(), name.size());
+    if (name.size() > longest_name_compared || longer >= nearest_distance) continue;
     const std::size_t distance = edit_distance(read, name);
     if (distance < nearest_distance && distance < std::max<std::size_t>(1, std::min(read.size(), name.size()))) {
       nearest_distance = distance;

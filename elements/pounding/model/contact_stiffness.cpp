@@ -18,6 +18,8 @@ template <class... F>
 struct Each : F... {
   using F::operator()...;
 };
+template <class... F>
+Each(F...) -> Each<F...>;
 
 double positive(double value, std::string_view name) {
   if (!(value > 0) || std::isinf(value)) throw std::invalid_argument(fmt::format("{} must be positive and finite", name));

@@ -142,7 +142,7 @@ Side facing_side(const Structure& a, const Structure& b) {
     if (a0 >= b1 - drawn_rounding) return minus;
     return {};
   };
-  const auto left_first = [&](Side side) {
+  const auto left_first = [&, ax0 = ax0, ax1 = ax1, bx0 = bx0, bx1 = bx1](Side side) {
     if (side == Side::minus_x)
       refuse(ModelOption::between, fmt::format("{0} stands on the left of {1}: it reaches from x = {2:.6g} m to {3:.6g} m, and {1} from "
                                "x = {4:.6g} m to {5:.6g} m; name the left one first, between: [{0}, {1}]",

@@ -30,7 +30,7 @@ std::pair<double, double> value_and_slope(const Eigen::MatrixXd& motion, int row
 }  // namespace
 
 FloorEnvelopes::FloorEnvelopes(const Model& model, const FloorResponse& response, std::vector<StructureHistory>& histories)
-    : model_(model), response_(response), histories_(histories), lengths_(model.structures.size()) {
+    : response_(response), histories_(histories), lengths_(model.structures.size()) {
   for (std::size_t k = 0; k < histories_.size(); ++k) {
     const Structure& s = model.structures[k];
     const std::size_t floors = s.floors.size(), directions = response.directions(static_cast<int>(k));

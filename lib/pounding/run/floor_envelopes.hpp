@@ -17,7 +17,7 @@ namespace pounding {
 /// horizontal vectors for the summary.
 class FloorEnvelopes {
  public:
-  /// Fills the envelopes in `histories`. All arguments must outlive this.
+  /// Fills the envelopes in `histories`, which must outlive this, as must `response`.
   FloorEnvelopes(const Model& model, const FloorResponse& response, std::vector<StructureHistory>& histories);
 
   /// The initial motion, completed by the response, at a time [s].
@@ -42,7 +42,6 @@ class FloorEnvelopes {
   void step_along(int structure, const StepMotion& step);
   void step_in_plan(int structure, const StepMotion& step);
 
-  const Model& model_;
   const FloorResponse& response_;
   std::vector<StructureHistory>& histories_;
   std::vector<Lengths> lengths_;

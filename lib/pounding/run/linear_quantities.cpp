@@ -139,7 +139,7 @@ LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
           at_rest[own] += moved;
           at_rest[relative] += sign * moved;
         }
-        const auto influence = [&](std::size_t q, int axis) {
+        const auto influence = [&, end = end](std::size_t q, int axis) {
           double moved = end->point.motion[i].dot(s.supports[q].influence.col(axis));
           if (end->point.supported[i].nonZeros() > 0) moved += end->point.supported[i].dot(s.supports[q].enforced.col(axis));
           return along * moved;

@@ -68,7 +68,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     t.end.force.setZero();
     if (stages_.linked()) t.end.force = x.force;
     const Stage stage{beta * h * h, gamma * h, alpha_f};
-    const auto free_motion = [&](int i, double g) {
+    const auto free_motion = [&, beta = beta, gamma = gamma, alpha_m = alpha_m, alpha_f = alpha_f](int i, double g) {
       const double sa = x.relative(i, a), s = carries ? sa + part * (x.relative(i, carried) - sa) : sa;
       double relative_displacement = x.relative(i, u) + h * x.relative(i, v) + by_c_in_u * s + beta * h * h * g;
       double rate = x.relative(i, v) + by_c_in_v * s + gamma * h * g;
