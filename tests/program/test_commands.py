@@ -193,7 +193,7 @@ class Check(ProgramTest):
 
     def test_says_ok_in_json(self):
         done = self.pounding("check", self.write(LONG), "--json")
-        self.assertEqual(json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1, "warnings": []})
+        self.assertEqual(json.loads(done.stdout), {"status": "ok", "structures": 2, "links": 1, "devices": 0, "warnings": []})
 
     def test_writes_nothing(self):
         self.pounding("check", self.write(LONG))

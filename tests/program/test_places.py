@@ -197,7 +197,7 @@ class FirstOfTwoParts(Place):
         run.kill()
         run.communicate()
         with h5py.File(path) as file:
-            self.assertEqual(file.attrs["status"], b"running")
+            self.assertEqual(file.attrs["status"], "running")
             self.assertIn("no_pounding/checkpoint", file)
             self.assertNotIn("checkpoint", file)
         before = self.reached(path)
