@@ -5,6 +5,7 @@ JOBS ?= $(shell nproc)
 LONG ?= 1
 MINUTES ?= 10
 PART ?= all
+COUNT ?= 10000
 
 # The matrices are small: more BLAS threads would only stand in each other's way.
 export OPENBLAS_NUM_THREADS ?= 1
@@ -14,7 +15,8 @@ ifeq ($(LONG),0)
 CTEST_FLAGS += --label-exclude long
 endif
 
-.PHONY: build program test test-sanitized fuzz demo announce docs wheel test-wheel python python-test packages-demo packages clean distclean help
+.PHONY: build program test test-sanitized test-damage test-faults fuzz demo announce docs wheel test-wheel python python-test \
+  packages-demo packages clean distclean help
 
 build: build/with-tests
 	cmake --build build --parallel $(JOBS)
@@ -31,6 +33,12 @@ test-sanitized: | packages
 	bash tests/sanitized.sh build-sanitize $(PART) $(JOBS)
 
 # Clang's libFuzzer looks for texts that crash, hang or fill the memory, MINUTES in all.
+test-damage: build
+	POUNDING_PROGRAM=$(CURDIR)/build/pounding PYTHONPATH=$(CURDIR)/python .venv-test/bin/python3 tests/program/damage.py --count $(COUNT)
+
+test-faults: build
+	POUNDING_ALL_FAULTS=1 ctest --test-dir build --output-on-failure --no-tests=error --timeout 100000 -R '^program.faults$$'
+
 fuzz:
 	@bash cmake/install-debian.sh demo clang-14 libclang-rt-14-dev llvm-14
 	cmake --preset fuzz
@@ -99,6 +107,7 @@ help:
 	@echo "make demo       install what the program needs, compile it, run two frames through an earthquake: demo.h5, demo.png"
 	@echo "make test       install what tests need, compile everything, run every test; LONG=0 leaves the long ones out"
 	@echo "make test-sanitized   unit tests under the address and undefined-behaviour sanitizers; PART=quick some of them"
+	@echo "make test-damage      COUNT=n damaged results files, by every reader; test-faults: writes that fail and signals, for every n"
 	@echo "make fuzz       MINUTES=n: look for inputs that crash or hang; installs Clang"
 	@echo "make build      compile everything into build/"
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"

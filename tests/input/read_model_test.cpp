@@ -223,7 +223,7 @@ TEST(InitialMotionInput, IsAVelocityOrADisplacementAFloor) {
 
 TEST(AnalysisInput, HasADurationUnlessTheGroundMotionHasOne) {
   refused(whole(""), "1:1: the duration is missing; type analysis: {duration: 10 s}");
-  refused(whole("analysis: {tolerance: 1e-5}"), "1:1: the duration is missing; type analysis: {duration: 10 s}");
+  refused(whole("analysis: {tolerance: 1e-5}"), "4:11: analysis: the duration is missing; type analysis: {duration: 10 s}");
   refused(whole("analysis: {duration: 0}"),
           R"(4:22: analysis.duration: takes a time > 0 such as "0.5 s"; "0" is outside)");
   refused(whole("analysis: {duration: -1 s}"),

@@ -58,7 +58,7 @@ def damaged(content, chance):
 
 
 def fate_of_reading(path):
-    """What becomes of `pounding.read` on a file in a process of its own: refused, read, an exception, a signal, or hangs."""
+    """Outcome of `pounding.read` on a file in a process of its own: refused, read, an exception, a signal, or hangs."""
     from pounding.checked_file import NotResults
     from pounding.results import RunData
 

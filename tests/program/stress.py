@@ -142,7 +142,7 @@ def first_impacts(run):
 
 
 def differences(run, other):
-    """Of each impact in turn the number of tolerances by which its peak and its separation differ in two runs; infinite where the
+    """For each impact in turn the number of tolerances by which its peak and its separation differ in two runs; infinite where the
     impacts themselves do."""
     mine, theirs = first_impacts(run), first_impacts(other)
     peaks = [max((peak for _, index, peak, _ in mine if index == k), default=0.0) for k in range(len(run.rows))]

@@ -1,4 +1,4 @@
-"""What must hold of every run of a random case, whatever the numbers are."""
+"""Checks that hold of every run of a random case, whatever the numbers are."""
 import math
 
 import h5py

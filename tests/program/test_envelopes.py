@@ -180,7 +180,7 @@ class Spectra(ProgramTest):
         ):
             with self.subTest(words):
                 self.refused(2, message, "spectrum", "out.h5", *words)
-        self.refused(2, "cannot be read as a results file", "spectrum", "model.yaml", "--floor", "left.1")
+        self.refused(2, "is not a results file of pounding", "spectrum", "model.yaml", "--floor", "left.1")
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ def contents(path):
     found = {}
     with h5py.File(path) as file:
         file.visititems(lambda place, item: found.update({place: item[()].tobytes()}) if isinstance(item, h5py.Dataset) else None)
-        return file.attrs["status"].decode(), {place: value for place, value in found.items() if "wall" not in place and "summary" not in place}
+        return file.attrs["status"], {place: value for place, value in found.items() if "wall" not in place and "summary" not in place}
 
 
 class FaultTest(ProgramTest):

@@ -28,7 +28,7 @@ class KilledRun(ProgramTest):
         for _ in range(8):
             path = self.kill_after(moments.uniform(0, 1.3))
             with h5py.File(path) as file:
-                self.assertEqual(file.attrs["status"].decode(), "running")
+                self.assertEqual(file.attrs["status"], "running")
                 self.assertEqual(file["input/model.yaml"][()].decode(), LONG)
                 self.assertEqual(len(file["structures/left/displacement"]), len(file["time"]))
             path.unlink()
@@ -44,7 +44,7 @@ class KilledRun(ProgramTest):
         run.kill()
         self.assertLess(run.wait(), 0, "the run ended before it was killed")
         with h5py.File(path) as file:
-            self.assertEqual(file.attrs["status"].decode(), "running")
+            self.assertEqual(file.attrs["status"], "running")
             self.assertEqual(len(file["structures/left/displacement"]), len(file["time"]))
 
     def test_leaves_all_up_to_the_last_flush(self):
@@ -61,7 +61,7 @@ class KilledRun(ProgramTest):
         run.kill()
         self.assertLess(run.wait(), 0, "the run ended before it was killed")
         with h5py.File(path) as file:
-            self.assertEqual(file.attrs["status"].decode(), "running")
+            self.assertEqual(file.attrs["status"], "running")
             self.assertGreater(file["time"][-1], 0)
             self.assertEqual(len(file["structures/right/velocity"]), len(file["time"]))
             self.assertGreater(len(file["links/left-right/time"]), 0)
@@ -82,7 +82,7 @@ class InterruptedRun(ProgramTest):
             self.assertEqual(run.returncode, 3)
             self.assertIn("pounding: stopped by the user at t = ", errors)
             with h5py.File(path) as file:
-                self.assertIn("failed: stopped by the user", file.attrs["status"].decode())
+                self.assertIn("failed: stopped by the user", file.attrs["status"])
                 self.assertGreater(file["time"][-1], 0)
             path.unlink()
 

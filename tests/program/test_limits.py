@@ -87,10 +87,10 @@ class Memory(ProgramTest):
         self.assertNotIn("bad_alloc", done.stderr)
 
     def test_for_a_text_is_told(self):
-        """A model of 200 MB, of which the reader of YAML makes a tree."""
+        """A model of nearly 16 MB, of which the reader of YAML makes a tree."""
         with open(self.folder / "model.yaml", "w") as file:
-            file.write(OSCILLATORS + "accept: [" + "mass, " * 30_000_000 + "mass]\n")
-        done = subprocess.run([PROGRAM, "check", "model.yaml"], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(1))
+            file.write(OSCILLATORS + "accept: [" + "mass," * 900_000 + "mass]\n")
+        done = subprocess.run([PROGRAM, "check", "model.yaml"], cwd=self.folder, capture_output=True, text=True, preexec_fn=within(0.75))
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("out of memory", done.stderr)
 

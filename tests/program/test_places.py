@@ -22,7 +22,7 @@ class Place(ProgramTest):
 
     def status(self, name="out.h5"):
         with h5py.File(self.folder / name) as file:
-            return file.attrs["status"].decode()
+            return file.attrs["status"]
 
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
@@ -197,7 +197,7 @@ class FirstOfTwoParts(Place):
         run.kill()
         run.communicate()
         with h5py.File(path) as file:
-            self.assertEqual(file.attrs["status"], b"running")
+            self.assertEqual(file.attrs["status"], "running")
             self.assertIn("no_pounding/checkpoint", file)
             self.assertNotIn("checkpoint", file)
         before = self.reached(path)

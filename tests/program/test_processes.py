@@ -220,7 +220,7 @@ class Voice(Processes):
         failed = self.on(2, "run", "model.yaml", "-q", "-o", "out.h5", *SPARSE)
         self.assertEqual((failed.returncode, len(self.messages(failed))), (3, 1), failed.stderr)
         with h5py.File(self.folder / "out.h5") as file:
-            self.assertIn("failed: the solve stopped", file.attrs["status"].decode())
+            self.assertIn("failed: the solve stopped", file.attrs["status"])
 
 
 class Alone(Processes):
@@ -334,7 +334,7 @@ class Stopped(Processes):
             with self.subTest(number):
                 self.stop(number, "model.yaml", "-o", "out.h5", *SPARSE)
                 with h5py.File(self.folder / "out.h5") as file:
-                    self.assertIn("failed: stopped by the user", file.attrs["status"].decode())
+                    self.assertIn("failed: stopped by the user", file.attrs["status"])
                 self.done(2, "--resume", "out.h5")
                 whole, resumed = (numbers(self.folder / name) for name in ("whole.h5", "out.h5"))
                 self.assertEqual(list(whole), list(resumed))
@@ -369,7 +369,7 @@ class StoppedBetweenLongSteps(Processes):
         run.send_signal(signal.SIGTERM)
         run.communicate(timeout=PATIENCE)
         with h5py.File(path) as file:
-            self.assertIn("failed: stopped by the user", file.attrs["status"].decode())
+            self.assertIn("failed: stopped by the user", file.attrs["status"])
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ class ResultsFile(ProgramTest):
 
         with h5py.File(self.path) as file:
             file.visititems(look)
-            self.assertEqual(file.attrs["status"].decode(), "done")
+            self.assertEqual(file.attrs["status"], "done")
             self.assertEqual(file["input/model.yaml"][()].decode(), OSCILLATORS)
             self.assertIn("formula: exact", file["input/resolved.yaml"][()].decode())
             self.assertEqual(file["structures/left/displacement"].shape, (len(file["time"]), 1, 1))
@@ -117,7 +117,7 @@ class EarlierFile(ProgramTest):
     def test_is_replaced_by_what_a_failed_solve_has_reached(self):
         self.refused(3, "the solve stopped", "run", self.write(UNSOLVABLE), "-q", "-o", "out.h5")
         with h5py.File(self.folder / "out.h5") as file:
-            self.assertIn("failed", file.attrs["status"].decode())
+            self.assertIn("failed", file.attrs["status"])
 
     def test_that_is_no_results_file_is_not_overwritten(self):
         (self.folder / "record.csv").write_text("0, 0\n1, 1\n")

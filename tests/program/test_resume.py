@@ -71,7 +71,7 @@ class Resumed(ProgramTest):
 
     def status(self):
         with h5py.File(self.folder / "out.h5") as file:
-            return file.attrs["status"].decode()
+            return file.attrs["status"]
 
     def cut(self, text=OSCILLATORS, *words):
         """A file whose run was cut after 100 steps, and its model."""

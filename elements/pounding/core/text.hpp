@@ -28,7 +28,7 @@ std::optional<WrongText> wrong_text(std::string_view text);
 /// A text in UTF-8 that can be shown in a line: bytes that are no UTF-8 are taken as Latin-1, control characters become blanks.
 std::string shown_line(std::string_view text);
 
-/// What is wrong with a name: more than 200 bytes, a control character, no UTF-8. Empty where all is well.
+/// The fault of a name: more than 200 bytes, a control character, no UTF-8. Empty where all is well.
 std::string wrong_name(std::string_view name);
 
 }  // namespace pounding

@@ -1,5 +1,5 @@
 #pragma once
-/// What a caller may leave out of a frame.
+/// Completion of a frame by all that a caller may leave out.
 
 #include <pounding/frames/frame_model.hpp>
 

@@ -193,7 +193,7 @@ class StructureInput {
   }
 
  private:
-  // What the makers of structures refuse has its place here.
+  // Refusals by the makers of structures get their place here.
   Structure made(const Kind& kind) const {
     try {
       return kind.read(*body_);

@@ -1,5 +1,5 @@
 #pragma once
-/// What is refused of a YAML text before a tree is made of it.
+/// Checks of a YAML text before a tree is made of it.
 
 #include <cstddef>
 #include <string>

@@ -118,7 +118,7 @@ System assemble(const Model& model, bool with_links) {
           system.load.col(ground).segment(first[i], s.size()) += s.supports[k].load.col(j);
     Group group{.first = first[i], .count = s.size(), .displacement_floor = 1e-12, .velocity_floor = 1e-9,
                 .by_mass = s.by_mass, .by_stiffness = s.by_stiffness};
-    // What nothing holds has no period; the ground moves it for as long as it moves, which a second stands for.
+    // A structure that nothing holds has no period; the ground moves it for as long as it moves, which a second stands for.
     const double w = s.rigid_motions > 0 ? 2 * M_PI : std::max(s.frequencies[0], 2 * M_PI);
     group.rigid_motions = s.rigid_motions;
     // Errors are compared with the motion so far; before there is any, with a part of what the ground can cause.
@@ -132,7 +132,7 @@ System assemble(const Model& model, bool with_links) {
     group.elastic = s.elastic.get();
     system.groups.push_back(group);
   }
-  // What a force drives may hit what stands still.
+  // A structure that a force drives may hit one that stands still.
   double driven = 0;
   for (const GroundPlan::Force& force : plan.forces)
     for (const Group& group : system.groups)

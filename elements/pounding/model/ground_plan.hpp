@@ -1,5 +1,5 @@
 #pragma once
-/// What moves a model over time: the ground under all supports, and forces.
+/// Excitation of a model over time: the ground under all supports, and forces.
 
 #include <vector>
 

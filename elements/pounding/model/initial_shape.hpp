@@ -13,7 +13,7 @@ namespace pounding {
 /// floor that moves as a node without mass does, and for a frame that nothing holds.
 Eigen::VectorXd shape_of_floors(const Structure& frame, const std::vector<double>& displacements);
 
-/// The same of displacements of nodes. Throws std::invalid_argument, too, for a node or a displacement that is not there, is held or
+/// Shape by displacements of nodes. Throws std::invalid_argument, too, for a node or a displacement that is not there, is held or
 /// has no mass, and for two that are the same unknown.
 Eigen::VectorXd shape_of_nodes(const Structure& frame, const std::vector<NodeDisplacement>& displacements);
 

@@ -171,7 +171,7 @@ struct BarSection {
   double area = 0;   ///< A [m^2]
 };
 
-/// What a device is made of; at least one of the two.
+/// Parts of a device; at least one of the two.
 struct DeviceOptions {
   std::optional<std::variant<Bar, BarSection>> bar{};
   std::optional<Damper> damper{};

@@ -1,5 +1,5 @@
 #pragma once
-/// Where links and devices meet their structures.
+/// Ends of links and devices: where they meet their structures.
 
 #include <optional>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// What joins two points of different structures, always and both ways: an elastic bar, a damper, or both beside each other.
+/// Devices that join two points of different structures, always and both ways: an elastic bar, a damper, or both beside each other.
 
 #include <optional>
 

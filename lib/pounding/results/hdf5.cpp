@@ -91,7 +91,7 @@ Handle text_type(std::size_t size) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "make a text type");
   checked(H5Tset_size(type, std::max<std::size_t>(1, size)), "size a text type");
   checked(H5Tset_cset(type, H5T_CSET_UTF8), "make a text type UTF-8");
-  checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "pad a text type");
+  if (size != H5T_VARIABLE) checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "pad a text type");
   return type;
 }
 
@@ -113,13 +113,10 @@ struct PaddedTexts {
 
 }  // namespace
 
+// Attributes are texts of variable length, which h5py and xarray give as str.
 void attribute(hid_t object, const char* name, const std::string& value) {
-  constexpr std::size_t longest = 64000;  // HDF5 keeps attributes in headers of 64 kB
-  if (value.size() > longest)
-    throw InputError(std::string(name) + " has " + std::to_string(value.size()) + " bytes, and the results file takes " +
-                     std::to_string(longest) + "; write a shorter one");
-  const PaddedTexts text({value});
-  write_attribute(object, name, text_type(text.size), dataspace({}), text.data());
+  const char* pointer = value.c_str();
+  write_attribute(object, name, text_type(H5T_VARIABLE), dataspace({}), &pointer);
 }
 
 void attribute(hid_t object, const char* name, double value) {
@@ -131,8 +128,9 @@ void attribute(hid_t object, const char* name, int value) {
 }
 
 void attribute(hid_t object, const char* name, const std::vector<std::string>& values) {
-  const PaddedTexts texts(values);
-  write_attribute(object, name, text_type(texts.size), dataspace({values.size()}), texts.data());
+  std::vector<const char*> pointers;
+  for (const std::string& value : values) pointers.push_back(value.c_str());
+  write_attribute(object, name, text_type(H5T_VARIABLE), dataspace({values.size()}), pointers.data());
 }
 
 void attribute(hid_t object, const char* name, const std::vector<double>& values) {

@@ -101,7 +101,14 @@ std::vector<std::size_t> shape(hid_t file, const char* path) {
 std::string read_attribute(hid_t object, const char* name) {
   const Handle made(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, std::string("open attribute ") + name);
   const Handle type(H5Aget_type(made), H5Tclose, std::string("read attribute ") + name);
-  return fixed_text(type, [&](hid_t as, char* text) { return H5Aread(made, as, text); }, name);
+  const Handle space(H5Aget_space(made), H5Sclose, std::string("read attribute ") + name);
+  if (H5Tis_variable_str(type) <= 0 || H5Sget_simple_extent_npoints(space) != 1)
+    throw std::runtime_error(std::string("attribute ") + name + " is no text");
+  char* text = nullptr;
+  checked(H5Aread(made, text_type(H5T_VARIABLE), &text), std::string("read attribute ") + name);
+  std::string value = text != nullptr ? text : "";
+  H5free_memory(text);
+  return value;
 }
 
 std::string read_text(hid_t file, const char* path) {

@@ -44,7 +44,7 @@ struct flock place_of_lock(short kind) {
   return place;
 }
 
-// Of an open file, not of a process: two objects of one process are refused alike. A file system without locks holds nothing.
+// The lock is of an open file, not of a process: two objects of one process are refused alike. A file system without locks holds nothing.
 void hold(const Descriptor& file) {
   struct flock place = place_of_lock(F_RDLCK);
   fcntl(file, F_OFD_SETLK, &place);

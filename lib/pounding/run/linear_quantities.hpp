@@ -33,7 +33,7 @@ class LinearQuantities {
 
   /// Number of evaluated quantities.
   int size() const { return static_cast<int>(at_rest_.size()); }
-  /// Of all quantities in their order.
+  /// Places of all quantities in their order.
   const std::vector<Place>& places() const { return places_; }
   /// Values and rates from the displacements u [m] and velocities v [m/s] of all unknowns at a time [s].
   void evaluate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double time, std::span<const GroundMotion> grounds,

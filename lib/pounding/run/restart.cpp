@@ -19,7 +19,7 @@
 namespace pounding {
 namespace {
 
-// Where the run without links stands.
+// Place of the run without links.
 constexpr const char* without_links_group = "no_pounding";
 
 // Options that only print or draw, and the limit on steps, leave the steps as they are.

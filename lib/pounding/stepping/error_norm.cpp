@@ -41,10 +41,11 @@ ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double to
           joined.push_back(k);
       }
   rest_size_.assign(system.groups.size(), 0.0);
+  const Eigen::VectorXd all_masses = system.mass.diagonal();
   for (int k = 0; k < groups; ++k) {
     const Group& group = system.groups[k];
     if (!group.elastic) continue;
-    const auto masses = Eigen::VectorXd(system.mass.diagonal()).segment(group.first, group.count).eval();
+    const Eigen::VectorXd masses = all_masses.segment(group.first, group.count);
     rest_size_[k] = std::sqrt(masses.dot(group.elastic->at_rest().cwiseAbs2()) / masses.sum());
   }
   scales_.displacement.assign(system.groups.size(), 0.0);
