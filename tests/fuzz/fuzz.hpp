@@ -25,8 +25,7 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
 /// Ends the program unless `kept`.
 inline void require(bool kept, std::string_view promise, std::string_view read = {}) {
   if (kept) return;
-  std::fprintf(stderr, "broken promise: %.*s: %.*s\n", static_cast<int>(promise.size()), promise.data(), static_cast<int>(read.size()),
-               read.data());
+  std::fprintf(stderr, "broken promise: %s: %s\n", std::string(promise).c_str(), std::string(read).c_str());
   std::abort();
 }
 
