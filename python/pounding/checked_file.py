@@ -55,7 +55,7 @@ def _require_whole(file: BinaryIO, name: str) -> None:
         return
     digits = start[len(FIRST_LINE) + len("size "):][:20]
     what = f"it has {size} of its {int(digits)} bytes" if digits.isdigit() and size < int(digits) else "its checksum is another one"
-    raise NotResults(f"{name}: the file is damaged, or another program has changed it: {what}. Take a copy of it, or run the model "
+    raise NotResults(f"{name}: the file is damaged, or another program has changed it: {what}. Take a copy that is whole, or run the model "
                      "again")
 
 

@@ -342,7 +342,7 @@ analysis: {duration: 2, tolerance: 1e-8, output_step: 10 ms}
         refused("bar: {E: 200 GPa, area: 20 cm^2}", "E and area need the length of the bar, which is drawn between frames that stand apart")
         refused("damper: {coefficient: -1}", "devices.tie.damper.coefficient: takes ")
         refused("damper: {coefficient: 1e5, exponent: 0.1}", "devices.tie.damper.exponent: takes ")
-        refused("damper: {coefficient: 200 kN s/m, exponent: 0.5}", "devices.tie.damper.coefficient: takes ")
+        refused("damper: {coefficient: 200 kN s/m, exponent: 0.5}", "devices.tie.damper.coefficient: beside the exponent 0.5 takes a force for 1 m/s such as \"200 kN (s/m)^0.5\"; \"200 kN s/m\" is none")
         refused("damper: {coefficient: 1e5, rounding_velocity: 1 mm/s}", "rounds a power of the velocity")
         refused("dampr: {coefficient: 1e5}", 'Did you mean "damper"?')
         self.write(oscillators("").replace(", }}", "}}"))

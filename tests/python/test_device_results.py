@@ -51,6 +51,17 @@ class Devices(unittest.TestCase):
         self.assertEqual(lines[0], "both ways: bar 5e+06 N/m, damper 2e+05 N (s/m)^0.5 between left (floor 1) and right (floor 1)")
         self.assertEqual(len(lines), 3)
 
+    @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
+    def test_have_their_part_of_the_energy_in_the_picture(self):
+        from matplotlib.figure import Figure
+
+        from pounding.pictures.histories import draw_energies
+        axes = Figure().subplots()
+        draw_energies(axes, self.results)
+        self.assertIn("dampers between", [text.get_text() for text in axes.get_legend().get_texts()])
+        top = max(part.get_paths()[0].vertices[:, 1].max() for part in axes.collections)
+        self.assertAlmostEqual(top, axes.lines[0].get_ydata().max(), delta=1e-3 * top, msg="the parts add up to the input")
+
     @unittest.skipIf(importlib.util.find_spec("pandas") is None or importlib.util.find_spec("xarray") is None, "needs pandas and xarray")
     def test_are_tables(self):
         device = self.results.devices["both ways"]

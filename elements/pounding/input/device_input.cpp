@@ -2,6 +2,9 @@
 
 #include <vector>
 
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
 #include <pounding/input/link_input.hpp>
 
 namespace pounding {
@@ -21,7 +24,14 @@ Damper read_damper(const Input& node) {
   Damper damper;
   damper.exponent = node.quantity("exponent");
   const double a = damper.exponent;
-  damper.coefficient = node.at("coefficient").as_quantity({1, 1 - a, -2 + a});
+  const Input coefficient = node.at("coefficient");
+  try {
+    damper.coefficient = coefficient.as_quantity({1, 1 - a, -2 + a});
+  } catch (const InputError&) {
+    if (damper.is_linear() || !coefficient.is_scalar()) throw;
+    coefficient.fail(fmt::format("beside the exponent {0:g} takes a force for 1 m/s such as \"200 kN (s/m)^{0:g}\"; \"{1}\" is none", a,
+                                 excerpt(coefficient.as_text())));
+  }
   if (const auto rounding = node.find("rounding_velocity")) {
     if (damper.is_linear()) rounding->fail_at_key("rounds a power of the velocity; type an exponent such as exponent: 0.35 beside it, or leave it out");
     damper.rounding_velocity = rounding->as_quantity();

@@ -55,7 +55,7 @@ std::string block(std::uint64_t size, std::uint32_t crc) {
 }
 
 [[noreturn]] void refuse_damaged(const std::string& path, const std::string& what) {
-  throw InputError(fmt::format("{}: the file is damaged, or another program has changed it: {}. Take a copy of it, or run the model again",
+  throw InputError(fmt::format("{}: the file is damaged, or another program has changed it: {}. Take a copy that is whole, or run the model again",
                                path, what));
 }
 

@@ -8,7 +8,7 @@ from matplotlib.ticker import MaxNLocator
 
 from pounding.pictures.panels import legend_beside, link_styles, plot_time, say, time_unit
 from pounding.pictures.style import (
-    ENERGY_UNITS, FORCE_UNITS, GREEN, IMPULSE_UNITS, MM, ORANGE, PURPLE, SKY, VERMILION, engineering, largest)
+    BLUE, ENERGY_UNITS, FORCE_UNITS, GREEN, IMPULSE_UNITS, MM, ORANGE, PURPLE, SKY, VERMILION, engineering, largest)
 from pounding.results import RunData
 
 
@@ -55,9 +55,9 @@ def draw_forces(axes: Axes, run: RunData) -> None:
 def draw_energies(axes: Axes, run: RunData) -> None:
     """Energy by kind: dissipated and stored parts stacked, below the line of the input."""
     energy = run.energy
-    parts = [("damping", "damping", SKY), ("hysteretic", "yielding", ORANGE), ("impact", "impact", VERMILION),
-             ("strain", "strain", GREEN), ("kinetic", "kinetic", PURPLE)]
-    parts = [part for part in parts if largest([energy[part[0]]]) > 0]
+    parts = [("damping", "damping", SKY), ("devices", "dampers between", BLUE), ("hysteretic", "yielding", ORANGE),
+             ("impact", "impact", VERMILION), ("strain", "strain", GREEN), ("kinetic", "kinetic", PURPLE)]
+    parts = [part for part in parts if part[0] in energy and largest([energy[part[0]]]) > 0]
     size, unit = engineering(largest([energy["input"]]), ENERGY_UNITS)
     time_size, _ = time_unit(run)
     if parts:

@@ -39,7 +39,7 @@ def run_html(title: str, status: str, summary: Mapping[str, Any]) -> str:
     energy = summary.get("energy", {})
     if energy:
         terms = " + ".join(f"{name} {_number(energy[name], 1e3)}"
-                           for name in ("kinetic", "strain", "damping", "hysteretic", "impact"))
+                           for name in ("kinetic", "strain", "damping", "hysteretic", "impact", "devices") if name in energy)
         parts.append(f"energy [kJ]: input {_number(energy['input'], 1e3)} = {terms}; "
                      f"largest imbalance {energy['error']:.1e} of the input")
     return "".join(f"<div>{part}</div>" for part in parts)
