@@ -450,11 +450,15 @@ TEST_F(ResultsFile, OnlyResultsAreReplaced) {
   const hid_t foreign = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(foreign);
   const auto size = fs::file_size(path);
-  EXPECT_EQ(refusal(path), "cannot write \"" + path + "\": a file of this name exists and holds no results of this version. "
+  EXPECT_EQ(refusal(path), "cannot write \"" + path + "\": a file of this name exists and holds no results of pounding. "
                            "Name another file: -o results.h5, or first type: rm " + path);
   EXPECT_EQ(fs::file_size(path), size);
   std::ofstream(path, std::ios::trunc).close();
   EXPECT_EQ(refusal(path), "nothing was thrown") << "an empty file holds nothing";
+  write_results(small_run(), path);
+  const std::string whole = content(path);
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << whole.substr(checked_block_size);
+  EXPECT_EQ(refusal(path), "nothing was thrown") << "results of earlier versions begin with the HDF5 file";
 }
 
 TEST_F(ResultsFile, EveryChangedByteIsSeen) {

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -61,11 +62,21 @@ bool is_same_file(const Descriptor& file, const fs::path& path) {
          open_one.st_dev == named.st_dev;
 }
 
+/// Results of versions before 0.2, which have no checksum in front: HDF5 with names that only ours have among its first ones.
+bool begins_results_without_checksum(std::string_view start) {
+  using namespace std::string_view_literals;
+  constexpr std::array names{"program\0"sv, "pounding"sv, "resolved.yaml"sv};
+  return start.starts_with("\x89HDF\r\n\x1a\n") &&
+         std::all_of(names.begin(), names.end(), [&](std::string_view name) { return start.find(name) != start.npos; });
+}
+
 /// Only empty files and earlier results are replaced, never a model, a record or another program's data.
 bool may_be_replaced(const Descriptor& file) {
-  std::array<std::byte, 64> start{};
+  std::array<std::byte, 4096> start{};
   const ssize_t count = pread(file, start.data(), start.size(), 0);
-  return count == 0 || (count > 0 && begins_results(std::span(start).first(static_cast<std::size_t>(count))));
+  if (count <= 0) return count == 0;
+  const auto read = std::span(start).first(static_cast<std::size_t>(count));
+  return begins_results(read) || begins_results_without_checksum({reinterpret_cast<const char*>(read.data()), read.size()});
 }
 
 /// The end of a chain of symbolic links, which stay links, even where it leads to a file that is not there yet.
@@ -96,7 +107,7 @@ fs::path destination(const std::string& path, const Descriptor& own) {
   if (!earlier.is_open()) refuse(path, reason(errno), "Name another file: -o results.h5");
   if (is_held_by_others(earlier)) refuse_busy(path);
   if (!may_be_replaced(earlier))
-    refuse(path, "a file of this name exists and holds no results of this version",
+    refuse(path, "a file of this name exists and holds no results of pounding",
            "Name another file: -o results.h5, or first type: rm " + path);
   if (own.is_open()) refuse(path, "another program has replaced it since this run wrote it", "Name another file: -o other.h5");
   return place;
