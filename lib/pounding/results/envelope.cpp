@@ -23,6 +23,16 @@ void Extremes::update(double time, double h, const double* begin, const double* 
       update(i, time, h, begin[i], slope_begin[i], end[i], slope_end[i]);
 }
 
+void Extremes::update(std::size_t i, double time, std::span<const double> times, double& value, double& slope, const double* pairs) {
+  for (const double next : times) {
+    const double end = *pairs++, slope_end = *pairs++;
+    if ((end < min[i]) | (end > max[i]) | (slope * slope_end < 0)) update(i, time, next - time, value, slope, end, slope_end);
+    time = next;
+    value = end;
+    slope = slope_end;
+  }
+}
+
 void Extremes::update(std::size_t i, double time, double h, double begin, double middle, double end) {
   update(i, time + 0.5 * h, middle);
   update(i, time + h, end);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct Extremes {
   void update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end);
   /// Updates all quantities at once, each list as long as these.
   void update(double time, double h, const double* begin, const double* slope_begin, const double* end, const double* slope_end);
+  /// Follows one quantity from a time on through values and slopes at several later times, two behind each other for each. `value` and
+  /// `slope` become the last ones.
+  void update(std::size_t i, double time, std::span<const double> times, double& value, double& slope, const double* pairs);
   /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola through them.
   void update(std::size_t i, double time, double h, double begin, double middle, double end);
   /// Takes over quantity `from` of others, or its opposite.

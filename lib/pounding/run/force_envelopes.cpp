@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <pounding/run/histories.hpp>
@@ -23,6 +24,7 @@ constexpr double difference = 1e-7;  // [s]
 ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results)
     : model_(model), plan_(plan), stepper_(stepper), results_(results), first_unknown_(offsets(model)),
       largest_(stepper.system().groups.size()), strayed_(largest_) {
+  motions_.setZero(Eigen::NoChange, stepper.system().size());
   const System& system = stepper.system();
   const bool with_links = system.contact_count() > 0;
   std::size_t spring = system.contact_count();
@@ -80,10 +82,13 @@ void ForceEnvelopes::add_fixed_end_forces(const Block& block, Eigen::VectorXd& v
     if (&blocks_[ends.block] == &block) values.segment(ends.first, ends.by_force.size()) += force(ends.link) * ends.by_force;
 }
 
-void ForceEnvelopes::evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates) const {
-  values.resize(block.quantities.size());
-  rates.resize(block.quantities.size());
-  block.quantities.evaluate(state.u, state.v, state.time, plan_.motions, values, rates);
+void ForceEnvelopes::evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates) {
+  motion_.resize(Eigen::NoChange, state.u.size());
+  motion_.row(0) = state.u;
+  motion_.row(1) = state.v;
+  block.quantities.evaluate<1>(motion_, std::span(&state.time, 1), plan_.motions, evaluated_once_);
+  values = evaluated_once_.row(0);
+  rates = evaluated_once_.row(1);
   if (block.structure < 0 || !model_.structures[block.structure].forces.turned) return;
   const Structure& s = model_.structures[block.structure];
   Eigen::VectorXd q = state.u.segment(first_unknown_[block.structure], s.size());
@@ -121,6 +126,7 @@ void ForceEnvelopes::move_knot(const Instant& instant) {
 
 void ForceEnvelopes::start_from(const State& state, const Instant& instant) {
   for (Block& block : blocks_) evaluate(block, state, block.values, block.rates);
+  followed_ = state.time;
   move_knot(instant);
 }
 
@@ -167,7 +173,6 @@ void ForceEnvelopes::step(const StepMotion& step) {
     middle.time = step.begin_time + 0.5 * step.h;
     stepper_.interpolate(middle.time, middle.u, middle.v);
     close(middle, stepper_.instant_begin(), false);
-    knot_ = middle.time;
     close(stepper_.end_minus(), stepper_.instant_end_minus(), false);
     return;
   }
@@ -182,6 +187,7 @@ void ForceEnvelopes::end() {
 }
 
 void ForceEnvelopes::show() {
+  follow();
   for (const Block& block : blocks_) {
     auto place = block.quantities.places().begin();
     const auto copy = [&](Extremes& to) {
@@ -245,12 +251,27 @@ bool ForceEnvelopes::stays_close() {
 }
 
 void ForceEnvelopes::close(const State& state, const Instant& instant, bool pressed) {
-  const double h = state.time - knot_;
-  if (!(h > 0)) return;
+  if (!(state.time > knot_)) return;
+  if (pressed || every_step_ || turns_) {
+    follow();
+    follow(state, pressed);
+  } else {
+    const int at = 2 * static_cast<int>(times_.size());
+    motions_.row(at) = state.u;
+    motions_.row(at + 1) = state.v;
+    times_.push_back(state.time);
+    if (times_.size() == LinearQuantities::batch) follow();
+  }
+  move_knot(instant);
+}
+
+// To one knot, where contacts may press on members.
+void ForceEnvelopes::follow(const State& state, bool pressed) {
+  const double h = state.time - followed_;
   for (Block& block : blocks_) {
     evaluate(block, state, end_, rates_);
     if (!pressed) {
-      block.extremes.update(knot_, h, block.values.data(), block.rates.data(), end_.data(), rates_.data());
+      block.extremes.update(followed_, h, block.values.data(), block.rates.data(), end_.data(), rates_.data());
     } else {
       Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_), ends = end_;
       const std::vector<LinkStep>& links = stepper_.link_steps();
@@ -259,17 +280,31 @@ void ForceEnvelopes::close(const State& state, const Instant& instant, bool pres
       add_fixed_end_forces(block, ends, [&](int link) { return links[link].force_end; });
       for (std::size_t i = 0; i < block.extremes.size(); ++i) {
         const int q = static_cast<int>(i);
-        block.extremes.update(i, knot_, begin[q]);
-        block.extremes.update(i, knot_, h, begin[q], middle[q], ends[q]);
+        block.extremes.update(i, followed_, begin[q]);
+        block.extremes.update(i, followed_, h, begin[q], middle[q], ends[q]);
       }
     }
     block.values.swap(end_);
     block.rates.swap(rates_);
   }
-  move_knot(instant);
+  followed_ = state.time;
+}
+
+// To the knots whose motions wait.
+void ForceEnvelopes::follow() {
+  if (times_.empty()) return;
+  for (Block& block : blocks_) {
+    block.quantities.evaluate<LinearQuantities::batch>(motions_, times_, plan_.motions, evaluated_);
+    for (int q = 0; q < block.quantities.size(); ++q)
+      block.extremes.update(static_cast<std::size_t>(q), followed_, times_, block.values[q], block.rates[q], evaluated_.col(q).data());
+  }
+  followed_ = times_.back();
+  times_.clear();
 }
 
 void ForceEnvelopes::archive(Archive& archive) {
+  follow();
+  archive(followed_);
   archive(knot_);
   archive(knot_acceleration_);
   archive(largest_);

@@ -17,7 +17,7 @@ namespace pounding {
 
 /// Fills the envelopes of forces. Storeys that are springs are followed in every step. Forces of frames need all unknowns, so they
 /// are taken at knots: ends of steps, of which several may lie between two knots while the cubic between these follows the
-/// displacements closely. Extremes between knots are found on it.
+/// displacements closely. Extremes between knots are found on it, for several knots at once.
 class ForceEnvelopes {
  public:
   /// Fills `results`: the envelopes of its structures, and `approach` in a run without links. All arguments must outlive this.
@@ -39,7 +39,7 @@ class ForceEnvelopes {
   struct Block {
     int structure;  // -1: links
     LinearQuantities quantities;
-    Eigen::VectorXd values, rates;  // at the last knot
+    Eigen::VectorXd values, rates;  // at the last knot that was followed
     Extremes extremes;
   };
   // A contact that presses on a member between its ends and so loads them as those of a fixed member.
@@ -56,7 +56,9 @@ class ForceEnvelopes {
   void close(const State& state, const Instant& instant, bool pressed);
   void move_knot(const Instant& instant);
   std::vector<double> strain_norms(const Eigen::VectorXd& x) const;
-  void evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates) const;
+  void follow();
+  void follow(const State& state, bool pressed);
+  void evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates);
   template <class Force>
   void add_fixed_end_forces(const Block& block, Eigen::VectorXd& values, Force&& force) const;
 
@@ -74,6 +76,10 @@ class ForceEnvelopes {
   Eigen::VectorXd knot_acceleration_;      // there, in the coordinates of the solver
   std::vector<double> largest_, strayed_;  // by group: displacement so far, and bend of the acceleration since the knot, as strain norms
   bool jumped_ = false;           // something changed at the end of the last step
+  double followed_ = 0;          // knot up to which the extremes are known [s]
+  std::vector<double> times_;    // knots after it whose motions wait [s]
+  LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
+  LinearQuantities::Instants<1> motion_, evaluated_once_;
   Eigen::VectorXd end_, rates_;  // at the knot to come
 };
 

@@ -62,26 +62,31 @@ LinearQuantities::LinearQuantities(const RowMajor& rows, int first, const Eigen:
   if (by_ground_.isZero(0)) by_ground_.resize(0, 0);
 }
 
-void LinearQuantities::evaluate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double time, std::span<const GroundMotion> grounds,
-                                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> rates) const {
-  Eigen::Matrix2Xd pairs(2, rows_.cols());  // displacement and velocity of an unknown beside each other, for one product of both
-  pairs.row(0) = u.segment(first_, rows_.cols());
-  pairs.row(1) = v.segment(first_, rows_.cols());
+template <int instants>
+void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
+                                Instants<instants>& quantities) const {
+  quantities.resize(Eigen::NoChange, size());
   const double* const factors = rows_.valuePtr();
   const int* const columns = rows_.innerIndexPtr();
   const int* const begins = rows_.outerIndexPtr();
   for (int row = 0; row < size(); ++row) {
-    Eigen::Vector2d sum(at_rest_[row], 0);
-    for (int i = begins[row]; i < begins[row + 1]; ++i) sum += factors[i] * pairs.col(columns[i]);
-    values[row] = sum[0];
-    rates[row] = sum[1];
+    Eigen::Matrix<double, 2 * instants, 1> sum;
+    for (int i = 0; i < 2 * instants; ++i) sum[i] = i % 2 == 0 ? at_rest_[row] : 0;
+    for (int i = begins[row]; i < begins[row + 1]; ++i) sum += factors[i] * motions.col(first_ + columns[i]);
+    quantities.col(row) = sum;
   }
   if (by_ground_.size() == 0) return;
-  for (std::size_t g = 0; g < grounds.size(); ++g) {
-    values += grounds[g].displacement(time) * by_ground_.col(static_cast<int>(g));
-    rates += grounds[g].velocity(time) * by_ground_.col(static_cast<int>(g));
-  }
+  for (std::size_t g = 0; g < grounds.size(); ++g)
+    for (std::size_t t = 0; t < times.size(); ++t) {
+      const int at = 2 * static_cast<int>(t);
+      quantities.row(at) += grounds[g].displacement(times[t]) * by_ground_.col(static_cast<int>(g)).transpose();
+      quantities.row(at + 1) += grounds[g].velocity(times[t]) * by_ground_.col(static_cast<int>(g)).transpose();
+    }
 }
+
+template void LinearQuantities::evaluate<1>(const Instants<1>&, std::span<const double>, std::span<const GroundMotion>, Instants<1>&) const;
+template void LinearQuantities::evaluate<LinearQuantities::batch>(const Instants<batch>&, std::span<const double>,
+                                                                  std::span<const GroundMotion>, Instants<batch>&) const;
 
 LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan,
                                  const std::function<bool(int)>& apart) {

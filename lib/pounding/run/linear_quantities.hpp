@@ -20,6 +20,12 @@ namespace pounding {
 /// that stands on them. Such quantities are evaluated once.
 class LinearQuantities {
  public:
+  /// Values and rates at some instants, two rows for each.
+  template <int instants>
+  using Instants = Eigen::Matrix<double, 2 * instants, Eigen::Dynamic>;
+  /// Instants that are evaluated at once cost less each: indices are read once for all.
+  static constexpr int batch = 8;
+
   /// Where a quantity is among the evaluated ones, and whether it is the opposite of that one.
   struct Place {
     int at;
@@ -35,9 +41,11 @@ class LinearQuantities {
   int size() const { return static_cast<int>(at_rest_.size()); }
   /// Places of all quantities in their order.
   const std::vector<Place>& places() const { return places_; }
-  /// Values and rates from the displacements u [m] and velocities v [m/s] of all unknowns at a time [s].
-  void evaluate(const Eigen::VectorXd& u, const Eigen::VectorXd& v, double time, std::span<const GroundMotion> grounds,
-                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> rates) const;
+  /// Quantities, a column each, from `motions`: displacements [m] and velocities [m/s] of all unknowns, a column each, at as many times
+  /// [s] as are given, at most `instants`, which is 1 or `batch`.
+  template <int instants>
+  void evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
+                Instants<instants>& quantities) const;
 
  private:
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows_;
