@@ -263,18 +263,17 @@ void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen
 
 void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
   values.setZero(outputs_, x.cols());
-  Eigen::VectorXd sums;
+  std::vector<double> sums(static_cast<std::size_t>(outputs_));  // of one group, beside each other
   for (const View& view : views_) {
-    const Eigen::Index count = view.factors.rows();
-    sums.resize(count);
+    const std::size_t count = view.rows.size();
     for (Eigen::Index j = 0; j < x.cols(); ++j) {
       const double* const modes = x.col(j).data() + view.first;
-      sums.setZero();
+      std::fill_n(sums.begin(), count, 0.0);
       for (Eigen::Index mode = 0; mode < view.factors.cols(); ++mode) {
         const double* const factors = view.factors.col(mode).data();
-        for (Eigen::Index i = 0; i < count; ++i) sums[i] += factors[i] * modes[mode];
+        for (std::size_t i = 0; i < count; ++i) sums[i] += factors[i] * modes[mode];
       }
-      for (Eigen::Index i = 0; i < count; ++i) values(view.rows[i], j) += sums[i];
+      for (std::size_t i = 0; i < count; ++i) values(view.rows[i], j) += sums[i];
     }
   }
 }
