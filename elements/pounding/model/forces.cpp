@@ -32,12 +32,6 @@ const Row& motion_of_floor(const Structure& s, const ForceOptions& options) {
   return motion[static_cast<std::size_t>(std::distance(names.begin(), found))];
 }
 
-bool has_mass(const Structure& s, int unknown) {
-  for (SparseMatrix::InnerIterator it(s.mass, unknown); it; ++it)
-    if (it.value() != 0) return true;
-  return false;
-}
-
 }  // namespace
 
 AppliedForce applied_force(const Structure& s, const ForceOptions& options) {
@@ -55,7 +49,7 @@ AppliedForce applied_force(const Structure& s, const ForceOptions& options) {
   force.direction.prune(0.0);
   if (force.direction.nonZeros() == 0) refuse(fmt::format("{} is held, and a force there moves nothing; leave it out", force.place));
   for (Row::InnerIterator it(force.direction); it; ++it)
-    if (!has_mass(s, static_cast<int>(it.index()))) {
+    if (!has_mass(s.mass, static_cast<int>(it.index()))) {
       const bool turns = s.unknowns[it.index()].find(" r") != std::string::npos;
       refuse(fmt::format("the force acts on {0}, which has no mass; give it one under masses, such as {1}, or type mass: consistent "
                          "with a density", s.unknowns[it.index()], turns ? "100 kg m^2" : "1 t"));

@@ -13,10 +13,9 @@ namespace {
 // A direction that the others span counts as theirs below this part.
 constexpr double dependent = 1e-10;
 
-bool has_mass(const Structure& s, const Row& row) {
+bool moves_mass(const Structure& s, const Row& row) {
   for (Row::InnerIterator it(row); it; ++it)
-    for (SparseMatrix::InnerIterator mass(s.mass, it.index()); mass; ++mass)
-      if (it.value() != 0 && mass.value() != 0) return true;
+    if (it.value() != 0 && has_mass(s.mass, static_cast<int>(it.index()))) return true;
   return false;
 }
 
@@ -46,7 +45,7 @@ Eigen::VectorXd shape_of_floors(const Structure& frame, const std::vector<double
     throw std::invalid_argument("the frame has no floors; type initial_node_displacements: {b: {ux: 5 mm}}, or give it floors");
   std::vector<Row> rows;
   for (const Floor& floor : frame.floors) {
-    if (!has_mass(frame, floor.motion.front()))
+    if (!moves_mass(frame, floor.motion.front()))
       throw std::invalid_argument(fmt::format("floor {} moves as a node without mass does, and would spring back at once; give the node a mass, or "
                                               "let the floor be rigid", floor.label));
     rows.push_back(floor.motion.front());
@@ -62,7 +61,7 @@ Eigen::VectorXd shape_of_nodes(const Structure& frame, const std::vector<NodeDis
     Row row = frame.surface->displacement(node, dof);
     row.prune(0.0);
     if (row.nonZeros() == 0) throw std::invalid_argument(fmt::format("{} of node {} is held by the supports; leave it out", dof, node));
-    if (!has_mass(frame, row))
+    if (!moves_mass(frame, row))
       throw std::invalid_argument(fmt::format("{} of node {} has no mass, and would spring back at once; leave it out, or give it a mass", dof,
                                               node));
     rows.push_back(std::move(row));

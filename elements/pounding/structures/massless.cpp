@@ -5,12 +5,6 @@
 namespace pounding {
 namespace {
 
-bool has_mass(const SparseMatrix& mass, int column) {
-  for (SparseMatrix::InnerIterator it(mass, column); it; ++it)
-    if (it.value() != 0) return true;
-  return false;
-}
-
 // Calls add(row, column, value), both counted in the submatrix, for each entry of it.
 template <class Add>
 void for_each_entry(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns, int first,
@@ -23,6 +17,12 @@ void for_each_entry(const SparseMatrix& matrix, const std::vector<int>& rows, co
 }
 
 }  // namespace
+
+bool has_mass(const SparseMatrix& mass, int dof) {
+  for (SparseMatrix::InnerIterator it(mass, dof); it; ++it)
+    if (it.value() != 0) return true;
+  return false;
+}
 
 MassSplit split_by_mass(const SparseMatrix& mass, int first, int count) {
   MassSplit split;

@@ -18,8 +18,9 @@ struct MassSplit {
   std::vector<int> massless;  ///< without
 };
 
-/// The split of the degrees of freedom first .. first + count - 1, numbered from 0 at `first`. One without mass has an empty
-/// column in the mass matrix, or one of zeros.
+/// Whether a degree of freedom has mass. One without has an empty column in the mass matrix, or one of zeros.
+bool has_mass(const SparseMatrix& mass, int dof);
+/// The split of the degrees of freedom first .. first + count - 1, numbered from 0 at `first`.
 MassSplit split_by_mass(const SparseMatrix& mass, int first, int count);
 /// The split of all degrees of freedom.
 MassSplit split_by_mass(const SparseMatrix& mass);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <pounding/results/ends_file.hpp>
 #include <pounding/results/hdf5.hpp>
 
 namespace pounding {
@@ -16,14 +17,7 @@ using hdf5::Label;
 
 void write_device(hid_t parent, const DeviceHistory& device, std::size_t samples) {
   const Handle place = group(parent, device.name);
-  attribute(place, "left", device.left.structure);
-  attribute(place, "left_floor", device.left.floor);
-  attribute(place, "right", device.right.structure);
-  attribute(place, "right_floor", device.right.floor);
-  attribute(place, "left_end", device.left.label);
-  attribute(place, "right_end", device.right.label);
-  attribute(place, "position", std::vector<double>(device.position.begin(), device.position.end()));
-  attribute(place, "direction", std::vector<double>(device.direction.begin(), device.direction.end()));
+  write_ends(place, device);
   attribute(place, "stiffness", device.stiffness);
   attribute(place, "coefficient", device.coefficient);
   attribute(place, "exponent", device.exponent);

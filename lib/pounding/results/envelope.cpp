@@ -14,18 +14,10 @@ void Extremes::update(std::size_t i, double time, double h, double begin, double
   update(i, time + s * h, r * r * (1 + 2 * s) * begin + s * s * (1 + 2 * r) * end + h * s * r * (r * slope_begin - s * slope_end));
 }
 
-void Extremes::update(double time, double h, const double* begin, const double* slope_begin, const double* end,
-                      const double* slope_end) {
-  const std::size_t count = size();
-  const double *const least = min.data(), *const largest = max.data();
-  for (std::size_t i = 0; i < count; ++i)  // most steps bring nothing new
-    if ((end[i] < least[i]) | (end[i] > largest[i]) | (slope_begin[i] * slope_end[i] < 0))
-      update(i, time, h, begin[i], slope_begin[i], end[i], slope_end[i]);
-}
-
 void Extremes::update(std::size_t i, double time, std::span<const double> times, double& value, double& slope, const double* pairs) {
   for (const double next : times) {
     const double end = *pairs++, slope_end = *pairs++;
+    // Most steps bring nothing new.
     if ((end < min[i]) | (end > max[i]) | (slope * slope_end < 0)) update(i, time, next - time, value, slope, end, slope_end);
     time = next;
     value = end;

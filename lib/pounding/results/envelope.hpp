@@ -39,8 +39,6 @@ struct Extremes {
   }
   /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic through them.
   void update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end);
-  /// Updates all quantities at once, each list as long as these.
-  void update(double time, double h, const double* begin, const double* slope_begin, const double* end, const double* slope_end);
   /// Follows one quantity from a time on through values and slopes at several later times, two behind each other for each. `value` and
   /// `slope` become the last ones.
   void update(std::size_t i, double time, std::span<const double> times, double& value, double& slope, const double* pairs);

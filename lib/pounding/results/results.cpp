@@ -16,6 +16,7 @@
 #include <pounding/core/checksum.hpp>
 #include <pounding/results/checked_file.hpp>
 #include <pounding/results/device_file.hpp>
+#include <pounding/results/ends_file.hpp>
 #include <pounding/results/envelope_file.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/results/replaced_file.hpp>
@@ -144,14 +145,7 @@ void write_link(hid_t parent, const LinkHistory& history) {
   attribute(place, "gap", history.gap);
   attribute(place, "gap_units", std::string("m"));
   attribute(place, "law", history.law);
-  attribute(place, "left", history.left.structure);
-  attribute(place, "left_floor", history.left.floor);
-  attribute(place, "right", history.right.structure);
-  attribute(place, "right_floor", history.right.floor);
-  attribute(place, "left_end", history.left.label);
-  attribute(place, "right_end", history.right.label);
-  attribute(place, "position", std::vector<double>(history.position.begin(), history.position.end()));
-  attribute(place, "direction", std::vector<double>(history.direction.begin(), history.direction.end()));
+  write_ends(place, history);
 
   const auto column = [&](const Label& label, const std::vector<double>& values) {
     check_length(values.size(), history.time.size(), history.name + ": " + label.name);

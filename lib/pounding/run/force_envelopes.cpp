@@ -271,7 +271,10 @@ void ForceEnvelopes::follow(const State& state, bool pressed) {
   for (Block& block : blocks_) {
     evaluate(block, state, end_, rates_);
     if (!pressed) {
-      block.extremes.update(followed_, h, block.values.data(), block.rates.data(), end_.data(), rates_.data());
+      for (int q = 0; q < block.quantities.size(); ++q) {
+        const double pair[] = {end_[q], rates_[q]};
+        block.extremes.update(static_cast<std::size_t>(q), followed_, std::span(&state.time, 1), block.values[q], block.rates[q], pair);
+      }
     } else {
       Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_), ends = end_;
       const std::vector<LinkStep>& links = stepper_.link_steps();
@@ -283,9 +286,9 @@ void ForceEnvelopes::follow(const State& state, bool pressed) {
         block.extremes.update(i, followed_, begin[q]);
         block.extremes.update(i, followed_, h, begin[q], middle[q], ends[q]);
       }
+      block.values.swap(end_);
+      block.rates.swap(rates_);
     }
-    block.values.swap(end_);
-    block.rates.swap(rates_);
   }
   followed_ = state.time;
 }
