@@ -273,7 +273,8 @@ TEST(YieldingStoreys, AreCountedFromNumbersToo) {
   EXPECT_THROW(let_storeys_yield(s, {1, -1}, {0, 0}), std::invalid_argument);
   let_storeys_yield(s, {1, 2}, {0, 0.2});
   ASSERT_EQ(s.yielding.size(), 2u);
-  EXPECT_EQ(s.yielding[1].yield_force, 2);
+  EXPECT_EQ(s.yielding[1].parameters.front().value, 2);
+  EXPECT_EQ(s.yielding[1].name, "storey 2");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string exact(double value) { return fmt::format("{}", value); }
 
 void emit(YAML::Emitter& out, const char* key, double value) { out << YAML::Key << key << YAML::Value << exact(value); }
 
-void emit_list(YAML::Emitter& out, const char* key, const std::vector<double>& values) {
+void emit_list(YAML::Emitter& out, const std::string& key, const std::vector<double>& values) {
   out << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq;
   for (const double value : values) out << exact(value);
   out << YAML::EndSeq;
@@ -55,13 +55,11 @@ void emit_storeys(YAML::Emitter& out, const Structure& s) {
   if (!s.storey_stiffness.empty()) {
     emit_list(out, "stiffness", s.storey_stiffness);
     if (!s.yielding.empty()) {
-      std::vector<double> forces, hardening;
-      for (const YieldingStorey& storey : s.yielding) {
-        forces.push_back(storey.yield_force);
-        hardening.push_back(storey.hardening);
+      for (std::size_t k = 0; k < s.yielding.front().parameters.size(); ++k) {
+        std::vector<double> values;
+        for (const YieldingPart& storey : s.yielding) values.push_back(storey.parameters[k].value);
+        emit_list(out, s.yielding.front().parameters[k].name, values);
       }
-      emit_list(out, "yield_force", forces);
-      emit_list(out, "hardening", hardening);
     }
     emit_list(out, "periods", periods(s));
     const Eigen::MatrixXd damping = s.whole_damping();

@@ -100,7 +100,7 @@ System assemble(const Model& model, bool with_links) {
   const int n = total_size(model);
   const GroundPlan plan = ground_plan(model);
   System system;
-  Triplets mass, damping, stiffness, closing;
+  Triplets mass, damping, stiffness, closing, relief;
   system.grounds = plan.motions;
   system.load = Eigen::MatrixXd::Zero(n, static_cast<int>(plan.motions.size()));
   double fastest = 0;
@@ -152,6 +152,7 @@ System assemble(const Model& model, bool with_links) {
     const LinkEnd *left = nullptr, *right = nullptr;
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
     bool is_device = false;
+    double at_rest = 0;
   };
   std::vector<Column> columns;
   const auto add_column = [&](const auto& link, const Eigen::Vector3d& direction, bool is_device = false) {
@@ -161,7 +162,7 @@ System assemble(const Model& model, bool with_links) {
       add_row(closing, link.left.point.motion[i], direction[i], first[link.left.structure], column);
       add_row(closing, link.right.point.motion[i], -direction[i], first[link.right.structure], column);
     }
-    columns.push_back({&link.left, &link.right, direction, is_device});
+    columns.push_back({.left = &link.left, .right = &link.right, .direction = direction, .is_device = is_device});
   };
   if (with_links)
     for (const Link& link : model.links) {
@@ -170,15 +171,13 @@ System assemble(const Model& model, bool with_links) {
       system.names.push_back(link.name);
     }
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
-    const std::vector<YieldingStorey>& storeys = model.structures[i].yielding;
-    for (std::size_t storey = 0; storey < storeys.size(); ++storey) {
-      const int column = static_cast<int>(columns.size()), floor = first[i] + static_cast<int>(storey);
-      closing.emplace_back(floor, column, 1);
-      if (storey > 0) closing.emplace_back(floor - 1, column, -1);
-      Archive fresh(storeys[storey].fresh);
-      storeys[storey].spring->archive(fresh);
-      system.springs.push_back(storeys[storey].spring.get());
-      columns.emplace_back();
+    add_entries(relief, model.structures[i].yielding_flexibility, static_cast<int>(system.springs.size()));
+    for (const YieldingPart& part : model.structures[i].yielding) {
+      add_row(closing, part.deformation, 1, first[i], static_cast<int>(columns.size()));
+      Archive fresh(part.fresh);
+      part.spring->archive(fresh);
+      system.springs.push_back(part.spring.get());
+      columns.push_back({.at_rest = part.at_rest});
     }
   }
   for (const Device& device : model.devices) {
@@ -202,10 +201,13 @@ System assemble(const Model& model, bool with_links) {
   }
   const int links = static_cast<int>(columns.size());
   system.gap_jacobian = sparse(closing, n, links);
+  const int springs = static_cast<int>(system.springs.size());
+  if (!relief.empty()) system.spring_flexibility = sparse(relief, springs, springs);
 
   Eigen::MatrixXd by_ground = Eigen::MatrixXd::Zero(links, system.load.cols());
   Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(links);
   for (int c = 0; c < links; ++c) {
+    at_rest[c] = columns[c].at_rest;
     if (!columns[c].left) continue;
     for (const auto& [end, sign] : {std::pair(columns[c].left, 1.0), std::pair(columns[c].right, -1.0)}) {
       const Structure& s = model.structures[end->structure];

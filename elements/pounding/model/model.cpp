@@ -52,13 +52,13 @@ void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver&
 
 // The slip of a storey that yielded before the start is not known.
 void refuse_initial_yield(const Structure& s) {
-  for (std::size_t i = 0; i < s.yielding.size(); ++i) {
-    const double drift = s.initial_displacement[i] - (i > 0 ? s.initial_displacement[i - 1] : 0);
-    const double yield = s.yielding[i].yield_force / s.storey_stiffness[i];
-    if (std::abs(drift) > yield)
+  for (const YieldingPart& part : s.yielding) {
+    const double strained = part.at_rest + part.deformation.dot(s.initial_displacement);
+    const double yield = part.spring->yield_deformation();
+    if (std::abs(strained) > yield)
       throw ModelError(ModelOption::initial_displacement,
-                       fmt::format("strains storey {} by {}, and it yields at {}; take less, or an initial_velocity", i + 1,
-                                   format_quantity(drift, dimension::length), format_quantity(yield, dimension::length)));
+                       fmt::format("strains {} by {}, and it yields at {}; take less, or an initial_velocity", part.name,
+                                   format_quantity(strained, dimension::length), format_quantity(yield, dimension::length)));
   }
 }
 

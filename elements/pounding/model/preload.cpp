@@ -80,14 +80,14 @@ Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::Matr
   refuse("the preloaded contacts find no equilibrium; check the units of their stiffness");
 }
 
-// The springs of a shear building are taken as elastic.
+// The structures are taken as elastic.
 void refuse_yield(const Structure& s) {
-  for (std::size_t i = 0; i < s.yielding.size(); ++i) {
-    const double drift = s.preload_displacement[i] - (i > 0 ? s.preload_displacement[i - 1] : 0);
-    const double yield = s.yielding[i].yield_force / s.storey_stiffness[i];
-    if (std::abs(drift) > yield)
-      refuse(fmt::format("strains storey {} of {} by {}, and it yields at {}; take less", i + 1, s.name,
-                         format_quantity(drift, dimension::length), format_quantity(yield, dimension::length)));
+  for (const YieldingPart& part : s.yielding) {
+    const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
+    const double yield = part.spring->yield_deformation();
+    if (std::abs(strained) > yield)
+      refuse(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name,
+                         format_quantity(strained, dimension::length), format_quantity(yield, dimension::length)));
   }
 }
 

@@ -32,12 +32,13 @@ struct Group {
 /// M a + C v + K u + B F = -P ag(t), with accelerations of the ground and forces over time in ag; displacements relative to the ground; the links feel the relative displacements
 /// B^T u + S dg(t) + c, where the ground itself takes the two sides of a link differently.
 ///
-/// An unknown without mass has an empty row in M; no link and no dashpot may act on it. In a group with elastic forces of
+/// An unknown without mass has an empty row in M; no contact, no friction and no dashpot may act on it, springs may. In a group with elastic forces of
 /// its own the Rayleigh damping acts on the motion in which such unknowns follow as K says.
 ///
 /// Link i closes by column i of B times u: +1 at the left body, -1 at the right one. A positive link force pushes
 /// the bodies apart. The columns of the springs follow those of the contacts, -1 at the left end and +1 at the right one, so that
-/// B^T u is their elongation and a positive force pulls: first storeys that yield, then devices. Those of friction follow these.
+/// B^T u is their elongation and a positive force pulls: first parts of structures that yield, then devices. Their deformation is
+/// B^T u - R F + c, with the forces F of the springs. Those of friction follow these.
 /// Contacts, springs and elastic forces are owned by the model and outlive the system.
 struct System {
   SparseMatrix mass;       ///< M, symmetric [kg]
@@ -48,6 +49,7 @@ struct System {
   std::vector<Contact*> contacts;
   std::vector<std::string> names;  ///< of the contacts, for messages; may be empty
   std::vector<Spring*> springs;
+  SparseMatrix spring_flexibility;  ///< R, springs x springs, symmetric; empty for none
   std::vector<Friction> frictions;
   std::vector<Group> groups;
   std::vector<GroundMotion> grounds;  ///< components of the motions of the supports, then forces [N]: ag(t) together

@@ -8,7 +8,7 @@
 namespace pounding {
 
 BilinearSpring::BilinearSpring(const Parameters& p)
-    : yielding_((1 - p.hardening) * p.stiffness), yield_point_(p.yield_force / p.stiffness) {
+    : parameters_(p), yielding_((1 - p.hardening) * p.stiffness), yield_point_(p.yield_force / p.stiffness) {
   if (!(p.stiffness > 0) || std::isinf(p.stiffness)) throw std::invalid_argument("stiffness must be positive and finite");
   if (!(p.yield_force > 0) || std::isinf(p.yield_force))
     throw std::invalid_argument("yield_force must be positive and finite");
@@ -19,6 +19,13 @@ laws::Response BilinearSpring::evaluate(const LinkMotion& motion) const noexcept
   const double u = motion.penetration, stretch = u - slip_;
   if (std::abs(stretch) <= yield_point_) return {-yielding_ * slip_, 0, 0};
   return {yielding_ * (std::copysign(yield_point_, stretch) - u), -yielding_, 0};
+}
+
+std::optional<double> BilinearSpring::corner(double deformation) const noexcept {
+  const double yields_at = slip_ + std::copysign(yield_point_, deformation - deformation_);
+  const bool is_between = deformation > deformation_ ? yields_at > deformation_ && yields_at < deformation
+                                                     : yields_at < deformation_ && yields_at > deformation;
+  return is_between ? std::optional(yields_at) : std::nullopt;
 }
 
 void BilinearSpring::accept(const LinkStep& step) {

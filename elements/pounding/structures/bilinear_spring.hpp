@@ -27,6 +27,9 @@ class BilinearSpring final : public Spring {
   explicit BilinearSpring(const Parameters& parameters);
 
   laws::Response evaluate(const LinkMotion& motion) const noexcept override;
+  double stiffness() const noexcept override { return parameters_.stiffness; }
+  double yield_deformation() const noexcept override { return yield_point_; }
+  std::optional<double> corner(double deformation) const noexcept override;
   void accept(const LinkStep& step) override;
   double lost() const noexcept override { return lost_; }
   double stored_correction() const noexcept override;
@@ -38,6 +41,7 @@ class BilinearSpring final : public Spring {
  private:
   void follow(double deformation);
 
+  Parameters parameters_;
   double yielding_;     // (1 - a) k, the part of the stiffness that yields [N/m]
   double yield_point_;  // Fy/k [m]
   double slip_ = 0, deformation_ = 0;  // at the last kept state [m]

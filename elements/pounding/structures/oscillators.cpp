@@ -150,10 +150,15 @@ void let_storeys_yield(Structure& s, const std::vector<double>& yield_forces, co
   if (yield_forces.size() != storeys || hardening.size() != storeys)
     throw std::invalid_argument("one yield force and one hardening a storey");
   s.yielding.clear();
-  for (std::size_t i = 0; i < storeys; ++i)
-    s.yielding.emplace_back(yield_forces[i], hardening[i],
+  for (int i = 0; i < static_cast<int>(storeys); ++i) {
+    Row drift(s.size());
+    if (i > 0) drift.insert(i - 1) = -1;
+    drift.insert(i) = 1;
+    s.yielding.emplace_back("storey " + std::to_string(i + 1), std::move(drift), "bilinear",
+                            std::vector<YieldingPart::Parameter>{{"yield_force", yield_forces[i]}, {"hardening", hardening[i]}},
                             std::make_unique<BilinearSpring>(BilinearSpring::Parameters{
                                 .stiffness = s.storey_stiffness[i], .yield_force = yield_forces[i], .hardening = hardening[i]}));
+  }
 }
 
 Structure make_wall() {

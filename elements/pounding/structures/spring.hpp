@@ -1,5 +1,8 @@
 #pragma once
-/// Forces between two points beside those of the linear structures: of storeys that yield, of bars and dampers.
+/// Forces between two points beside those of the linear structures: of storeys and hinges that yield, of bars and dampers.
+
+#include <limits>
+#include <optional>
 
 #include <pounding/core/archive.hpp>
 #include <pounding/links/contact.hpp>
@@ -7,7 +10,7 @@
 namespace pounding {
 
 /// The force on top of k u, as a function of the deformation (LinkMotion::penetration) from the last kept state on, where k is the
-/// stiffness that the structures are assembled with: that of a storey, none for what joins two structures. It pulls the two points
+/// stiffness that the structures are assembled with: that of a storey or a hinge, none for what joins two structures. It pulls the two points
 /// together where it is positive. Histories move at kept steps only.
 class Spring {
  public:
@@ -15,6 +18,13 @@ class Spring {
 
   /// Pure. force is that of the spring minus k times the deformation, so the slope of a storey is not positive [N], [N/m].
   virtual laws::Response evaluate(const LinkMotion& motion) const noexcept = 0;
+  /// k [N/m].
+  virtual double stiffness() const noexcept { return 0; }
+  /// Size of the deformation at which it first yields, what ductility is counted in [m]; infinite for what never does.
+  virtual double yield_deformation() const noexcept { return std::numeric_limits<double>::infinity(); }
+  /// The first deformation on the straight way from the last kept one to this one at which the slope jumps, itself excluded; nothing
+  /// where it does not jump.
+  virtual std::optional<double> corner(double /*deformation*/) const noexcept { return {}; }
   /// Whether the force has corners, at which steps end.
   virtual bool has_corners() const noexcept { return true; }
   /// The run begins with this motion, or goes on from it after somebody changed it.

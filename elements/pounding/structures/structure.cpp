@@ -1,11 +1,17 @@
 #include <pounding/structures/structure.hpp>
 
 #include <stdexcept>
+#include <utility>
 
 namespace pounding {
 
-YieldingStorey::YieldingStorey(double force, double ratio, std::unique_ptr<Spring> undeformed)
-    : yield_force(force), hardening(ratio), spring(std::move(undeformed)) {
+YieldingPart::YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers,
+                           std::unique_ptr<Spring> undeformed)
+    : name(std::move(part)),
+      deformation(std::move(factors)),
+      law(std::move(law_name)),
+      parameters(std::move(numbers)),
+      spring(std::move(undeformed)) {
   Archive archive;
   spring->archive(archive);
   fresh = archive.bytes();

@@ -21,15 +21,25 @@ namespace pounding {
 /// How the unknowns of a structure make one quantity: their factors.
 using Row = Eigen::SparseVector<double>;
 
-/// A nonlinear spring in a storey, in parallel to its stiffness: what makes it yield.
-struct YieldingStorey {
-  double yield_force = 0;  ///< [N]
-  double hardening = 0;    ///< stiffness after the yield over that before it
+/// A part of a structure that yields, in parallel to the stiffness that K has for it: a storey, a hinge at the end of a member.
+struct YieldingPart {
+  /// A number that its law was made with, for reports.
+  struct Parameter {
+    std::string name;  ///< the word of the input: "yield_force"
+    double value;
+  };
+
+  std::string name;  ///< "storey 1", "beam 0.1 start"
+  /// The deformation that its law follows, as factors of the unknowns [m] or [rad]. Unknowns without mass may be among them.
+  Row deformation;
+  double at_rest = 0;  ///< deformation under gravity, to be added
+  std::string law;     ///< the word of the input: "bilinear"
+  std::vector<Parameter> parameters;
   std::unique_ptr<Spring> spring;
   std::vector<std::byte> fresh;  ///< archive of the spring as it was given
 
   /// Takes a spring that has not been deformed.
-  YieldingStorey(double force, double ratio, std::unique_ptr<Spring> undeformed);
+  YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers, std::unique_ptr<Spring> undeformed);
 };
 
 /// A force that acts on a structure over time.
@@ -65,6 +75,8 @@ struct Floor {
   std::vector<Row> motion;
   /// Shear forces of the storey below, along x, and y in space [N]; empty in a structure without storeys.
   std::vector<Row> storey_shear;
+  /// The part of each of them that yielding parts add directly, as factors of their forces; empty for none.
+  std::vector<Row> storey_shear_by_yielding;
 };
 
 /// A point where a structure can be touched.
@@ -117,6 +129,8 @@ struct InternalForces {
   /// As factors of the unknowns: member by member and component by component, then node by node and direction by direction.
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows;
   Eigen::VectorXd at_rest;  ///< what loads add while the unknowns rest, one a row [N], [N m]
+  /// [row, part]: the part that yielding parts add directly, as factors of their forces; empty for none.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> by_yielding;
   /// Forces of members that turn, to be added to the two above, by q + at_rest of the structure; empty for none.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& displacement)> turned;
 };
@@ -152,7 +166,10 @@ struct Structure {
   std::vector<Support> supports;         ///< one at least; displacements are relative to the ground at the first
   std::vector<Floor> floors;             ///< from the ground up
   std::vector<double> storey_stiffness;  ///< of a structure whose storeys are springs, from the ground up [N/m]
-  std::vector<YieldingStorey> yielding;  ///< one a storey from the ground up; empty when they stay elastic
+  std::vector<YieldingPart> yielding;    ///< of storeys that are springs one each, from the ground up; empty when all stays elastic
+  /// [part, part], symmetric: by how much the forces of the yielding parts shorten their deformations at once, on top of the unknowns
+  /// without mass that give way to them, [m/N] or [rad/(N m)]. A hinge in series with a member gives way like this. Empty for none.
+  SparseMatrix yielding_flexibility;
   bool is_free = false;                  ///< nothing holds it to the ground: a body
   int rigid_motions = 0;                 ///< of a frame that nothing holds, which has this many modes of frequency 0: 3 or 6
   std::vector<AppliedForce> applied_forces;  ///< over time
