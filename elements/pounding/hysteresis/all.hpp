@@ -1,0 +1,39 @@
+#pragma once
+/// The one list of laws of yielding. Parser, reports, bindings, documentation and the contract test read it: a new law needs its header,
+/// two lines here and its page.
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <pounding/hysteresis/bilinear.hpp>
+#include <pounding/hysteresis/bouc_wen.hpp>
+#include <pounding/hysteresis/by_name.hpp>
+
+namespace pounding::hysteresis {
+
+/// One of the laws of this library.
+using AnyLaw = std::variant<Bilinear,
+                            BoucWen>;
+
+/// Every law with its tables, in the order of AnyLaw.
+inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
+
+/// The entry of a law; throws std::invalid_argument with the nearest known name.
+inline const Entry& find_law(std::string_view name) {
+  for (const Entry& entry : catalogue())
+    if (entry.name == name) return entry;
+  throw std::invalid_argument("unknown law of yielding \"" + laws::excerpt(name) + "\"." +
+                              laws::suggestion(name, laws::by_name::names(catalogue())));
+}
+
+/// A checked law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a missing required one,
+/// and a wrong value.
+inline AnyLaw make_law(const Settings& settings) { return by_name::make_any<AnyLaw>(settings); }
+
+/// The entry of a made law.
+inline const Entry& entry_of(const AnyLaw& law) noexcept { return catalogue()[law.index()]; }
+
+}  // namespace pounding::hysteresis

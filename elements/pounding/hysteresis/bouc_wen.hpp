@@ -1,0 +1,177 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include <pounding/hysteresis/integral.hpp>
+#include <pounding/hysteresis/law.hpp>
+#include <pounding/hysteresis/table.hpp>
+#include <pounding/laws/checks.hpp>
+
+namespace pounding::hysteresis {
+
+/// f = a k d + (1-a) k z, dz/dd = 1 - |z/dy|^n (g + (1-g) sign(z dd)), dy = Fy/k: yields gradually from the start.
+///
+/// k [N/m] initial stiffness, Fy [N] yield force, a [-] stiffness of large deformations over k, n >= 1 [-] sharpness of the knee,
+/// g = gamma/(beta + gamma) in [0, 1/2] [-], z [m] elastic part of the deformation. Wen 1976, J. Eng. Mech. Div. 102:249; Baber & Wen
+/// 1981, J. Eng. Mech. Div. 107:1069. It does not depend on the rate, so z is a function of the way, not of time: exponential for n = 1,
+/// a hyperbolic tangent on loading and a tangent on unloading for n = 2, straight on unloading for g = 1/2; for other n the inverse of
+/// an integral, to 1e-13.
+///
+/// With the stored energy (1-a) k z^2/2, unloading loses (1 - 2g)|z/dy|^n: g above 1/2 would create energy and is refused (Erlicher &
+/// Point 2004, C. R. Mecanique 332:51). It fails Drucker's postulate: cycled by force between 0.2 and 0.8 Fy (a = 0, g = 1/2) it creeps
+/// by 0.79, 0.30, 0.05 dy a cycle for n = 1, 2, 5.
+struct BoucWen {
+  static constexpr std::string_view name = "bouc_wen", shape = "f = a k d + (1-a) k z, dz/dd = 1 - |z/dy|^n [g + (1-g) sign(z dd)]";
+  static constexpr std::string_view summary = "yields gradually, smooth between reversals (BoucWen, plastic Wen link)";
+  static constexpr std::string_view source = "Wen 1976, J. Eng. Mech. Div. 102:249; Baber & Wen 1981, J. Eng. Mech. Div. 107:1069";
+  static constexpr std::string_view symbols =
+      "k [N/m] initial stiffness, dy = Fy/k [m], Fy [N] yield force, a [-] hardening, n [-] sharpness of the knee, g = gamma/(beta + "
+      "gamma) [-], z [m] elastic part of the deformation";
+  static constexpr std::string_view range = "0 <= a < 1, n >= 1, 0 <= g <= 1/2";
+  static constexpr std::string_view beware =
+      "small cycles about a steady force creep: between 0.2 and 0.8 Fy by 0.79, 0.30, 0.05 dy a cycle for n = 1, 2, 5; codes that "
+      "integrate z over the step have an error of the order of the step, this one has none";
+  static constexpr bool has_corners = false;
+
+  double initial_stiffness = 0;  ///< k > 0 [N/m]
+  double yield_force = 0;        ///< Fy > 0 [N]
+  double hardening = 0;          ///< a in [0, 1) [-]
+  double exponent = 2;           ///< n >= 1 [-]
+  double gamma_share = 0.5;      ///< g in [0, 1/2] [-]
+
+  static constexpr std::array parameters{
+      Parameter<BoucWen>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &BoucWen::initial_stiffness},
+      Parameter<BoucWen>{{"yield_force", "N", "yield force Fy", 1.5e5}, &BoucWen::yield_force},
+      Parameter<BoucWen>{{"hardening", "", "stiffness of large deformations over k, a", 0.05, Need::optional}, &BoucWen::hardening},
+      Parameter<BoucWen>{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &BoucWen::exponent},
+      Parameter<BoucWen>{{"gamma_share", "", "g = gamma/(beta + gamma)", 0.5, Need::optional}, &BoucWen::gamma_share}};
+
+  /// What it remembers [m].
+  struct State {
+    double deformation = 0, elastic = 0;
+  };
+  static constexpr std::array state{
+      StateValue<BoucWen>{{"elastic", "m", "elastic part of the deformation z"}, [](const State& kept) { return kept.elastic; }}};
+
+  void check() const {
+    laws::require_positive("stiffness", initial_stiffness);
+    laws::require_positive("yield_force", yield_force);
+    if (!(hardening >= 0 && hardening < 1)) laws::refuse("hardening", hardening, "in [0, 1)");
+    laws::require_exponent(exponent);
+    if (!(gamma_share >= 0 && gamma_share <= 0.5)) laws::refuse("gamma_share", gamma_share, "in [0, 0.5]: above it the law would create energy");
+  }
+  double stiffness() const noexcept { return initial_stiffness; }
+  double yield_deformation() const noexcept { return yield_force / initial_stiffness; }
+
+  Answer respond(const State& kept, double d) const noexcept {
+    const double sign = d < kept.deformation ? -1 : 1, dy = yield_deformation(), y = elastic_at(kept, d);
+    return {initial_stiffness * (hardening * d + (1 - hardening) * sign * dy * y), initial_stiffness * (hardening + (1 - hardening) * slope(y))};
+  }
+  State advance(const State& kept, double d) const noexcept {
+    return {d, (d < kept.deformation ? -1 : 1) * yield_deformation() * elastic_at(kept, d)};
+  }
+  double stored(const State& kept) const noexcept {
+    return 0.5 * initial_stiffness * (hardening * kept.deformation * kept.deformation + (1 - hardening) * kept.elastic * kept.elastic);
+  }
+  double work(const State& kept, double d) const noexcept {
+    const double dy = yield_deformation(), before = (d < kept.deformation ? -1 : 1) * kept.elastic / dy, after = elastic_at(kept, d);
+    const double spring = 0.5 * (d - kept.deformation) * (d + kept.deformation);
+    const double yielding = work_of(before, after, std::abs(d - kept.deformation) / dy);
+    return initial_stiffness * (hardening * spring + (1 - hardening) * dy * dy * yielding);
+  }
+  std::optional<double> corner(const State&, double) const noexcept { return {}; }
+
+ private:
+  // In the direction of the way, over dy: y = +-z/dy in [-1, 1], and the length x of the way. Loading has y > 0.
+
+  /// 1 - 2g, the share of |y|^n in the slope on unloading.
+  double bend() const noexcept { return 1 - 2 * gamma_share; }
+  double slope(double y) const noexcept {
+    return y < 0 ? 1 + bend() * std::pow(-y, exponent) : 1 - std::pow(std::min(y, 1.0), exponent);
+  }
+  /// y at the end of the way to d.
+  double elastic_at(const State& kept, double d) const noexcept {
+    const double dy = yield_deformation(), way = std::abs(d - kept.deformation) / dy;
+    const double y = std::clamp((d < kept.deformation ? -1 : 1) * kept.elastic / dy, -1.0, 1.0);
+    if (way == 0) return y;
+    if (!(y < 0)) return loaded(y, way);
+    const double to_zero = way_to_zero(y);
+    return way < to_zero ? unloaded(y, way) : loaded(0, way - to_zero);
+  }
+  /// Length of the way from y < 0 to 0.
+  double way_to_zero(double y) const noexcept {
+    const double c = bend();
+    if (c == 0) return -y;
+    if (exponent == 1) return std::log1p(-c * y) / c;
+    if (exponent == 2) return std::atan(-std::sqrt(c) * y) / std::sqrt(c);
+    return unloading_way(y, 0);
+  }
+  double unloading_way(double from, double to) const noexcept {
+    return integral([this](double y) { return 1 / (1 + bend() * std::pow(std::abs(y), exponent)); }, from, to, accuracy);
+  }
+  /// y < 0 after a way x that does not reach zero.
+  double unloaded(double y, double x) const noexcept {
+    const double c = bend();
+    if (c == 0) return y + x;
+    if (exponent == 1) return y * std::exp(-c * x) - std::expm1(-c * x) / c;
+    if (exponent == 2) return std::tan(std::sqrt(c) * x + std::atan(std::sqrt(c) * y)) / std::sqrt(c);
+    double end = std::min(y + x * slope(y), 0.0);
+    for (int i = 0; i < 50; ++i) {
+      const double step = (x - unloading_way(y, end)) * slope(end);
+      end = std::min(end + step, 0.0);
+      if (std::abs(step) < accuracy) break;
+    }
+    return end;
+  }
+  /// y >= 0 after a way x.
+  double loaded(double y, double x) const noexcept {
+    if (!(y < 1)) return 1;
+    if (exponent == 1) return y * std::exp(-x) - std::expm1(-x);
+    const double start = std::atanh(y);
+    if (exponent == 2) return std::tanh(start + x);
+    return std::tanh(loaded_angle(start, x));
+  }
+  /// dx/ds for y = tanh s: between 2/n and 1, so that the way is a smooth function of s up to the largest force.
+  double way_by_angle(double s) const noexcept {
+    const double e = std::exp(-2 * s), y = (1 - e) / (1 + e), rest = 4 * e / ((1 + e) * (1 + e));  // 1 - y^2
+    const double fall = -std::expm1(0.5 * exponent * std::log1p(-rest));                            // 1 - y^n
+    return y > 0 ? (fall > 0 ? rest / fall : 2 / exponent) : 1;
+  }
+  double loaded_angle(double start, double x) const noexcept {
+    constexpr double saturated = 20;  // tanh is 1 - 8e-18 there
+    if (start >= saturated) return start;
+    const auto way = [this](double s) { return way_by_angle(s); };
+    double end = std::min(start + x / std::min(way(start), 1.0), saturated);
+    for (int i = 0; i < 50; ++i) {
+      const double step = (x - integral(way, start, end, accuracy)) / way(end);
+      end = std::clamp(end + step, start, saturated);
+      if (std::abs(step) < accuracy || end == saturated) break;
+    }
+    return end;
+  }
+  /// The integral of y over the way x between these two.
+  double work_of(double from, double to, double x) const noexcept {
+    const auto unloading = [this](double y) { return y / (1 + bend() * std::pow(std::abs(y), exponent)); };
+    if (!(from < 0)) return loading_work(from, to, x);
+    if (!(to > 0)) return bend() == 0 ? 0.5 * (to - from) * (to + from) : integral(unloading, from, to, accuracy);
+    const double first = bend() == 0 ? -0.5 * from * from : integral(unloading, from, 0, accuracy);
+    return first + loading_work(0, to, x - way_to_zero(from));
+  }
+  /// From y >= 0 on: the way less the integral of 1 - y over it, which is dy for n = 1 and a logarithm for n = 2.
+  double loading_work(double from, double to, double x) const noexcept {
+    if (!(from < 1)) return x;
+    if (exponent == 1) return x - (to - from);
+    const double start = std::atanh(from);
+    if (exponent == 2) return x + std::log1p(std::exp(-2 * (start + x))) - std::log1p(std::exp(-2 * start));
+    const auto short_of = [this](double s) { return 2 / (1 + std::exp(2 * s)) * way_by_angle(s); };
+    return x - integral(short_of, start, loaded_angle(start, x), accuracy);
+  }
+
+  static constexpr double accuracy = 1e-13;
+};
+
+}  // namespace pounding::hysteresis

@@ -1,0 +1,101 @@
+#pragma once
+/// Laws of yielding by name, for any variant of them: the catalogue, making a law from settings, describing a made law. Everything is
+/// read from the laws' own tables. all.hpp applies it to the laws of this library.
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <pounding/hysteresis/entry.hpp>
+#include <pounding/laws/by_name.hpp>
+#include <pounding/laws/excerpt.hpp>
+#include <pounding/laws/nearest_name.hpp>
+
+namespace pounding::hysteresis::by_name {
+
+/// The `info` of each line of a table.
+template <auto& table>
+inline constexpr auto infos = [] {
+  std::array<decltype(table[0].info), table.size()> result{};
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = table[i].info;
+  return result;
+}();
+
+/// The catalogue entry of a law, from its members.
+template <Law L>
+constexpr Entry entry() {
+  Entry e{.name = L::name,
+          .shape = L::shape,
+          .summary = L::summary,
+          .source = L::source,
+          .symbols = L::symbols,
+          .range = L::range,
+          .beware = L::beware,
+          .parameters = infos<L::parameters>,
+          .choices = {},
+          .state = infos<L::state>,
+          .has_corners = has_corners<L>};
+  if constexpr (requires { L::choices; }) e.choices = infos<L::choices>;
+  if constexpr (requires { L::is_symmetric; }) e.is_symmetric = L::is_symmetric;
+  return e;
+}
+
+/// The entries of all laws of a variant.
+template <class Any>
+struct List;
+template <class... L>
+struct List<std::variant<L...>> {
+  static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
+};
+
+/// Sets a choice by its name and word. Throws std::invalid_argument for what the law does not have.
+template <Law L>
+void choose(L& law, std::string_view name, std::string_view word) {
+  std::vector<std::string_view> known;
+  if constexpr (requires { L::choices; })
+    for (const Choice<L>& choice : L::choices) {
+      known.push_back(choice.info.name);
+      if (choice.info.name != name) continue;
+      for (std::size_t i = 0; i < choice.info.words.size(); ++i)
+        if (choice.info.words[i] == word) return choice.set(law, i);
+      throw std::invalid_argument(std::string(name) + " of " + std::string(L::name) + " cannot be \"" + laws::excerpt(word) + "\"." +
+                                  laws::suggestion(word, choice.info.words));
+    }
+  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + laws::excerpt(name) + "\" that takes a word." +
+                              laws::suggestion(name, known));
+}
+
+/// The law L with these settings, checked. Throws std::invalid_argument for a setting that is missing, unknown or out of range.
+template <Law L>
+L make(const Settings& s) {
+  L law;
+  for (const auto& [name, value] : s.values) laws::by_name::set(law, name, value);
+  for (const auto& [name, word] : s.words) choose(law, name, word);
+  const auto given = [&s](std::string_view name) { return s.values.contains(name); };
+  const std::span<const ParameterInfo> table = infos<L::parameters>;
+  for (const ParameterInfo& p : table)
+    if (laws::must_be_given(table, p, given) && !given(p.name))
+      throw std::invalid_argument(std::string(L::name) + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
+  law.check();
+  return law;
+}
+
+/// The law of the variant Any that the settings name, checked. Throws as make does, and for an unknown name.
+template <class Any, std::size_t I = 0>
+Any make_any(const Settings& s) {
+  if constexpr (I == std::variant_size_v<Any>) {
+    throw std::invalid_argument("unknown law of yielding \"" + laws::excerpt(s.law) + "\"." +
+                                laws::suggestion(s.law, laws::by_name::names(List<Any>::entries)));
+  } else {
+    using L = std::variant_alternative_t<I, Any>;
+    if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));
+    return make_any<Any, I + 1>(s);
+  }
+}
+
+}  // namespace pounding::hysteresis::by_name

@@ -1,0 +1,44 @@
+#pragma once
+/// Laws of yielding by what they are called and take: settings, and what the catalogue says of each.
+
+#include <array>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <pounding/hysteresis/law.hpp>
+#include <pounding/hysteresis/table.hpp>
+
+namespace pounding::hysteresis {
+
+/// A law as an input names it. SI units.
+struct Settings {
+  std::string law;
+  std::map<std::string, double, std::less<>> values{};       ///< its numbers
+  std::map<std::string, std::string, std::less<>> words{};   ///< its choices
+};
+
+/// One law of the catalogue, read from the tables of its struct.
+struct Entry {
+  std::string_view name, shape, summary, source;
+  std::string_view symbols;  ///< what the letters of the shape mean, with units, beside f and d
+  std::string_view range;    ///< where the law holds
+  std::string_view beware;   ///< what surprises
+  std::span<const ParameterInfo> parameters;
+  std::span<const ChoiceInfo> choices;
+  std::span<const StateInfo> state;  ///< what it remembers beside the deformation
+  bool has_corners = true;           ///< whether the slope jumps elsewhere than at turning points
+  bool is_symmetric = true;          ///< whether f(-d) = -f(d) on the mirrored path, with typical parameters
+};
+
+/// Settings of a law from the typical values of its table.
+inline Settings typical_settings(const Entry& entry) {
+  Settings s{.law = std::string(entry.name)};
+  for (const ParameterInfo& p : entry.parameters)
+    if (p.need == Need::required || p.need == Need::optional) s.values.emplace(p.name, p.typical);
+  return s;
+}
+
+}  // namespace pounding::hysteresis

@@ -1,0 +1,262 @@
+/// The contract of every law of yielding, typed over the one list, with the typical values of the laws' own tables.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <pounding/hysteresis/all.hpp>
+
+namespace pounding::hysteresis {
+namespace {
+
+template <class L>
+struct HysteresisContract : testing::Test {
+  using State = typename L::State;
+  L law = std::get<L>(make_law(typical_settings(find_law(L::name))));
+  double dy = law.yield_deformation();
+  double fy = law.stiffness() * law.yield_deformation();
+
+  State follow(const std::vector<double>& path) const {
+    State kept;
+    for (const double d : path) kept = law.advance(kept, d);
+    return kept;
+  }
+  double force(const State& kept) const { return law.respond(kept, kept.deformation).force; }
+};
+
+template <class Variant>
+struct TypesOf;
+template <class... L>
+struct TypesOf<std::variant<L...>> {
+  using type = testing::Types<L...>;
+};
+
+struct LawName {
+  template <class L>
+  static std::string GetName(int) {
+    return std::string(L::name);
+  }
+};
+
+TYPED_TEST_SUITE(HysteresisContract, TypesOf<AnyLaw>::type, LawName);
+
+/// Turning points: most of them within a few yield deformations, some far out, some hardly away from the last.
+std::vector<double> random_path(std::mt19937& random, double dy, int most_turns = 12) {
+  std::uniform_real_distribution<double> near(-2, 2), far(-10, 10), decades(-6, 0);
+  std::uniform_int_distribution<int> turns(1, most_turns), kind(0, 9);
+  std::vector<double> path(static_cast<std::size_t>(turns(random)));
+  double last = 0;
+  for (double& d : path) {
+    const int k = kind(random);
+    d = k < 5 ? dy * near(random) : k < 8 ? dy * far(random) : last + dy * std::copysign(std::pow(10, decades(random)), near(random));
+    last = d;
+  }
+  return path;
+}
+
+TYPED_TEST(HysteresisContract, IsElasticAtFirst) {
+  const double d = 1e-9 * this->dy;
+  const Answer a = this->law.respond({}, d);
+  EXPECT_NEAR(a.force, this->law.stiffness() * d, 1e-6 * this->law.stiffness() * d);
+  EXPECT_NEAR(a.slope, this->law.stiffness(), 1e-6 * this->law.stiffness());
+  EXPECT_EQ(this->law.respond({}, 0).force, 0);
+  EXPECT_EQ(this->law.stored({}), 0);
+}
+
+TYPED_TEST(HysteresisContract, SlopeIsTheDerivativeAlongTheWay) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> reach(-6, 6);
+  const double h = 1e-4 * this->dy;
+  int used = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto kept = this->follow(random_path(random, this->dy));
+    const double d = reach(random) * this->dy, way = d < kept.deformation ? -1 : 1;
+    if (std::abs(d - kept.deformation) < 3 * h) continue;
+    // A corner between the points of the difference has no slope.
+    const auto before = this->law.advance(kept, d - 2 * way * h);
+    if (this->law.corner(before, d + 2 * way * h)) continue;
+    const auto difference = [&](double step) {
+      return (this->law.respond(kept, d + step).force - this->law.respond(kept, d - step).force) / (2 * step);
+    };
+    // Of the fourth order: what is left is rounding, 1e-16 fy over the step.
+    const double slope = (4 * difference(h / 2) - difference(h)) / 3;
+    EXPECT_NEAR(this->law.respond(kept, d).slope, slope, 2e-8 * this->law.stiffness()) << "from " << kept.deformation << " to " << d;
+    ++used;
+  }
+  EXPECT_GT(used, 1500);
+}
+
+TYPED_TEST(HysteresisContract, ItDoesNotMatterWhereAWayIsCut) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> part(0, 1), probe(-3, 3);
+  for (int i = 0; i < 10000; ++i) {
+    const std::vector<double> path = random_path(random, this->dy);
+    typename TypeParam::State whole, cut;
+    for (const double d : path) {
+      const double begin = cut.deformation;
+      std::vector<double> cuts(static_cast<std::size_t>(1 + i % 4));
+      for (double& x : cuts) x = part(random);
+      std::sort(cuts.begin(), cuts.end());
+      for (const double x : cuts) cut = this->law.advance(cut, begin + x * (d - begin));
+      cut = this->law.advance(cut, d);
+      whole = this->law.advance(whole, d);
+    }
+    for (const double d : {whole.deformation, this->dy * probe(random), this->dy * probe(random), this->dy * probe(random)}) {
+      const double expected = this->law.respond(whole, d).force;
+      ASSERT_NEAR(this->law.respond(cut, d).force, expected, 1e-12 * this->fy) << "path " << i << ", then to " << d;
+    }
+    ASSERT_NEAR(this->law.stored(cut), this->law.stored(whole), 1e-11 * this->fy * this->dy) << "path " << i;
+    for (const StateValue<TypeParam>& value : TypeParam::state)
+      ASSERT_NEAR(value.get(cut), value.get(whole), 1e-12 * std::max(1.0, std::abs(value.get(whole)))) << value.info.name << " of path " << i;
+  }
+}
+
+TYPED_TEST(HysteresisContract, TheMirroredPathHasTheMirroredForce) {
+  if (!find_law(TypeParam::name).is_symmetric) GTEST_SKIP() << "not symmetric";
+  std::mt19937 random(13);
+  for (int i = 0; i < 1000; ++i) {
+    std::vector<double> path = random_path(random, this->dy);
+    const auto kept = this->follow(path);
+    for (double& d : path) d = -d;
+    const auto mirrored = this->follow(path);
+    EXPECT_EQ(this->force(mirrored), -this->force(kept));
+    EXPECT_EQ(this->law.stored(mirrored), this->law.stored(kept));
+  }
+}
+
+TYPED_TEST(HysteresisContract, WorkIsTheIntegralOfTheForce) {
+  std::mt19937 random(14);
+  std::uniform_real_distribution<double> reach(-6, 6);
+  for (int i = 0; i < 100; ++i) {
+    const auto kept = this->follow(random_path(random, this->dy));
+    const double d = reach(random) * this->dy;
+    constexpr int n = 4000;
+    const double h = (d - kept.deformation) / n;
+    double sum = 0;  // by Simpson's rule, with corners somewhere between its points
+    for (int j = 0; j < n; ++j) {
+      const double x = kept.deformation + j * h;
+      sum += h / 6 * (this->law.respond(kept, x).force + 4 * this->law.respond(kept, x + h / 2).force + this->law.respond(kept, x + h).force);
+    }
+    EXPECT_NEAR(this->law.work(kept, d), sum, 1e-6 * this->fy * this->dy) << "from " << kept.deformation << " to " << d;
+    // On parts of the way it is the same work.
+    const double middle = kept.deformation + 0.37 * (d - kept.deformation);
+    EXPECT_NEAR(this->law.work(kept, middle) + this->law.work(this->law.advance(kept, middle), d), this->law.work(kept, d), 1e-11 * this->fy * this->dy);
+  }
+}
+
+TYPED_TEST(HysteresisContract, EnergyIsOnlyLost) {
+  std::mt19937 random(15);
+  for (int i = 0; i < 3000; ++i) {
+    typename TypeParam::State kept;
+    for (const double d : random_path(random, this->dy)) {
+      const double begin = kept.deformation;
+      for (int part = 1; part <= 4; ++part) {
+        const double next = begin + 0.25 * part * (d - begin);
+        ASSERT_GE(lost(this->law, kept, next), -1e-12 * this->fy * this->dy) << "path " << i << ", from " << kept.deformation << " to " << next;
+        kept = this->law.advance(kept, next);
+        ASSERT_GE(this->law.stored(kept), 0);
+      }
+    }
+  }
+}
+
+TYPED_TEST(HysteresisContract, AClosedCycleGivesNoEnergy) {
+  std::mt19937 random(16);
+  for (int i = 0; i < 3000; ++i) {
+    typename TypeParam::State kept = this->follow(random_path(random, this->dy));
+    const double begin = kept.deformation, stored = this->law.stored(kept);
+    double work = 0;
+    std::vector<double> cycle = random_path(random, this->dy);
+    cycle.push_back(begin);
+    for (const double d : cycle) {
+      work += this->law.work(kept, d);
+      kept = this->law.advance(kept, d);
+    }
+    ASSERT_GE(work, this->law.stored(kept) - stored - 1e-11 * this->fy * this->dy) << "cycle " << i;
+  }
+}
+
+TYPED_TEST(HysteresisContract, SlopesJumpAtCornersAndNowhereElse) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> reach(-6, 6);
+  int corners = 0;
+  for (int i = 0; i < 3000; ++i) {
+    auto kept = this->follow(random_path(random, this->dy));
+    const double d = reach(random) * this->dy;
+    const double h = (d < kept.deformation ? -1e-6 : 1e-6) * this->dy, jump = 1e-4 * this->law.stiffness();
+    const std::optional<double> corner = this->law.corner(kept, d);
+    const double end = corner.value_or(d);
+    if (corner) {
+      ASSERT_TRUE(has_corners<TypeParam>);
+      ASSERT_TRUE(is_strictly_between(*corner, kept.deformation, d));
+      if (std::abs(*corner - kept.deformation) > 4 * std::abs(h)) {
+        const double before = this->law.respond(kept, *corner - h).slope, after = this->law.respond(kept, *corner + h).slope;
+        EXPECT_GT(std::abs(after - before), 1e-9 * this->law.stiffness()) << "path " << i << " at " << *corner;
+        ++corners;
+      }
+    }
+    // Up to there it changes by little where the way does.
+    for (int j = 1; j <= 50; ++j) {
+      const double x = kept.deformation + j / 51.0 * (end - kept.deformation);
+      if (std::abs(end - x) < std::abs(h) || std::abs(x - kept.deformation) < std::abs(h)) continue;
+      EXPECT_NEAR(this->law.respond(kept, x + h).slope, this->law.respond(kept, x).slope, jump) << "path " << i << " at " << x;
+    }
+  }
+  if (has_corners<TypeParam>) {
+    EXPECT_GT(corners, 100);
+  }
+}
+
+TYPED_TEST(HysteresisContract, ExcessIsTheAnswerLessThatOfASpring) {
+  std::mt19937 random(18);
+  std::uniform_real_distribution<double> reach(-6, 6);
+  for (int i = 0; i < 1000; ++i) {
+    const auto kept = this->follow(random_path(random, this->dy));
+    const double d = reach(random) * this->dy, k = this->law.stiffness();
+    const Answer all = this->law.respond(kept, d), rest = excess(this->law, kept, d);
+    EXPECT_NEAR(rest.force, all.force - k * d, 1e-13 * (this->fy + std::abs(k * d)));
+    EXPECT_NEAR(rest.slope, all.slope - k, 1e-13 * k);
+    EXPECT_NEAR(stored_excess(this->law, kept), this->law.stored(kept) - 0.5 * k * kept.deformation * kept.deformation,
+                1e-12 * this->fy * (this->dy + std::abs(kept.deformation * kept.deformation / this->dy)));
+  }
+}
+
+TYPED_TEST(HysteresisContract, AStateIsItsBytes) {
+  std::mt19937 random(19);
+  for (int i = 0; i < 200; ++i) {
+    const auto kept = this->follow(random_path(random, this->dy));
+    std::array<std::byte, sizeof(kept)> bytes;
+    std::memcpy(bytes.data(), &kept, sizeof kept);
+    typename TypeParam::State copy;
+    std::memcpy(static_cast<void*>(&copy), bytes.data(), sizeof copy);
+    for (const double d : random_path(random, this->dy)) EXPECT_EQ(this->law.respond(copy, d).force, this->law.respond(kept, d).force);
+  }
+}
+
+TYPED_TEST(HysteresisContract, WrongParametersAreRefused) {
+  const Entry& entry = find_law(TypeParam::name);
+  for (const ParameterInfo& p : entry.parameters)
+    for (const double wrong : {-1.0, std::nan(""), HUGE_VAL}) {
+      Settings s = typical_settings(entry);
+      s.values.insert_or_assign(std::string(p.name), wrong);
+      EXPECT_THROW(make_law(s), std::invalid_argument) << p.name << " = " << wrong;
+    }
+  for (const ParameterInfo& p : entry.parameters)
+    if (p.need == Need::required) {
+      Settings s = typical_settings(entry);
+      s.values.erase(std::string(p.name));
+      EXPECT_THROW(make_law(s), std::invalid_argument) << "without " << p.name;
+    }
+}
+
+}  // namespace
+}  // namespace pounding::hysteresis
