@@ -184,11 +184,12 @@ TEST(BilinearSpring, RefusesWhatCannotBe) {
     return "taken";
   };
   for (const double wrong : {0.0, -1.0, infinite, none}) {
-    EXPECT_EQ(refusal({.stiffness = wrong, .yield_force = 1}), "stiffness must be positive and finite");
-    EXPECT_EQ(refusal({.stiffness = 1, .yield_force = wrong}), "yield_force must be positive and finite");
+    EXPECT_EQ(refusal({.stiffness = wrong, .yield_force = 1}), "stiffness is " + laws::number_text(wrong) + ", but must be finite and positive");
+    EXPECT_EQ(refusal({.stiffness = 1, .yield_force = wrong}), "yield_force is " + laws::number_text(wrong) + ", but must be finite and positive");
   }
   for (const double wrong : {-0.1, 1.0, none})
-    EXPECT_EQ(refusal({.stiffness = 1, .yield_force = 1, .hardening = wrong}), "hardening must lie in [0, 1)");
+    EXPECT_EQ(refusal({.stiffness = 1, .yield_force = 1, .hardening = wrong}),
+              "hardening is " + laws::number_text(wrong) + ", but must be in [0, 1)");
 }
 
 std::string structure(const std::string& text) { return "structures:\n  a: " + text + "\nanalysis: {duration: 1}\n"; }

@@ -11,11 +11,13 @@
 #include <pounding/hysteresis/bilinear.hpp>
 #include <pounding/hysteresis/bouc_wen.hpp>
 #include <pounding/hysteresis/by_name.hpp>
+#include <pounding/hysteresis/menegotto_pinto.hpp>
 
 namespace pounding::hysteresis {
 
 /// One of the laws of this library.
 using AnyLaw = std::variant<Bilinear,
+                            MenegottoPinto,
                             BoucWen>;
 
 /// Every law with its tables, in the order of AnyLaw.

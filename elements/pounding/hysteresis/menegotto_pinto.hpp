@@ -1,0 +1,284 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include <pounding/hysteresis/integral.hpp>
+#include <pounding/hysteresis/law.hpp>
+#include <pounding/hysteresis/table.hpp>
+#include <pounding/laws/checks.hpp>
+#include <pounding/laws/root.hpp>
+
+namespace pounding::hysteresis {
+
+/// f = b k d + (1-b) k z; on each branch z = z_r + w x/(1 + x^R)^(1/R), x = (d - d_r)/w: curves between an elastic line from the last
+/// turning point and the hardening line on the other side.
+///
+/// k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m]; d_r, z_r [m] deformation and elastic part at the
+/// turning point, w = +-dy - z_r [m] from there to where its elastic line meets the hardening line; R = R0 [1 - c1 xi/(c2 + xi)] [-]
+/// sharpness of the knee, xi [-] distance over dy between that point and the largest turning point before on its side (dy where there was
+/// none). Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC 83-19, without the isotropic shift.
+///
+/// As published every turn forgets what was before: after 4 dy, -4 dy, a turn by 0.02 dy at -1.5 dy lifts the force by 0.22 Fy over the
+/// path without it. With memory "nested" a branch never rises above the branch of its own direction that an excursion interrupted; where
+/// they meet the old one goes on, and an excursion beyond the start of the old one wipes it out. With "last" it is Steel02.
+struct MenegottoPinto {
+  static constexpr std::string_view name = "menegotto_pinto",
+                                    shape = "f = b k d + (1-b) k z, z = z_r + w x/(1 + x^R)^(1/R), x = (d - d_r)/w";
+  static constexpr std::string_view summary = "reinforcing steel: a knee that grows rounder with the excursions (Steel02)";
+  static constexpr std::string_view source = "Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC 83-19";
+  static constexpr std::string_view symbols =
+      "k [N/m] initial stiffness, Fy [N] yield force, b [-] hardening, dy = Fy/k [m], d_r, z_r [m] deformation and its elastic part at "
+      "the last turning point, w = +-dy - z_r [m], R = R0 [1 - c1 xi/(c2 + xi)] [-], xi [-] = |largest turning point on the side that is "
+      "approached - d_r - w|/dy";
+  static constexpr std::string_view range = "0 <= b < 1, R0 (1 - c1) >= 1";
+  static constexpr std::string_view beware =
+      "with memory last, which is Steel02, a turn by 0.02 dy lifts the force by up to 0.22 Fy, and impacts make such turns all the time; "
+      "with nested, the default, it does not";
+
+  enum class Memory { nested, last };
+
+  double initial_stiffness = 0;  ///< k > 0 [N/m]
+  double yield_force = 0;        ///< Fy > 0 [N]
+  double hardening = 0;          ///< b in [0, 1) [-]
+  double sharpness = 20;         ///< R0 [-]
+  double rounding = 0.925;       ///< c1 in [0, 1) [-]
+  double rounding_range = 0.15;  ///< c2 > 0 [-]
+  Memory memory = Memory::nested;
+
+  static constexpr std::array parameters{
+      Parameter<MenegottoPinto>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &MenegottoPinto::initial_stiffness},
+      Parameter<MenegottoPinto>{{"yield_force", "N", "yield force Fy", 1.5e5}, &MenegottoPinto::yield_force},
+      Parameter<MenegottoPinto>{{"hardening", "", "stiffness after the yield over k, b", 0.05, Need::optional}, &MenegottoPinto::hardening},
+      Parameter<MenegottoPinto>{{"R0", "", "sharpness of the first knee", 20, Need::optional}, &MenegottoPinto::sharpness},
+      Parameter<MenegottoPinto>{{"cR1", "", "part of R0 that large excursions take away, c1", 0.925, Need::optional},
+                                &MenegottoPinto::rounding},
+      Parameter<MenegottoPinto>{{"cR2", "", "excursion over dy that takes away half of it, c2", 0.15, Need::optional},
+                                &MenegottoPinto::rounding_range}};
+  static constexpr std::array<std::string_view, 2> memories{"nested", "last"};
+  static constexpr std::array choices{Choice<MenegottoPinto>{
+      {"memory", "what a turn leaves of the branches before: all that may go on, or nothing (Steel02)", memories},
+      [](MenegottoPinto& law, std::size_t i) { law.memory = static_cast<Memory>(i); },
+      [](const MenegottoPinto& law) { return static_cast<std::size_t>(law.memory); }}};
+
+  /// A curve from a turning point: d_r, z_r - d_r, w [m], R [-].
+  struct Branch {
+    double start = 0, offset = 0, reach = 0, sharpness = 1;
+  };
+  /// Branches kept at most; a seventeenth makes the smallest excursion among them forgotten.
+  static constexpr int most_branches = 16;
+  /// Branches from the oldest to the present one, by turns up and down. `most` and `least` are the outermost turning points [m].
+  struct State {
+    double deformation = 0, most = 0, least = 0;
+    int way = 0, count = 0;  // way of the present branch: 1 up, -1 down, 0 before the first
+    std::array<Branch, most_branches> branches{};
+  };
+  static constexpr std::array state{
+      StateValue<MenegottoPinto>{{"turning_point", "m", "deformation at the last turning point d_r"},
+                                 [](const State& kept) { return kept.count > 0 ? kept.branches[kept.count - 1].start : 0; }},
+      StateValue<MenegottoPinto>{{"knee", "m", "deformation at which its two lines meet, d_r + w"},
+                                 [](const State& kept) {
+                                   if (kept.count == 0) return 0.0;
+                                   return kept.branches[kept.count - 1].start + kept.branches[kept.count - 1].reach;
+                                 }},
+      StateValue<MenegottoPinto>{{"sharpness", "", "R of the present branch"},
+                                 [](const State& kept) { return kept.count > 0 ? kept.branches[kept.count - 1].sharpness : 0; }},
+      StateValue<MenegottoPinto>{{"branches", "", "how many branches are remembered"},
+                                 [](const State& kept) { return static_cast<double>(kept.count); }}};
+
+  void check() const {
+    laws::require_positive("stiffness", initial_stiffness);
+    laws::require_positive("yield_force", yield_force);
+    if (!(hardening >= 0 && hardening < 1)) laws::refuse("hardening", hardening, "in [0, 1)");
+    if (!(rounding >= 0 && rounding < 1)) laws::refuse("cR1", rounding, "in [0, 1)");
+    laws::require_positive("cR2", rounding_range);
+    if (!(std::isfinite(sharpness) && sharpness * (1 - rounding) >= 1))
+      laws::refuse("R0", sharpness, "at least 1/(1 - cR1) = " + laws::number_text(1 / (1 - rounding)) + ", so that R never falls below 1");
+  }
+  double stiffness() const noexcept { return initial_stiffness; }
+  double yield_deformation() const noexcept { return yield_force / initial_stiffness; }
+
+  Answer respond(const State& kept, double d) const noexcept {
+    const Point p = reached(kept, d);
+    return {initial_stiffness * (d + (1 - hardening) * p.lag), initial_stiffness * (hardening + (1 - hardening) * p.slope)};
+  }
+  Answer excess(const State& kept, double d) const noexcept {
+    const Point p = reached(kept, d);
+    return {initial_stiffness * (1 - hardening) * p.lag, initial_stiffness * (1 - hardening) * (p.slope - 1)};
+  }
+  State advance(const State& kept, double d) const noexcept {
+    State next = kept;
+    if (turns(kept, d)) turn(next, d < kept.deformation ? -1 : 1);
+    while (has_older(next) && rises_above(next.way, branch(next), older(next), d) >= 0) next.count -= 2;
+    // A way back that is no turn is rounding.
+    if (next.way * (d - next.deformation) > 0) next.deformation = d;
+    return next;
+  }
+  /// What a way back to z = 0 gives, and the energy of the spring b k.
+  double stored(const State& kept) const noexcept {
+    const double d = kept.deformation, z = d + at(branch(kept), d).lag;
+    const double spring = 0.5 * hardening * initial_stiffness * d * d;
+    if (kept.count == 0 || z == 0) return spring;
+    const int way = z > 0 ? -1 : 1;
+    State from = kept;
+    if (from.way != way) turn(from, way);
+    double given = 0, begin = d;
+    for (;;) {
+      const double zero = end_of_elastic(branch(from));
+      const std::optional<double> met = meets(from, begin, zero);
+      given -= elastic_work(branch(from), begin, met.value_or(zero));
+      if (!met) break;
+      begin = *met;
+      from.count -= 2;
+    }
+    return spring + (1 - hardening) * initial_stiffness * given;
+  }
+  double work(const State& kept, double d) const noexcept {
+    State from = kept;
+    if (turns(kept, d)) turn(from, d < kept.deformation ? -1 : 1);
+    double yielding = 0, begin = kept.deformation;
+    for (;;) {
+      const std::optional<double> met = meets(from, begin, d);
+      yielding += elastic_work(branch(from), begin, met.value_or(d));
+      if (!met) break;
+      begin = *met;
+      from.count -= 2;
+    }
+    return initial_stiffness * (0.5 * hardening * (d - kept.deformation) * (d + kept.deformation) + (1 - hardening) * yielding);
+  }
+  /// Where the present branch meets an older one.
+  std::optional<double> corner(const State& kept, double d) const noexcept {
+    if (!turns(kept, d)) return inside(meets(kept, kept.deformation, d), kept.deformation, d);
+    State turned = kept;
+    turn(turned, d < kept.deformation ? -1 : 1);
+    return inside(meets(turned, kept.deformation, d), kept.deformation, d);
+  }
+
+ private:
+  /// z - d, and dz/dd.
+  struct Point {
+    double lag = 0, slope = 1;
+  };
+
+  static std::optional<double> inside(const std::optional<double>& x, double a, double b) noexcept {
+    return x && is_strictly_between(*x, a, b) ? x : std::nullopt;
+  }
+  static const Branch& branch(const State& s) noexcept {
+    static constexpr Branch none{.reach = HUGE_VAL};
+    return s.count > 0 ? s.branches[s.count - 1] : none;
+  }
+  /// The branch of the same direction that an excursion interrupted.
+  static const Branch& older(const State& s) noexcept { return s.branches[s.count - 3]; }
+  static bool has_older(const State& s) noexcept { return s.count >= 3; }
+
+  static Point at(const Branch& b, double d) noexcept {
+    const double way = d - b.start, x = b.reach == 0 ? HUGE_VAL : way / b.reach, R = b.sharpness;
+    if (!(x > 0) && b.reach != 0) return {b.offset, 1};
+    if (x <= 1) {
+      const double p = std::pow(x, R);
+      // Nothing but elastic where one would not see the difference.
+      if (p < 1e-18) return {b.offset, 1};
+      const double fall = std::expm1(-std::log1p(p) / R);
+      return {b.offset + way * fall, (1 + fall) / (1 + p)};
+    }
+    const double p = std::pow(x, -R), part = std::exp(-std::log1p(p) / R);
+    return {b.offset - way + b.reach * part, p / x * part / (1 + p)};
+  }
+
+  /// A change of direction; the first way from rest is one.
+  bool turns(const State& kept, double d) const noexcept {
+    const double back = kept.deformation - d;
+    return kept.way == 0 ? back != 0 : kept.way * back > 1e-12 * yield_deformation();
+  }
+  Branch from_turning_point(const State& s, double start, double offset, int way) const noexcept {
+    const double dy = yield_deformation(), z = start + offset;
+    const double reach = way > 0 ? std::max(dy - z, 0.0) : std::min(-dy - z, 0.0);
+    const double farthest = way > 0 ? std::max(s.most, dy) : std::min(s.least, -dy);
+    const double xi = std::abs(farthest - start - reach) / dy;
+    return {start, offset, reach, sharpness * (1 - rounding * xi / (rounding_range + xi))};
+  }
+  /// The state turns into the direction `way` where it is.
+  void turn(State& s, int way) const noexcept {
+    const double d = s.deformation;
+    if (s.count == 0) {
+      s.branches[0] = from_turning_point(s, 0, 0, way);
+      s.count = 1;
+      s.way = way;
+      return;
+    }
+    if (s.way > 0) s.most = std::max(s.most, d);
+    else s.least = std::min(s.least, d);
+    const Branch next = from_turning_point(s, d, at(branch(s), d).lag, way);
+    s.way = way;
+    if (memory == Memory::last) {
+      s.branches[0] = next;
+      return;
+    }
+    // What began nearer than here is wiped out, and what is not above: it could not hold the new branch down.
+    while (s.count >= 2) {
+      const Branch& old = s.branches[s.count - 2];
+      if (way * (d - old.start) > 0 && rises_above(way, next, old, d) < 0) break;
+      forget(s, s.count - 2);
+      if (s.count >= 2) forget(s, s.count - 2);
+    }
+    if (s.count == most_branches) {
+      forget(s, s.count - 2);
+      forget(s, s.count - 2);
+    }
+    s.branches[s.count++] = next;
+  }
+  static void forget(State& s, int i) noexcept {
+    for (int j = i; j + 1 < s.count; ++j) s.branches[j] = s.branches[j + 1];
+    --s.count;
+  }
+
+  Point reached(const State& kept, double d) const noexcept {
+    if (turns(kept, d)) {
+      State turned = kept;
+      turn(turned, d < kept.deformation ? -1 : 1);
+      return lowest(turned, d);
+    }
+    return lowest(kept, d);
+  }
+  /// How far a branch is above another one of its direction [m]; positive where rounding could say so.
+  double rises_above(int way, const Branch& b, const Branch& old, double d) const noexcept {
+    return way * (at(b, d).lag - at(old, d).lag) + 1e-13 * yield_deformation();
+  }
+  /// On the present branch, or on the older one that it has met.
+  Point lowest(const State& s, double d) const noexcept {
+    const Branch* present = &branch(s);
+    for (int i = s.count - 3; i >= 0 && rises_above(s.way, *present, s.branches[i], d) >= 0; i -= 2) present = &s.branches[i];
+    return at(*present, d);
+  }
+  /// Where the present branch, on the way from `begin` to d, meets the older one.
+  std::optional<double> meets(const State& s, double begin, double d) const noexcept {
+    if (!has_older(s)) return {};
+    const auto above = [&](double x) { return rises_above(s.way, branch(s), older(s), x); };
+    const double at_end = above(d);
+    if (at_end < 0) return {};
+    const double at_begin = above(begin);
+    if (at_begin >= 0) return begin;
+    return laws::find_root(above, begin, at_begin, d, at_end);
+  }
+
+  /// Where z = 0 on a branch that goes towards it.
+  static double end_of_elastic(const Branch& b) noexcept {
+    const double part = b.reach == 0 ? 0 : -(b.start + b.offset) / b.reach;  // of the reach that z needs
+    if (!(part > 0)) return b.start;
+    return b.start + b.reach * std::pow(std::pow(part, -b.sharpness) - 1, -1 / b.sharpness);
+  }
+  /// The integral of z along a branch [m^2].
+  double elastic_work(const Branch& b, double from, double to) const noexcept {
+    const double dy = yield_deformation();
+    const auto lag = [&b](double d) { return at(b, d).lag; };
+    // The knee is not smooth for the rule of integration.
+    const double knee = b.start + b.reach, allowed = 1e-13 * dy * dy;
+    const double all = is_strictly_between(knee, from, to) ? integral(lag, from, knee, allowed) + integral(lag, knee, to, allowed)
+                                                           : integral(lag, from, to, allowed);
+    return 0.5 * (to - from) * (to + from) + all;
+  }
+};
+
+}  // namespace pounding::hysteresis
