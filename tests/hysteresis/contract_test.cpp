@@ -153,15 +153,20 @@ TYPED_TEST(HysteresisContract, WorkIsTheIntegralOfTheForce) {
   }
 }
 
+// Energy that is lost in all stays near the largest that it ever was; of a law that gives nothing back, at it.
 TYPED_TEST(HysteresisContract, EnergyIsOnlyLost) {
   std::mt19937 random(15);
+  const double unit = this->fy * this->dy, allowed = (gives_back<TypeParam> + 1e-11) * unit;
   for (int i = 0; i < 3000; ++i) {
     typename TypeParam::State kept;
+    double all = 0, most = 0;
     for (const double d : random_path(random, this->dy)) {
       const double begin = kept.deformation;
       for (int part = 1; part <= 4; ++part) {
         const double next = begin + 0.25 * part * (d - begin);
-        ASSERT_GE(lost(this->law, kept, next), -1e-12 * this->fy * this->dy) << "path " << i << ", from " << kept.deformation << " to " << next;
+        all += lost(this->law, kept, next);
+        most = std::max(most, all);
+        ASSERT_GE(all, most - allowed) << "path " << i << ", from " << kept.deformation << " to " << next;
         kept = this->law.advance(kept, next);
         ASSERT_GE(this->law.stored(kept), 0);
       }
@@ -169,19 +174,40 @@ TYPED_TEST(HysteresisContract, EnergyIsOnlyLost) {
   }
 }
 
-TYPED_TEST(HysteresisContract, AClosedCycleGivesNoEnergy) {
-  std::mt19937 random(16);
-  for (int i = 0; i < 3000; ++i) {
-    typename TypeParam::State kept = this->follow(random_path(random, this->dy));
-    const double begin = kept.deformation, stored = this->law.stored(kept);
-    double work = 0;
-    std::vector<double> cycle = random_path(random, this->dy);
-    cycle.push_back(begin);
-    for (const double d : cycle) {
+TYPED_TEST(HysteresisContract, TheLossIsTheWorkLessWhatIsStored) {
+  std::mt19937 random(22);
+  for (int i = 0; i < 500; ++i) {
+    typename TypeParam::State kept;
+    double work = 0, all = 0;
+    for (const double d : random_path(random, this->dy)) {
+      all += lost(this->law, kept, d);
       work += this->law.work(kept, d);
       kept = this->law.advance(kept, d);
+      ASSERT_NEAR(all, work - this->law.stored(kept), 1e-11 * (this->fy * this->dy + work));
     }
-    ASSERT_GE(work, this->law.stored(kept) - stored - 1e-11 * this->fy * this->dy) << "cycle " << i;
+  }
+}
+
+TYPED_TEST(HysteresisContract, ACycleThatRepeatsGivesNoEnergy) {
+  std::mt19937 random(16);
+  std::uniform_real_distribution<double> reach(-2, 2);
+  for (int i = 0; i < 300; ++i) {
+    typename TypeParam::State kept = this->follow(random_path(random, this->dy));
+    const double begin = kept.deformation;
+    std::vector<double> cycle(static_cast<std::size_t>(1 + i % 4));
+    for (double& d : cycle) d = begin + reach(random) * this->dy;
+    cycle.push_back(begin);
+    double work = 0;
+    for (int j = 0; j < 100; ++j) {
+      work = 0;
+      const double stored = this->law.stored(kept);
+      for (const double d : cycle) {
+        work += this->law.work(kept, d);
+        kept = this->law.advance(kept, d);
+      }
+      work -= this->law.stored(kept) - stored;
+    }
+    ASSERT_GE(work, -1e-11 * this->fy * this->dy) << "cycle " << i;
   }
 }
 
@@ -189,30 +215,33 @@ TYPED_TEST(HysteresisContract, SlopesJumpAtCornersAndNowhereElse) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> reach(-6, 6);
   int corners = 0;
-  for (int i = 0; i < 3000; ++i) {
-    auto kept = this->follow(random_path(random, this->dy));
-    const double d = reach(random) * this->dy;
-    const double h = (d < kept.deformation ? -1e-6 : 1e-6) * this->dy, jump = 1e-4 * this->law.stiffness();
+  for (int i = 0; i < 1000; ++i) {
+    const auto kept = this->follow(random_path(random, this->dy));
+    const double d = reach(random) * this->dy, h = (d < kept.deformation ? -1e-7 : 1e-7) * this->dy;
+    const auto slope = [&](double x) { return this->law.respond(kept, x).slope / this->law.stiffness(); };
     const std::optional<double> corner = this->law.corner(kept, d);
-    const double end = corner.value_or(d);
     if (corner) {
       ASSERT_TRUE(has_corners<TypeParam>);
       ASSERT_TRUE(is_strictly_between(*corner, kept.deformation, d));
-      if (std::abs(*corner - kept.deformation) > 4 * std::abs(h)) {
-        const double before = this->law.respond(kept, *corner - h).slope, after = this->law.respond(kept, *corner + h).slope;
-        EXPECT_GT(std::abs(after - before), 1e-9 * this->law.stiffness()) << "path " << i << " at " << *corner;
+      if (is_strictly_between(*corner - 4 * h, kept.deformation, d)) {
+        EXPECT_GT(std::abs(slope(*corner + h) - slope(*corner - h)), 1e-9) << "path " << i << " at " << *corner;
         ++corners;
       }
     }
-    // Up to there it changes by little where the way does.
-    for (int j = 1; j <= 50; ++j) {
-      const double x = kept.deformation + j / 51.0 * (end - kept.deformation);
-      if (std::abs(end - x) < std::abs(h) || std::abs(x - kept.deformation) < std::abs(h)) continue;
-      EXPECT_NEAR(this->law.respond(kept, x + h).slope, this->law.respond(kept, x).slope, jump) << "path " << i << " at " << x;
+    // Before it a change of slope gets smaller with the way on which it happens.
+    const double end = corner ? *corner - h : d;
+    if (!is_strictly_between(end - 2 * h, kept.deformation, d)) continue;
+    for (int j = 0; j < 20; ++j) {
+      double from = kept.deformation + h + j / 20.0 * (end - h - kept.deformation), to = from + (end - h - kept.deformation) / 20;
+      for (int half = 0; half < 26; ++half) {
+        const double middle = 0.5 * (from + to);
+        (std::abs(slope(middle) - slope(from)) > std::abs(slope(to) - slope(middle)) ? to : from) = middle;
+      }
+      ASSERT_NEAR(slope(to), slope(from), 1e-3) << "path " << i << " at " << to;
     }
   }
   if (has_corners<TypeParam>) {
-    EXPECT_GT(corners, 100);
+    EXPECT_GT(corners, 30);
   }
 }
 

@@ -14,6 +14,7 @@
 ///     double work(const State&, double d) const noexcept;             // of the force, on the straight way to d
 ///     std::optional<double> corner(const State&, double d) const noexcept;  // where the slope first jumps on it
 ///     static constexpr bool has_corners;                              // optional: false where no corner() is ever given
+///     static constexpr double gives_back;                             // optional, see gives_back below
 ///     Answer excess(const State&, double d) const noexcept;           // optional, see excess() below
 ///     double lost(const State&, double d) const noexcept;             // optional, see lost() below
 ///     double stored_excess(const State&) const noexcept;              // optional, see stored_excess() below
@@ -58,6 +59,14 @@ template <Law L>
 inline constexpr bool has_corners = [] {
   if constexpr (requires { L::has_corners; }) return L::has_corners;
   return true;
+}();
+
+/// Energy that a path may give back beyond what stored() says, over the yield force times the yield deformation: 0 but for published laws
+/// that cannot be cured of it.
+template <Law L>
+inline constexpr double gives_back = [] {
+  if constexpr (requires { L::gives_back; }) return L::gives_back;
+  return 0.0;
 }();
 
 /// The answer minus that of an elastic spring k d, exactly nothing where the law says that it is one.

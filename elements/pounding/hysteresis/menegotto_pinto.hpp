@@ -36,7 +36,10 @@ struct MenegottoPinto {
   static constexpr std::string_view range = "0 <= b < 1, R0 (1 - c1) >= 1";
   static constexpr std::string_view beware =
       "with memory last, which is Steel02, a turn by 0.02 dy lifts the force by up to 0.22 Fy, and impacts make such turns all the time; "
-      "with nested, the default, it does not";
+      "with nested, the default, it does not. Branches up and down differ in R, so a path can give back more than straight unloading does, "
+      "by up to 0.15 Fy dy; a cycle that repeats gives nothing";
+  /// Energy that a path may give back beyond what stored() says, over Fy dy.
+  static constexpr double gives_back = 0.15;
 
   enum class Memory { nested, last };
 
@@ -148,12 +151,18 @@ struct MenegottoPinto {
     }
     return initial_stiffness * (0.5 * hardening * (d - kept.deformation) * (d + kept.deformation) + (1 - hardening) * yielding);
   }
-  /// Where the present branch meets an older one.
+  /// Where the present branch meets an older one at an angle.
   std::optional<double> corner(const State& kept, double d) const noexcept {
-    if (!turns(kept, d)) return inside(meets(kept, kept.deformation, d), kept.deformation, d);
-    State turned = kept;
-    turn(turned, d < kept.deformation ? -1 : 1);
-    return inside(meets(turned, kept.deformation, d), kept.deformation, d);
+    State from = kept;
+    if (turns(kept, d)) turn(from, d < kept.deformation ? -1 : 1);
+    double begin = kept.deformation;
+    while (const std::optional<double> met = meets(from, begin, d)) {
+      const double jump = at(branch(from), *met).slope - at(older(from), *met).slope;
+      if (std::abs(jump) > 1e-9 && is_strictly_between(*met, kept.deformation, d)) return met;
+      begin = *met;
+      from.count -= 2;
+    }
+    return {};
   }
 
  private:
@@ -162,9 +171,6 @@ struct MenegottoPinto {
     double lag = 0, slope = 1;
   };
 
-  static std::optional<double> inside(const std::optional<double>& x, double a, double b) noexcept {
-    return x && is_strictly_between(*x, a, b) ? x : std::nullopt;
-  }
   static const Branch& branch(const State& s) noexcept {
     static constexpr Branch none{.reach = HUGE_VAL};
     return s.count > 0 ? s.branches[s.count - 1] : none;
@@ -270,14 +276,34 @@ struct MenegottoPinto {
     return b.start + b.reach * std::pow(std::pow(part, -b.sharpness) - 1, -1 / b.sharpness);
   }
   /// The integral of z along a branch [m^2].
-  double elastic_work(const Branch& b, double from, double to) const noexcept {
-    const double dy = yield_deformation();
-    const auto lag = [&b](double d) { return at(b, d).lag; };
-    // The knee is not smooth for the rule of integration.
-    const double knee = b.start + b.reach, allowed = 1e-13 * dy * dy;
-    const double all = is_strictly_between(knee, from, to) ? integral(lag, from, knee, allowed) + integral(lag, knee, to, allowed)
-                                                           : integral(lag, from, to, allowed);
-    return 0.5 * (to - from) * (to + from) + all;
+  static double elastic_work(const Branch& b, double from, double to) noexcept {
+    const double turn = b.start + b.offset, straight = turn * (to - from);
+    if (b.reach == 0) return straight;
+    return straight + b.reach * b.reach * curve_area((from - b.start) / b.reach, (to - b.start) / b.reach, b.sharpness);
+  }
+  /// The integral of x/(1 + x^R)^(1/R) between two x. On each side of the knee it is a hypergeometric function, by Pfaff's
+  /// transformation a series in u = x^R/(1 + x^R), or in 1 - u beyond the knee (Abramowitz & Stegun, 15.3.4).
+  static double curve_area(double from, double to, double R) noexcept {
+    if (R < 1.1) return integral([R](double x) { return x > 0 ? x * std::pow(1 + std::pow(x, R), -1 / R) : x; }, from, to, 1e-13);
+    if (from <= 1 && to <= 1) return area_before_knee(to, R) - area_before_knee(from, R);
+    if (from >= 1 && to >= 1) return area_beyond_knee(to, R) - area_beyond_knee(from, R);
+    return curve_area(from, 1, R) + curve_area(1, to, R);
+  }
+  static double area_before_knee(double x, double R) noexcept {
+    if (!(x > 0)) return 0.5 * x * x;
+    const double p = std::pow(x, R);
+    return 0.5 * x * x * std::exp(-std::log1p(p) / R) * series(1 / R, 1 + 2 / R, p / (1 + p));
+  }
+  /// But for a constant.
+  static double area_beyond_knee(double x, double R) noexcept {
+    const double p = std::pow(x, -R);
+    return x * std::exp(-std::log1p(p) / R) * series(1 / R, 1 - 1 / R, p / (1 + p));
+  }
+  /// The hypergeometric function with the parameters a, 1 and c at u in [0, 1/2].
+  static double series(double a, double c, double u) noexcept {
+    double sum = 1, term = 1;
+    for (int n = 0; term > 1e-17 * sum; ++n) sum += term *= (a + n) / (c + n) * u;
+    return sum;
   }
 };
 
