@@ -8,17 +8,21 @@
 #include <string_view>
 #include <variant>
 
+#include <pounding/hysteresis/backfill.hpp>
 #include <pounding/hysteresis/bilinear.hpp>
 #include <pounding/hysteresis/bouc_wen.hpp>
 #include <pounding/hysteresis/by_name.hpp>
 #include <pounding/hysteresis/menegotto_pinto.hpp>
+#include <pounding/hysteresis/peak_oriented.hpp>
 
 namespace pounding::hysteresis {
 
 /// One of the laws of this library.
 using AnyLaw = std::variant<Bilinear,
                             MenegottoPinto,
-                            BoucWen>;
+                            BoucWen,
+                            PeakOriented,
+                            Backfill>;
 
 /// Every law with its tables, in the order of AnyLaw.
 inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
@@ -28,7 +32,7 @@ inline const Entry& find_law(std::string_view name) {
   for (const Entry& entry : catalogue())
     if (entry.name == name) return entry;
   throw std::invalid_argument("unknown law of yielding \"" + laws::excerpt(name) + "\"." +
-                              laws::suggestion(name, laws::by_name::names(catalogue())));
+                              laws::suggestion(name, by_name::names(catalogue())));
 }
 
 /// A checked law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a missing required one,

@@ -35,7 +35,7 @@ struct Bilinear {
       Parameter<Bilinear>{{"stiffness", "N/m", "initial stiffness k", 1e7}, &Bilinear::initial_stiffness},
       Parameter<Bilinear>{{"yield_force", "N", "force at the first yield Fy", 1.5e5}, &Bilinear::yield_force},
       Parameter<Bilinear>{{"hardening", "", "stiffness after the yield over k, a", 0.05, Need::optional}, &Bilinear::hardening},
-      Parameter<Bilinear>{{"negative_yield_force", "N", "size of the yield force in the other direction Fy'", 1.5e5, Need::optional},
+      Parameter<Bilinear>{{"negative_yield_force", "N", "size of the yield force in the other direction Fy', as Fy unless given", 1e5, Need::extra},
                           nullptr,
                           &Bilinear::negative_yield_force}};
 

@@ -12,11 +12,18 @@
 #include <vector>
 
 #include <pounding/hysteresis/entry.hpp>
-#include <pounding/laws/by_name.hpp>
 #include <pounding/laws/excerpt.hpp>
 #include <pounding/laws/nearest_name.hpp>
 
 namespace pounding::hysteresis::by_name {
+
+/// The `name` of each of these.
+template <class Range>
+std::vector<std::string_view> names(const Range& range) {
+  std::vector<std::string_view> result;
+  for (const auto& item : range) result.push_back(item.name);
+  return result;
+}
 
 /// The `info` of each line of a table.
 template <auto& table>
@@ -53,6 +60,21 @@ struct List<std::variant<L...>> {
   static constexpr std::array<Entry, sizeof...(L)> entries{entry<L>()...};
 };
 
+/// Sets a number by its name, value in SI. Throws std::invalid_argument for a name that the law does not have.
+template <Law L>
+void set(L& law, std::string_view name, double value) {
+  for (const Parameter<L>& p : L::parameters) {
+    if (p.info.name != name) continue;
+    if (p.value)
+      law.*p.value = value;
+    else
+      law.*p.choice = value;
+    return;
+  }
+  throw std::invalid_argument(std::string(L::name) + " has no parameter \"" + laws::excerpt(name) + "\"." +
+                              laws::suggestion(name, names(infos<L::parameters>)));
+}
+
 /// Sets a choice by its name and word. Throws std::invalid_argument for what the law does not have.
 template <Law L>
 void choose(L& law, std::string_view name, std::string_view word) {
@@ -74,12 +96,10 @@ void choose(L& law, std::string_view name, std::string_view word) {
 template <Law L>
 L make(const Settings& s) {
   L law;
-  for (const auto& [name, value] : s.values) laws::by_name::set(law, name, value);
+  for (const auto& [name, value] : s.values) set(law, name, value);
   for (const auto& [name, word] : s.words) choose(law, name, word);
-  const auto given = [&s](std::string_view name) { return s.values.contains(name); };
-  const std::span<const ParameterInfo> table = infos<L::parameters>;
-  for (const ParameterInfo& p : table)
-    if (laws::must_be_given(table, p, given) && !given(p.name))
+  for (const ParameterInfo& p : infos<L::parameters>)
+    if (p.need == Need::required && !s.values.contains(p.name))
       throw std::invalid_argument(std::string(L::name) + " needs " + std::string(p.name) + " (" + std::string(p.meaning) + ")");
   law.check();
   return law;
@@ -90,7 +110,7 @@ template <class Any, std::size_t I = 0>
 Any make_any(const Settings& s) {
   if constexpr (I == std::variant_size_v<Any>) {
     throw std::invalid_argument("unknown law of yielding \"" + laws::excerpt(s.law) + "\"." +
-                                laws::suggestion(s.law, laws::by_name::names(List<Any>::entries)));
+                                laws::suggestion(s.law, names(List<Any>::entries)));
   } else {
     using L = std::variant_alternative_t<I, Any>;
     if (s.law == L::name) return Any(std::in_place_index<I>, make<L>(s));

@@ -37,7 +37,7 @@ struct Entry {
 inline Settings typical_settings(const Entry& entry) {
   Settings s{.law = std::string(entry.name)};
   for (const ParameterInfo& p : entry.parameters)
-    if (p.need == Need::required || p.need == Need::optional) s.values.emplace(p.name, p.typical);
+    if (p.need != Need::extra) s.values.emplace(p.name, p.typical);
   return s;
 }
 
