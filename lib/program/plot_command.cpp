@@ -84,8 +84,9 @@ void add_plot(CLI::App& app) {
                                    "RESULTS-model.png ...)"));
   command->add_option("--title", options->title, "title instead of that of the run");
   command->add_option("--picture", options->kind,
-                      "run (histories and impacts), model (the structures at rest) or profiles (extremes over the height)")
-      ->check(CLI::IsMember({"run", "model", "profiles"}));
+                      "run (histories and impacts), model (the structures at rest), profiles (extremes over the height) or loops (force over deformation "
+                      "of the six parts that yield most)")
+      ->check(CLI::IsMember({"run", "model", "profiles", "loops"}));
   command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
   command->add_flag("--compare", options->compare, "also draw the run without links, dashed; profiles do so whenever it is there");
   command->callback([options] {

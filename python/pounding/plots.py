@@ -19,12 +19,13 @@ from pounding.pictures.model_picture import model_figure
 from pounding.pictures.panels import label_time
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
+from pounding.pictures.spring_loops import loops_figure
 from pounding.pictures.style import BadRequest, write_picture
 from pounding.results import RunData
 
 __all__ = ["draw_balance_error", "draw_displacements", "draw_energies", "draw_forces", "draw_ground", "draw_loops",
-           "draw_openings", "draw_restitution", "draw_strongest_loop", "label_time", "main", "model_figure", "profiles_figure",
-           "standard_figure"]
+           "draw_openings", "draw_restitution", "draw_strongest_loop", "label_time", "loops_figure", "main", "model_figure",
+           "profiles_figure", "standard_figure"]
 
 
 def _floor_choice(text: str) -> dict[str, str]:
@@ -42,8 +43,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("-o", "--output", help="picture to write: .png, .pdf or .svg (default: RESULTS.png in the current "
                                                "folder; of the other pictures RESULTS-model.png ...)")
     parser.add_argument("--title", help="title instead of that of the run")
-    parser.add_argument("--picture", choices=("run", "model", "profiles"), default="run",
-                        help="the standard picture, the structures at rest, or extreme values over the height")
+    parser.add_argument("--picture", choices=("run", "model", "profiles", "loops"), default="run",
+                        help="the standard picture, the structures at rest, extreme values over the height, or the loops of what yields")
     parser.add_argument("--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2")
     parser.add_argument("--compare", action="store_true", help="also draw the run without links, dashed")
     options = parser.parse_args(arguments)
@@ -56,6 +57,10 @@ def main(arguments: list[str] | None = None) -> int:
             figure = standard_figure(run, options.title, options.floors, compare=options.compare)
         elif options.picture == "profiles":
             figure = profiles_figure(run, options.title, compare=options.compare or None)
+        elif options.compare and options.picture == "loops":
+            raise BadRequest("loops of the run without links are not drawn; leave --compare out")
+        elif options.picture == "loops":
+            figure = loops_figure(run, options.title)
         elif options.compare:
             raise BadRequest("the structures at rest are the same without links; leave --compare out")
         else:

@@ -16,6 +16,7 @@ from pounding import told
 from pounding.checked_file import NotResults, require_whole, require_whole_image
 from pounding.devices import Device, read_devices
 from pounding.envelopes import StructureEnvelope, read_envelopes
+from pounding.springs import Springs, read_springs
 from pounding.texts import text, texts
 
 Data = TypeVar("Data", bound="RunData")
@@ -88,6 +89,7 @@ class Structure(told.Told, lines=told.structure):
     nodes: NodeMotion | None = None  #: None where the input asked for no nodes
     members: MemberForces | None = None  #: None where the input asked for no members
     reactions: Reactions | None = None  #: of a frame; None for other structures
+    springs: Springs | None = None  #: the parts that yield; None where all stays elastic
 
     @property
     def directions(self) -> list[str]:
@@ -274,7 +276,8 @@ def _structure(name: str, group: h5py.Group) -> Structure:
         geometry=_geometry(group["geometry"]) if "geometry" in group else None,
         nodes=_nodes(group["nodes"]) if "nodes" in group else None,
         members=_members(group["members"]) if "members" in group else None,
-        reactions=_reactions(group["reactions"]) if "reactions" in group else None)
+        reactions=_reactions(group["reactions"]) if "reactions" in group else None,
+        springs=read_springs(group))
 
 
 def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:

@@ -20,6 +20,8 @@ NODE_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 LINK_UNITS = {"penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
 #: Units of the histories of a device.
 DEVICE_UNITS = {"elongation": "m", "force": "N"}
+#: Units of the histories of parts that yield; of hinges rad stands instead of m, N m instead of N.
+SPRING_UNITS = {"deformation": "m", "force": "N", "hysteretic": "J"}
 
 
 def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
@@ -49,6 +51,10 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
             columns = {(member, component): forces.end_forces[:, i, j] for i, member in enumerate(forces.names)
                        for j, component in enumerate(forces.components)}
             tables[f"structures/{name}/members"] = _table(run.time, columns, ["member", "component"])
+        if structure.springs is not None:
+            springs = structure.springs
+            columns = {(key, part): getattr(springs, key)[:, i] for key in SPRING_UNITS for i, part in enumerate(springs.names)}
+            tables[f"structures/{name}/springs"] = _table(run.time, columns, ["quantity", "part"])
     return tables
 
 
@@ -79,6 +85,10 @@ def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
         if structure.members is not None:
             sets[f"structures/{name}/members"] = dataset(run.time, _end_forces(structure.members), member=structure.members.names,
                                                          component=structure.members.components)
+        if structure.springs is not None:
+            springs = structure.springs
+            sets[f"structures/{name}/springs"] = dataset(run.time, {key: (("time", "part"), getattr(springs, key), {"units": unit})
+                                                                    for key, unit in SPRING_UNITS.items()}, part=springs.names)
     return sets
 
 

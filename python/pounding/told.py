@@ -88,6 +88,16 @@ def link(one: Any) -> list[str]:
             f"{counted(one.time.size, 'sample')} {span}"]
 
 
+def springs(parts: Any) -> list[str]:
+    """Shape and laws; the part that yields most; energy."""
+    ductility = parts.largest["ductility"]
+    most = int(np.argmax(ductility))
+    yielded = parts.states.count("yielded")
+    return [f"{_shape(parts.deformation, 'time', 'part')}, {few(sorted(set(parts.laws)))}",
+            f"{yielded} of {counted(len(parts.names), 'part')} yielded; largest ductility {ductility[most]:.4g}, {parts.names[most]}",
+            f"largest force {peak(parts.largest['peak_force'])} N or N m; {parts.largest['hysteretic'].sum():.4g} J lost by yielding"]
+
+
 def device(one: Any) -> list[str]:
     """Ends and kind; largest values; samples."""
     left, right = (name + (f" ({end})" if end else "") for name, end in ((one.left, one.left_end), (one.right, one.right_end)))

@@ -20,6 +20,7 @@
 #include <pounding/results/envelope_file.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/results/replaced_file.hpp>
+#include <pounding/results/spring_file.hpp>
 
 namespace pounding {
 namespace {
@@ -137,6 +138,7 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
                               history.reaction, {samples, supports.size(), along.size()});
     attribute(made, "directions", along);
   }
+  write_springs(place, history.name, history.springs, samples);
   if (!history.geometry.positions.empty()) write_geometry(place, history.geometry);
 }
 
@@ -281,6 +283,11 @@ void visit_all(AnyResults& results, Visit&& visit) {
     }
     if (!s.members.empty()) visit(place + "members/end_forces", s.end_forces);
     if (!s.envelope.supports.empty()) visit(place + "reactions/force", s.reaction);
+    if (s.springs.size() > 0) {
+      visit(place + "springs/deformation", s.springs.deformation);
+      visit(place + "springs/force", s.springs.force);
+      visit(place + "springs/hysteretic", s.springs.hysteretic);
+    }
   }
   for (auto& link : results.links) {
     const std::string place = "links/" + link.name + '/';

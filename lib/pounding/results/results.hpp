@@ -10,6 +10,7 @@
 
 #include <pounding/results/checkpoint.hpp>
 #include <pounding/results/envelope.hpp>
+#include <pounding/results/spring_history.hpp>
 #include <pounding/links/impact_row.hpp>
 #include <pounding/structures/structure.hpp>
 
@@ -64,6 +65,7 @@ struct StructureHistory {
   std::vector<double> end_forces;  ///< [time, member, component] [N], [N m]
   std::vector<double> reaction;    ///< [time, support, direction] of the ground on a frame, named in the envelope [N], [N m]
   StructureEnvelope envelope;
+  SpringHistory springs;           ///< of the parts that yield
   Geometry geometry;
 
   /// Number of directions of drift and storey shear.

@@ -78,13 +78,47 @@ Json envelope_json(const StructureSummary& s) {
   return all;
 }
 
+// The parts that yield, and the one that yields most.
+Json yielding_json(const std::vector<SpringSummary>& springs) {
+  Json parts = Json::array();
+  for (const SpringSummary& s : springs)
+    parts.push_back({{"name", s.name},
+                     {"law", s.law},
+                     {"state", s.yielded() ? "yielded" : "elastic"},
+                     {"peak", s.peak},
+                     {"time", s.peak_time},
+                     {"ductility", s.ductility},
+                     {"residual", s.residual},
+                     {"peak_force", s.peak_force},
+                     {"energy_lost", s.energy_lost},
+                     {"first_yield", number(s.first_yield)},
+                     {"damping_shear", number(s.damping_shear)}});
+  const SpringSummary& most = *most_ductile(springs);
+  return {{"yielded", std::ranges::count_if(springs, &SpringSummary::yielded)},
+          {"largest", {{"name", most.name}, {"ductility", most.ductility}, {"deformation", most.peak}, {"time", most.peak_time}}},
+          {"springs", std::move(parts)}};
+}
+
 Json structures_json(const std::vector<StructureSummary>& structures) {
   Json all = Json::object();
+  for (const StructureSummary& s : structures) {
+    Json& one = all[s.name] = {{"peak_displacement", s.peak_displacement},
+                               {"peak_drift", s.peak_drift},
+                               {"peak_acceleration", s.peak_acceleration},
+                               {"envelope", envelope_json(s)}};
+    if (s.springs.empty()) continue;
+    one["residual_displacement"] = s.residual_displacement;
+    one["residual_drift"] = s.residual_drift;
+    one["yielding"] = yielding_json(s.springs);
+  }
+  return all;
+}
+
+// What each part has lost [J]; nothing where no structure yields.
+Json hysteretic_json(const std::vector<StructureSummary>& structures) {
+  Json all = Json::object();
   for (const StructureSummary& s : structures)
-    all[s.name] = {{"peak_displacement", s.peak_displacement},
-                   {"peak_drift", s.peak_drift},
-                   {"peak_acceleration", s.peak_acceleration},
-                   {"envelope", envelope_json(s)}};
+    for (const SpringSummary& part : s.springs) all[s.name][part.name] = part.energy_lost;
   return all;
 }
 
@@ -186,6 +220,7 @@ std::string to_json(const Summary& summary) {
     all["devices"] = devices_json(summary.devices);
     all["energy"]["devices"] = e.devices;
   }
+  if (Json by = hysteretic_json(summary.structures); !by.empty()) all["hysteretic_by"] = std::move(by);
   if (!summary.without_pounding.empty()) {
     Json amplification = Json::object();
     for (std::size_t k = 0; k < summary.structures.size(); ++k) {

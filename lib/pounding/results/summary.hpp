@@ -42,6 +42,10 @@ struct StructureSummary {
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
   std::vector<std::string> directions;  ///< of the floors' motion: x; in space x, y, rz
   StructureEnvelope envelope{};
+  std::vector<SpringSummary> springs{};  ///< of the parts that yield; empty for none, and so are the two below
+  /// At the end of the run, where it may still move, one a floor: signed along x, in space lengths of horizontal vectors [m]. A structure
+  /// without storeys has no drift.
+  std::vector<double> residual_displacement{}, residual_drift{};
 
   /// For a checkpoint.
   void archive(Archive& archive) {
@@ -51,6 +55,9 @@ struct StructureSummary {
     archive(peak_acceleration);
     archive(directions);
     archive(envelope);
+    archive(springs);
+    archive(residual_displacement);
+    archive(residual_drift);
   }
 };
 

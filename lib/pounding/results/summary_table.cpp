@@ -136,6 +136,40 @@ std::string forces_table(const std::vector<StructureSummary>& structures) {
   return text;
 }
 
+// The parts that yield most, at most so many of a structure.
+constexpr std::size_t most_shown_springs = 12;
+
+std::string springs_table(const std::vector<StructureSummary>& structures) {
+  std::size_t width = 9, part_width = 4;
+  bool any = false;
+  for (const StructureSummary& s : structures) {
+    if (!s.springs.empty()) width = std::max(width, s.name.size());
+    for (const SpringSummary& part : s.springs) part_width = std::max(part_width, part.name.size());
+    any = any || !s.springs.empty();
+  }
+  if (!any) return {};
+  std::string text = fmt::format("{:<{}}  {:<{}}  {:>10}  {:>8}  {:>9}  {:>10}  {:>10}  {:>13}  {:>13}\n", "structure", width, "part",
+                                 part_width, "largest", "at (s)", "ductility", "at the end", "lost (kJ)", "yields at (s)", "damping shear");
+  text += fmt::format("{:<{}}  {:<{}}  {:>10}  {:>8}  {:>9}  {:>10}  {:>10}  {:>13}  {:>13}\n", "", width, "", part_width, "(mm, mrad)", "", "",
+                      "(mm, mrad)", "", "", "/ yield shear");
+  for (const StructureSummary& s : structures) {
+    std::vector<const SpringSummary*> parts;
+    for (const SpringSummary& part : s.springs) parts.push_back(&part);
+    const std::size_t shown_parts = std::min(parts.size(), most_shown_springs);
+    if (shown_parts < parts.size()) std::ranges::stable_sort(parts, std::ranges::greater{}, &SpringSummary::ductility);
+    for (std::size_t i = 0; i < shown_parts; ++i) {
+      const SpringSummary& part = *parts[i];
+      text += fmt::format("{:<{}}  {:<{}}  {:>10.4f}  {:>8.3f}  {:>9.3f}  {:>10.4f}  {:>10.4f}  {:>13}  {:>13}\n", s.name, width, part.name,
+                          part_width, shown(1e3 * part.peak, 4), part.peak_time, part.ductility, shown(1e3 * part.residual, 4),
+                          shown(part.energy_lost / 1e3, 4), part.yielded() ? fmt::format("{:.3f}", part.first_yield) : "elastic",
+                          std::isnan(part.damping_shear) ? "-" : fmt::format("{:.3f}", part.damping_shear));
+    }
+    if (shown_parts < parts.size())
+      text += fmt::format("{:<{}}  {} more parts yield less; the results file has them\n", s.name, width, parts.size() - shown_parts);
+  }
+  return text;
+}
+
 std::string separations_table(const std::vector<LinkSeparation>& separations) {
   std::size_t width = 4;
   for (const LinkSeparation& s : separations) width = std::max(width, s.link.size());
@@ -153,6 +187,7 @@ std::string separations_table(const std::vector<LinkSeparation>& separations) {
 std::string to_table(const Summary& summary) {
   std::string text = structures_table(summary.structures, summary.without_pounding);
   if (const std::string forces = forces_table(summary.structures); !forces.empty()) text += '\n' + forces;
+  if (const std::string springs = springs_table(summary.structures); !springs.empty()) text += '\n' + springs;
   if (!summary.devices.empty()) text += '\n' + devices_table(summary.devices);
   if (!summary.separations.empty()) text += '\n' + separations_table(summary.separations);
   if (!summary.links.empty()) text += '\n' + links_table(summary.links);

@@ -17,6 +17,7 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       links_(model, stepper, results.links),
       devices_(model, stepper, results.devices),
       structures_(model, plan_, response_, stepper, results.structures),
+      springs_(model, response_, stepper, results.structures),
       step_motion_(response_, stepper),
       floors_(model, response_, results.structures),
       forces_(model, plan_, stepper, results) {}
@@ -35,6 +36,7 @@ void Recorder::begin() {
   floors_.begin(motion_, stepper_.time());
   forces_.begin(motion_);
   devices_.begin();
+  springs_.begin();
   sample_energy();
 }
 
@@ -44,6 +46,7 @@ void Recorder::sample(double time, bool inside) {
   results_.ground_acceleration.push_back(along_x < 0 ? 0.0 : ground_[along_x]);
   structures_.sample({time, inside, motion_, ground_});
   devices_.sample(time, inside);
+  springs_.sample(time, inside);
 }
 
 void Recorder::sample_outputs_until(double end) {
@@ -71,6 +74,7 @@ void Recorder::step() {
   forces_.step(step_motion_);
   links_.step(output_due);
   devices_.step();
+  springs_.step();
   if (output_due) sample_energy();
 }
 
@@ -114,6 +118,7 @@ void Recorder::archive(Archive& archive) {
   forces_.archive(archive);
   links_.archive(archive);
   devices_.archive(archive);
+  springs_.archive(archive);
   archive(max_input_);
   archive(max_imbalance_);
   archive_length(archive, results_.energy);
@@ -140,8 +145,10 @@ std::vector<ImpactRow> Recorder::impacts_in_order() const {
 void Recorder::summarize(Summary& summary) const {
   summary.structures.clear();
   summary.links.clear();
-  for (std::size_t k = 0; k < model_.structures.size(); ++k)
+  for (std::size_t k = 0; k < model_.structures.size(); ++k) {
     summary.structures.push_back(floors_.summary(model_.structures[k], static_cast<int>(k)));
+    springs_.summarize(static_cast<int>(k), summary.structures.back());
+  }
   if (has_links()) {
     for (const Link& link : model_.links) summary.links.push_back(summary_of(link.name, link.contact->impacts()));
     const std::vector<Friction>& frictions = stepper_.system().frictions;

@@ -14,6 +14,7 @@
 #include <pounding/run/floor_response.hpp>
 #include <pounding/run/force_envelopes.hpp>
 #include <pounding/run/link_samples.hpp>
+#include <pounding/run/spring_histories.hpp>
 #include <pounding/run/step_motion.hpp>
 #include <pounding/run/structure_histories.hpp>
 #include <pounding/stepping/stepper.hpp>
@@ -61,6 +62,7 @@ class Recorder {
   LinkSamples links_;
   DeviceHistories devices_;
   StructureHistories structures_;
+  SpringHistories springs_;
   StepMotion step_motion_;
   FloorEnvelopes floors_;
   ForceEnvelopes forces_;

@@ -94,6 +94,8 @@ class Stepper {
   const std::vector<LinkStep>& link_steps() const { return link_steps_; }
   /// Forces of all links at the present state [N].
   const Eigen::VectorXd& link_forces() const { return history_.now().force; }
+  /// Motion of a link there.
+  LinkMotion link_motion(int link) const { return equations_.links.motion(link, history_.now()); }
   Energies energies() const { return ledger_.energies(equations_, history_.now()); }
   /// Work that each friction of the system has dissipated [J].
   const std::vector<double>& friction_work() const { return ledger_.friction(); }

@@ -17,10 +17,12 @@ from pounding.pictures.model_picture import model_figure
 from pounding.pictures.panels import label_time, legend_below
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
+from pounding.pictures.spring_loops import loops_figure
 from pounding.pictures.style import NARROW, STYLE, BadRequest, Picture, head
 from pounding.results import RunData
 
-WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure}
+WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure,
+                                         "springs": loops_figure}
 OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
                                              "energy": draw_energies}
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}

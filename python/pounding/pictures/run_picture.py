@@ -17,13 +17,15 @@ from pounding.pictures.displacements import chosen_floors, draw_displacements
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_restitution, draw_strongest_loop
 from pounding.pictures.panels import label_time, legend_below
+from pounding.pictures.spring_loops import draw_residuals
 from pounding.pictures.style import NARROW, STYLE, VERMILION, Picture, head, largest
 from pounding.results import RunData
 
 #: Heights of the rows, from above, in parts of one that is high enough.
-HEIGHTS = {"ground": 0.45, "displacements": 1.3, "openings": 0.9, "forces": 0.9, "energy": 1.0, "error": 0.4, "impacts": 1.6}
+HEIGHTS = {"ground": 0.45, "displacements": 1.3, "openings": 0.9, "forces": 0.9, "energy": 1.0, "error": 0.4,
+           "residuals": 0.8, "impacts": 1.6}
 #: Rows that a small figure leaves out, the first one first.
-LEAST_WANTED = ("error", "ground", "impacts", "openings", "energy", "forces")
+LEAST_WANTED = ("error", "ground", "residuals", "impacts", "openings", "energy", "forces")
 #: Height that such a part needs [in].
 LEAST_HEIGHT = 1.1
 #: Draws one panel.
@@ -49,7 +51,7 @@ def standard_figure(run: RunData, title: str | None = None, floors: dict[str, st
         without = {"displacements": lambda axes, run: draw_displacements_without_links(axes, run, chosen),
                    "openings": draw_openings_without_links, "energy": draw_input_without_links}
     missing = {"ground": largest([run.ground_acceleration]) == 0, "openings": not run.links, "forces": not run.links,
-               "impacts": not run.impacts.size}
+               "impacts": not run.impacts.size, "residuals": not _has_residuals(run)}
     heights = {name: height for name, height in HEIGHTS.items() if not missing.get(name)}
     for name in LEAST_WANTED:
         if size is not None and 0.7 + LEAST_HEIGHT * sum(heights.values()) > size[1]:
@@ -59,6 +61,7 @@ def standard_figure(run: RunData, title: str | None = None, floors: dict[str, st
         figure = Picture(figsize=size or (7.5, 0.7 + 1.5 * sum(heights.values())), layout="constrained")
         rows = figure.add_gridspec(len(heights), 1, height_ratios=list(heights.values()))
         histories: list[Axes] = []
+        residuals: list[Axes] = []
         for row, name in zip(range(len(heights)), [name for name in heights if name in draw]):
             histories.append(figure.add_subplot(rows[row], sharex=histories[0] if histories else None))
             draw[name](histories[-1], run)
@@ -67,17 +70,24 @@ def standard_figure(run: RunData, title: str | None = None, floors: dict[str, st
             histories[-1].tick_params(labelbottom=False)
         histories[-1].tick_params(labelbottom=True)
         label_time(histories[-1], run)
+        if "residuals" in heights:
+            residuals = [figure.add_subplot(rows[len(histories)])]
+            draw_residuals(residuals[0], run)
         if "impacts" in heights:
             places = rows[-1].subgridspec(1, 2, wspace=0.08)
             draw_strongest_loop(figure.add_subplot(places[0]), run)
             draw_restitution(figure.add_subplot(places[1]), run)
         if size is not None and size[0] < NARROW:
-            _gather_legends(figure, histories)
-        for letter, axes in zip("abcdefgh", figure.axes):
+            _gather_legends(figure, histories + residuals)
+        for letter, axes in zip("abcdefghijk", figure.axes):
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}")
         _write_heading(figure, run, title)
-        figure.align_ylabels(histories)
+        figure.align_ylabels(histories + residuals)
         return figure
+
+
+def _has_residuals(run: RunData) -> bool:
+    return any(one.get("residual_drift") for one in run.summary.get("structures", {}).values())
 
 
 def _gather_legends(figure: Figure, panels: list[Axes]) -> None:

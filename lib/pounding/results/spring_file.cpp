@@ -1,0 +1,67 @@
+#include <pounding/results/spring_file.hpp>
+
+#include <stdexcept>
+#include <vector>
+
+#include <pounding/results/hdf5.hpp>
+
+namespace pounding {
+namespace {
+
+using hdf5::array;
+using hdf5::group;
+using hdf5::Handle;
+using hdf5::Label;
+
+struct SummaryField {
+  Label label;
+  double SpringSummary::*value;
+};
+
+constexpr SummaryField summary_fields[] = {
+    {{"peak_deformation", "m", "deformation of the largest size, signed; of hinges [rad]"}, &SpringSummary::peak},
+    {{"peak_time", "s", "time of peak_deformation"}, &SpringSummary::peak_time},
+    {{"peak_force", "N", "largest absolute force; of hinges [N m]"}, &SpringSummary::peak_force},
+    {{"ductility", "1", "size of the peak deformation over the yield deformation"}, &SpringSummary::ductility},
+    {{"residual", "m", "deformation at the end of the run, where it may still move; of hinges [rad]"}, &SpringSummary::residual},
+    {{"hysteretic", "J", "energy lost by yielding"}, &SpringSummary::energy_lost},
+    {{"first_yield", "s", "time at which the yield deformation was first exceeded; NaN where it never was"}, &SpringSummary::first_yield},
+    {{"damping_shear", "1", "largest force of the damping across the storey over its yield force; NaN for hinges"},
+     &SpringSummary::damping_shear},
+};
+
+void write_summary(hid_t place, const SpringHistory& springs) {
+  const Handle summary = group(place, "summary");
+  const std::vector<SpringSummary> rows = summaries(springs);
+  for (const SummaryField& field : summary_fields) {
+    std::vector<double> values;
+    for (const SpringSummary& row : rows) values.push_back(row.*field.value);
+    array(summary, field.label, values, {values.size()});
+  }
+  std::vector<std::string> states;
+  for (const SpringSummary& row : rows) states.emplace_back(row.yielded() ? "yielded" : "elastic");
+  hdf5::texts(summary, "state", "elastic, or yielded once at least", states);
+}
+
+}  // namespace
+
+void write_springs(hid_t structure, const std::string& name, const SpringHistory& springs, std::size_t samples) {
+  if (springs.size() == 0) return;
+  const Handle place = group(structure, "springs");
+  hdf5::texts(place, "names", "names of the parts that yield", springs.names);
+  hdf5::texts(place, "laws", "laws of their forces", springs.laws);
+  array(place, {"stiffness", "N/m", "initial stiffness; of hinges [N m/rad]"}, springs.stiffness, {springs.size()});
+  array(place, {"yield_deformation", "m", "deformation at the first yield; of hinges [rad]"}, springs.yield_deformation, {springs.size()});
+  const auto history = [&](const Label& label, const std::vector<double>& values) {
+    if (values.size() != samples * springs.size())
+      throw std::invalid_argument(name + ": springs, " + label.name + " holds " + std::to_string(values.size()) + " values; " +
+                                  std::to_string(samples * springs.size()) + " are expected");
+    array(place, label, values, {samples, springs.size()});
+  };
+  history({"deformation", "m", "drift of a storey; rotation of a hinge [rad]"}, springs.deformation);
+  history({"force", "N", "shear of a storey; moment of a hinge [N m]"}, springs.force);
+  history({"hysteretic", "J", "energy lost by yielding so far"}, springs.hysteretic);
+  write_summary(place, springs);
+}
+
+}  // namespace pounding

@@ -1,0 +1,57 @@
+#pragma once
+/// Parts of a structure that yield, storeys and hinges, over a run: their histories, and each part in a few numbers.
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+#include <pounding/results/envelope.hpp>
+
+namespace pounding {
+
+/// Deformations are drifts of storeys [m] or rotations of hinges [rad]; forces are shears [N] or moments [N m], k times the deformation
+/// while the part is elastic. Lists are row-major [time, part] at the output times, or have one entry a part.
+struct SpringHistory {
+  std::vector<std::string> names, laws;              ///< "storey 1", "bilinear"
+  std::vector<double> stiffness, yield_deformation;  ///< initial k; size of the deformation at the first yield
+  std::vector<double> deformation, force;            ///< over time
+  std::vector<double> hysteretic;                    ///< energy lost so far [J], over time
+
+  // Of the whole run so far.
+  Extremes deformations, forces;     ///< over all steps, inside the steps too
+  std::vector<double> last;          ///< deformation now
+  std::vector<double> lost;          ///< energy lost by yielding [J]
+  std::vector<double> first_yield;   ///< when the yield deformation was first exceeded [s]; NaN where it never was
+  /// Largest force of the structure's damping across a storey, over its yield force; NaN for parts that are no storeys.
+  std::vector<double> damping_shear;
+
+  /// Number of parts.
+  std::size_t size() const { return names.size(); }
+  /// For a checkpoint: all that moves and is not over time.
+  void archive(Archive& archive);
+};
+
+/// One part over the run so far.
+struct SpringSummary {
+  std::string name, law;
+  double peak = 0, peak_time = 0;  ///< deformation of the largest size, signed [m] or [rad], and when [s]
+  double peak_force = 0;           ///< largest absolute force [N] or [N m]
+  double ductility = 0;            ///< size of the peak over the yield deformation
+  double residual = 0;             ///< deformation at the end, which may still move [m] or [rad]
+  double energy_lost = 0;          ///< [J]
+  double first_yield = std::numeric_limits<double>::quiet_NaN();    ///< [s]; NaN where it stayed elastic
+  double damping_shear = std::numeric_limits<double>::quiet_NaN();  ///< see SpringHistory
+
+  /// Whether its yield deformation was ever exceeded.
+  bool yielded() const { return first_yield == first_yield; }
+  /// For a checkpoint.
+  void archive(Archive& archive);
+};
+
+/// One entry a part, in their order.
+std::vector<SpringSummary> summaries(const SpringHistory& springs);
+/// The part with the largest ductility; nullptr for none.
+const SpringSummary* most_ductile(const std::vector<SpringSummary>& springs);
+
+}  // namespace pounding

@@ -1,0 +1,161 @@
+#include <pounding/run/spring_histories.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <pounding/run/histories.hpp>
+
+namespace pounding {
+namespace {
+
+SpringHistory heading(const Structure& s) {
+  SpringHistory history;
+  for (const YieldingPart& part : s.yielding) {
+    history.names.push_back(part.name);
+    history.laws.push_back(part.law);
+    history.stiffness.push_back(part.spring->stiffness());
+    history.yield_deformation.push_back(part.spring->yield_deformation());
+  }
+  const std::size_t parts = s.yielding.size();
+  constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  history.deformations = history.forces = Extremes(parts);
+  history.last.assign(parts, 0.0);
+  history.lost.assign(parts, 0.0);
+  history.first_yield.assign(parts, never);
+  history.damping_shear.assign(parts, s.storey_stiffness.empty() ? never : 0.0);
+  return history;
+}
+
+// The first part of a step, from 0 to 1, at which the size of the deformation exceeds a limit, on the cubic through its ends; 2 for none.
+double first_beyond(const LinkStep& step, double limit) {
+  const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
+  const bool turns = step.motion_begin.rate * step.motion_end.rate < 0;
+  double beyond = std::abs(step.motion_end.penetration) > limit ? 1 : 2;
+  if (turns)
+    if (const double s = std::clamp(between.turn(), 0.0, 1.0); std::abs(between.at(s)) > limit) beyond = s;
+  if (beyond > 1) return beyond;
+  double low = 0, high = beyond;
+  while (high - low > 1e-12) (std::abs(between.at(0.5 * (low + high))) > limit ? high : low) = 0.5 * (low + high);
+  return high;
+}
+
+}  // namespace
+
+SpringHistories::SpringHistories(const Model& model, const FloorResponse& response, const Stepper& stepper,
+                                 std::vector<StructureHistory>& histories)
+    : model_(model), response_(response), stepper_(stepper), histories_(histories) {
+  std::size_t link = stepper.system().contact_count();
+  for (std::size_t k = 0; k < model.structures.size(); ++k) {
+    const Structure& s = model.structures[k];
+    histories_[k].springs = heading(s);
+    first_.push_back(link);
+    link += s.yielding.size();
+    if (s.yielding.empty() || s.storey_stiffness.empty()) continue;
+    StoreyDamping damping{static_cast<int>(k), response.row(static_cast<int>(k), 0, 0), s.whole_damping(), {}};
+    for (int i = s.size() - 2; i >= 0; --i) damping.by_velocity.row(i) += damping.by_velocity.row(i + 1);
+    for (const YieldingPart& part : s.yielding)
+      damping.yield_force.push_back(part.spring->stiffness() * part.spring->yield_deformation());
+    dampings_.push_back(std::move(damping));
+  }
+}
+
+template <class Visit>
+void SpringHistories::visit_parts(Visit&& visit) {
+  for (std::size_t k = 0; k < first_.size(); ++k)
+    for (std::size_t i = 0; i < model_.structures[k].yielding.size(); ++i) visit(static_cast<int>(k), i);
+}
+
+void SpringHistories::begin() {
+  visit_parts([&](int k, std::size_t i) {
+    SpringHistory& history = histories_[k].springs;
+    const int link = static_cast<int>(first_[k] + i);
+    const double d = stepper_.link_motion(link).penetration, time = stepper_.time();
+    history.last[i] = d;
+    history.deformations.update(i, time, d);
+    history.forces.update(i, time, history.stiffness[i] * d + stepper_.link_forces()[link]);
+    if (std::abs(d) > history.yield_deformation[i]) history.first_yield[i] = time;
+  });
+}
+
+void SpringHistories::step() {
+  visit_parts([&](int k, std::size_t i) { step_part(k, i); });
+  for (const StoreyDamping& damping : dampings_) step_damping(damping);
+}
+
+void SpringHistories::step_part(int k, std::size_t i) {
+  SpringHistory& history = histories_[k].springs;
+  const LinkStep& step = stepper_.link_steps()[first_[k] + i];
+  const double h = step.end - step.begin, stiffness = history.stiffness[i];
+  const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
+  history.deformations.update(i, step.begin, h, begin.penetration, begin.rate, end.penetration, end.rate);
+  const auto force = [&](const LinkMotion& motion, double on_top) { return stiffness * motion.penetration + on_top; };
+  history.forces.update(i, step.begin, h, force(begin, step.force_begin), force(step.motion_middle, step.force_middle),
+                        force(end, step.force_end));
+  history.last[i] = end.penetration;
+  history.lost[i] = model_.structures[k].yielding[i].spring->lost();
+  if (std::isnan(history.first_yield[i]))
+    if (const double s = first_beyond(step, history.yield_deformation[i]); s <= 1) history.first_yield[i] = step.begin + s * h;
+}
+
+// Velocities are nearly straight in a step; where they turn, the cubic through both ends says how far they go.
+void SpringHistories::step_damping(const StoreyDamping& damping) {
+  const int floors = static_cast<int>(damping.yield_force.size());
+  const OutputQuantities &begin = stepper_.outputs_begin(), &end = stepper_.outputs_end_minus();
+  const auto shears = [&](const OutputQuantities& at, int column) -> Eigen::VectorXd {
+    return damping.by_velocity * at.motion.col(column).segment(damping.first_row, floors);
+  };
+  const Eigen::VectorXd f0 = shears(begin, 1), r0 = shears(begin, 2), f1 = shears(end, 1), r1 = shears(end, 2);
+  Extremes extremes(floors);
+  std::vector<double>& largest = histories_[damping.structure].springs.damping_shear;
+  for (int i = 0; i < floors; ++i) {
+    extremes.update(i, begin.time, end.time - begin.time, f0[i], r0[i], f1[i], r1[i]);
+    largest[i] = std::max(largest[i], extremes.peak(i) / damping.yield_force[i]);
+  }
+}
+
+// An output time is due before the step is taken into account: what was lost until its beginning stands in the history still. Inside it
+// energy is lost in proportion to time.
+void SpringHistories::sample(double time, bool inside) {
+  visit_parts([&](int k, std::size_t i) {
+    SpringHistory& history = histories_[k].springs;
+    const int link = static_cast<int>(first_[k] + i);
+    double d = stepper_.link_motion(link).penetration, on_top = stepper_.link_forces()[link];
+    double lost = model_.structures[k].yielding[i].spring->lost();
+    if (inside) {
+      const LinkStep& step = stepper_.link_steps()[link];
+      const double s = (time - step.begin) / (step.end - step.begin);
+      d = interpolate(step, s).penetration;
+      on_top = spring_force(step, time, d);
+      lost = history.lost[i] + s * (lost - history.lost[i]);
+    }
+    history.deformation.push_back(d);
+    history.force.push_back(history.stiffness[i] * d + on_top);
+    history.hysteretic.push_back(lost);
+  });
+}
+
+void SpringHistories::summarize(int k, StructureSummary& summary) const {
+  summary.springs = summaries(histories_[k].springs);
+  if (summary.springs.empty()) return;
+  const Structure& s = model_.structures[k];
+  Eigen::MatrixXd motion = stepper_.outputs().motion;
+  response_.complete(motion, stepper_.time(), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(stepper_.ground().size())));
+  const bool in_plan = response_.directions(k) > 1;
+  std::array<double, 2> below{};
+  for (int i = 0; i < static_cast<int>(s.floors.size()); ++i) {
+    const int row = response_.row(k, i, 0);
+    const std::array<double, 2> at{motion(row, 0), in_plan ? motion(row + 1, 0) : 0};
+    summary.residual_displacement.push_back(in_plan ? std::hypot(at[0], at[1]) : at[0]);
+    if (s.has_storeys())
+      summary.residual_drift.push_back(in_plan ? std::hypot(at[0] - below[0], at[1] - below[1]) : at[0] - below[0]);
+    below = at;
+  }
+}
+
+void SpringHistories::archive(Archive& archive) {
+  for (StructureHistory& structure : histories_) archive(structure.springs);
+}
+
+}  // namespace pounding

@@ -1,0 +1,120 @@
+"""Loops of the parts that yield: force over deformation of storeys and hinges."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
+
+from pounding.pictures.panels import legend_beside
+from pounding.pictures.style import (ENERGY_UNITS, FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour)
+from pounding.results import RunData, Structure
+from pounding.springs import Springs
+
+#: Parts that are drawn where nobody chooses.
+SHOWN = 6
+#: Two loops stand beside each other from this width of a figure on, and a loop needs this height [in].
+LEAST_OF_TWO, LEAST_HEIGHT = 3.2, 1.6
+#: Forces and moments have the same sizes.
+MOMENT_UNITS = tuple((size, f"{name} m") for size, name in FORCE_UNITS)
+
+
+def loops_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None,
+                 parts: list[tuple[str, str]] | None = None) -> Figure:
+    """Force over deformation at the output times: of `parts`, pairs of a structure and a name ("left", "storey 1"), or of the six parts that
+    lose most energy, the greatest first, or as many of them as fit into `size` [in]. A dot stands where the run ends; dashed lines are the yield deformations. Raises BadRequest for a
+    run in which nothing can yield, and for parts that there are not."""
+    chosen = most_energy(run) if parts is None else [_found(run, *part) for part in parts]
+    if not chosen:
+        raise BadRequest("there are no loops to draw: every structure of this run stays elastic. Give storeys a yield_force")
+    width = size[0] if size else 7.5
+    columns = min(len(chosen), 3 if width >= 6 else 2 if width >= LEAST_OF_TWO else 1)
+    rows = -(-len(chosen) // columns)
+    if size is not None and parts is None:
+        rows = min(rows, max(1, int((size[1] - 0.7) / LEAST_HEIGHT)))
+        chosen = chosen[:rows * columns]
+    with rc_context(STYLE):
+        figure = Picture(figsize=size or (7.5, 0.7 + 2.2 * rows), layout="constrained")
+        grid = figure.subplots(rows, columns, squeeze=False)
+        for axes in grid.flat[len(chosen):]:
+            axes.set_axis_off()
+        for letter, axes, (number, structure, part) in zip("abcdefghijklmnopqrstuvwxyz", grid.flat, chosen):
+            draw_loop(axes, structure, part, structure_colour(number))
+            axes.set_title(f"({letter}) {axes.get_title(loc='left')}")
+        figure.legend(handles=_legend(), loc="outside lower center", ncols=2)
+        head(figure, run.title if title is None else title)
+        return figure
+
+
+def most_energy(run: RunData) -> list[tuple[int, Structure, int]]:
+    """Number of the structure, structure and place of the SHOWN parts that lose most energy; equal ones in the order of the input."""
+    lost = [(springs.largest["hysteretic"][part], number, structure, part) for number, structure in enumerate(run.structures.values())
+            if (springs := structure.springs) is not None for part in range(len(springs))]
+    return [found[1:] for found in sorted(lost, key=lambda one: -one[0])[:SHOWN]]
+
+
+def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
+    """The loop of one part."""
+    springs = _springs(structure)
+    turns = structure.geometry is not None
+    deformation, force = MM * springs.deformation[:, part], springs.force[:, part]
+    size, unit = engineering(largest([force]), MOMENT_UNITS if turns else FORCE_UNITS)
+    for sign in (-1, 1):
+        axes.axvline(sign * MM * springs.yield_deformation[part], color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), zorder=1)
+    axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
+    axes.plot(deformation, force / size, color=colour, linewidth=0.8)
+    if deformation.size:
+        axes.plot(deformation[-1], force[-1] / size, marker="o", markersize=4, color="black", linestyle="none", zorder=4)
+    lost_size, lost_unit = engineering(springs.largest["hysteretic"][part], ENERGY_UNITS)
+    axes.set_title(f"{structure.name}, {springs.names[part]}")
+    axes.set_ylabel(f"{'Moment' if turns else 'Shear'} [{unit}]")
+    axes.set_xlabel(f"{'Rotation [mrad]' if turns else 'Drift [mm]'}\nductility {springs.largest['ductility'][part]:.3g}, "
+                    f"{springs.largest['hysteretic'][part] / lost_size:.3g} {lost_unit} lost")
+    axes.xaxis.set_major_locator(MaxNLocator(4))
+    axes.yaxis.set_major_locator(MaxNLocator(4))
+
+
+def _springs(structure: Structure) -> Springs:
+    if structure.springs is None:
+        raise BadRequest(f"{structure.name} stays elastic; there is no loop of it")
+    return structure.springs
+
+
+def _found(run: RunData, structure: str, part: str) -> tuple[int, Structure, int]:
+    names = list(run.structures)
+    if structure not in names:
+        raise BadRequest(f'there is no structure "{structure}"; there is {", ".join(names)}')
+    springs = _springs(run.structures[structure])
+    if part not in springs.names:
+        raise BadRequest(f'{structure} has no part "{part}"; there is {", ".join(springs.names)}')
+    return names.index(structure), run.structures[structure], springs.number(part)
+
+
+def _legend() -> list[Line2D]:
+    return [Line2D([], [], color="black", marker="o", markersize=4, linestyle="none", label="end of the run"),
+            Line2D([], [], color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), label="first yield")]
+
+
+def draw_residuals(axes: Axes, run: RunData) -> None:
+    """Residual drifts at the end of the run beside the largest ones, storey by storey, of the structures that yield."""
+    shown = [(number, structure) for number, structure in enumerate(run.structures.values()) if structure.springs is not None]
+    axes.set_title("Drifts, largest and at the end")
+    names: list[str] = []
+    for number, structure in shown:
+        summary = run.summary["structures"][structure.name]
+        residual = MM * np.abs(np.asarray(summary["residual_drift"], dtype=float))
+        peak = MM * np.asarray(summary["peak_drift"], dtype=float)
+        places = len(names) + np.arange(len(peak))
+        axes.bar(places, peak, width=0.7, facecolor="none", edgecolor=structure_colour(number), linewidth=0.9,
+                 label=f"{structure.name}, largest")
+        axes.bar(places, residual, width=0.7, color=structure_colour(number), label=f"{structure.name}, at the end")
+        names += structure.floors[:len(peak)]
+    axes.set_ylabel("Drift\n[mm]")
+    axes.set_xlabel("Storey")
+    few = list(range(0, len(names), -(-len(names) // 24))) if names else []
+    axes.set_xticks(few, [names[i] for i in few])
+    axes.grid(False, axis="x")
+    legend_beside(axes)

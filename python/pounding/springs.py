@@ -1,0 +1,49 @@
+"""Parts of a structure that yield, storeys and hinges, as results files hold them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import h5py
+import numpy as np
+
+from pounding import told
+from pounding.texts import texts
+
+
+@dataclass(frozen=True, repr=False)
+class Springs(told.Told, lines=told.springs):
+    """The parts of one structure that yield. Deformations are drifts of storeys [m] or rotations of hinges [rad], forces are shears [N] or
+    moments [N m]."""
+
+    names: list[str]  #: "storey 1", from the ground up
+    laws: list[str]  #: word of the input, one a part
+    stiffness: np.ndarray  #: [part] initial [N/m] or [N m/rad]
+    yield_deformation: np.ndarray  #: [part] [m] or [rad]
+    deformation: np.ndarray  #: [time, part] at the output times [m] or [rad]
+    force: np.ndarray  #: [time, part] [N] or [N m]
+    hysteretic: np.ndarray  #: [time, part] energy lost by yielding so far [J]
+    #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility, residual, hysteretic [J],
+    #: first_yield [s] (NaN where it stayed elastic), damping_shear (over the yield shear; NaN for hinges).
+    largest: dict[str, np.ndarray]
+    states: list[str]  #: "elastic" or "yielded", one a part
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def number(self, name: str) -> int:
+        """The place of a part by its name. Raises KeyError that lists the names."""
+        if name not in self.names:
+            raise KeyError(f"no part is named {name!r}; there are {', '.join(self.names)}")
+        return self.names.index(name)
+
+
+def read_springs(structure: h5py.Group) -> Springs | None:
+    """The parts of a structure that yield; None where it stays elastic."""
+    if "springs" not in structure:
+        return None
+    group = structure["springs"]
+    summary = group["summary"]
+    return Springs(names=texts(group["names"][:]), laws=texts(group["laws"][:]), states=texts(summary["state"][:]),
+                   largest={key: data[:] for key, data in summary.items() if key != "state"},
+                   **{key: group[key][:] for key in ("stiffness", "yield_deformation", "deformation", "force", "hysteretic")})
