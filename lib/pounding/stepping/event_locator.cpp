@@ -14,6 +14,8 @@ constexpr double grouped_part = 1e-9;
 constexpr double shortest_look = 1e-9;
 // A corner of a spring this near an end of the trial, relative to its length, lies at that end.
 constexpr double corner_part = 1e-3;
+// A jump of the slope by a smaller part of the initial stiffness is none.
+constexpr double least_jump = 1e-6;
 constexpr int max_corner_trials = 8;
 
 // A trial that was thrown away half solved must not be kept.
@@ -92,26 +94,31 @@ void EventLocator::Search::look_for_inner_touch(int link) const {
   if (!touches) restore(whole, end_time);
 }
 
-// Position in the trial, from 0 to 1, at which a spring begins to yield, or turns while it does: by the cubic through both ends.
+// Position in the trial, from 0 to 1, of the first corner of a spring's force well inside it: by the cubic through both ends.
 std::optional<double> EventLocator::Search::corner(int link) const {
   const Spring& spring = links.spring(link);
   const LinkMotion begin = links.motion(link, now), end = at_end(link);
   const CubicPenetration between(begin, end, trial.h);
-  const auto yields = [&](double s) { return spring.evaluate({between.at(s), 0}).by_penetration != 0; };
   const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
-  const auto onset = [&](double low, double high) {
-    while (high - low > 1e-6) (yields(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+  const auto inside = [](double s) { return s > corner_part && s < 1 - corner_part; };
+  // The deformation grows or falls all the way between these two.
+  const auto onset = [&](double deformation, double low, double high) {
+    const double way = between.at(high) - between.at(low);
+    while (high - low > 1e-6) {
+      const double middle = 0.5 * (low + high);
+      ((between.at(middle) - deformation) * way > 0 ? high : low) = middle;
+    }
     return high;
   };
-  const auto inside = [](double s) { return s > corner_part && s < 1 - corner_part; };
-  if (yields(turn)) {
-    const double s = onset(0, turn);
-    if (inside(s)) return s;
-    if (inside(turn)) return turn;
-  } else if (turn < 1 && yields(1)) {
-    const double s = onset(turn, 1);
-    if (inside(s)) return s;
-  }
+  const double turned = turn < 1 ? between.at(turn) : end.penetration;
+  if (const auto deformation = spring.corner(turned))
+    if (const double s = onset(*deformation, 0, turn); inside(s)) return s;
+  // Springs unload with about k, whatever slope they had.
+  const bool turns_sharply = std::abs(spring.evaluate({turned, 0}).by_penetration) > least_jump * spring.stiffness();
+  if (turns_sharply) return inside(turn) ? std::optional(turn) : std::nullopt;
+  if (turn < 1)
+    if (const auto deformation = spring.corner(end.penetration))
+      if (const double s = onset(*deformation, turn, 1); inside(s)) return s;
   return std::nullopt;
 }
 
