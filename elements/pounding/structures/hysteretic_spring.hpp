@@ -5,6 +5,7 @@
 
 #include <pounding/hysteresis/law.hpp>
 #include <pounding/structures/spring.hpp>
+#include <pounding/structures/spring_inside.hpp>
 
 namespace pounding {
 
@@ -13,7 +14,7 @@ namespace pounding {
 /// As a Spring it answers the force of the law minus k u. The law follows straight ways; where the deformation turns within a step,
 /// accept() goes to the turning point of the cubic through both ends of the step first. There is no dashpot.
 template <hysteresis::Law L>
-class HystereticSpring : public Spring {
+class HystereticSpring : public Spring, public SpringInside {
  public:
   /// Undeformed. Throws std::invalid_argument for a parameter that is out of range.
   explicit HystereticSpring(const L& law) : law_(law) { law_.check(); }
@@ -25,7 +26,6 @@ class HystereticSpring : public Spring {
   double stiffness() const noexcept override { return law_.stiffness(); }
   double yield_deformation() const noexcept override { return law_.yield_deformation(); }
   std::optional<double> corner(double deformation) const noexcept override { return law_.corner(kept_, deformation); }
-  bool has_corners() const noexcept override { return hysteresis::has_corners<L>; }
   /// A spring that was never deformed is brought to where the run begins, which loses nothing that is counted.
   void start(const LinkMotion& motion) override {
     if (kept_.deformation == 0 && motion.penetration != 0) {
@@ -34,6 +34,8 @@ class HystereticSpring : public Spring {
     }
   }
   void accept(const LinkStep& step) override {
+    before_ = kept_;
+    given_before_ = given_;
     if (step.motion_begin.rate * step.motion_end.rate < 0) {
       const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
       const double s = between.turn();
@@ -41,10 +43,18 @@ class HystereticSpring : public Spring {
     }
     follow(step.motion_end.penetration);
   }
-  double lost() const noexcept override {
-    if constexpr (counts_loss) return given_;
-    else return given_ - law_.stored(kept_);
+  SpringInside::Answer inside(const LinkStep& step, double s, double deformation) const noexcept override {
+    typename L::State state = before_;
+    double given = given_before_;
+    if (step.motion_begin.rate * step.motion_end.rate < 0) {
+      const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
+      if (const double turn = between.turn(); turn > 0 && turn < s) follow(state, given, between.at(turn));
+    }
+    const double force = hysteresis::excess(law_, state, deformation).force;
+    follow(state, given, deformation);
+    return {force, lost(state, given)};
   }
+  double lost() const noexcept override { return lost(kept_, given_); }
   double stored_correction() const noexcept override { return hysteresis::stored_excess(law_, kept_); }
   void archive(Archive& archive) override {
     archive(kept_);
@@ -60,15 +70,23 @@ class HystereticSpring : public Spring {
   static constexpr bool counts_loss =
       requires(const L& law, const typename L::State& kept, double d) { law.lost(kept, d); };
 
-  void follow(double deformation) {
-    if constexpr (counts_loss) given_ += law_.lost(kept_, deformation);
-    else given_ += law_.work(kept_, deformation);
-    kept_ = law_.advance(kept_, deformation);
+  void follow(double deformation) { follow(kept_, given_, deformation); }
+  void follow(typename L::State& state, double& given, double deformation) const {
+    if constexpr (counts_loss) given += law_.lost(state, deformation);
+    else given += law_.work(state, deformation);
+    state = law_.advance(state, deformation);
+  }
+  double lost(const typename L::State& state, double given) const noexcept {
+    if constexpr (counts_loss) return given;
+    else return given - law_.stored(state);
   }
 
   L law_;
   typename L::State kept_{};
   double given_ = 0;  // energy that was lost, or all work done on it [J]
+  // At the beginning of the last kept step. Who asks for it does so before the next one, and after accept().
+  typename L::State before_{};
+  double given_before_ = 0;
 };
 
 }  // namespace pounding

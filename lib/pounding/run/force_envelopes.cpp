@@ -218,7 +218,8 @@ void ForceEnvelopes::step_springs(int k, int row, const StepMotion& step) {
     }
     const LinkStep& spring = stepper_.link_steps()[first_spring_[k] + i];
     const auto update = [&](double part, double d) {
-      shear.update(i, step.begin_time + part * step.h, k_i * d + spring_force(spring, step.begin_time + part * step.h, d));
+      const double time = step.begin_time + part * step.h;
+      shear.update(i, time, k_i * d + spring_force(*s.yielding[i].spring, spring, time, d));
     };
     const double turn = v0 * v1 < 0 ? v0 / (v0 - v1) : 0.5;
     const Cubic at_turn(turn, step.h), at_middle(0.5, step.h);

@@ -115,20 +115,25 @@ void SpringHistories::step_damping(const StoreyDamping& damping) {
   }
 }
 
-// An output time is due before the step is taken into account: what was lost until its beginning stands in the history still. Inside it
-// energy is lost in proportion to time.
 void SpringHistories::sample(double time, bool inside) {
   visit_parts([&](int k, std::size_t i) {
     SpringHistory& history = histories_[k].springs;
     const int link = static_cast<int>(first_[k] + i);
     double d = stepper_.link_motion(link).penetration, on_top = stepper_.link_forces()[link];
-    double lost = model_.structures[k].yielding[i].spring->lost();
+    const Spring& spring = *model_.structures[k].yielding[i].spring;
+    double lost = spring.lost();
     if (inside) {
       const LinkStep& step = stepper_.link_steps()[link];
       const double s = (time - step.begin) / (step.end - step.begin);
       d = interpolate(step, s).penetration;
-      on_top = spring_force(step, time, d);
-      lost = history.lost[i] + s * (lost - history.lost[i]);
+      if (const auto* exact = dynamic_cast<const SpringInside*>(&spring)) {
+        const SpringInside::Answer answer = exact->inside(step, s, d);
+        on_top = answer.force;
+        lost = answer.lost;
+      } else {
+        on_top = spring_force(step, time, d);
+        lost = history.lost[i] + s * (lost - history.lost[i]);
+      }
     }
     history.deformation.push_back(d);
     history.force.push_back(history.stiffness[i] * d + on_top);

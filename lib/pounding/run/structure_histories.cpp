@@ -88,7 +88,8 @@ void StructureHistories::sample_floors(int k, const OutputInstant& at) {
       double shear = s.storey_stiffness[i] * drift;
       if (!s.yielding.empty()) {
         const LinkStep& step = stepper_.link_steps()[first_spring_[k] + i];
-        shear += at.inside ? spring_force(step, at.time, drift) : s.yielding[i].spring->evaluate({.penetration = drift}).force;
+        const Spring& spring = *s.yielding[i].spring;
+        shear += at.inside ? spring_force(spring, step, at.time, drift) : spring.evaluate({.penetration = drift}).force;
       }
       history.storey_shear.push_back(shear);
     }
