@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/input/words/sections.hpp>
+#include <pounding/input/words/springs.hpp>
 
 namespace pounding::test {
 
@@ -64,6 +65,11 @@ inline const std::string beside_wall =
     "  left: {frame: {material: {E: 30 GPa, density: 2500}, mass: consistent, grid: {storeys: 4, bays: 1, storey_height: 3 m, "
     "bay_width: 6 m, columns: " + rectangle + ", beams: " + rectangle + "}}, damping: 5 %}\n";
 
+/// Two storeys that yield by this spring.
+inline std::string yielding(const std::string& spring) {
+  return shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, damping: 5 %, spring: " + spring + "}}";
+}
+
 /// A model around one section, whose keys stand at the @.
 inline std::string around(const Section& s) {
   Keys with_floor = bent;
@@ -87,6 +93,7 @@ inline std::string around(const Section& s) {
       {&words::body, shaken + pair + "  a: {body: @}"},
       {&words::oscillator, shaken + pair + "  a: {oscillator: @}"},
       {&words::shear_building, shaken + pair + "  a: {shear_building: @}"},
+      {&words::storey_spring, yielding("@")},
       {&words::wall, shaken + pair + "  a: {wall: @}"},
       {&words::damping, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: @}"},
       {&words::rayleigh, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m}, damping: {rayleigh: @}}"},
@@ -124,6 +131,8 @@ inline std::string around(const Section& s) {
       {&words::bar, two_in_space + "devices: {tie: {between: [left.1, right.1], bar: @}}"},
       {&words::damper, shaken + pair + "devices: {tie: {between: [left, right], damper: @}}"},
       {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
+  for (const Section* law : words::laws_of_springs())
+    if (law == &s) return yielding(fmt::format("{{{}: @}}", law->name));
   return models.at(&s);
 }
 

@@ -1,9 +1,12 @@
 #include <pounding/input/resolved.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
+
+#include <pounding/hysteresis/all.hpp>
 
 namespace pounding {
 namespace {
@@ -49,18 +52,32 @@ void emit_frame(YAML::Emitter& out, const Structure& s) {
   }
 }
 
+// The law of the storeys with its numbers, storey by storey; a bilinear one as in its own keys where these say all.
+void emit_springs(YAML::Emitter& out, const std::vector<YieldingPart>& storeys) {
+  const YieldingPart& first = storeys.front();
+  const bool plain = first.law == "bilinear" && first.parameters.size() == 2;
+  if (!plain)
+    out << YAML::Key << "spring" << YAML::Value << YAML::BeginMap << YAML::Key << first.law << YAML::Value << YAML::BeginMap;
+  for (std::size_t k = 0; k < first.parameters.size(); ++k) {
+    const auto choices = hysteresis::find_law(first.law).choices;
+    if (const auto choice = std::ranges::find(choices, first.parameters[k].name, &hysteresis::ChoiceInfo::name); choice != choices.end()) {
+      out << YAML::Key << first.parameters[k].name << YAML::Value
+          << std::string(choice->words[static_cast<std::size_t>(first.parameters[k].value)]);
+      continue;
+    }
+    std::vector<double> values;
+    for (const YieldingPart& storey : storeys) values.push_back(storey.parameters[k].value);
+    emit_list(out, first.parameters[k].name, values);
+  }
+  if (!plain) out << YAML::EndMap << YAML::EndMap;
+}
+
 void emit_storeys(YAML::Emitter& out, const Structure& s) {
   const Eigen::VectorXd masses = s.mass.diagonal();
   emit_list(out, "mass", {masses.begin(), masses.end()});
   if (!s.storey_stiffness.empty()) {
     emit_list(out, "stiffness", s.storey_stiffness);
-    if (!s.yielding.empty()) {
-      for (std::size_t k = 0; k < s.yielding.front().parameters.size(); ++k) {
-        std::vector<double> values;
-        for (const YieldingPart& storey : s.yielding) values.push_back(storey.parameters[k].value);
-        emit_list(out, s.yielding.front().parameters[k].name, values);
-      }
-    }
+    if (!s.yielding.empty()) emit_springs(out, s.yielding);
     emit_list(out, "periods", periods(s));
     const Eigen::MatrixXd damping = s.whole_damping();
     if (s.size() <= max_shown_matrix) emit_list(out, "damping_matrix", {damping.data(), damping.data() + damping.size()});

@@ -12,6 +12,7 @@
 #include <pounding/input/force_input.hpp>
 #include <pounding/input/frame_input.hpp>
 #include <pounding/input/ground_input.hpp>
+#include <pounding/input/spring_input.hpp>
 #include <pounding/structures/oscillators.hpp>
 
 namespace pounding {
@@ -24,6 +25,11 @@ Structure read_body(const Input& body) {
 
 void read_yielding(const Input& body, Structure& s) {
   const std::optional<Input> force = body.find("yield_force"), hardening = body.find("hardening");
+  if (const auto spring = body.find("spring")) {
+    for (const auto& beside : {force, hardening})
+      if (beside) beside->fail_at_key("belongs to a bilinear storey, and a spring is given too; keep one of the two");
+    return let_storeys_yield(s, read_storey_spring(*spring, s.storey_stiffness));
+  }
   if (hardening && !force)
     hardening->fail_at_key("belongs to storeys that yield; type yield_force: 2 MN beside it, or leave it out");
   if (!force) return;

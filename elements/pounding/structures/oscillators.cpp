@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
-#include <pounding/structures/bilinear_spring.hpp>
 #include <pounding/structures/structure_damping.hpp>
 
 namespace pounding {
 namespace {
 
 constexpr const char* needs_yielding = "hardening belongs to storeys that yield; give the yield_force beside it";
+constexpr const char* one_law = "a spring says how the storeys yield; leave out the yield_force and the hardening beside it";
 
 void require_positive(double value, const char* what) {
   if (!(value > 0) || std::isinf(value)) throw std::invalid_argument(std::string(what) + " must be positive and finite");
@@ -121,7 +121,9 @@ Structure make_oscillator(const OscillatorOptions& options) {
     set_frequencies(s);
     set_damping(s, *options.damping_ratio);
   }
-  if (options.yield_force) let_storeys_yield(s, {*options.yield_force}, {options.hardening});
+  if (options.spring && (options.yield_force || options.hardening != 0)) throw std::invalid_argument(one_law);
+  if (options.spring) let_storeys_yield(s, *options.spring);
+  else if (options.yield_force) let_storeys_yield(s, {*options.yield_force}, {options.hardening});
   else if (options.hardening != 0) throw std::invalid_argument(needs_yielding);
   return s;
 }
@@ -137,6 +139,8 @@ Structure make_shear_building(const ShearBuildingOptions& options) {
   for (const double height : heights) require_positive(height, "height");
   Structure s = make_stick(masses, stiffnesses, heights);
   s.kind = "shear_building";
+  if (options.spring && !(options.yield_force.empty() && options.hardening.empty())) throw std::invalid_argument(one_law);
+  if (options.spring) let_storeys_yield(s, *options.spring);
   if (options.yield_force.empty() && !options.hardening.empty()) throw std::invalid_argument(needs_yielding);
   if (!options.yield_force.empty())
     let_storeys_yield(s, options.yield_force.of_each(options.storeys, "yield_force"),
@@ -149,15 +153,22 @@ void let_storeys_yield(Structure& s, const std::vector<double>& yield_forces, co
   const std::size_t storeys = s.storey_stiffness.size();
   if (yield_forces.size() != storeys || hardening.size() != storeys)
     throw std::invalid_argument("one yield force and one hardening a storey");
+  let_storeys_yield(s, {.law = "bilinear", .values = {{"yield_force", yield_forces}, {"hardening", hardening}}});
+}
+
+void let_storeys_yield(Structure& s, const SpringOptions& spring) {
   s.yielding.clear();
-  for (int i = 0; i < static_cast<int>(storeys); ++i) {
+  for (int i = 0; i < static_cast<int>(s.storey_stiffness.size()); ++i) {
+    const std::string name = "storey " + std::to_string(i + 1);
     Row drift(s.size());
     if (i > 0) drift.insert(i - 1) = -1;
     drift.insert(i) = 1;
-    s.yielding.emplace_back("storey " + std::to_string(i + 1), std::move(drift), "bilinear",
-                            std::vector<YieldingPart::Parameter>{{"yield_force", yield_forces[i]}, {"hardening", hardening[i]}},
-                            std::make_unique<BilinearSpring>(BilinearSpring::Parameters{
-                                .stiffness = s.storey_stiffness[i], .yield_force = yield_forces[i], .hardening = hardening[i]}));
+    try {
+      const hysteresis::Settings settings = spring.of_storey(i, s.storey_stiffness);
+      s.yielding.emplace_back(name, std::move(drift), spring.law, parameters_of(settings), make_spring(settings));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(s.storey_stiffness.size() == 1 ? error.what() : name + ": " + error.what());
+    }
   }
 }
 

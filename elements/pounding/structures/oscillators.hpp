@@ -6,6 +6,7 @@
 
 #include <pounding/structures/one_or_each.hpp>
 #include <pounding/structures/structure.hpp>
+#include <pounding/structures/yielding_law.hpp>
 
 namespace pounding {
 
@@ -28,6 +29,7 @@ struct OscillatorOptions {
   std::optional<double> damping_ratio{};
   std::optional<double> yield_force{};  ///< [N]; the spring stays elastic without one
   double hardening = 0;                 ///< of a spring that yields, see let_storeys_yield
+  std::optional<SpringOptions> spring{}; ///< another law by which it yields, instead of the two above
 };
 /// Throws std::invalid_argument for what is missing, given twice or out of range.
 Structure make_oscillator(const OscillatorOptions& options);
@@ -41,6 +43,7 @@ struct ShearBuildingOptions {
   OneOrEach height{};             ///< of each storey [m]; may be left out
   OneOrEach yield_force{};        ///< [N]; the storeys stay elastic without one
   OneOrEach hardening{};          ///< of storeys that yield, 0 unless given, see let_storeys_yield
+  std::optional<SpringOptions> spring{};  ///< another law by which they yield, instead of the two above
 };
 /// No damping yet: it is given to Model::add. Throws std::invalid_argument for what is missing or out of range.
 Structure make_shear_building(const ShearBuildingOptions& options);
@@ -49,6 +52,10 @@ Structure make_shear_building(const ShearBuildingOptions& options);
 /// that is `hardening` in [0, 1) times the initial one. The damping stays that of the initial stiffness.
 /// Throws std::invalid_argument when a number is out of range or the storeys are counted wrong.
 void let_storeys_yield(Structure& structure, const std::vector<double>& yield_forces, const std::vector<double>& hardening);
+
+/// Lets every storey of a structure yield by a law. The damping stays that of the initial stiffness. Throws std::invalid_argument, with the
+/// storey, for what the law refuses.
+void let_storeys_yield(Structure& structure, const SpringOptions& spring);
 
 /// Rigid, moves with the ground.
 Structure make_wall();

@@ -1,5 +1,6 @@
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/shared.hpp>
+#include <pounding/input/words/springs.hpp>
 
 namespace pounding::words {
 namespace {
@@ -17,6 +18,12 @@ constexpr Word hardening_word{
     .meaning = "Stiffness after yielding over the initial one: one for all storeys, or a list from the ground up. It needs "
                "yield_force.",
     .example = "5 %"};
+
+constexpr Word spring_word{
+    .key = "spring", .inside = &storey_spring, .otherwise = "bilinear where yield_force is given, else elastic", .since = "0.2.0",
+    .meaning = "Law by which the storeys yield, by its name with its numbers, instead of yield_force and hardening. The damping stays that "
+               "of the initial stiffness.",
+    .example = "{bouc_wen: {yield_force: 2 MN, hardening: 5 %}}"};
 
 constexpr Word structure_words[] = {
     damping_word,
@@ -59,6 +66,7 @@ constexpr Word oscillator_words[] = {
      .need = Need::exactly_one, .meaning = "Stiffness of the spring.", .example = "6.2 MN/m"},
     yield_word,
     hardening_word,
+    spring_word,
     damping_word,
     velocity_word,
     displacement_word};
@@ -78,6 +86,7 @@ constexpr Word shear_building_words[] = {
      .meaning = "Height of a storey: one for all storeys, or a list from the ground up.", .example = "3.2 m"},
     yield_word,
     hardening_word,
+    spring_word,
     damping_word,
     velocity_word,
     displacement_word};

@@ -1,11 +1,14 @@
 #include <pounding/input/words/word.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
 #include <pounding/input/words/sections.hpp>
+#include <pounding/input/words/springs.hpp>
 
 namespace pounding {
 
@@ -20,10 +23,11 @@ std::string Bounds::text() const {
 namespace words {
 namespace {
 
-constexpr const Section* all[] = {
+// The laws of springs follow behind the section of that name.
+constexpr const Section* without_laws[] = {
     &model,       &ground_motion,   &components,       &motion,       &wave,       &harmonic, &sum_part, &pulse, &synthetic,
     &displacement, &moved_harmonic, &moved_part,
-    &structure,   &body,            &oscillator,       &shear_building, &wall,     &damping,  &rayleigh, &modal,
+    &structure,   &body,            &oscillator,       &shear_building, &storey_spring, &wall, &damping,  &rayleigh, &modal,
     &force,       &force_harmonic,  &force_sum_part,   &force_pulse,  &step_force,
     &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
     &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,
@@ -53,7 +57,17 @@ const Word* Section::find(std::string_view key) const noexcept {
   return found == words.end() ? nullptr : &*found;
 }
 
-std::span<const Section* const> sections() noexcept { return all; }
+std::span<const Section* const> sections() noexcept {
+  static const std::vector<const Section*> all = [] {
+    std::vector<const Section*> made;
+    for (const Section* section : without_laws) {
+      made.push_back(section);
+      if (section == &storey_spring) std::ranges::copy(laws_of_springs(), std::back_inserter(made));
+    }
+    return made;
+  }();
+  return all;
+}
 
 }  // namespace words
 }  // namespace pounding

@@ -1,0 +1,71 @@
+#include <pounding/input/spring_input.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <pounding/hysteresis/all.hpp>
+
+namespace pounding {
+namespace {
+
+const hysteresis::Entry& law_of(const Input& spring) {
+  if (spring.is_scalar()) {
+    const std::string name = spring.as_text();
+    try {
+      hysteresis::find_law(name);
+    } catch (const std::invalid_argument& error) {
+      spring.fail(error.what());
+    }
+    spring.fail(fmt::format("says the law alone; type spring: {{{}: {{yield_force: 2 MN}}}} with its numbers", name));
+  }
+  spring.only_keys();
+  const hysteresis::Entry* chosen = nullptr;
+  for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
+    const auto found = spring.find(entry.name);
+    if (!found) continue;
+    if (chosen) found->fail_at_key(fmt::format("a storey follows one law, and {} is given too; keep one of the two", chosen->name));
+    chosen = &entry;
+  }
+  if (!chosen) spring.fail("the law is missing; type spring: {bouc_wen: {yield_force: 2 MN}}");
+  return *chosen;
+}
+
+// The key of the law that its refusal names, or the law itself.
+Input place_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry) {
+  const std::string_view first = std::string_view(refusal).substr(0, refusal.find(' '));
+  for (const hysteresis::ParameterInfo& parameter : entry.parameters)
+    if (parameter.name == first)
+      if (const auto found = law.find(parameter.name)) return *found;
+  return law;
+}
+
+}  // namespace
+
+SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness) {
+  const hysteresis::Entry& entry = law_of(spring);
+  const Input law = spring.at(entry.name);
+  law.only_keys();
+  const int storeys = static_cast<int>(stiffness.size());
+  SpringOptions options{.law = std::string(entry.name)};
+  for (const hysteresis::ParameterInfo& parameter : entry.parameters) {
+    if (parameter.name == "stiffness") continue;
+    if (parameter.need == hysteresis::Need::required) law.at(parameter.name);
+    if (const auto value = law.find(parameter.name)) options.values.emplace(parameter.name, value->as_quantities(storeys));
+  }
+  for (const hysteresis::ChoiceInfo& choice : entry.choices)
+    if (const auto word = law.find(choice.name)) options.words.emplace(choice.name, word->as_choice());
+  for (int i = 0; i < storeys; ++i)
+    try {
+      make_spring(options.of_storey(i, stiffness));
+    } catch (const std::invalid_argument& error) {
+      const Input place = place_of(error.what(), law, entry);
+      place.fail(place.is_list() ? fmt::format("storey {}: {}", i + 1, error.what()) : error.what());
+    }
+  return options;
+}
+
+}  // namespace pounding

@@ -1,0 +1,42 @@
+#include <pounding/structures/yielding_law.hpp>
+
+#include <stdexcept>
+#include <variant>
+
+#include <pounding/hysteresis/all.hpp>
+#include <pounding/structures/hysteretic_spring.hpp>
+
+namespace pounding {
+
+hysteresis::Settings SpringOptions::of_storey(int storey, const std::vector<double>& stiffness) const {
+  if (values.contains("stiffness")) throw std::invalid_argument("the stiffness of a spring is that of its storey; leave it out");
+  hysteresis::Settings settings{.law = law, .words = words};
+  for (const auto& [name, each] : values) settings.values.emplace(name, each.of_each(static_cast<int>(stiffness.size()), name)[storey]);
+  settings.values.emplace("stiffness", stiffness[storey]);
+  return settings;
+}
+
+std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings) {
+  return std::visit([]<class L>(const L& law) -> std::unique_ptr<Spring> { return std::make_unique<HystereticSpring<L>>(law); },
+                    hysteresis::make_law(settings));
+}
+
+std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& settings) {
+  std::vector<YieldingPart::Parameter> all;
+  std::visit(
+      [&all]<class L>(const L& law) {
+        for (const auto& parameter : L::parameters) {
+          const std::string name(parameter.info.name);
+          if (name == "stiffness") continue;
+          if (parameter.value) all.push_back({name, law.*parameter.value});
+          else if (law.*parameter.choice) all.push_back({name, *(law.*parameter.choice)});
+        }
+        if constexpr (requires { L::choices; })
+          for (const auto& choice : L::choices)
+            all.push_back({std::string(choice.info.name), static_cast<double>(choice.get(law))});
+      },
+      hysteresis::make_law(settings));
+  return all;
+}
+
+}  // namespace pounding

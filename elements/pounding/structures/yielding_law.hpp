@@ -1,0 +1,34 @@
+#pragma once
+/// Parts that yield by one of the laws of hysteresis/, by its name.
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <pounding/hysteresis/entry.hpp>
+#include <pounding/structures/one_or_each.hpp>
+#include <pounding/structures/structure.hpp>
+
+namespace pounding {
+
+/// A law of yielding for the storeys of a structure, without its stiffness, which is that of the storey: `{.law = "bouc_wen", .values =
+/// {{"yield_force", {1.6e6, 1.2e6}}, {"exponent", 1}}}`. SI units.
+struct SpringOptions {
+  std::string law;                                           ///< name of the law
+  std::map<std::string, OneOrEach, std::less<>> values{};    ///< its numbers by their names: one for all storeys, or a list
+  std::map<std::string, std::string, std::less<>> words{};   ///< its choices, as in {"memory", "last"}
+
+  /// Settings of the law in storey `storey`, counted from 0, of as many as `stiffness` has entries [N/m]. Throws std::invalid_argument for a
+  /// list of another length, and for a stiffness that is given.
+  hysteresis::Settings of_storey(int storey, const std::vector<double>& stiffness) const;
+};
+
+/// An undeformed spring that follows the law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a
+/// missing one, and a value out of range.
+std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings);
+/// Every number and choice of a law with these settings but its stiffness, defaults included; numbers that nothing stands for are left out.
+/// The value of a choice is the place of its word in the law's table, from 0.
+/// Throws as make_spring().
+std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& settings);
+
+}  // namespace pounding
