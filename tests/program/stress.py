@@ -3,6 +3,7 @@
 nobody through.
 
     python3 tests/program/stress.py build/pounding --seed 1 --count 100000 --jobs 2 --log seed1.jsonl --keep faults
+    python3 tests/program/stress.py build/pounding --seed 1 --family yielding --count 1000
     python3 tests/program/stress.py build/pounding --seed 1 --print 494 > case.yaml
     python3 tests/program/stress.py build/pounding --seed 1 --against-independent 200
     python3 tests/program/stress.py build/pounding --seed 1 --against-other-integrator 200
@@ -28,7 +29,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from stress_cases import BEYOND_INDEPENDENT, SPREAD, case_of, input_file
+from stress_cases import BEYOND_INDEPENDENT, FAMILIES, SPREAD, case_of, input_file
 from stress_checks import Run, faults_of
 
 #: A run may take this long [s].
@@ -55,8 +56,8 @@ def program_run(program, case, folder, *options):
 
 def examine(task):
     """One case: what is wrong with it, and what it took."""
-    program, seed, number = task
-    case, begin = case_of(seed, number), time.perf_counter()
+    program, seed, number, family = task
+    case, begin = case_of(seed, number, family), time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         run, message = program_run(program, case, folder)
         outcome = {"number": number, "family": case["family"], "seconds": time.perf_counter() - begin, "text": input_file(case)}
@@ -97,7 +98,7 @@ def logged(path):
 
 def examined(chosen, numbers):
     """Outcomes of cases as they are done, each noted in the log."""
-    tasks = [(chosen.program, chosen.seed, number) for number in numbers]
+    tasks = [(chosen.program, chosen.seed, number, chosen.family) for number in numbers]
     with multiprocessing.Pool(chosen.jobs) as pool, open(chosen.log or os.devnull, "a", encoding="utf-8") as log:
         for outcome in pool.imap_unordered(examine, tasks, chunksize=4):
             log.write(json.dumps(outcome if outcome["faults"] else outcome | {"text": ""}) + "\n")
@@ -250,6 +251,7 @@ def main():
     words.add_argument("--seed", type=int, default=1)
     words.add_argument("--count", type=int, default=10000)
     words.add_argument("--first", type=int, default=0, help="number of the first case")
+    words.add_argument("--family", choices=[family.__name__ for family in FAMILIES], help="cases of this family alone")
     words.add_argument("--jobs", type=int, default=1)
     words.add_argument("--keep", type=Path, metavar="FOLDER", help="write the cases that go wrong there")
     words.add_argument("--log", type=Path, metavar="FILE", help="note every case there, and leave out those that it holds")
@@ -258,7 +260,7 @@ def main():
     words.add_argument("--against-independent", type=int, metavar="COUNT", help="compare so many cases with independent.py")
     chosen = words.parse_args()
     if chosen.print is not None:
-        print(input_file(case_of(chosen.seed, chosen.print)), end="")
+        print(input_file(case_of(chosen.seed, chosen.print, chosen.family)), end="")
         return
     task = compare_integrators if chosen.against_other_integrator is not None else \
         stress if chosen.against_independent is None else compare

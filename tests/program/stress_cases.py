@@ -36,6 +36,12 @@ DIRECT = {
     "jankowski": ("damping_ratio", 0, 5),
     "viscous_hertz": ("damping_ratio", 0, 4),
 }
+#: Laws of storeys, with values of what they take beside the yield force and the hardening.
+SPRINGS = {
+    "bilinear": {},
+    "menegotto_pinto": {"memory": ["nested", "last"], "R0": [14, 20]},
+    "bouc_wen": {"exponent": [1, 1.5, 2, 5], "gamma_share": [0, 0.3, 0.5]},
+}
 WITH_DESIGN_SPEED = ["modified_kelvin", "hertz_damped", "bilinear_hertz", "kuwabara_kono", "adams_impact", "limited_damper"]
 RESTITUTIONS = [0.05, 0.1, 0.3, 0.5, 0.65, 0.8, 0.95, 1.0]
 #: The loop of bilinear_hertz cannot lose more.
@@ -103,6 +109,11 @@ def building(chance, number, storeys, yields):
     if yields:
         own["yield_force"] = chance.uniform(0.02, 0.4) * 9.81 * least * storeys
         own["hardening"] = chance.choice([0, 0.02, 0.2])
+    if yields == "by any law":
+        law = chance.choice(list(SPRINGS))
+        words = ", ".join(f"{key}: {chance.choice(values)}" for key, values in SPRINGS[law].items())
+        own["spring"] = (f"{{{law}: {{yield_force: {own.pop('yield_force')}, hardening: {own.pop('hardening')}"
+                         f"{', ' if words else ''}{words}}}}}")
     return own
 
 
@@ -132,11 +143,11 @@ def buildings(chance, yields):
 
 
 def towers(chance):
-    return buildings(chance, False)
+    return buildings(chance, None)
 
 
 def yielding(chance):
-    return buildings(chance, True)
+    return buildings(chance, chance.choice(["bilinear", "by any law", "by any law"]))
 
 
 def frames(chance):
@@ -266,9 +277,11 @@ FAMILIES = {mixed: 35, grazing: 11, resting: 12, together: 13, free: 9, towers: 
 BEYOND_INDEPENDENT = ("towers", "yielding", "frames")
 
 
-def case_of(seed, number):
+def case_of(seed, number, only=None):
+    """The case of this seed and number; with `only` the next of its random numbers are spent on a case of that family."""
     chance = random.Random(seed * 1_000_000 + number)
     family = chance.choices(list(FAMILIES), FAMILIES.values())[0]
+    family = next((one for one in FAMILIES if one.__name__ == only), family)
     case = family(chance)
     case.setdefault("tolerance", chance.choice([1e-4, 1e-4, 1e-4, 1e-3, 1e-5]))
     return case | {"family": family.__name__}
@@ -301,7 +314,7 @@ def input_file(case):
         if s["kind"] == "frame":
             text += frame_text(s)
             continue
-        own = flow({key: s[key] for key in ("storeys", "mass", "period", "stiffness", "yield_force", "hardening", "damping") if key in s})
+        own = flow({key: s[key] for key in ("storeys", "mass", "period", "stiffness", "yield_force", "hardening", "spring", "damping") if key in s})
         text += f"  {s['name']}: {{{s['kind']}: {own}, initial_velocity: {s['velocity']}}}\n"
     text += "links:\n"
     for l in case["links"]:

@@ -43,7 +43,7 @@ class RandomRows(unittest.TestCase):
     def test_end_close_their_energy_and_let_nobody_through(self):
         for number in range(CASES):
             with self.subTest(number=number):
-                outcome = stress.examine((PROGRAM, SEED, number))
+                outcome = stress.examine((PROGRAM, SEED, number, None))
                 self.assertEqual(outcome["faults"], [], outcome["text"])
 
     def test_cover_every_law_and_every_kind_of_contact(self):

