@@ -18,5 +18,6 @@
 #include <pounding/model/model.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/model/plausible.hpp>
+#include <pounding/model/pushover.hpp>
 #include <pounding/structures/bilinear_spring.hpp>
 #include <pounding/structures/oscillators.hpp>

@@ -12,6 +12,7 @@ void add_calibrate(CLI::App& app);  ///< `calibrate --law ... --restitution ...`
 void add_record(CLI::App& app);     ///< `record info|spectrum`
 void add_spectrum(CLI::App& app);   ///< `spectrum RESULTS.h5`
 void add_modes(CLI::App& app);      ///< `modes MODEL.yaml`
+void add_pushover(CLI::App& app);   ///< `pushover MODEL.yaml`
 void add_sensitivity(CLI::App& app);  ///< `sensitivity MODEL.yaml`
 void add_plot(CLI::App& app);       ///< `plot RESULTS.h5`
 void add_animate(CLI::App& app);    ///< `animate RESULTS.h5`
@@ -36,6 +37,9 @@ void draw_floor_spectrum(const std::string& results, const std::string& floor, c
 
 /// Draws mode shapes; `modes` is the JSON object that python/pounding/mode_shapes.py describes. Throws as `draw`.
 void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});
+
+/// Draws the curve of a pushover; `pushover` is the JSON object that `pounding pushover --json` prints. Throws as `draw`.
+void draw_pushover(const std::string& pushover, const std::string& picture, const std::string& title = {});
 
 /// Draws response spectra; `spectra` is the JSON object that python/pounding/spectra.py describes. Throws as `draw`.
 void draw_spectra(const std::string& spectra, const std::string& picture);

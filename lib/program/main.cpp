@@ -89,6 +89,7 @@ int main(int argc, char** argv) {
   using namespace pounding::program;
   add_run(app);
   add_modes(app);
+  add_pushover(app);
   add_sensitivity(app);
   add_words(app);
   add_laws(app);

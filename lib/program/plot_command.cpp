@@ -66,6 +66,13 @@ void draw_modes(const std::string& modes, const std::string& picture, const std:
   run_python({.module = "mode_shapes", .product = "picture"}, options, {file.name()});
 }
 
+void draw_pushover(const std::string& pushover, const std::string& picture, const std::string& title) {
+  const TemporaryFile file(pushover);
+  std::vector<std::string> options{"-o", picture};
+  if (!title.empty()) options.push_back("--title=" + title);
+  run_python({.module = "pushover_curve", .product = "picture"}, options, {file.name()});
+}
+
 void draw_spectra(const std::string& spectra, const std::string& picture) {
   const TemporaryFile file(spectra);
   run_python({.module = "spectra", .product = "picture"}, {"-o", picture}, {file.name()});

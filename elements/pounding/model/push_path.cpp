@@ -58,7 +58,7 @@ class FreshSprings {
 class Pusher {
  public:
   Pusher(const Structure& s, const PushOptions& options)
-      : structure_(s), statics_(s, options.load, options.control), fresh_(s), springs_(fresh_.all()), yielding_(springs_.size(), 0),
+      : structure_(s), statics_(s, options.load, options.control, options.follow), fresh_(s), springs_(fresh_.all()), yielding_(springs_.size(), 0),
         has_yielded_(springs_.size(), false), hit_(springs_.size(), false), slopes_(VectorXd::Zero(statics_.parts())),
         scales_(statics_.parts()) {
     for (Eigen::Index j = 0; j < scales_.size(); ++j) scales_[j] = deformation_scale(spring(j), statics_.at_rest()[j]);
@@ -187,6 +187,7 @@ class Pusher {
         point.deformations = d;
         point.forces = forces;
         point.factor = statics_.factor(point.displacement, forces);
+        point.followed = statics_.followed(point.displacement, forces);
         return true;
       }
       const Eigen::MatrixXd soft = scales_.cwiseInverse().asDiagonal() * statics_.flexibility() * slopes.cwiseProduct(scales_).asDiagonal();

@@ -16,6 +16,7 @@ struct PushOptions {
   Row control;                  ///< the displacement that is followed, in terms of the unknowns
   std::vector<double> targets;  ///< values of that displacement, reached one after the other [m]
   int smooth_steps = 400;       ///< to the farthest target, where the slope of a law changes everywhere
+  Eigen::MatrixXd follow{};     ///< rows of the unknowns, displacements that are kept at every point
 };
 
 /// Equilibrium at one displacement.
@@ -24,6 +25,7 @@ struct PushPoint {
   double factor = 0;        ///< of the load
   /// Of the yielding parts: deformations [m] or [rad], and forces on top of k times these [N] or [N m].
   Eigen::VectorXd deformations, forces;
+  Eigen::VectorXd followed;  ///< other displacements that were asked for [m]
 };
 
 /// What happens to a part at a point of the path.

@@ -21,21 +21,24 @@ SparseMatrix deformation_columns(const Structure& s) {
 
 }  // namespace
 
-StaticYielding::StaticYielding(const Structure& s, const Eigen::VectorXd& load, const Row& control)
+StaticYielding::StaticYielding(const Structure& s, const Eigen::VectorXd& load, const Row& control, const Eigen::MatrixXd& follow)
     : at_rest_(static_cast<Eigen::Index>(s.yielding.size())) {
   StaticSolver solver(s.stiffness);
   if (!solver.holds()) throw std::invalid_argument(solver.buckles() ? "it buckles before it is pushed" : "nothing holds it to the ground");
   const SparseMatrix columns = deformation_columns(s);
-  loaded_ = solver.solve(load);
-  by_parts_ = solver.solve(Eigen::MatrixXd(columns));
-  by_load_ = control.dot(loaded_);
-  if (!(by_load_ > rounding * loaded_.cwiseAbs().maxCoeff()))
+  const Eigen::VectorXd loaded = solver.solve(load);
+  const Eigen::MatrixXd by_parts = solver.solve(Eigen::MatrixXd(columns));
+  by_load_ = control.dot(loaded);
+  if (!(by_load_ > rounding * loaded.cwiseAbs().maxCoeff()))
     throw std::invalid_argument("the load does not move the displacement that is followed, or moves it against its own direction");
   for (Eigen::Index j = 0; j < at_rest_.size(); ++j) at_rest_[j] = s.yielding[static_cast<std::size_t>(j)].at_rest;
-  by_displacement_ = columns.transpose() * loaded_ / by_load_;
-  held_ = by_parts_.transpose() * control;
-  flexibility_ = columns.transpose() * by_parts_ - by_displacement_ * held_.transpose();
+  by_displacement_ = columns.transpose() * loaded / by_load_;
+  held_ = by_parts.transpose() * control;
+  flexibility_ = columns.transpose() * by_parts - by_displacement_ * held_.transpose();
   if (s.yielding_flexibility.size() > 0) flexibility_ += s.yielding_flexibility;
+  if (follow.size() == 0) return;
+  followed_by_load_ = follow * loaded;
+  followed_by_parts_ = follow * by_parts;
 }
 
 Eigen::VectorXd StaticYielding::deformations(double displacement, const Eigen::VectorXd& forces) const {
@@ -46,8 +49,8 @@ double StaticYielding::factor(double displacement, const Eigen::VectorXd& forces
   return (displacement + held_.dot(forces)) / by_load_;
 }
 
-Eigen::VectorXd StaticYielding::unknowns(double displacement, const Eigen::VectorXd& forces) const {
-  return factor(displacement, forces) * loaded_ - by_parts_ * forces;
+Eigen::VectorXd StaticYielding::followed(double displacement, const Eigen::VectorXd& forces) const {
+  return factor(displacement, forces) * followed_by_load_ - followed_by_parts_ * forces;
 }
 
 }  // namespace pounding

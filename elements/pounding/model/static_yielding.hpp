@@ -17,9 +17,9 @@ namespace pounding {
 /// with a = K^-1 p, Z = K^-1 B, cp = c^T a, z = Z^T c, g = B^T a/cp, H = B^T Z + R - g z^T. What the load does is exact for any law.
 class StaticYielding {
  public:
-  /// `load` p has one value an unknown, `control` c is a displacement in their terms. Throws std::invalid_argument where K does not hold
+  /// `load` p has one value an unknown, `control` c and the rows of `follow` are displacements in their terms. Throws std::invalid_argument where K does not hold
   /// the structure, and where the load does not move the displacement its own way.
-  StaticYielding(const Structure& structure, const Eigen::VectorXd& load, const Row& control);
+  StaticYielding(const Structure& structure, const Eigen::VectorXd& load, const Row& control, const Eigen::MatrixXd& follow = {});
 
   int parts() const noexcept { return static_cast<int>(at_rest_.size()); }
   /// d0 [m] or [rad].
@@ -33,15 +33,15 @@ class StaticYielding {
   Eigen::VectorXd deformations(double displacement, const Eigen::VectorXd& forces) const;
   /// The factor of the load. It is linear in both, and so gives rates of rates.
   double factor(double displacement, const Eigen::VectorXd& forces) const;
-  /// u.
-  Eigen::VectorXd unknowns(double displacement, const Eigen::VectorXd& forces) const;
+  /// The displacements that are followed.
+  Eigen::VectorXd followed(double displacement, const Eigen::VectorXd& forces) const;
 
  private:
   double by_load_ = 0;                                // cp
   Eigen::VectorXd at_rest_, by_displacement_, held_;  // held_: z
   Eigen::MatrixXd flexibility_;
-  Eigen::VectorXd loaded_;       // a
-  Eigen::MatrixXd by_parts_;     // Z
+  Eigen::VectorXd followed_by_load_;
+  Eigen::MatrixXd followed_by_parts_;
 };
 
 }  // namespace pounding

@@ -1,0 +1,153 @@
+#include <pounding/input/pushover_input.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/core/names.hpp>
+#include <pounding/core/text.hpp>
+#include <pounding/core/units.hpp>
+
+namespace pounding {
+namespace {
+
+constexpr std::size_t longest_file = 10'000'000;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  return begin == std::string_view::npos ? std::string_view{} : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+// Parts between any of these characters; empty ones are kept between commas only.
+std::vector<std::string_view> split(std::string_view text, std::string_view separators, bool keeps_empty) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    const std::string_view part = trimmed(text.substr(begin, end - begin));
+    if (keeps_empty || !part.empty()) parts.push_back(part);
+    begin = end + 1;
+  }
+  return parts;
+}
+
+// An option in words, which names itself in messages.
+class Option {
+ public:
+  Option(const PushoverWords& words, std::string_view name) : name_(words.mark + std::string(name)) {}
+  [[noreturn]] void refuse(const std::string& text) const { throw InputError(name_ + ": " + text); }
+
+ private:
+  std::string name_;
+};
+
+const Structure& find_structure(const Model& model, const PushoverWords& words) {
+  const Option option(words, "structure");
+  std::vector<std::string> names, yielding;
+  for (const Structure& s : model.structures) {
+    names.push_back(s.name);
+    if (!s.yielding.empty()) yielding.push_back(s.name);
+    if (s.name == words.structure) return s;
+  }
+  if (!words.structure.empty()) option.refuse(unknown_name("structure", words.structure, names));
+  if (yielding.size() != 1)
+    option.refuse(yielding.empty() ? "no structure of this model yields; give yield_force to an oscillator or a shear_building, or hinges to a frame"
+                                   : fmt::format("{} structures of this model yield; name one of them, such as {}", yielding.size(), yielding.front()));
+  for (const Structure& s : model.structures)
+    if (s.name == yielding.front()) return s;
+  option.refuse("it is not there");
+}
+
+double read_target(const Option& option, std::string_view text, double height) {
+  constexpr std::string_view roof = "roof";
+  const std::string whole(text);
+  if (text.ends_with(roof)) text = trimmed(text.substr(0, text.size() - roof.size()));
+  double number = 0, target = 0;
+  if (text.empty()) option.refuse(R"(a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
+  if (text.ends_with('%')) {
+    if (!parse_number(trimmed(text.substr(0, text.size() - 1)), number))
+      option.refuse(fmt::format(R"("{}" is no part of the height; type one such as "2 % roof")", excerpt(whole)));
+    if (std::isnan(height))
+      option.refuse(fmt::format(R"(the heights of this structure are not known, so "{}" is no length; give height to its storeys, or type a displacement such as "250 mm")",
+                                excerpt(whole)));
+    target = number / 100 * height;
+  } else if (parse_number(text, number)) {
+    option.refuse(fmt::format(R"("{0}" has no unit; type "{0} mm", or a part of the height such as "2 % roof")", excerpt(text)));
+  } else {
+    try {
+      target = parse_quantity(text, dimension::length);
+    } catch (const InputError& error) {
+      option.refuse(fmt::format(R"({}; or a part of the height such as "2 % roof")", error.what()));
+    }
+  }
+  if (target == 0) option.refuse(R"(a displacement of the roof of zero leads nowhere; type one such as "250 mm" or "2 % roof")");
+  if (std::abs(target) > height)
+    option.refuse(fmt::format(R"("{}" is farther than the roof is high, {}; type less)", excerpt(whole), format_quantity(height, dimension::length)));
+  return target;
+}
+
+std::vector<double> read_targets(const Structure& s, const PushoverWords& words) {
+  const double height = roof_height(s);
+  std::vector<double> targets;
+  if (!words.cyclic.empty())
+    for (const std::string_view text : split(words.cyclic, ",", true)) targets.push_back(read_target(Option(words, "cyclic"), text, height));
+  if (!words.to.empty() || words.cyclic.empty()) targets.push_back(read_target(Option(words, "to"), trimmed(words.to), height));
+  return targets;
+}
+
+std::vector<double> read_forces(const Option& option, const std::string& path, std::size_t floors) {
+  std::vector<double> forces;
+  const std::string text = read_text_file(path, "file of forces", longest_file);
+  std::size_t number = 0;
+  for (const std::string_view line : split(text, "\n", true)) {
+    ++number;
+    for (const std::string_view item : split(line.substr(0, line.find('#')), " \t,;", false))
+      if (double force = 0; parse_number(item, force)) forces.push_back(force);
+      else option.refuse(fmt::format("{}:{}: \"{}\" is no number; the file holds one force a floor, from the ground up", path, number, excerpt(item)));
+  }
+  if (forces.size() != floors)
+    option.refuse(fmt::format("{} holds {} numbers, and the structure has {} floor{}; write one force a floor, from the ground up", path, forces.size(),
+                              floors, floors == 1 ? "" : "s"));
+  return forces;
+}
+
+void read_load(const Structure& s, const PushoverWords& words, PushoverOptions& options) {
+  const Option option(words, "load");
+  constexpr std::string_view names[] = {"triangular", "uniform", "mode1"};
+  for (const LoadPattern pattern : {LoadPattern::triangular, LoadPattern::uniform, LoadPattern::mode1})
+    if (words.load == name_of(pattern)) {
+      options.pattern = pattern;
+      return;
+    }
+  std::error_code unknown;
+  if (!std::filesystem::exists(words.load, unknown))
+    option.refuse(fmt::format("\"{}\" is neither a pattern nor a file.{}", excerpt(words.load), suggestion(words.load, names)));
+  options.pattern = LoadPattern::given;
+  options.forces = read_forces(option, words.load, s.floors.size());
+}
+
+}  // namespace
+
+Pushover pushover(const Model& model, const PushoverWords& words, const ModeSolver& modes) {
+  const Structure& s = find_structure(model, words);
+  PushoverOptions options;
+  if (words.direction != "x" && words.direction != "y")
+    Option(words, "direction").refuse(fmt::format("takes x or y; \"{}\" was read", excerpt(words.direction)));
+  options.direction = words.direction == "y" ? 1 : 0;
+  read_load(s, words, options);
+  options.targets = read_targets(s, words);
+  const std::string place = fmt::format("{}: structures.{}: ", model.source_file, s.name);
+  try {
+    return pushover(s, options, modes);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(place + error.what());
+  } catch (const SolverError& error) {
+    throw SolverError(place + error.what());
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,63 @@
+/// `pounding pushover MODEL.yaml --structure NAME --to "2 % roof"`.
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/input/pushover_input.hpp>
+#include <pounding/input/read_model.hpp>
+#include <pounding/linear/lowest_modes.hpp>
+#include <pounding/petsc/environment.hpp>
+#include <pounding/results/pushover_file.hpp>
+#include "program/commands.hpp"
+
+namespace pounding::program {
+namespace {
+
+struct PushoverArguments {
+  std::string model, output, picture;
+  PushoverWords words;
+  bool json = false, plot = false;
+};
+
+void push_over(const PushoverArguments& given) {
+  const petsc::Environment environment;
+  const Model model = read_model(Input::read_file(given.model), petsc::lowest_modes);
+  const Pushover found = pushover(model, given.words, petsc::lowest_modes);
+  std::fputs(given.json ? (pushover_json(found) + "\n").c_str() : pushover_table(found).c_str(), stdout);
+  if (!given.output.empty()) {
+    write_pushover(given.output, found, model.source_text);
+    if (!given.json) std::printf("results       %s\n", given.output.c_str());
+  }
+  if (given.plot || !given.picture.empty()) {
+    const std::string picture = given.picture.empty() ? std::filesystem::path(given.model).stem().string() + "_pushover.png" : given.picture;
+    draw_pushover(pushover_json(found), picture, model.title);
+    if (!given.json) std::printf("picture       %s\n", picture.c_str());
+  }
+  if (!found.path.collapse.empty())
+    throw SolverError(fmt::format("{}: {} collapses {}; the results end there. Push it less far", model.source_file, found.structure, found.path.collapse));
+}
+
+}  // namespace
+
+void add_pushover(CLI::App& app) {
+  const auto given = std::make_shared<PushoverArguments>();
+  CLI::App* const command = app.add_subcommand("pushover", "Pushes a structure whose parts yield: curve, order of hinges, mechanism");
+  command->add_option("MODEL", given->model, "Input file (YAML)")->required();
+  command->add_option("--structure", given->words.structure, "Its name; may be left out where one structure of the model yields");
+  command->add_option("--load", given->words.load, "triangular, uniform or mode1, or a file with one force a floor, from the ground up")->capture_default_str();
+  command->add_option("--direction", given->words.direction, "x, or in space y")->capture_default_str();
+  command->add_option("--to", given->words.to, "Displacement of the roof: \"250 mm\", or \"2 % roof\" of its height");
+  command->add_option("--cyclic", given->words.cyclic, "Displacements that are reached before, one after the other: \"1 %, -1 %, 2 %\"");
+  command->add_flag("--json", given->json, "Print one JSON object");
+  command->add_flag("--plot", given->plot, "Draw the curve: MODEL_pushover.png in the current folder");
+  names_a_file(command->add_option("--picture", given->picture, "Name of the picture: .png, .pdf or .svg"));
+  names_a_file(command->add_option("-o,--output", given->output, "Results file: .h5"));
+  command->callback([given] { push_over(*given); });
+}
+
+}  // namespace pounding::program
