@@ -16,9 +16,11 @@ void Extremes::update(std::size_t i, double time, double h, double begin, double
 
 void Extremes::update(std::size_t i, double time, std::span<const double> times, double& value, double& slope, const double* pairs) {
   for (const double next : times) {
-    const double end = *pairs++, slope_end = *pairs++;
-    // Most steps bring nothing new.
-    if ((end < min[i]) | (end > max[i]) | (slope * slope_end < 0)) update(i, time, next - time, value, slope, end, slope_end);
+    const double h = next - time, end = *pairs++, slope_end = *pairs++;
+    // The cubic lies between these four values, its points as a Bezier curve. Most steps bring nothing new.
+    const double near_begin = h / 3 * std::abs(slope), near_end = h / 3 * std::abs(slope_end);
+    if (std::min(value - near_begin, end - near_end) < min[i] || std::max(value + near_begin, end + near_end) > max[i])
+      update(i, time, h, value, slope, end, slope_end);
     time = next;
     value = end;
     slope = slope_end;

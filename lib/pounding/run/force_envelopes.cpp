@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <span>
 #include <utility>
@@ -11,23 +12,17 @@
 namespace pounding {
 namespace {
 
-// Steps go on without a knot while the cubic misses the displacements by less than this part of the largest ones, both as square
-// roots of their strain energy. An acceleration that strays from a straight line by da within a time t moves it by da t^2/64. Three
-// times as much leaves axial forces of beams that are hit more than 1e-3 off.
-constexpr double allowed_miss = 1e-5;
-
 // Time over which the forces of members that turn are differentiated.
 constexpr double difference = 1e-7;  // [s]
 
 }  // namespace
 
 ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results)
-    : model_(model), plan_(plan), stepper_(stepper), results_(results), first_unknown_(offsets(model)),
-      largest_(stepper.system().groups.size()), strayed_(largest_) {
+    : model_(model), plan_(plan), stepper_(stepper), results_(results), first_unknown_(offsets(model)), knots_(stepper) {
   motions_.setZero(Eigen::NoChange, stepper.system().size());
-  const System& system = stepper.system();
-  const bool with_links = system.contact_count() > 0;
-  std::size_t spring = system.contact_count();
+  const bool with_links = stepper.system().contact_count() > 0;
+  for (const Link& link : model.links) every_step_ = every_step_ || (with_links && link.contact->is_rigid());
+  std::size_t spring = stepper.system().contact_count();
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
     every_step_ = every_step_ || s.is_free || s.rigid_motions > 0;
@@ -36,44 +31,47 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
     spring += s.yielding.size();
     StructureEnvelope& envelope = results_.structures[k].envelope;
     if (s.has_storeys()) envelope.storey_shear = Extremes(s.floors.size() * results_.structures[k].storey_directions());
-    if (s.dimension == 1) continue;
-    const std::size_t ends = s.forces.members.size() * s.forces.components.size();
-    envelope.member_force = Extremes(ends);
-    envelope.reaction = Extremes(s.forces.supports.size() * s.forces.directions.size());
-    const int components = static_cast<int>(s.forces.components.size()), shears = static_cast<int>(envelope.storey_shear.size());
-    std::set<int> pressed;  // members
-    for (int i = 0; with_links && i < static_cast<int>(model.links.size()); ++i) {
-      const Link& link = model.links[i];
-      every_step_ = every_step_ || link.contact->is_rigid();
-      for (const LinkEnd* end : {&link.left, &link.right})
-        if (end->structure == k && end->point.member >= 0) pressed.insert(end->point.member);
-    }
-    const auto apart = [&](int quantity) {
-      return s.forces.turned || (quantity >= shears && pressed.contains((quantity - shears) / components));
-    };
-    add_block(k, internal_forces(model, k, plan, apart));
-    const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
-    for (int i = 0; !pressed.empty() && i < static_cast<int>(model.links.size()); ++i) {
-      const Link& link = model.links[i];
-      for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
-        if (end->structure != k || end->point.member < 0) continue;
-        const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * link.direction);
-        FixedEnds made{i, static_cast<int>(blocks_.size()) - 1, places[shears + end->point.member * components].at,
-                       Eigen::VectorXd(components)};
-        for (int j = 0; j < components; ++j) made.by_force[j] = fixed[s.forces.places[j]];
-        fixed_ends_.push_back(std::move(made));
-      }
-    }
+    if (s.dimension > 1) add_frame(k);
   }
   if (!with_links && !model.links.empty()) {
-    add_block(-1, approaches(model, plan));
+    add_block(-1, false, approaches(model, plan));
     results_.approach = blocks_.back().extremes;
   }
 }
 
-void ForceEnvelopes::add_block(int structure, LinearQuantities quantities) {
+void ForceEnvelopes::add_frame(int k) {
+  const Structure& s = model_.structures[k];
+  StructureEnvelope& envelope = results_.structures[k].envelope;
+  envelope.member_force = Extremes(s.forces.members.size() * s.forces.components.size());
+  envelope.reaction = Extremes(s.forces.supports.size() * s.forces.directions.size());
+  const int components = static_cast<int>(s.forces.components.size()), shears = static_cast<int>(envelope.storey_shear.size());
+  std::set<int> hit;  // members
+  for (const Link& link : model_.links)
+    for (const LinkEnd* end : {&link.left, &link.right})
+      if (stepper_.system().contact_count() > 0 && end->structure == k && end->point.member >= 0) hit.insert(end->point.member);
+  const auto apart = [&](int quantity) {
+    return s.forces.turned || (quantity >= shears && hit.contains((quantity - shears) / components));
+  };
+  if (!s.forces.turned) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(apart), true));
+  if (!s.forces.turned && hit.empty()) return;
+  add_block(k, true, internal_forces(model_, k, plan_, apart, false));
+  const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
+  for (int i = 0; !hit.empty() && i < static_cast<int>(model_.links.size()); ++i) {
+    const Link& link = model_.links[i];
+    for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
+      if (end->structure != k || end->point.member < 0) continue;
+      const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * link.direction);
+      FixedEnds made{i, static_cast<int>(blocks_.size()) - 1, places[shears + end->point.member * components].at,
+                     Eigen::VectorXd(components)};
+      for (int j = 0; j < components; ++j) made.by_force[j] = fixed[s.forces.places[j]];
+      fixed_ends_.push_back(std::move(made));
+    }
+  }
+}
+
+void ForceEnvelopes::add_block(int structure, bool apart, LinearQuantities quantities) {
   const std::size_t count = static_cast<std::size_t>(quantities.size());
-  blocks_.push_back({structure, std::move(quantities), {}, {}, Extremes(count)});
+  blocks_.push_back({structure, apart, std::move(quantities), {}, {}, Extremes(count)});
 }
 
 template <class Force>
@@ -82,16 +80,22 @@ void ForceEnvelopes::add_fixed_end_forces(const Block& block, Eigen::VectorXd& v
     if (&blocks_[ends.block] == &block) values.segment(ends.first, ends.by_force.size()) += force(ends.link) * ends.by_force;
 }
 
-void ForceEnvelopes::evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates) {
-  motion_.resize(Eigen::NoChange, state.u.size());
-  motion_.row(0) = state.u;
-  motion_.row(1) = state.v;
-  block.quantities.evaluate<1>(motion_, std::span(&state.time, 1), plan_.motions, evaluated_once_);
+void ForceEnvelopes::take(const State& state) {
+  u_ = state.u;
+  v_ = state.v;
+}
+
+// At the motion in u_ and v_.
+void ForceEnvelopes::evaluate(const Block& block, double time, Eigen::VectorXd& values, Eigen::VectorXd& rates) {
+  motion_.resize(Eigen::NoChange, u_.size());
+  motion_.row(0) = u_;
+  motion_.row(1) = v_;
+  block.quantities.evaluate<1>(motion_, std::span(&time, 1), plan_.motions, evaluated_once_);
   values = evaluated_once_.row(0);
   rates = evaluated_once_.row(1);
   if (block.structure < 0 || !model_.structures[block.structure].forces.turned) return;
   const Structure& s = model_.structures[block.structure];
-  Eigen::VectorXd q = state.u.segment(first_unknown_[block.structure], s.size());
+  Eigen::VectorXd q = u_.segment(first_unknown_[block.structure], s.size());
   if (s.at_rest.size() > 0) q += s.at_rest;
   const auto turned = [&](const Eigen::VectorXd& at) {
     Eigen::VectorXd forces(values.size());
@@ -100,34 +104,14 @@ void ForceEnvelopes::evaluate(const Block& block, const State& state, Eigen::Vec
   };
   const Eigen::VectorXd forces = turned(q);
   values += forces;
-  rates += (turned(q + difference * state.v.segment(first_unknown_[block.structure], s.size())) - forces) / difference;
+  rates += (turned(q + difference * v_.segment(first_unknown_[block.structure], s.size())) - forces) / difference;
 }
 
-// By group: sqrt(x^T K x), of all processes.
-std::vector<double> ForceEnvelopes::strain_norms(const Eigen::VectorXd& x) const {
-  const StructureSolver& solver = stepper_.base();
-  Eigen::VectorXd kx(x.size());
-  solver.stiffness_times(x, kx);
-  std::vector<double> norms(largest_.size(), 0.0);
-  for (const StructureSolver::Segment& part : solver.segments())
-    norms[part.group] += x.segment(part.first, part.count).dot(kx.segment(part.first, part.count));
-  solver.combine(norms);
-  for (double& norm : norms) norm = std::sqrt(std::max(0.0, norm));
-  return norms;
-}
-
-void ForceEnvelopes::move_knot(const Instant& instant) {
-  knot_ = instant.time;
-  knot_acceleration_ = instant.motion.col(Instant::a);
-  const std::vector<double> norms = strain_norms(instant.motion.col(Instant::u));
-  for (std::size_t g = 0; g < norms.size(); ++g) largest_[g] = std::max(largest_[g], norms[g]);
-  std::fill(strayed_.begin(), strayed_.end(), 0.0);
-}
-
-void ForceEnvelopes::start_from(const State& state, const Instant& instant) {
-  for (Block& block : blocks_) evaluate(block, state, block.values, block.rates);
-  followed_ = state.time;
-  move_knot(instant);
+// From the motion in u_ and v_.
+void ForceEnvelopes::start_from(const Instant& instant) {
+  for (Block& block : blocks_) evaluate(block, instant.time, block.values, block.rates);
+  followed_ = instant.time;
+  knots_.set(instant);
 }
 
 void ForceEnvelopes::begin(const Eigen::MatrixXd& floors) {
@@ -146,7 +130,8 @@ void ForceEnvelopes::begin(const Eigen::MatrixXd& floors) {
     row += s.floors.empty() ? 0 : static_cast<int>(s.floors.size() * s.floors.front().motion.size());
   }
   if (blocks_.empty()) return;
-  start_from(stepper_.state(), stepper_.instant_end_minus());
+  take(stepper_.state());
+  start_from(stepper_.instant_end_minus());
   for (Block& block : blocks_) {
     Eigen::VectorXd values = block.values;
     add_fixed_end_forces(block, values, [&](int link) { return stepper_.link_forces()[link]; });
@@ -161,28 +146,43 @@ void ForceEnvelopes::step(const StepMotion& step) {
     if (!s.storey_stiffness.empty()) step_springs(static_cast<int>(k), row, step);
     row += s.floors.empty() ? 0 : static_cast<int>(s.floors.size() * s.floors.front().motion.size());
   }
-  if (blocks_.empty()) return;
+  if (!blocks_.empty()) step_frames(step);
+}
+
+void ForceEnvelopes::step_frames(const StepMotion& step) {
+  const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
   const bool pressed = presses_on_members();
   if (every_step_) {
-    start_from(stepper_.begin(), stepper_.instant_begin());
-    close(stepper_.end_minus(), stepper_.instant_end_minus(), pressed);
-    return;
+    take(stepper_.begin());
+    start_from(begin);
+  } else if (turns_) {
+    if (!pressed && step.h > 0) {
+      const double middle = step.begin_time + 0.5 * step.h;
+      stepper_.interpolate(middle, u_, v_);
+      close(begin, middle, false);
+    }
+  } else {
+    const bool changes = pressed != pressed_;
+    if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) {
+      take(stepper_.begin());
+      close(begin, begin.time, false);
+    }
+    if (changes) follow();
+    pressed_ = pressed;
+    jumped_ = step.jumps;
+    if (!pressed) return;
   }
-  if (turns_ && !pressed && step.h > 0) {
-    State middle = stepper_.end_minus();
-    middle.time = step.begin_time + 0.5 * step.h;
-    stepper_.interpolate(middle.time, middle.u, middle.v);
-    close(middle, stepper_.instant_begin(), false);
-    close(stepper_.end_minus(), stepper_.instant_end_minus(), false);
-    return;
-  }
-  if (step.begin_time > knot_ && (pressed || jumped_ || !stays_close())) close(stepper_.begin(), stepper_.instant_begin(), false);
-  if (pressed) close(stepper_.end_minus(), stepper_.instant_end_minus(), true);
-  jumped_ = step.jumps;
+  take(stepper_.end_minus());
+  if (every_step_ || turns_) return close(end, end.time, pressed);
+  for (Block& block : blocks_)
+    if (block.apart) follow(block, begin.time, end.time, true);
 }
 
 void ForceEnvelopes::end() {
-  if (!blocks_.empty()) close(stepper_.end_minus(), stepper_.instant_end_minus(), false);
+  if (!blocks_.empty()) {
+    take(stepper_.end_minus());
+    close(stepper_.instant_end_minus(), stepper_.instant_end_minus().time, false);
+  }
   show();
 }
 
@@ -191,7 +191,8 @@ void ForceEnvelopes::show() {
   for (const Block& block : blocks_) {
     auto place = block.quantities.places().begin();
     const auto copy = [&](Extremes& to) {
-      for (std::size_t i = 0; i < to.size(); ++i, ++place) to.copy(i, block.extremes, static_cast<std::size_t>(place->at), place->opposite);
+      for (std::size_t i = 0; i < to.size(); ++i, ++place)
+        if (place->at >= 0) to.copy(i, block.extremes, static_cast<std::size_t>(place->at), place->opposite);
     };
     if (block.structure < 0) {
       copy(results_.approach);
@@ -236,71 +237,90 @@ bool ForceEnvelopes::presses_on_members() const {
   });
 }
 
-// Whether the cubic from the last knot to the end of this step still follows the motion. The accelerations at the ends of the steps
-// would lie on one line if it were exact.
-bool ForceEnvelopes::stays_close() {
-  const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
-  const double time = end.time - knot_, part = time / (begin.time - knot_);
-  const std::vector<double> strays = strain_norms(end.motion.col(Instant::a) - part * begin.motion.col(Instant::a) -
-                                                  (1 - part) * knot_acceleration_);
-  bool close = true;
-  for (std::size_t g = 0; g < strays.size(); ++g) {
-    strayed_[g] += strays[g];
-    close = close && strayed_[g] * time * time / 64 <= allowed_miss * largest_[g];
-  }
-  return close;
-}
-
-void ForceEnvelopes::close(const State& state, const Instant& instant, bool pressed) {
-  if (!(state.time > knot_)) return;
-  if (pressed || every_step_ || turns_) {
-    follow();
-    follow(state, pressed);
+// At the motion in u_ and v_. The acceleration at the knot is that of the instant.
+void ForceEnvelopes::close(const Instant& instant, double time, bool pressed) {
+  if (!(time > knots_.last())) return;
+  if (every_step_ || turns_) {
+    for (Block& block : blocks_) follow(block, followed_, time, pressed);
+    followed_ = time;
   } else {
-    const int at = 2 * static_cast<int>(times_.size());
-    motions_.row(at) = state.u;
-    motions_.row(at + 1) = state.v;
-    times_.push_back(state.time);
-    if (times_.size() == LinearQuantities::batch) follow();
+    wait(time);
   }
-  move_knot(instant);
+  knots_.set(instant);
 }
 
-// To one knot, where contacts may press on members.
-void ForceEnvelopes::follow(const State& state, bool pressed) {
-  const double h = state.time - followed_;
-  for (Block& block : blocks_) {
-    evaluate(block, state, end_, rates_);
-    if (!pressed) {
-      for (int q = 0; q < block.quantities.size(); ++q) {
-        const double pair[] = {end_[q], rates_[q]};
-        block.extremes.update(static_cast<std::size_t>(q), followed_, std::span(&state.time, 1), block.values[q], block.rates[q], pair);
-      }
-    } else {
-      Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_), ends = end_;
-      const std::vector<LinkStep>& links = stepper_.link_steps();
-      add_fixed_end_forces(block, begin, [&](int link) { return links[link].force_begin; });
-      add_fixed_end_forces(block, middle, [&](int link) { return links[link].force_middle; });
-      add_fixed_end_forces(block, ends, [&](int link) { return links[link].force_end; });
-      for (std::size_t i = 0; i < block.extremes.size(); ++i) {
-        const int q = static_cast<int>(i);
-        block.extremes.update(i, followed_, begin[q]);
-        block.extremes.update(i, followed_, h, begin[q], middle[q], ends[q]);
-      }
-      block.values.swap(end_);
-      block.rates.swap(rates_);
+void ForceEnvelopes::wait(double time) {
+  const int at = static_cast<int>(times_.size());
+  motions_.row(at) = u_;
+  motions_.row(LinearQuantities::batch + at) = v_;
+  times_.push_back(time);
+  if (times_.size() == LinearQuantities::batch) follow();
+}
+
+// To the motion in u_ and v_, where contacts may press on members.
+void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bool pressed) {
+  const double h = end_time - begin_time;
+  evaluate(block, end_time, end_, rates_);
+  if (!pressed || !block.apart) {
+    for (int q = 0; q < block.quantities.size(); ++q) {
+      const double pair[] = {end_[q], rates_[q]};
+      block.extremes.update(static_cast<std::size_t>(q), begin_time, std::span(&end_time, 1), block.values[q], block.rates[q], pair);
     }
+  } else {
+    Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_), ends = end_;
+    const std::vector<LinkStep>& links = stepper_.link_steps();
+    add_fixed_end_forces(block, begin, [&](int link) { return links[link].force_begin; });
+    add_fixed_end_forces(block, middle, [&](int link) { return links[link].force_middle; });
+    add_fixed_end_forces(block, ends, [&](int link) { return links[link].force_end; });
+    for (std::size_t i = 0; i < block.extremes.size(); ++i) {
+      const int q = static_cast<int>(i);
+      block.extremes.update(i, begin_time, begin[q]);
+      block.extremes.update(i, begin_time, h, begin[q], middle[q], ends[q]);
+    }
+    block.values.swap(end_);
+    block.rates.swap(rates_);
   }
-  followed_ = state.time;
 }
 
-// To the knots whose motions wait.
+// To the knots whose motions wait. While contacts press, blocks that are followed apart are further already.
 void ForceEnvelopes::follow() {
   if (times_.empty()) return;
+  constexpr int batch = LinearQuantities::batch;
+  const int count = static_cast<int>(times_.size());
+  // Between two knots a cubic stays within a third of their distance times the rates from the values.
+  Eigen::Array<double, batch, 1> third = Eigen::Array<double, batch, 1>::Zero();
+  const double third_begin = (times_.front() - followed_) / 3;
+  third[0] = third_begin;
+  for (int i = 1; i < count; ++i) {
+    third[i] = (times_[i] - times_[i - 1]) / 3;
+    third[i - 1] = std::max(third[i - 1], third[i]);
+  }
+  // Places without a knot repeat the last one.
+  for (int i = count; i < batch; ++i) {
+    motions_.row(i) = motions_.row(count - 1);
+    motions_.row(batch + i) = motions_.row(batch + count - 1);
+  }
+  times_.resize(batch, times_.back());
+  const std::span<const double> times(times_.data(), count);
   for (Block& block : blocks_) {
-    block.quantities.evaluate<LinearQuantities::batch>(motions_, times_, plan_.motions, evaluated_);
-    for (int q = 0; q < block.quantities.size(); ++q)
-      block.extremes.update(static_cast<std::size_t>(q), followed_, times_, block.values[q], block.rates[q], evaluated_.col(q).data());
+    if (block.apart && pressed_) continue;
+    block.quantities.evaluate<batch>(motions_, times_, plan_.motions, evaluated_);
+    Extremes& extremes = block.extremes;
+    for (int q = 0; q < block.quantities.size(); ++q) {
+      double &value = block.values[q], &rate = block.rates[q];
+      const auto values = evaluated_.col(q).head<batch>().array(), rates = evaluated_.col(q).tail<batch>().array();
+      const Eigen::Array<double, batch, 1> away = third * rates.abs();
+      const double away_begin = third_begin * std::abs(rate);
+      if (std::max((values + away).maxCoeff(), value + away_begin) > extremes.max[q] ||
+          std::min((values - away).minCoeff(), value - away_begin) < extremes.min[q]) {
+        Eigen::Array<double, 2, batch> pairs;
+        pairs << values.transpose(), rates.transpose();
+        extremes.update(static_cast<std::size_t>(q), followed_, times, value, rate, pairs.data());
+      } else {
+        value = values[batch - 1];
+        rate = rates[batch - 1];
+      }
+    }
   }
   followed_ = times_.back();
   times_.clear();
@@ -308,12 +328,10 @@ void ForceEnvelopes::follow() {
 
 void ForceEnvelopes::archive(Archive& archive) {
   follow();
+  knots_.archive(archive);
   archive(followed_);
-  archive(knot_);
-  archive(knot_acceleration_);
-  archive(largest_);
-  archive(strayed_);
   archive(jumped_);
+  archive(pressed_);
   for (Block& block : blocks_) {
     archive(block.values);
     archive(block.rates);

@@ -9,6 +9,7 @@
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>
+#include <pounding/run/knots.hpp>
 #include <pounding/run/linear_quantities.hpp>
 #include <pounding/run/step_motion.hpp>
 #include <pounding/stepping/stepper.hpp>
@@ -17,7 +18,8 @@ namespace pounding {
 
 /// Fills the envelopes of forces. Storeys that are springs are followed in every step. Forces of frames need all unknowns, so they
 /// are taken at knots: ends of steps, of which several may lie between two knots while the cubic between these follows the
-/// displacements closely. Extremes between knots are found on it, for several knots at once.
+/// displacements closely. Extremes between knots are found on it, for several knots at once. While a contact presses on a member
+/// between its ends, the forces of such members are followed in every step.
 class ForceEnvelopes {
  public:
   /// Fills `results`: the envelopes of its structures, and `approach` in a run without links. All arguments must outlive this.
@@ -38,6 +40,9 @@ class ForceEnvelopes {
   // Quantities of one frame, or of all links.
   struct Block {
     int structure;  // -1: links
+    // Forces that are not linear between two knots: of members on which contacts may press between their ends, and of frames whose
+    // members turn. They are followed knot by knot, and step by step while a contact presses.
+    bool apart;
     LinearQuantities quantities;
     Eigen::VectorXd values, rates;  // at the last knot that was followed
     Extremes extremes;
@@ -48,17 +53,18 @@ class ForceEnvelopes {
     Eigen::VectorXd by_force;  // on them by a unit force
   };
 
-  void add_block(int structure, LinearQuantities quantities);
+  void add_frame(int structure);
+  void add_block(int structure, bool apart, LinearQuantities quantities);
   void step_springs(int structure, int row, const StepMotion& step);
   bool presses_on_members() const;
-  bool stays_close();
-  void start_from(const State& state, const Instant& instant);
-  void close(const State& state, const Instant& instant, bool pressed);
-  void move_knot(const Instant& instant);
-  std::vector<double> strain_norms(const Eigen::VectorXd& x) const;
+  void step_frames(const StepMotion& step);
+  void take(const State& state);
+  void start_from(const Instant& instant);
+  void close(const Instant& instant, double time, bool pressed);
+  void wait(double time);
   void follow();
-  void follow(const State& state, bool pressed);
-  void evaluate(const Block& block, const State& state, Eigen::VectorXd& values, Eigen::VectorXd& rates);
+  void follow(Block& block, double begin, double end, bool pressed);
+  void evaluate(const Block& block, double time, Eigen::VectorXd& values, Eigen::VectorXd& rates);
   template <class Force>
   void add_fixed_end_forces(const Block& block, Eigen::VectorXd& values, Force&& force) const;
 
@@ -71,15 +77,15 @@ class ForceEnvelopes {
   std::vector<Block> blocks_;
   std::vector<FixedEnds> fixed_ends_;
   bool every_step_ = false;  // is a knot: contacts change velocities in no time, or bodies have no strain to measure by
-  bool turns_ = false;       // members turn: their forces bend more than the displacements
-  double knot_ = 0;          // [s]
-  Eigen::VectorXd knot_acceleration_;      // there, in the coordinates of the solver
-  std::vector<double> largest_, strayed_;  // by group: displacement so far, and bend of the acceleration since the knot, as strain norms
-  bool jumped_ = false;           // something changed at the end of the last step
-  double followed_ = 0;          // knot up to which the extremes are known [s]
-  std::vector<double> times_;    // knots after it whose motions wait [s]
+  bool turns_ = false;       // members turn: their forces bend more than the displacements, and each step has a knot inside
+  Knots knots_;
+  bool jumped_ = false;        // something changed at the end of the last step
+  bool pressed_ = false;       // contacts pressed on members in it
+  double followed_ = 0;        // knot up to which the extremes are known [s]
+  std::vector<double> times_;  // knots after it whose motions wait [s]
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
   LinearQuantities::Instants<1> motion_, evaluated_once_;
+  Eigen::VectorXd u_, v_;        // of all unknowns
   Eigen::VectorXd end_, rates_;  // at the knot to come
 };
 

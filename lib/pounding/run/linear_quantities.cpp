@@ -32,13 +32,17 @@ std::pair<std::vector<double>, bool> with_positive_front(const RowMajor& rows, i
 }  // namespace
 
 LinearQuantities::LinearQuantities(const RowMajor& rows, int first, const Eigen::VectorXd& at_rest, const Eigen::MatrixXd& by_ground,
-                                   const std::function<bool(int)>& apart)
+                                   const Choice& chosen, bool merge)
     : first_(first) {
   std::map<std::vector<double>, Place> known;
   std::vector<int> kept;
   for (int row = 0; row < rows.rows(); ++row) {
+    if (!chosen(row)) {
+      places_.push_back({-1, false});
+      continue;
+    }
     const Place next{static_cast<int>(kept.size()), false};
-    if (!apart(row)) {
+    if (merge) {
       auto [all, turned] = with_positive_front(rows, row, at_rest[row], by_ground.row(row));
       const auto [found, is_new] = known.try_emplace(std::move(all), Place{next.at, turned});
       if (!is_new) {
@@ -71,16 +75,17 @@ void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<con
   const int* const begins = rows_.outerIndexPtr();
   for (int row = 0; row < size(); ++row) {
     Eigen::Matrix<double, 2 * instants, 1> sum;
-    for (int i = 0; i < 2 * instants; ++i) sum[i] = i % 2 == 0 ? at_rest_[row] : 0;
+    sum.template head<instants>().setConstant(at_rest_[row]);
+    sum.template tail<instants>().setZero();
     for (int i = begins[row]; i < begins[row + 1]; ++i) sum += factors[i] * motions.col(first_ + columns[i]);
     quantities.col(row) = sum;
   }
   if (by_ground_.size() == 0) return;
   for (std::size_t g = 0; g < grounds.size(); ++g)
     for (std::size_t t = 0; t < times.size(); ++t) {
-      const int at = 2 * static_cast<int>(t);
+      const int at = static_cast<int>(t);
       quantities.row(at) += grounds[g].displacement(times[t]) * by_ground_.col(static_cast<int>(g)).transpose();
-      quantities.row(at + 1) += grounds[g].velocity(times[t]) * by_ground_.col(static_cast<int>(g)).transpose();
+      quantities.row(instants + at) += grounds[g].velocity(times[t]) * by_ground_.col(static_cast<int>(g)).transpose();
     }
 }
 
@@ -88,8 +93,8 @@ template void LinearQuantities::evaluate<1>(const Instants<1>&, std::span<const 
 template void LinearQuantities::evaluate<LinearQuantities::batch>(const Instants<batch>&, std::span<const double>,
                                                                   std::span<const GroundMotion>, Instants<batch>&) const;
 
-LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan,
-                                 const std::function<bool(int)>& apart) {
+LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan, const LinearQuantities::Choice& chosen,
+                                 bool merge) {
   const Structure& s = model.structures[structure];
   std::vector<Eigen::Triplet<double>> entries;
   int shears = 0;
@@ -117,7 +122,7 @@ LinearQuantities internal_forces(const Model& model, int structure, const Ground
     for (int row = 0; row < count; ++row)
       plan.supports[structure].project([&](std::size_t q, int axis) { return influences[q](row, axis); }, by_ground.row(row));
   }
-  return {rows, offsets(model)[structure], at_rest, by_ground, apart};
+  return {rows, offsets(model)[structure], at_rest, by_ground, chosen, merge};
 }
 
 LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
@@ -159,7 +164,7 @@ LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
   }
   RowMajor rows(count, unknowns);
   rows.setFromTriplets(entries.begin(), entries.end());
-  return {rows, 0, at_rest, by_ground, [](int) { return true; }};
+  return {rows, 0, at_rest, by_ground, [](int) { return true; }, false};
 }
 
 }  // namespace pounding

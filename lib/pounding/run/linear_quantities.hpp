@@ -17,32 +17,35 @@ namespace pounding {
 /// Quantities f = at_rest + rows * u + by_ground * displacements of the ground, and their rates.
 ///
 /// Many forces of a frame are the same but for the sign: axial and shear forces at the two ends of a member, reactions and the column
-/// that stands on them. Such quantities are evaluated once.
+/// that stands on them. Such quantities may be evaluated once.
 class LinearQuantities {
  public:
-  /// Values and rates at some instants, two rows for each.
+  /// Values at some instants, a row for each, then rates at them.
   template <int instants>
   using Instants = Eigen::Matrix<double, 2 * instants, Eigen::Dynamic>;
   /// Instants that are evaluated at once cost less each: indices are read once for all.
   static constexpr int batch = 8;
 
-  /// Where a quantity is among the evaluated ones, and whether it is the opposite of that one.
+  /// Where a quantity is among the evaluated ones, -1 if it is not, and whether it is the opposite of that one.
   struct Place {
     int at;
     bool opposite;
   };
 
-  /// `by_ground` has one column a motion of the plan; all zero where supports move alike. `first`: of the unknowns. Quantities for
-  /// which `apart` says so are evaluated for themselves.
+  /// Whether a quantity belongs to these.
+  using Choice = std::function<bool(int quantity)>;
+
+  /// `by_ground` has one column a motion of the plan; all zero where supports move alike. `first`: of the unknowns. With `merge`, equal
+  /// and opposite quantities are evaluated once.
   LinearQuantities(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows, int first, const Eigen::VectorXd& at_rest,
-                   const Eigen::MatrixXd& by_ground, const std::function<bool(int quantity)>& apart);
+                   const Eigen::MatrixXd& by_ground, const Choice& chosen, bool merge);
 
   /// Number of evaluated quantities.
   int size() const { return static_cast<int>(at_rest_.size()); }
   /// Places of all quantities in their order.
   const std::vector<Place>& places() const { return places_; }
-  /// Quantities, a column each, from `motions`: displacements [m] and velocities [m/s] of all unknowns, a column each, at as many times
-  /// [s] as are given, at most `instants`, which is 1 or `batch`.
+  /// Quantities, a column each, from `motions`: displacements [m] and velocities [m/s] of all unknowns, a column each, at these times
+  /// [s], `instants` of them, which is 1 or `batch`.
   template <int instants>
   void evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
                 Instants<instants>& quantities) const;
@@ -56,7 +59,8 @@ class LinearQuantities {
 };
 
 /// Quantities of one frame: storey shears floor by floor, then InternalForces row by row. Without what members that turn add.
-LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan, const std::function<bool(int quantity)>& apart);
+LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan, const LinearQuantities::Choice& chosen,
+                                 bool merge);
 
 /// Quantities of all links, three each: displacements of the left and of the right end along the link, relative to the ground at the first
 /// support of their structures, and how far the two have approached each other [m].
