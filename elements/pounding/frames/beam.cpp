@@ -1,9 +1,11 @@
 #include <pounding/frames/beam.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -140,6 +142,20 @@ Matrix12 release(const Matrix12& stiffness, const BeamOptions& options) {
   return follow;
 }
 
+// Displacements of the member's ends from those of what its springs stand on: they turn by what their moments ask for.
+Matrix12 through_springs(const Matrix12& stiffness, const std::vector<std::pair<int, double>>& springs) {
+  Matrix12 follow = Matrix12::Identity();
+  if (springs.empty()) return follow;
+  std::vector<int> sprung;
+  for (const auto& [place, k] : springs) sprung.push_back(place);
+  Eigen::MatrixXd block = stiffness(sprung, sprung);
+  for (std::size_t i = 0; i < springs.size(); ++i) block(i, i) += springs[i].second;
+  const Eigen::LLT<Eigen::MatrixXd> factor(block);
+  require(factor.info() == Eigen::Success, "it buckles between the springs at its ends under its axial force");
+  follow(sprung, Eigen::all) -= factor.solve(stiffness(sprung, Eigen::all));
+  return follow;
+}
+
 void check(const Section& s, const Material& m) {
   for (const double value : {s.area, s.inertia_y, m.young})
     require(value > 0 && std::isfinite(value), "area, inertia_y and young must be positive and finite");
@@ -224,12 +240,37 @@ Beam::Beam(const Vector3d& start_node, const Vector3d& end_node, const Section& 
 
 void Beam::set_axial_force(double force) {
   require(std::isfinite(force), "the axial force must be finite");
+  condense(force);
+  options_.axial_force = force;
+}
+
+void Beam::set_end_spring(int place, double stiffness) {
+  require(!is_truss_, "a truss carries no moment");
+  require(place == 4 || place == 5 || place == 10 || place == 11, "a spring at its end stands on a rotation in bending");
+  require(stiffness > 0 && std::isfinite(stiffness), "the stiffness of a spring at its end must be positive and finite");
+  require(!is_released(place), "the end transmits no moment to a spring");
+  std::erase_if(end_springs_, [&](const auto& spring) { return spring.first == place; });
+  end_springs_.emplace_back(place, stiffness);
+  condense(options_.axial_force);
+}
+
+bool Beam::is_released(int place) const {
+  const std::vector<Dof>& released = place < 6 ? options_.start_releases : options_.end_releases;
+  return std::find(released.begin(), released.end(), static_cast<Dof>(place % 6)) != released.end();
+}
+
+void Beam::condense(double force) {
   Matrix12 stiffness = is_truss_ ? truss_stiffness(material_.young * section_.area / length_, force / length_)
                                  : beam_stiffness(section_, material_, length_);
   if (force != 0 && !is_truss_) stiffness += force * beam_geometric_stiffness(section_, material_, length_);
-  follow_ = release(stiffness, options_);
-  local_stiffness_ = symmetric(follow_.transpose() * stiffness * follow_);
-  options_.axial_force = force;
+  const Matrix12 released = release(stiffness, options_);
+  local_stiffness_ = symmetric(released.transpose() * stiffness * released);
+  follow_ = released;
+  if (end_springs_.empty()) return;
+  const Matrix12 through = through_springs(local_stiffness_, end_springs_);
+  // K times the turned ends is what the springs pass on, too.
+  local_stiffness_ = symmetric(local_stiffness_ * through);
+  follow_ = released * through;
 }
 
 Matrix12 Beam::stiffness() const { return symmetric(to_local_.transpose() * local_stiffness_ * to_local_); }

@@ -9,6 +9,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pounding {
@@ -94,6 +95,12 @@ class Beam {
   /// See BeamOptions; throws std::invalid_argument as the constructor does.
   void set_axial_force(double force);
   double axial_force() const { return options_.axial_force; }
+  /// Puts a spring between an end of the member and its node, on a rotation that is one of the places 4, 5 (start) and 10, 11 (end) among
+  /// the twelve displacements [N m/rad]. It becomes a part of the member. Throws std::invalid_argument for another place, an end
+  /// that does not transmit the moment, and an axial force under which the member buckles.
+  void set_end_spring(int place, double stiffness);
+  /// Whether this displacement of its ends, of twelve, transmits no force.
+  bool is_released(int place) const;
 
   /// Between the ends of the offsets [m].
   double length() const { return length_; }
@@ -101,13 +108,15 @@ class Beam {
   /// Mass of the part between the offsets [kg].
   double total_mass() const { return material_.density * section_.area * length_; }
 
-  /// With the geometric stiffness of the axial force and the releases condensed.
+  /// With the geometric stiffness of the axial force, and the releases and springs of the ends condensed.
   Matrix12 stiffness() const;
   Matrix12 mass() const;
   /// Forces [N] and moments [N m] on the two ends of the member in local axes, from the displacements of its nodes in
   /// global axes.
   Vector12 end_forces(const Vector12& displacements) const { return end_force_matrix() * displacements; }
   Matrix12 end_force_matrix() const { return local_stiffness_ * to_local_; }
+  /// In local axes at the ends of the member, with releases and springs condensed.
+  const Matrix12& local_stiffness() const { return local_stiffness_; }
 
   // Loads between the ends; the shape functions are exact for a member without axial force.
 
@@ -128,6 +137,7 @@ class Beam {
        const BeamOptions& options, bool is_truss);
 
   Eigen::Matrix<double, 3, 12> shape_at(double along) const;
+  void condense(double axial_force);
 
   Section section_;
   Material material_;
@@ -135,8 +145,9 @@ class Beam {
   bool is_truss_;
   double length_;
   Eigen::Matrix3d axes_;
-  Matrix12 follow_;           // displacements of all ends from those that are not released
-  Matrix12 local_stiffness_;  // releases condensed
+  std::vector<std::pair<int, double>> end_springs_;  // place and stiffness
+  Matrix12 follow_;           // displacements of all ends from those that are not released, through the springs
+  Matrix12 local_stiffness_;  // releases and springs condensed
   Matrix12 to_local_;         // displacements of the nodes, global -> of the member's ends, local
 };
 

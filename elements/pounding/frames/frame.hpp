@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <pounding/frames/beam.hpp>
+#include <pounding/frames/hinge.hpp>
 
 namespace pounding {
 
@@ -78,6 +79,12 @@ class Frame {
   const Beam& beam(int member) const { return of(member).beam; }
   /// Springs between two nodes, in the order they were added.
   const std::vector<FrameSpring>& springs() const { return between_; }
+  /// Ends that yield, in the order they were added.
+  const std::vector<Hinge>& hinges() const { return hinges_; }
+  /// "beam x 1.0 start", in space with the axis: "column 1.0.0 end z".
+  std::string hinge_name(int hinge) const;
+  /// 6EI/L, the moment at this end by a unit rotation of both ends alike, without shear deformation, of the whole member [N m/rad].
+  double bending_stiffness(const Hinge& hinge) const;
   /// Sum of the masses along x that were added at each node [kg], without those of members.
   std::vector<double> masses_along_x() const;
   /// Nodes with a displacement that is fixed, then those with a spring to the ground, each once.
@@ -100,6 +107,9 @@ class Frame {
   /// Carries axial force only; no rotation is connected by it, and a rotation that nothing else is connected to is no
   /// unknown. Takes area and material (young, density).
   int add_truss(int start, int end, double area, const Material& material);
+  /// Lets an end of a member yield, and returns the number of the hinge. A spring in series becomes a part of the member at once.
+  /// Throws also for a truss, an end that transmits no moment, a second hinge at one place, and numbers out of their range.
+  int add_hinge(const Hinge& hinge);
   /// For messages.
   void set_name(int member, const std::string& name);
   /// [kg] in every translation.
@@ -234,6 +244,7 @@ class Frame {
   int dimension_;
   std::vector<Eigen::Vector3d> positions_;
   std::vector<Member> members_;
+  std::vector<Hinge> hinges_;
   std::vector<std::string> names_;  // of the nodes, empty for none
   Entries springs_, masses_, dashpots_;
   std::vector<FrameSpring> between_;

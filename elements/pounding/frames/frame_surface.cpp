@@ -215,6 +215,10 @@ ContactPoint FrameSurface::on_arm(int node, const Vector3d& at, double mass) con
 ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& at, double mass) const {
   if (model_->geometry == FrameGeometry::corotational)
     refuse("with geometry: corotational a member is not hit between its ends; put a node there");
+  for (const Hinge& hinge : model_->frame.hinges())
+    if (hinge.member == member)
+      refuse(fmt::format("member {} has a hinge and is not hit between its ends; cut it into parts, such as parts: 3, so that a node stands "
+                         "there", model_->frame.member_name(member)));
   const Frame::PointOnMember on = model_->frame.point_on_member(member, along, *assembled_);
   ContactPoint point;
   point.position = at;

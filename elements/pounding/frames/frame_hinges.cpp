@@ -1,0 +1,240 @@
+#include <pounding/frames/frame_hinges.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
+#include <pounding/frames/frame_dofs.hpp>
+#include <pounding/frames/uneven_spring.hpp>
+
+namespace pounding {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using frame_dofs::refuse;
+
+std::string moment(double size) { return format_quantity(size, dimension::energy); }
+
+bool is_positive(double value) { return value > 0 && std::isfinite(value); }
+
+// What a unit force of a hinge on top of k d adds to the ends of its member, in local axes, and to its nodes, in global axes.
+struct HingeForces {
+  double k;
+  Vector12 on_ends, on_nodes;
+};
+
+HingeForces forces_of(const Frame& frame, int number) {
+  const Hinge& hinge = frame.hinges()[number];
+  const Beam& beam = frame.beam(hinge.member);
+  const Matrix12& stiffness = beam.local_stiffness();
+  const int at = hinge.place();
+  double k = stiffness(at, at);
+  if (!hinge.is_rigid_plastic()) k = hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * frame.bending_stiffness(hinge);
+  if (!(k > 0))
+    refuse(fmt::format("hinge {}: the end of its member resists no turn under the axial force at rest; the member buckles",
+                       frame.hinge_name(number)));
+  const Vector12 on_ends = stiffness.col(at) / k;
+  return {k, on_ends, beam.at_nodes(on_ends)};
+}
+
+// Part of k that is left after yielding.
+double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
+  if (!hinge.is_rigid_plastic()) return hinge.hardening;
+  const double h = hinge.hardening * frame.bending_stiffness(hinge) / (1 - hinge.hardening);
+  return h / (k + h);
+}
+
+std::unique_ptr<Spring> spring_of(const Frame& frame, const Hinge& hinge, double k) {
+  if (hinge.law) return hinge.law->make(k);
+  const double sagging = hinge.yield_moment, hogging = hinge.hogging_moment.value_or(sagging);
+  const double positive = hinge.sags_positive() ? sagging : hogging, negative = hinge.sags_positive() ? hogging : sagging;
+  const BilinearSpring::Parameters parameters{.stiffness = k, .yield_force = positive, .hardening = hardening_of(frame, hinge, k)};
+  if (positive == negative) return std::make_unique<BilinearSpring>(parameters);
+  return std::make_unique<UnevenSpring>(parameters, negative);
+}
+
+std::vector<YieldingPart::Parameter> parameters_of(const Hinge& hinge, double k) {
+  std::vector<YieldingPart::Parameter> all;
+  if (hinge.law) {
+    for (const auto& [name, value] : hinge.law->parameters) all.push_back({name, value});
+  } else {
+    all.push_back({"yield_moment", hinge.yield_moment});
+    if (hinge.hogging_moment) all.push_back({"hogging_moment", *hinge.hogging_moment});
+    all.push_back({"hardening", hinge.hardening});
+  }
+  all.push_back({hinge.is_rigid_plastic() ? "member_stiffness" : "stiffness", k});
+  if (hinge.ultimate_rotation) all.push_back({"ultimate_rotation", *hinge.ultimate_rotation});
+  return all;
+}
+
+// The end moment at rest over k. Weights of consistent masses bend the member between its ends as loads do.
+double deformation_at_rest(const FrameModel& model, const Hinge& hinge, const Row& deformation, double k, const Structure& s) {
+  if (!model.is_loaded()) return 0;
+  return deformation.dot(s.at_rest) + model.frame.fixed_end_forces(hinge.member, model.has_gravity())[hinge.place()] / k;
+}
+
+void require_elastic_at_rest(const YieldingPart& part, const HingeForces& forces) {
+  const double at = part.at_rest;
+  const bool yields = part.spring->has_corners() ? part.spring->corner(at).has_value() : std::abs(at) > part.spring->yield_deformation();
+  if (!yields) return;
+  const double limit = part.spring->corner(at).value_or(std::copysign(part.spring->yield_deformation(), at));
+  refuse(fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it a yield moment above "
+                     "that, or lighten the member",
+                     part.name, moment(forces.k * at), moment(forces.k * limit)));
+}
+
+Row deformation_row(const Frame& frame, const AssembledFrame& assembled, const Hinge& hinge, const HingeForces& forces) {
+  VectorXd sum = VectorXd::Zero(assembled.size());
+  const auto [start, end] = frame.ends(hinge.member);
+  for (const auto& [node, first] : {std::pair(start, 0), {end, 6}})
+    for (const Dof dof : dofs_of(frame.dimension())) sum += forces.on_nodes[first + static_cast<int>(dof)] * assembled.motion(node, dof);
+  // Entries of 1e-16 of the largest are sums that should vanish.
+  const double least = 1e-15 * (sum.size() > 0 ? sum.cwiseAbs().maxCoeff() : 0);
+  return sum.unaryExpr([&](double value) { return std::abs(value) > least ? value : 0.0; }).eval().sparseView();
+}
+
+// R: hinges of one member meet in it.
+SparseMatrix flexibility(const Frame& frame, const std::vector<HingeForces>& forces) {
+  const int count = static_cast<int>(forces.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j) {
+      const Hinge &a = frame.hinges()[i], &b = frame.hinges()[j];
+      if (a.member != b.member || (i == j && a.is_rigid_plastic())) continue;
+      const double coupling = frame.beam(a.member).local_stiffness()(a.place(), b.place()) / (forces[i].k * forces[j].k);
+      const double value = (i == j ? 1 / forces[i].k : 0) - coupling;
+      if (value != 0) entries.emplace_back(i, j, value);
+    }
+  SparseMatrix relief(count, count);
+  relief.setFromTriplets(entries.begin(), entries.end());
+  return relief;
+}
+
+// What the hinges add to the storey shears, as the members pass them on.
+void add_to_shears(const FrameModel& model, const std::vector<HingeForces>& forces, const std::vector<std::vector<bool>>& above, Structure& s) {
+  const int directions = model.frame.dimension() - 1, count = static_cast<int>(forces.size());
+  for (std::size_t floor = 0; floor < above.size(); ++floor) {
+    std::vector<Row>& rows = s.floors[floor].storey_shear_by_yielding;
+    rows.assign(directions, Row(count));
+    for (int i = 0; i < count; ++i) {
+      const int member = model.frame.hinges()[i].member;
+      const auto [start, end] = model.frame.ends(member);
+      if (above[floor][start] == above[floor][end]) continue;
+      const Vector3d on_upper_end = model.frame.beam(member).axes().transpose() * forces[i].on_ends.segment<3>(above[floor][start] ? 0 : 6);
+      for (int d = 0; d < directions; ++d) rows[d].coeffRef(i) = on_upper_end[d];
+    }
+  }
+}
+
+void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& reactions, const std::vector<HingeForces>& forces, Structure& s) {
+  const std::vector<int>& places = s.forces.places;
+  const int of_member = static_cast<int>(places.size()), first_reaction = model.frame.members() * of_member;
+  const auto dofs = dofs_of(model.frame.dimension());
+  const int count = static_cast<int>(forces.size()), per_node = static_cast<int>(dofs.size());
+  std::vector<Eigen::Triplet<double>> entries, nodal;
+  for (int i = 0; i < count; ++i) {
+    const int member = model.frame.hinges()[i].member;
+    for (int j = 0; j < of_member; ++j)
+      if (const double value = forces[i].on_ends[places[j]]; value != 0) entries.emplace_back(member * of_member + j, i, value);
+    const auto [start, end] = model.frame.ends(member);
+    for (int j = 0; j < per_node; ++j) {
+      nodal.emplace_back(start * per_node + j, i, forces[i].on_nodes[static_cast<int>(dofs[j])]);
+      nodal.emplace_back(end * per_node + j, i, forces[i].on_nodes[6 + static_cast<int>(dofs[j])]);
+    }
+  }
+  SparseMatrix on_nodes(model.frame.nodes() * per_node, count);
+  on_nodes.setFromTriplets(nodal.begin(), nodal.end());
+  const SparseMatrix on_ground = SparseMatrix(reactions.by_forces) * on_nodes;
+  for (int i = 0; i < count; ++i)
+    for (SparseMatrix::InnerIterator it(on_ground, i); it; ++it)
+      if (it.value() != 0) entries.emplace_back(first_reaction + static_cast<int>(it.row()), i, it.value());
+  s.forces.by_yielding.resize(s.forces.rows.rows(), count);
+  s.forces.by_yielding.setFromTriplets(entries.begin(), entries.end());
+}
+
+void require_sound(const Hinge& hinge, const std::string& where) {
+  if (!hinge.law) {
+    if (!is_positive(hinge.yield_moment) || !is_positive(hinge.hogging_moment.value_or(1)))
+      refuse(where + "the yield moments must be positive and finite");
+    if (!(hinge.hardening >= 0 && hinge.hardening < 1)) refuse(where + "hardening must lie in [0, 1)");
+  } else if (!hinge.law->make) {
+    refuse(where + "its law makes no spring");
+  }
+  if (!is_positive(hinge.ultimate_rotation.value_or(1))) refuse(where + "ultimate_rotation must be positive and finite");
+  for (const double value : {hinge.stiffness, hinge.stiffness_factor, hinge.member_length})
+    if (!(value >= 0 && std::isfinite(value))) refuse(where + "stiffness, stiffness_factor and member_length must be finite and not negative");
+  if (hinge.stiffness > 0 && hinge.stiffness_factor > 0) refuse(where + "give stiffness or stiffness_factor, not both");
+  if (hinge.law && hinge.is_rigid_plastic()) refuse(where + "a law acts in a spring; give its stiffness or stiffness_factor");
+}
+
+}  // namespace
+
+int Frame::add_hinge(const Hinge& hinge) {
+  Member& member = of(hinge.member);
+  const char* const end = hinge.at == MemberEnd::start ? "start" : "end";
+  const std::string where = fmt::format("member {}: the hinge at its {}: ", member_name(hinge.member), end);
+  if (member.beam.is_truss()) refuse(where + "a truss carries no moment that could yield");
+  if (dimension_ == 2 && hinge.about != BendingAxis::y) refuse(where + "a plane frame bends about y only");
+  if (member.beam.is_released(hinge.place()))
+    refuse(fmt::format("{}{} is released there, so no moment reaches it; leave out the release or the hinge", where,
+                       name(static_cast<Dof>(hinge.place() % 6))));
+  for (const Hinge& other : hinges_)
+    if (other.member == hinge.member && other.place() == hinge.place()) refuse(where + "there is one already");
+  require_sound(hinge, where);
+  if (!hinge.is_rigid_plastic()) {
+    try {
+      member.beam.set_end_spring(hinge.place(), hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * bending_stiffness(hinge));
+    } catch (const std::invalid_argument& error) {
+      refuse(where + error.what());
+    }
+  }
+  hinges_.push_back(hinge);
+  return static_cast<int>(hinges_.size()) - 1;
+}
+
+std::string Frame::hinge_name(int number) const {
+  const Hinge& hinge = hinges_.at(number);
+  const char* const axis = dimension_ == 2 ? "" : hinge.about == BendingAxis::y ? " y" : " z";
+  return fmt::format("{} {}{}", member_name(hinge.member), hinge.at == MemberEnd::start ? "start" : "end", axis);
+}
+
+double Frame::bending_stiffness(const Hinge& hinge) const {
+  const Beam& beam = of(hinge.member).beam;
+  const double inertia = hinge.about == BendingAxis::y ? beam.section().inertia_y : beam.section().inertia_z;
+  return 6 * beam.material().young * inertia / (hinge.member_length > 0 ? hinge.member_length : beam.length());
+}
+
+void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions,
+                      const std::vector<std::vector<bool>>& above, Structure& s) {
+  const std::vector<Hinge>& hinges = model.frame.hinges();
+  if (hinges.empty()) return;
+  if (model.geometry == FrameGeometry::corotational)
+    refuse(fmt::format("hinge {}: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave the hinges out",
+                       model.frame.hinge_name(0)));
+  if (s.supports.size() > 1)
+    refuse(fmt::format("hinge {}: in a frame with hinges all supports move alike; leave out their delay and ground_motion, or the hinges",
+                       model.frame.hinge_name(0)));
+  std::vector<HingeForces> forces;
+  for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
+    forces.push_back(forces_of(model.frame, i));
+    const double k = forces.back().k;
+    YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces.back()),
+                                                 hinges[i].law                ? hinges[i].law->name
+                                                 : hinges[i].is_rigid_plastic() ? "hinge"
+                                                                                : "bilinear",
+                                                 parameters_of(hinges[i], k), spring_of(model.frame, hinges[i], k));
+    part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
+    require_elastic_at_rest(part, forces.back());
+  }
+  s.yielding_flexibility = flexibility(model.frame, forces);
+  add_to_shears(model, forces, above, s);
+  add_to_internal_forces(model, reactions, forces, s);
+}
+
+}  // namespace pounding

@@ -1,0 +1,60 @@
+#pragma once
+/// Ends of members at which bending yields. SI units.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pounding/structures/spring.hpp>
+
+namespace pounding {
+
+/// Which end of a member.
+enum class MemberEnd { start, end };
+/// The local axis that a member bends about; in the plane it is y.
+enum class BendingAxis { y, z };
+
+/// The law of a spring at the end of a member.
+struct HingeLaw {
+  std::string name;                                        ///< the word of the input: "bilinear"
+  std::vector<std::pair<std::string, double>> parameters;  ///< for reports
+  /// A spring that has not been deformed, of this stiffness [N m/rad]: Spring::stiffness is to return it.
+  std::function<std::unique_ptr<Spring>(double stiffness)> make;
+};
+
+/// One end of a member that yields in bending about one of its local axes; two axes of one end do not know of each other. The moment is
+/// the end moment that InternalForces reports, with its sign: `yield_moment` where the member sags there, with tension on the side
+/// that its local z (about y) or y (about z) leaves; `hogging_moment` where it hogs.
+///
+/// Rigid-plastic, with neither stiffness nor stiffness_factor: no rotation below the yield moment, and above it the moment rises by
+/// h = hardening 6EI/L/(1 - hardening) [N m/rad] with the plastic rotation, so that a member that yields at both ends in double curvature
+/// keeps this part of its stiffness. It adds nothing to the stiffness of the frame (force analogy: Wong & Yang 1999).
+///
+/// A spring in series with the member, with a stiffness or a stiffness_factor: the moment follows its law, and its first stiffness k
+/// makes the member softer. `hardening` is the part of k that is left after yielding. Of a member that as a whole is to keep the part a, it
+/// is a/(1 + n (1 - a)) with n = k L/6EI (Ibarra & Krawinkler 2005).
+struct Hinge {
+  int member = 0;
+  MemberEnd at = MemberEnd::start;
+  BendingAxis about = BendingAxis::y;
+  double yield_moment = 0;                    ///< > 0, of a rigid-plastic hinge and of a bilinear spring [N m]
+  std::optional<double> hogging_moment{};     ///< > 0; the same unless given [N m]
+  double hardening = 0;                       ///< in [0, 1) [-]
+  std::optional<double> ultimate_rotation{};  ///< plastic rotation that it can bear, for reports [rad]
+  double stiffness = 0;                       ///< of a spring in series [N m/rad]
+  double stiffness_factor = 0;                ///< or as a multiple of 6EI/L [-]
+  /// L of the member that this one is a part of, where it was cut; 0: its own length [m].
+  double member_length = 0;
+  std::optional<HingeLaw> law{};  ///< of a spring in series instead of a bilinear one
+
+  bool is_rigid_plastic() const { return stiffness == 0 && stiffness_factor == 0; }
+  /// Place of its moment among the twelve end forces of a member.
+  int place() const { return (at == MemberEnd::start ? 0 : 6) + (about == BendingAxis::y ? 4 : 5); }
+  /// Whether sagging is a positive moment on this end.
+  bool sags_positive() const { return (at == MemberEnd::start) == (about == BendingAxis::y); }
+};
+
+}  // namespace pounding
