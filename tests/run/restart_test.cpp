@@ -159,6 +159,19 @@ TEST(ResumeInAShortPulse, GivesTheSameBits) {
   }
 }
 
+// Bounces whose errors add up, until steps get shorter for the sake of the energies.
+TEST(ResumeWithASpentBudgetOfEnergy, GivesTheSameBits) {
+  for (const std::string scheme : schemes) {
+    SCOPED_TRACE(scheme);
+    const StopWhen late = [](const Contact& contact) { return contact.impacts().size() > 60 && presses(contact.phase()); };
+    expect_to_go_on("ground_motion: {pulse: {shape: rectangle, amplitude: -3.7245309099735495, duration: 2.5}}\n"
+                    "structures: {a: {body: {mass: 17133.6901071129}}, w: {wall: {}}}\n"
+                    "links: [{between: [a, w], gap: 1e-9, law: linear_spring, stiffness: 6185090576.35574}]\n"
+                    "analysis: {duration: 1, tolerance: 1e-4, " + scheme + "}\n",
+                    late);
+  }
+}
+
 // Forces alone: a short one, one with corners, and one that stays.
 TEST(ResumeUnderForces, GivesTheSameBits) {
   for (const std::string scheme : schemes)

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
+#include <pounding/stepping/energy_budget.hpp>
 #include "support/book.hpp"
 #include "support/runs.hpp"
 
@@ -40,6 +42,55 @@ TEST(Energy, OfTheInitialVelocityIsPartOfTheInput) {
   const Outcome run = test::run_text("structures: {a: {body: {mass: 2 t}, initial_velocity: 3 m/s}}\nanalysis: {duration: 1}\n");
   EXPECT_DOUBLE_EQ(run.summary.energy.input, 9000.0);
   EXPECT_DOUBLE_EQ(run.summary.energy.kinetic, 9000.0);
+}
+
+// A body, or an oscillator, that the ground presses on a wall 1 nm away, by an elastic contact: hundreds of bounces, each of which gains or
+// loses a tenth of the tolerance with the same sign.
+constexpr const char* bouncing[] = {
+    "ground_motion: {pulse: {shape: rectangle, amplitude: -3.7245309099735495, duration: 2.5}}\n"
+    "structures: {a: {body: {mass: 17133.6901071129}}, w: {wall: {}}}\n"
+    "links: [{between: [a, w], gap: 1e-9, law: linear_spring, stiffness: 6185090576.35574}]\n",
+    "ground_motion: {pulse: {shape: rectangle, amplitude: -2.698162409163812, duration: 2.5}}\n"
+    "structures: {a: {oscillator: {mass: 11189.385580383287, period: 1.12088046252491, damping: 0}}, w: {wall: {}}}\n"
+    "links: [{between: [a, w], gap: 1e-9, law: hertz, stiffness: 521727946929.73486}]\n"};
+
+TEST(Energy, ClosesOverHundredsOfElasticBounces) {
+  for (const std::string model : bouncing) {
+    SCOPED_TRACE(model);
+    const Outcome run = test::run_text(model + "analysis: {duration: 2, tolerance: 1e-4}\n");
+    EXPECT_GT(run.results.impacts.size(), 150u);
+    EXPECT_LT(run.summary.energy.error, 1e-4);
+    EXPECT_LT(run.summary.solver.steps, 20000) << "2 to 3 times as many as without a look at the energies";
+  }
+}
+
+Energies with_imbalance(double input, double imbalance) { return {.input = input, .kinetic = input - imbalance}; }
+
+TEST(EnergyBudget, LeavesStepsAloneUntilHalfOfTheToleranceIsSpent) {
+  EnergyBudget budget(1e-4, 4, 0);
+  budget.audit(with_imbalance(1024, 0));
+  EXPECT_EQ(budget.share(), 1.0);
+  for (const double sign : {-1, 1}) {
+    budget.audit(with_imbalance(1024, sign * 0.499e-4 * 1024));
+    EXPECT_EQ(budget.share(), 1.0);
+    budget.audit(with_imbalance(1024, sign * 0.75e-4 * 1024));
+    EXPECT_NEAR(budget.share(), std::pow(0.5, 4), 1e-9) << "half of the steps";
+  }
+}
+
+TEST(EnergyBudget, ShortensStepsToATenthAtMost) {
+  EnergyBudget budget(1e-4, 3, 0);
+  budget.audit(with_imbalance(1024, 0.2));
+  EXPECT_DOUBLE_EQ(budget.share(), 1e-3);
+}
+
+TEST(EnergyBudget, ComparesWithTheLargestInputOfTheRun) {
+  EnergyBudget budget(1e-4, 4, 1);
+  budget.audit(with_imbalance(0, 0.4e-4));
+  EXPECT_EQ(budget.share(), 1.0);
+  budget.audit(with_imbalance(1024, 0));
+  budget.audit(with_imbalance(-1, 0.4e-4 * 1024));
+  EXPECT_EQ(budget.share(), 1.0);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ void Recorder::step() {
 void Recorder::sample_energy() {
   EnergyHistory& e = results_.energy;
   const Energies now = stepper_.energies();
-  const double error = now.input - (now.kinetic + now.strain + now.damping + now.hysteretic + now.impact + now.devices);
+  const double error = now.imbalance();
   e.time.push_back(stepper_.time());
   e.input.push_back(now.input);
   e.kinetic.push_back(now.kinetic);

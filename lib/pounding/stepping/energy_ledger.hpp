@@ -17,6 +17,9 @@ struct Energies {
   double hysteretic = 0;  ///< dissipated by yielding
   double impact = 0;      ///< work done on the contacts: lost, friction included, and stored while they press
   double devices = 0;     ///< dissipated by the dampers between structures
+
+  /// What was put in and is found nowhere.
+  double imbalance() const { return input - (kinetic + strain + damping + hysteretic + impact + devices); }
 };
 
 /// Three times the mean of a product of force and rate over a step, by Simpson's rule from values at its beginning, middle and

@@ -21,13 +21,13 @@ constexpr std::size_t sums_of_group = 5;
 double allowed_error(const Scheme& scheme, double tolerance) {
   const double allowed =
       scheme.kind == Scheme::Kind::esdirk4 ? embedded_share * tolerance : local_share * tolerance * std::sqrt(tolerance);
-  return std::max(allowed, rounding);
+  return allowed;
 }
 
 }  // namespace
 
 ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double tolerance)
-    : equations_(equations), allowed_(allowed_error(scheme, tolerance)) {
+    : equations_(equations), allowed_by_tolerance_(allowed_error(scheme, tolerance)), allowed_(std::max(allowed_by_tolerance_, rounding)) {
   const System& system = equations.system;
   const int links = equations.links.size(), groups = static_cast<int>(system.groups.size());
   link_groups_.resize(static_cast<std::size_t>(links));
@@ -130,6 +130,8 @@ double ErrorNorm::contact_error(int contact, const Trial& trial) const {
   return std::max(std::abs(link_errors_(contact, 0)) / scale_d, std::abs(link_errors_(contact, 1)) / scale_r);
 }
 
+void ErrorNorm::allow(double part) { allowed_ = std::max(part * allowed_by_tolerance_, rounding); }
+
 void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v) {
   const StructureSolver& solver = equations_.solver;
   const Eigen::VectorXd& w = solver.weights();
@@ -203,6 +205,15 @@ double ErrorNorm::relative_size(const Eigen::VectorXd& change, const Eigen::Vect
     if (!(ratio <= worst)) worst = ratio;
   }
   return worst;
+}
+
+double ErrorNorm::least_energy() const {
+  double energy = 0;
+  for (std::size_t k = 0; k < rest_size_.size(); ++k) {
+    const double velocity = equations_.system.groups[k].velocity_floor;
+    energy += 0.5 * equations_.solver.group_masses()[k] * velocity * velocity;
+  }
+  return energy;
 }
 
 double ErrorNorm::product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const {

@@ -25,6 +25,9 @@ class ErrorNorm {
   /// The link whose error was the largest of all in the last ratio(); -1 if that was the error of a group.
   int worst_link() const { return worst_link_; }
 
+  /// From now on a step may have this part of the error that the tolerance allows.
+  void allow(double part);
+
   /// Scales of a motion to start from.
   void start(const Instant& now);
   /// Scales never shrink, but for those of a contact, which begin anew with each impact.
@@ -34,6 +37,8 @@ class ErrorNorm {
 
   /// Size of a change of the displacement, relative to the displacement or its scale: the largest of all groups.
   double relative_size(const Eigen::VectorXd& change, const Eigen::VectorXd& displacement) const;
+  /// Kinetic energy at the smallest velocities that errors are compared with [J].
+  double least_energy() const;
   /// Inner product weighed by the masses.
   double product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const;
 
@@ -47,7 +52,8 @@ class ErrorNorm {
   double contact_error(int contact, const Trial& trial) const;
 
   const Equations& equations_;
-  double allowed_;  // relative error of one step
+  const double allowed_by_tolerance_;  // relative error of one step
+  double allowed_;                     // at present
   MotionScales scales_;
   // By group: velocities that errors are relative to, without what short motions of the ground give. A pulse that leaves a small
   // motion behind would else hide errors in it.

@@ -38,6 +38,7 @@ Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOpt
       functions_(equations_.links, equations_.rigid, norm_.scales(), longest_step_),
       locator_(functions_),
       ledger_(system),
+      budget_(options.tolerance, options.scheme.error_order(), norm_.least_energy()),
       contact_events_(equations_, functions_, norm_, ledger_, options.tolerance),
       output_(equations_, history_),
       link_steps_(static_cast<std::size_t>(system.links())),
@@ -164,6 +165,9 @@ void Stepper::accept() {
     apply_located(false);
   else if (ground_jumps)
     balance_now();
+  if (!budget_.is_due()) return;
+  budget_.audit(energies());
+  norm_.allow(budget_.share());
 }
 
 void Stepper::apply_event() {
@@ -182,8 +186,10 @@ void Stepper::archive(Archive& archive) {
   history_.archive(archive);
   archive(link_steps_);
   ledger_.archive(archive);
+  budget_.archive(archive);
   archive(started_);
   norm_.archive(archive);
+  norm_.allow(budget_.share());
   stages_.archive(archive);
   contact_events_.archive(archive);
   equations_.supports.archive(archive);

@@ -13,6 +13,7 @@
 #include <pounding/stepping/contact_events.hpp>
 #include <pounding/stepping/dense_output.hpp>
 #include <pounding/stepping/dyadic_steps.hpp>
+#include <pounding/stepping/energy_budget.hpp>
 #include <pounding/stepping/energy_ledger.hpp>
 #include <pounding/stepping/error_norm.hpp>
 #include <pounding/stepping/event_locator.hpp>
@@ -141,6 +142,7 @@ class Stepper {
   EventFunctions functions_;
   EventLocator locator_;
   EnergyLedger ledger_;
+  EnergyBudget budget_;
   ContactEvents contact_events_;
   DenseOutput output_;
   std::vector<LinkStep> link_steps_;
