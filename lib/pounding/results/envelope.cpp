@@ -16,11 +16,14 @@ void Extremes::update(std::size_t i, double time, double h, double begin, double
 
 void Extremes::update(std::size_t i, double time, std::span<const double> times, double& value, double& slope, const double* pairs) {
   for (const double next : times) {
-    const double h = next - time, end = *pairs++, slope_end = *pairs++;
-    // The cubic lies between these four values, its points as a Bezier curve. Most steps bring nothing new.
-    const double near_begin = h / 3 * std::abs(slope), near_end = h / 3 * std::abs(slope_end);
-    if (std::min(value - near_begin, end - near_end) < min[i] || std::max(value + near_begin, end + near_end) > max[i])
-      update(i, time, h, value, slope, end, slope_end);
+    const double end = *pairs++, slope_end = *pairs++;
+    // The cubic lies between the values at the ends and a third of the step along the slopes there, its points as a Bezier curve. Most
+    // steps bring nothing new.
+    const double third = (next - time) / 3, at_begin = third * std::abs(slope), at_end = third * std::abs(slope_end);
+    const bool is_beyond = end < min[i] || end > max[i];
+    if (is_beyond || (slope * slope_end < 0 && (std::min(value - at_begin, end - at_end) < min[i] ||
+                                                std::max(value + at_begin, end + at_end) > max[i])))
+      update(i, time, next - time, value, slope, end, slope_end);
     time = next;
     value = end;
     slope = slope_end;

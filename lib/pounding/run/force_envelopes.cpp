@@ -7,8 +7,6 @@
 #include <span>
 #include <utility>
 
-#include <pounding/run/histories.hpp>
-
 namespace pounding {
 namespace {
 
@@ -22,15 +20,10 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
   motions_.setZero(Eigen::NoChange, stepper.system().size());
   const bool with_links = stepper.system().contact_count() > 0;
   for (const Link& link : model.links) every_step_ = every_step_ || (with_links && link.contact->is_rigid());
-  std::size_t spring = stepper.system().contact_count();
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
     every_step_ = every_step_ || s.is_free || s.rigid_motions > 0;
     turns_ = turns_ || s.forces.turned;
-    first_spring_.push_back(spring);
-    spring += s.yielding.size();
-    StructureEnvelope& envelope = results_.structures[k].envelope;
-    if (s.has_storeys()) envelope.storey_shear = Extremes(s.floors.size() * results_.structures[k].storey_directions());
     if (s.dimension > 1) add_frame(k);
   }
   if (!with_links && !model.links.empty()) {
@@ -42,6 +35,7 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
 void ForceEnvelopes::add_frame(int k) {
   const Structure& s = model_.structures[k];
   StructureEnvelope& envelope = results_.structures[k].envelope;
+  if (s.has_storeys()) envelope.storey_shear = Extremes(s.floors.size() * results_.structures[k].storey_directions());
   envelope.member_force = Extremes(s.forces.members.size() * s.forces.components.size());
   envelope.reaction = Extremes(s.forces.supports.size() * s.forces.directions.size());
   const int components = static_cast<int>(s.forces.components.size()), shears = static_cast<int>(envelope.storey_shear.size());
@@ -114,42 +108,19 @@ void ForceEnvelopes::start_from(const Instant& instant) {
   knots_.set(instant);
 }
 
-void ForceEnvelopes::begin(const Eigen::MatrixXd& floors) {
-  const double time = stepper_.time();
-  int row = 0;
-  for (std::size_t k = 0; k < model_.structures.size(); ++k) {
-    const Structure& s = model_.structures[k];
-    Extremes& shear = results_.structures[k].envelope.storey_shear;
-    for (std::size_t i = 0; i < s.storey_stiffness.size(); ++i) {
-      const int at = row + static_cast<int>(i);
-      const double drift = floors(at, 0) - (i > 0 ? floors(at - 1, 0) : 0);
-      double force = s.storey_stiffness[i] * drift;
-      if (!s.yielding.empty()) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
-      shear.update(i, time, force);
-    }
-    row += s.floors.empty() ? 0 : static_cast<int>(s.floors.size() * s.floors.front().motion.size());
-  }
+void ForceEnvelopes::begin() {
   if (blocks_.empty()) return;
   take(stepper_.state());
   start_from(stepper_.instant_end_minus());
   for (Block& block : blocks_) {
     Eigen::VectorXd values = block.values;
     add_fixed_end_forces(block, values, [&](int link) { return stepper_.link_forces()[link]; });
-    for (std::size_t i = 0; i < block.extremes.size(); ++i) block.extremes.update(i, time, values[static_cast<int>(i)]);
+    for (std::size_t i = 0; i < block.extremes.size(); ++i) block.extremes.update(i, stepper_.time(), values[static_cast<int>(i)]);
   }
 }
 
 void ForceEnvelopes::step(const StepMotion& step) {
-  int row = 0;
-  for (std::size_t k = 0; k < model_.structures.size(); ++k) {
-    const Structure& s = model_.structures[k];
-    if (!s.storey_stiffness.empty()) step_springs(static_cast<int>(k), row, step);
-    row += s.floors.empty() ? 0 : static_cast<int>(s.floors.size() * s.floors.front().motion.size());
-  }
-  if (!blocks_.empty()) step_frames(step);
-}
-
-void ForceEnvelopes::step_frames(const StepMotion& step) {
+  if (blocks_.empty()) return;
   const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
   const bool pressed = presses_on_members();
   if (every_step_) {
@@ -163,10 +134,7 @@ void ForceEnvelopes::step_frames(const StepMotion& step) {
     }
   } else {
     const bool changes = pressed != pressed_;
-    if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) {
-      take(stepper_.begin());
-      close(begin, begin.time, false);
-    }
+    if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) wait(stepper_.begin(), begin);
     if (changes) follow();
     pressed_ = pressed;
     jumped_ = step.jumps;
@@ -179,10 +147,8 @@ void ForceEnvelopes::step_frames(const StepMotion& step) {
 }
 
 void ForceEnvelopes::end() {
-  if (!blocks_.empty()) {
-    take(stepper_.end_minus());
-    close(stepper_.instant_end_minus(), stepper_.instant_end_minus().time, false);
-  }
+  const Instant& last = stepper_.instant_end_minus();
+  if (!blocks_.empty() && last.time > knots_.last()) wait(stepper_.end_minus(), last);
   show();
 }
 
@@ -203,33 +169,6 @@ void ForceEnvelopes::show() {
   }
 }
 
-void ForceEnvelopes::step_springs(int k, int row, const StepMotion& step) {
-  const Structure& s = model_.structures[k];
-  Extremes& shear = results_.structures[k].envelope.storey_shear;
-  for (std::size_t i = 0; i < s.storey_stiffness.size(); ++i) {
-    const int at = row + static_cast<int>(i);
-    const auto drift = [&](const Eigen::MatrixXd& floors, int column) {
-      return floors(at, column) - (i > 0 ? floors(at - 1, column) : 0);
-    };
-    const double k_i = s.storey_stiffness[i], d0 = drift(step.begin, 0), d1 = drift(step.end_minus, 0);
-    const double v0 = drift(step.begin, 1), v1 = drift(step.end_minus, 1);
-    if (s.yielding.empty()) {
-      shear.update(i, step.begin_time, step.h, k_i * d0, k_i * v0, k_i * d1, k_i * v1);
-      continue;
-    }
-    const LinkStep& spring = stepper_.link_steps()[first_spring_[k] + i];
-    const auto update = [&](double part, double d) {
-      const double time = step.begin_time + part * step.h;
-      shear.update(i, time, k_i * d + spring_force(*s.yielding[i].spring, spring, time, d));
-    };
-    const double turn = v0 * v1 < 0 ? v0 / (v0 - v1) : 0.5;
-    const Cubic at_turn(turn, step.h), at_middle(0.5, step.h);
-    update(turn, at_turn.begin * d0 + at_turn.end * d1 + at_turn.slope_begin * v0 + at_turn.slope_end * v1);
-    if (turn != 0.5) update(0.5, at_middle.begin * d0 + at_middle.end * d1 + at_middle.slope_begin * v0 + at_middle.slope_end * v1);
-    update(1, d1);
-  }
-}
-
 bool ForceEnvelopes::presses_on_members() const {
   return std::any_of(fixed_ends_.begin(), fixed_ends_.end(), [&](const FixedEnds& ends) {
     const LinkStep& step = stepper_.link_steps()[ends.link];
@@ -237,24 +176,21 @@ bool ForceEnvelopes::presses_on_members() const {
   });
 }
 
-// At the motion in u_ and v_. The acceleration at the knot is that of the instant.
+// At the motion in u_ and v_, to which the instant is the next.
 void ForceEnvelopes::close(const Instant& instant, double time, bool pressed) {
   if (!(time > knots_.last())) return;
-  if (every_step_ || turns_) {
-    for (Block& block : blocks_) follow(block, followed_, time, pressed);
-    followed_ = time;
-  } else {
-    wait(time);
-  }
+  for (Block& block : blocks_) follow(block, followed_, time, pressed);
+  followed_ = time;
   knots_.set(instant);
 }
 
-void ForceEnvelopes::wait(double time) {
+void ForceEnvelopes::wait(const State& state, const Instant& instant) {
   const int at = static_cast<int>(times_.size());
-  motions_.row(at) = u_;
-  motions_.row(LinearQuantities::batch + at) = v_;
-  times_.push_back(time);
+  motions_.row(at) = state.u;
+  motions_.row(LinearQuantities::batch + at) = state.v;
+  times_.push_back(instant.time);
   if (times_.size() == LinearQuantities::batch) follow();
+  knots_.set(instant);
 }
 
 // To the motion in u_ and v_, where contacts may press on members.

@@ -1,8 +1,7 @@
 #pragma once
-/// Extremes of forces inside structures, of reactions, and of how far the ends of links approach each other.
+/// Extremes of forces inside frames, of reactions, and of how far the ends of links approach each other.
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include <pounding/core/archive.hpp>
@@ -16,17 +15,16 @@
 
 namespace pounding {
 
-/// Fills the envelopes of forces. Storeys that are springs are followed in every step. Forces of frames need all unknowns, so they
-/// are taken at knots: ends of steps, of which several may lie between two knots while the cubic between these follows the
-/// displacements closely. Extremes between knots are found on it, for several knots at once. While a contact presses on a member
-/// between its ends, the forces of such members are followed in every step.
+/// Fills the envelopes of forces of frames. These need all unknowns, so they are taken at knots: ends of steps, of which several may
+/// lie between two knots while the cubic between these follows the displacements closely. Extremes between knots are found on it, for
+/// several knots at once. While a contact presses on a member between its ends, the forces of such members are followed in every step.
 class ForceEnvelopes {
  public:
   /// Fills `results`: the envelopes of its structures, and `approach` in a run without links. All arguments must outlive this.
   ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results);
 
-  /// The present state is the initial one; `floors` is its motion as FloorResponse completes it.
-  void begin(const Eigen::MatrixXd& floors);
+  /// The present state is the initial one.
+  void begin();
   /// One kept step.
   void step(const StepMotion& step);
   /// The run is over: the present state becomes the last knot. Shows the envelopes.
@@ -55,13 +53,11 @@ class ForceEnvelopes {
 
   void add_frame(int structure);
   void add_block(int structure, bool apart, LinearQuantities quantities);
-  void step_springs(int structure, int row, const StepMotion& step);
   bool presses_on_members() const;
-  void step_frames(const StepMotion& step);
   void take(const State& state);
   void start_from(const Instant& instant);
   void close(const Instant& instant, double time, bool pressed);
-  void wait(double time);
+  void wait(const State& state, const Instant& instant);
   void follow();
   void follow(Block& block, double begin, double end, bool pressed);
   void evaluate(const Block& block, double time, Eigen::VectorXd& values, Eigen::VectorXd& rates);
@@ -72,7 +68,6 @@ class ForceEnvelopes {
   const GroundPlan& plan_;
   const Stepper& stepper_;
   Results& results_;
-  std::vector<std::size_t> first_spring_;  // by structure: its lowest yielding storey among the link steps
   std::vector<int> first_unknown_;         // by structure
   std::vector<Block> blocks_;
   std::vector<FixedEnds> fixed_ends_;

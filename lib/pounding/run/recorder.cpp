@@ -20,6 +20,7 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       springs_(model, response_, stepper, results.structures),
       step_motion_(response_, stepper),
       floors_(model, response_, results.structures),
+      storeys_(model, stepper, results),
       forces_(model, plan_, stepper, results) {}
 
 void Recorder::accelerations_of_ground(double time) {
@@ -34,7 +35,8 @@ void Recorder::begin() {
   sample(stepper_.time(), false);
   ++outputs_;
   floors_.begin(motion_, stepper_.time());
-  forces_.begin(motion_);
+  storeys_.begin(motion_);
+  forces_.begin();
   devices_.begin();
   springs_.begin();
   sample_energy();
@@ -71,6 +73,7 @@ void Recorder::step() {
   const bool output_due = outputs_ > before;
   step_motion_.take();
   floors_.step(step_motion_);
+  storeys_.step(step_motion_);
   forces_.step(step_motion_);
   links_.step(output_due);
   devices_.step();

@@ -16,6 +16,7 @@
 #include <pounding/run/link_samples.hpp>
 #include <pounding/run/spring_histories.hpp>
 #include <pounding/run/step_motion.hpp>
+#include <pounding/run/storey_shears.hpp>
 #include <pounding/run/structure_histories.hpp>
 #include <pounding/stepping/stepper.hpp>
 
@@ -65,6 +66,7 @@ class Recorder {
   SpringHistories springs_;
   StepMotion step_motion_;
   FloorEnvelopes floors_;
+  StoreyShears storeys_;
   ForceEnvelopes forces_;
   long outputs_ = 0;  // output times so far
   double max_input_ = 0, max_imbalance_ = 0;  // absolute values over the run [J]
