@@ -20,6 +20,8 @@
 
 namespace {
 
+std::terminate_handler usual_end = nullptr;
+
 const pounding::petsc::Launch launched = pounding::petsc::launch().value_or(pounding::petsc::Launch{});
 
 // The first process reports failures, which under mpirun all processes have. MPI may not have begun yet, or be over.
@@ -69,6 +71,21 @@ std::vector<std::string> commands_of(const CLI::App& app) {
   return names;
 }
 
+// Where memory ends in what must not throw, such as the destructor of a tree of JSON, or before main() has begun.
+void end_without_memory() {
+  constexpr std::string_view text = "pounding: out of memory; a results file keeps what was written before\n";
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
+    _exit(pounding::program::failed_solve);
+  } catch (...) {
+  }
+  usual_end();
+}
+
+[[gnu::constructor(101)]] void watch_over_memory() { usual_end = std::set_terminate(end_without_memory); }
+
 // HDF5 1.10 ends a process by exit(-1) when a table of its own gets no memory; nothing else here does.
 void tell_of_hdf5(int status, void*) {
   if (status != -1) return;
@@ -77,11 +94,7 @@ void tell_of_hdf5(int status, void*) {
   _exit(pounding::program::failed_solve);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  pounding::program::use_one_blas_thread();
-  on_exit(tell_of_hdf5, nullptr);
+int serve(int argc, char** argv) {
   CLI::App app{"Adjacent structures that hit each other in earthquakes"};
   app.set_version_flag("--version", "pounding " POUNDING_VERSION);
   app.require_subcommand(1);
@@ -111,12 +124,26 @@ int main(int argc, char** argv) {
     if (const std::string unknown = unknown_command(app, {argv + 1, argv + argc}); !unknown.empty())
       return report((unknown + "\nType pounding --help.").c_str(), bad_input);
     return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
+  } catch (const pounding::OutOfMemory&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw pounding::OutOfMemory(fmt::format("pounding {}: out of memory; {} were there", fmt::join(commands_of(app), " "),
+                                            pounding::limits::text_of_bytes(pounding::limits::memory())));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  pounding::program::use_one_blas_thread();
+  on_exit(tell_of_hdf5, nullptr);
+  try {
+    return serve(argc, argv);
   } catch (const pounding::OutOfMemory& error) {
-    return report(error.what(), exit_code(error));
-  } catch (const std::bad_alloc& error) {
-    return report(fmt::format("pounding {}: out of memory; {} were there", fmt::join(commands_of(app), " "),
-                              pounding::limits::text_of_bytes(pounding::limits::memory())).c_str(), exit_code(error));
+    return report(error.what(), pounding::program::failed_solve);
+  } catch (const std::bad_alloc&) {
+    return report("out of memory before the work began", pounding::program::failed_solve);
   } catch (const std::exception& error) {
-    return report(error.what(), exit_code(error));
+    return report(error.what(), pounding::program::exit_code(error));
   }
 }

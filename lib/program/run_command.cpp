@@ -201,8 +201,11 @@ void run_task(const RunArguments& words, const Task& task) {
     throw SolverError(fmt::format("{}\nTo go on: {}pounding run --resume {}{}", failed.what(), launcher, run_options.output, more));
   } catch (const std::bad_alloc& lack) {
     if (terminal) clear_progress();
-    if (run_options.output.empty() || !std::filesystem::exists(run_options.output)) throw;
-    throw OutOfMemory(fmt::format("{}\nWhat was written last is in {}", lack.what(), run_options.output));
+    const std::string text = dynamic_cast<const OutOfMemory*>(&lack)
+                                 ? lack.what()
+                                 : fmt::format("{}: out of memory; {} were there", model.source_file, limits::text_of_bytes(limits::memory()));
+    const bool keeps = !run_options.output.empty() && std::filesystem::exists(run_options.output);
+    throw OutOfMemory(keeps ? fmt::format("{}\nWhat was written last is in {}", text, run_options.output) : text);
   } catch (...) {
     if (terminal) clear_progress();
     throw;

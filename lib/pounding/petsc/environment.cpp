@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <utility>
 
 #include <pounding/petsc/launch.hpp>
 
@@ -15,11 +16,15 @@ namespace {
 
 // PETSc calls its error handler once a function on the way up; this keeps the first message.
 thread_local std::string failure;
+thread_local bool lacks_memory = false;
 
 PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
                             PetscErrorType type, const char* message, void*) {
   if (type == PETSC_ERROR_INITIAL) {
-    failure = message ? message : "no message";
+    // PETSc 3.18 gives the number of a line as the code of an allocation that failed, and the function that asked as its message.
+    lacks_memory = code == PETSC_ERR_MEM || (file && std::strstr(file, "sys/memory/"));
+    failure = lacks_memory ? "out of memory: " : "";
+    failure += message ? message : "no message";
     failure += std::string(" (PETSc, ") + (function ? function : "?") + ", " + (file ? file : "?") + ":" +
                std::to_string(line) + ")";
   }
@@ -109,12 +114,13 @@ void check(PetscErrorCode code) {
   if (code == 0) return;
   std::string text = failure.empty() ? "PETSc error " + std::to_string(static_cast<int>(code)) : failure;
   failure.clear();
-  if (code == PETSC_ERR_MEM) throw OutOfMemory(text);
+  if (std::exchange(lacks_memory, false) || code == PETSC_ERR_MEM) throw OutOfMemory(text);
   throw SolverError(text);
 }
 
 PetscErrorCode fail(const std::string& text, PetscErrorCode code) {
   failure = text;
+  lacks_memory = false;
   return code;
 }
 

@@ -34,6 +34,8 @@ std::vector<std::byte> failure_of(const std::function<void()>& task) {
     return message(Kind::solver, error.what());
   } catch (const std::bad_alloc& error) {
     return message(Kind::memory, error.what());
+  } catch (const std::length_error& error) {
+    return message(Kind::memory, error.what());
   } catch (const std::exception& error) {
     return message(Kind::other, error.what());
   }

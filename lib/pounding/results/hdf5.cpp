@@ -55,13 +55,19 @@ void describe(hid_t object, const Label& label) {
 
 hid_t checked(hid_t status, std::string_view action) {
   if (status >= 0) return status;
-  std::string message = "HDF5 could not " + std::string(action);
+  struct {
+    std::string text;
+    bool lacks_memory = false;
+  } message{"HDF5 could not " + std::string(action)};
   const auto append = [](unsigned, const H5E_error2_t* error, void* target) -> herr_t {
-    if (error->desc != nullptr) static_cast<std::string*>(target)->append(": ").append(error->desc);
+    auto& told = *static_cast<decltype(message)*>(target);
+    if (error->desc != nullptr) told.text.append(": ").append(error->desc);
+    if (error->maj_num == H5E_RESOURCE) told.lacks_memory = true;
     return 0;
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, append, &message);
-  throw std::runtime_error(message);
+  if (message.lacks_memory) throw NoMemory(message.text);
+  throw std::runtime_error(message.text);
 }
 
 std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,7 +15,13 @@
 
 namespace pounding::hdf5 {
 
-/// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`.
+/// HDF5 failed because it got no memory.
+class NoMemory : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`, as NoMemory where that was the reason.
 hid_t checked(hid_t status, std::string_view action);
 
 /// Silences HDF5's own printing while it lives; a host program's handler comes back afterwards.

@@ -1,5 +1,6 @@
 #include <pounding/results/replaced_file.hpp>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -14,6 +15,7 @@
 #include <ctime>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
@@ -120,9 +122,11 @@ std::string host_name() {
 
 /// Removes the temporary files of killed processes of this host, as far as possible. Those of others, which may share the disk, stay.
 void remove_leftovers(const fs::path& directory, const std::string& prefix, std::string_view suffix) {
-  std::error_code error;
-  for (fs::directory_iterator entry(directory, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+  // Where memory ends, the iterator of the standard library ends the process.
+  const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir(directory.c_str()), closedir);
+  if (!folder) return;
+  while (const dirent* entry = readdir(folder.get())) {
+    const std::string name = entry->d_name;
     if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) || !name.ends_with(suffix)) continue;
     const char* digits_end = name.data() + name.size() - suffix.size();
     pid_t process = 0;
@@ -130,9 +134,10 @@ void remove_leftovers(const fs::path& directory, const std::string& prefix, std:
     if (parsed.ec != std::errc{} || parsed.ptr != digits_end || process <= 0) continue;
     if (kill(process, 0) == 0 || errno != ESRCH) continue;
     // A container of the same name may have processes of its own.
-    const Descriptor leftover(open(entry->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    const fs::path path = directory / name;
+    const Descriptor leftover(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
     std::error_code ignored;
-    if (leftover.is_open() && !is_held_by_others(leftover)) fs::remove(entry->path(), ignored);
+    if (leftover.is_open() && !is_held_by_others(leftover)) fs::remove(path, ignored);
   }
 }
 

@@ -369,10 +369,12 @@ std::vector<std::byte> results_image(const Results& results) {
     return image;
   } catch (const InputError&) {
     throw;
+  } catch (const hdf5::NoMemory& error) {
+    throw OutOfMemory(fmt::format("there is no memory left to make the results file, which keeps what was written before: {}", error.what()));
   } catch (const std::runtime_error& error) {
     throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}", error.what()));
   } catch (const std::bad_alloc&) {
-    throw SolverError("there is no memory left to make the results file, which keeps what was written before");
+    throw OutOfMemory("there is no memory left to make the results file, which keeps what was written before");
   }
 }
 
