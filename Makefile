@@ -37,7 +37,7 @@ test-damage: build
 	POUNDING_PROGRAM=$(CURDIR)/build/pounding PYTHONPATH=$(CURDIR)/python .venv-test/bin/python3 tests/program/damage.py --count $(COUNT)
 
 test-faults: build
-	POUNDING_ALL_FAULTS=1 ctest --test-dir build --output-on-failure --no-tests=error --timeout 100000 -R '^program.faults$$'
+	POUNDING_ALL_FAULTS=1 ctest --test-dir build --output-on-failure --no-tests=error --timeout 100000 -R '^program.(message_)?faults$$'
 
 fuzz:
 	@bash cmake/install-debian.sh demo clang-14 libclang-rt-14-dev llvm-14
@@ -107,7 +107,7 @@ help:
 	@echo "make demo       install what the program needs, compile it, run two frames through an earthquake: demo.h5, demo.png"
 	@echo "make test       install what tests need, compile everything, run every test; LONG=0 leaves the long ones out"
 	@echo "make test-sanitized   unit tests under the address and undefined-behaviour sanitizers; PART=quick some of them"
-	@echo "make test-damage      COUNT=n damaged results files, by every reader; test-faults: writes that fail and signals, for every n"
+	@echo "make test-damage      COUNT=n damaged results files, by every reader; test-faults: writes and allocations that fail, signals and kills, for every n"
 	@echo "make fuzz       MINUTES=n: look for inputs that crash or hang; installs Clang"
 	@echo "make build      compile everything into build/"
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"

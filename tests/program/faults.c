@@ -1,7 +1,8 @@
-/* Faults on purpose, loaded before the C library (LD_PRELOAD): the n-th call that writes files fails, is cut short, or is the moment
-   of a signal. Counted are calls on regular files, or of names, while a results file is being written: from its opening on.
+/* Faults on purpose, loaded before the C library (LD_PRELOAD): the n-th call of a kind fails, is cut short, or is the moment of a
+   signal. Of the calls that write, those on regular files count, and on names of results files.
 
-   POUNDING_FAULT_CALL   write, fsync, rename, open, ftruncate, or memory (operator new and malloc inside HDF5)
+   POUNDING_FAULT_CALL   write, fsync, rename, open, ftruncate; step, a kept step of the run; hdf5_memory, petsc_memory, own_memory: what
+                         these libraries ask for, or the program itself and its libraries of C++, from main on
    POUNDING_FAULT_AT     the number of the call that fails, from 1
    POUNDING_FAULT_KIND   an error number; or short (half is written, then the disk is full), kill, or signal NUMBER as -NUMBER
    POUNDING_FAULT_COUNT  file to which the number of calls is written at the end */
@@ -106,13 +107,55 @@ int open(const char* path, int flags, ...) {
   return !is_results(path) || fate("open") == passes ? real(path, flags, mode) : -1;
 }
 
-/* Allocations of HDF5 alone, the library of the results file: others end a process of MPI in ways of their own. */
-static int is_in_hdf5(const void* caller) {
+/* PETSc calls it after each kept step. */
+int TSPostStep(void* ts) {
+  REAL(int, "TSPostStep", void*);
+  fate("step");
+  return real(ts);
+}
+
+static int in_main = 0;
+static int (*true_main)(int, char**, char**) = NULL;
+static int counted_main(int count, char** words, char** environment) {
+  in_main = 1;
+  const int code = true_main(count, words, environment);
+  in_main = 0;
+  return code;
+}
+
+typedef int Main(int, char**, char**);
+int __libc_start_main(Main* main, int count, char** words, void (*init)(void), void (*fini)(void), void (*linker)(void), void* stack) {
+  REAL(int, "__libc_start_main", Main*, int, char**, void (*)(void), void (*)(void), void (*)(void), void*);
+  true_main = main;
+  return real(counted_main, count, words, init, fini, linker, stack);
+}
+
+/* Allocations of the named libraries alone: MPI ends a process in ways of its own when it gets no memory. */
+static const char* const hdf5[] = {"libhdf5", NULL};
+static const char* const petsc[] = {"libpetsc", NULL};
+static const char* const own[] = {"/pounding", "libstdc++", "libyaml-cpp", "libfmt", NULL};
+static const char* const* counted_libraries(void) {
+  const char* call = setting("POUNDING_FAULT_CALL");
+  return strcmp(call, "hdf5_memory") == 0 ? hdf5 : strcmp(call, "petsc_memory") == 0 ? petsc : strcmp(call, "own_memory") == 0 ? own : NULL;
+}
+
+/* Whether the code at this address belongs to one of the libraries. Answers are kept, since to find one takes longer than to allocate. */
+static int is_in(const void* caller, const char* const* libraries) {
+  static struct {
+    const void* caller;
+    int found;
+  } known[1 << 14];
   static int inside = 0;
+  const size_t place = ((size_t)caller >> 1) % (sizeof known / sizeof known[0]);
+  if (known[place].caller == caller) return known[place].found;
   if (inside) return 0;
   inside = 1;
   Dl_info where;
-  const int found = dladdr(caller, &where) != 0 && where.dli_fname && strstr(where.dli_fname, "hdf5");
+  int found = 0;
+  if (dladdr(caller, &where) != 0 && where.dli_fname)
+    for (; *libraries; ++libraries) found |= strstr(where.dli_fname, *libraries) != NULL;
+  known[place].caller = caller;
+  known[place].found = found;
   inside = 0;
   return found;
 }
@@ -120,13 +163,24 @@ static int is_in_hdf5(const void* caller) {
 extern void* __libc_malloc(size_t size);
 extern void* __libc_calloc(size_t count, size_t size);
 extern void* __libc_realloc(void* block, size_t size);
-static int counts_memory = -1;
+extern void* __libc_memalign(size_t alignment, size_t size);
 
 static int memory_fails(const void* caller) {
-  if (counts_memory < 0) counts_memory = strcmp(setting("POUNDING_FAULT_CALL"), "memory") == 0;
-  return counts_memory && is_in_hdf5(caller) && fate("memory") != passes;
+  if (!in_main) return 0;
+  static int read = 0;
+  static const char* const* libraries = NULL;
+  if (!read) {
+    libraries = counted_libraries();
+    read = 1;
+  }
+  return libraries && is_in(caller, libraries) && fate(setting("POUNDING_FAULT_CALL")) != passes;
 }
 
 void* malloc(size_t size) { return memory_fails(__builtin_return_address(0)) ? NULL : __libc_malloc(size); }
 void* calloc(size_t count, size_t size) { return memory_fails(__builtin_return_address(0)) ? NULL : __libc_calloc(count, size); }
 void* realloc(void* block, size_t size) { return memory_fails(__builtin_return_address(0)) ? NULL : __libc_realloc(block, size); }
+int posix_memalign(void** block, size_t alignment, size_t size) {
+  if (memory_fails(__builtin_return_address(0))) return ENOMEM;
+  *block = __libc_memalign(alignment, size);
+  return *block ? 0 : ENOMEM;
+}

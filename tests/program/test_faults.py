@@ -1,6 +1,7 @@
-"""Faults on purpose: the n-th call that writes a file fails, is cut short, or is the moment of a signal. Whatever n is, a run has one of
-three endings: the right bits and exit code 0, an earlier whole file after a kill, or an error with exit code 2 or 3 and a whole file
-of this run or of an earlier one. Only where HDF5 gets no memory it may end the process by a crash. A slice of all n; POUNDING_ALL_FAULTS=1 takes every one."""
+"""Faults on purpose: the n-th call that writes a file or asks for memory fails, or the n-th step is the moment of a signal. Whatever n is, a
+run has one of three endings: the right bits and exit code 0, an earlier whole file after a kill, or an error with exit code 2 or 3
+and a whole file of this run or of an earlier one. Only where HDF5 gets no memory it may end the process by a crash. A slice of all n;
+POUNDING_ALL_FAULTS=1 takes every one."""
 
 import errno
 import os
@@ -16,6 +17,8 @@ ALL = os.environ.get("POUNDING_ALL_FAULTS") == "1"
 #: Written often, so that there are many calls.
 MODEL = OSCILLATORS.replace("analysis: {duration: 3.0}", "analysis: {duration: 3.0, tolerance: 1e-7}\ncompare: no_pounding\n"
                             "checkpoint: {every_simulated: 0.2 s}")
+#: For faults at calls that are many however short a run is.
+SMALL = OSCILLATORS.replace("analysis: {duration: 3.0}", "analysis: {duration: 0.6}\ncheckpoint: {every_simulated: 0.2 s}")
 
 
 def contents(path):
@@ -26,9 +29,11 @@ def contents(path):
 
 
 class FaultTest(ProgramTest):
+    MODEL = MODEL
+
     def setUp(self):
         super().setUp()
-        self.write(MODEL)
+        self.write(self.MODEL)
         self.path = self.folder / "out.h5"
         self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "right.h5").returncode, 0)
         _, self.right = contents(self.folder / "right.h5")
@@ -65,7 +70,7 @@ class FaultTest(ProgramTest):
             self.assertEqual([place for place in found if found[place] != self.right[place]], [])
         else:
             self.assertIn(done.returncode, (2, 3), done.stderr)
-            self.assertRegex(done.stderr, r"^pounding: ")
+            self.assertRegex(done.stderr, r"(?m)^pounding: ")
         if self.path.read_bytes() != self.before:
             checked = self.pounding("spectrum", "out.h5", "--floor", "left.1")
             self.assertNotIn("damaged", checked.stderr)
@@ -109,18 +114,68 @@ class Faults(FaultTest):
         for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU):
             self.each("fsync", f"-{int(number)}")
 
-    def test_memory_that_hdf5_does_not_get_costs_no_file(self):
-        count = self.count("memory")
-        self.assertGreater(count, 1000)
-        for number in range(1, count + 1, 1 if ALL else max(1, count // 12)):
-            with self.subTest(number=number, of=count):
+
+class LackOfMemory(FaultTest):
+    MODEL = SMALL
+
+    def some(self, call, least, count, look):
+        """Each number of an allocation from the second on, or so many of them; `look` sees every ending."""
+        numbers = self.count(call)
+        self.assertGreater(numbers, least)
+        for number in range(2, numbers + 1, 1 if ALL else max(1, numbers // count)):
+            with self.subTest(call=call, number=number, of=numbers):
                 self.path.write_bytes(self.before)
-                done = self.run_with("memory", number, errno.ENOMEM)
-                # HDF5 1.10 frees blocks twice after an allocation that failed, and then the process may end by a signal or in a
-                # message of HDF5's own. What counts is the file.
-                if done.returncode < 0 or done.stderr.startswith("HDF5: infinite loop closing library"):
-                    done.returncode, done.stderr = 3, "pounding: "
+                done = self.run_with(call, number, errno.ENOMEM)
+                look(done)
                 self.check_ending(done)
+                self.assertIn(done.returncode, (0, 3), done.stderr)
+
+    def tells(self, done):
+        self.assertRegex(done.stderr, "^$|memory")
+
+    def test_of_the_program_itself(self):
+        self.some("own_memory", 5000, 10, self.tells)
+
+    def test_of_petsc(self):
+        """Its very first allocation is one before it can tell of errors, and it crashes."""
+        self.some("petsc_memory", 100, 5, lambda done: None)
+
+    def test_of_hdf5_costs_no_file(self):
+        def look(done):
+            # HDF5 1.10 frees blocks twice after an allocation that failed, and then the process may end by a signal. What counts
+            # is the file.
+            if done.returncode < 0:
+                done.returncode, done.stderr = 3, "pounding: "
+
+        self.some("hdf5_memory", 1000, 10, look)
+
+
+class SignalsAtSteps(FaultTest):
+    """A run that looks for signals seldom enough may be done before it has seen one."""
+
+    MODEL = MODEL.replace("compare: no_pounding\n", "")
+    SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU)
+
+    def test_end_runs_that_go_on_to_the_same_bits(self):
+        count = self.count("step")
+        self.assertGreater(count, 100)
+        all_pairs = [(number, step) for step in range(1, count + 1) for number in self.SIGNALS]
+        stopped = 0
+        for number, step in all_pairs if ALL else zip(self.SIGNALS, (1, count // 3, 2 * count // 3, count)):
+            with self.subTest(signal=number, step=step, of=count):
+                self.path.write_bytes(self.before)
+                done = self.run_with("step", step, f"-{int(number)}")
+                self.check_ending(done)
+                if done.returncode == 0:
+                    continue
+                stopped += 1
+                self.assertEqual(done.returncode, 3)
+                self.assertIn("stopped by the user", done.stderr)
+                again = self.pounding("run", "--resume", "out.h5", "-q")
+                self.assertEqual(again.returncode, 0, again.stderr)
+                _, found = contents(self.path)
+                self.assertEqual([place for place in self.right if found.get(place) != self.right[place]], [])
+        self.assertGreater(stopped, 0)
 
 
 class Resumed(FaultTest):
