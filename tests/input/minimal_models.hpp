@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/words/hinges.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/springs.hpp>
 
@@ -125,6 +126,7 @@ inline std::string around(const Section& s) {
       {&words::spring, in_space({{"springs", "[@]"}})},
       {&words::tie, in_frame({{"ties", "[@]"}})},
       {&words::report, in_frame({{"report", "@"}})},
+      {&words::hinge, in_frame({{"hinges", "{b1: @}"}})},
       {&words::link, two_in_space + "links: [@]"},
       {&words::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
       {&words::device, shaken + pair + "devices: {tie: @}"},
@@ -133,6 +135,8 @@ inline std::string around(const Section& s) {
       {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
   for (const Section* law : words::laws_of_springs())
     if (law == &s) return yielding(fmt::format("{{{}: @}}", law->name));
+  for (const Section* law : words::laws_of_hinges())  // they are called hinge_LAW
+    if (law == &s) return in_frame({{"hinges", fmt::format("{{b1: {{at: both, {}: @}}}}", law->name.substr(6))}});
   return models.at(&s);
 }
 
@@ -154,6 +158,7 @@ inline const std::map<const Section*, Keys> beside = {
     {&words::frame, bent},
     {&words::cross_section, {{"rectangle", "[0.4 m, 0.6 m]"}}},
     {&words::member, {{"between", "[a, b]"}, {"section", rectangle}}},
+    {&words::hinge, {{"yield_moment", "210 kN m"}}},
     {&words::support, {{"fix", "[uz]"}, {"springs", "{ux: 20 MN/m}"}}},
     {&words::support_springs, {{"uz", "20 MN/m"}, {"ux", "20 MN/m"}}},
     {&words::link, {{"law", "hertz_damped"}, {"stiffness", "2.75e9"}, {"restitution", "0.65"}}}};
@@ -162,6 +167,10 @@ inline const std::map<const Section*, Keys> beside = {
 inline const std::map<std::string, Keys> beside_word = {
     {"model.links", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
     {"model.devices", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
+    {"hinges.bilinear", {{"yield_moment", ""}}},
+    {"hinges.menegotto_pinto", {{"yield_moment", ""}}},
+    {"hinges.bouc_wen", {{"yield_moment", ""}}},
+    {"hinges.peak_oriented", {{"yield_moment", ""}}},
     {"members.truss", {{"section", ""}}},
     {"bar.E", {{"area", "20 cm^2"}}},
     {"bar.area", {{"E", "210 GPa"}, {"stiffness", ""}}},

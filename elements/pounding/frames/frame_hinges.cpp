@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include <pounding/core/units.hpp>
 #include <pounding/frames/frame_dofs.hpp>
-#include <pounding/frames/uneven_spring.hpp>
+#include <pounding/structures/yielding_law.hpp>
 
 namespace pounding {
 namespace {
@@ -19,7 +18,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using frame_dofs::refuse;
 
-std::string moment(double size) { return format_quantity(size, dimension::energy); }
+std::string moment(double size) { return fmt::format("{:.4g} kN m", size / 1e3); }
 
 bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 
@@ -50,19 +49,25 @@ double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
   return h / (k + h);
 }
 
-std::unique_ptr<Spring> spring_of(const Frame& frame, const Hinge& hinge, double k) {
-  if (hinge.law) return hinge.law->make(k);
-  const double sagging = hinge.yield_moment, hogging = hinge.hogging_moment.value_or(sagging);
-  const double positive = hinge.sags_positive() ? sagging : hogging, negative = hinge.sags_positive() ? hogging : sagging;
-  const BilinearSpring::Parameters parameters{.stiffness = k, .yield_force = positive, .hardening = hardening_of(frame, hinge, k)};
-  if (positive == negative) return std::make_unique<BilinearSpring>(parameters);
-  return std::make_unique<UnevenSpring>(parameters, negative);
+// The law of the end moment. Two yield moments are those of sagging and hogging.
+hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
+  hysteresis::Settings law{.law = "bilinear"};
+  if (hinge.law) {
+    law = *hinge.law;
+  } else {
+    law.values = {{"yield_force", hinge.yield_moment}, {"hardening", hardening_of(frame, hinge, k)}};
+    if (hinge.hogging_moment) law.values["negative_yield_force"] = *hinge.hogging_moment;
+  }
+  law.values["stiffness"] = k;
+  const auto sagging = law.values.find("yield_force"), hogging = law.values.find("negative_yield_force");
+  if (!hinge.sags_positive() && sagging != law.values.end() && hogging != law.values.end()) std::swap(sagging->second, hogging->second);
+  return law;
 }
 
 std::vector<YieldingPart::Parameter> parameters_of(const Hinge& hinge, double k) {
   std::vector<YieldingPart::Parameter> all;
   if (hinge.law) {
-    for (const auto& [name, value] : hinge.law->parameters) all.push_back({name, value});
+    for (const auto& [name, value] : hinge.law->values) all.push_back({name == "yield_force" ? "yield_moment" : name, value});
   } else {
     all.push_back({"yield_moment", hinge.yield_moment});
     if (hinge.hogging_moment) all.push_back({"hogging_moment", *hinge.hogging_moment});
@@ -79,14 +84,19 @@ double deformation_at_rest(const FrameModel& model, const Hinge& hinge, const Ro
   return deformation.dot(s.at_rest) + model.frame.fixed_end_forces(hinge.member, model.has_gravity())[hinge.place()] / k;
 }
 
+// Laws with corners are straight up to the first one. Others never are: they must be nearly so.
 void require_elastic_at_rest(const YieldingPart& part, const HingeForces& forces) {
-  const double at = part.at_rest;
-  const bool yields = part.spring->has_corners() ? part.spring->corner(at).has_value() : std::abs(at) > part.spring->yield_deformation();
-  if (!yields) return;
-  const double limit = part.spring->corner(at).value_or(std::copysign(part.spring->yield_deformation(), at));
-  refuse(fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it a yield moment above "
-                     "that, or lighten the member",
-                     part.name, moment(forces.k * at), moment(forces.k * limit)));
+  constexpr double nearly = 1e-6;
+  const Spring& spring = *part.spring;
+  const double at = part.at_rest, yield = spring.yield_deformation();
+  const std::optional<double> corner = spring.has_corners() ? spring.corner(at) : std::nullopt;
+  if (corner || (!spring.has_corners() && std::abs(at) > yield))
+    refuse(fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it a yield moment above "
+                       "that, or lighten what it carries",
+                       part.name, moment(forces.k * at), moment(forces.k * corner.value_or(std::copysign(yield, at)))));
+  if (std::abs(spring.evaluate({at, 0}).force) > nearly * forces.k * yield)
+    refuse(fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and {} is not straight so far; type bilinear instead",
+                       part.name, moment(forces.k * at), part.law));
 }
 
 Row deformation_row(const Frame& frame, const AssembledFrame& assembled, const Hinge& hinge, const HingeForces& forces) {
@@ -163,8 +173,8 @@ void require_sound(const Hinge& hinge, const std::string& where) {
     if (!is_positive(hinge.yield_moment) || !is_positive(hinge.hogging_moment.value_or(1)))
       refuse(where + "the yield moments must be positive and finite");
     if (!(hinge.hardening >= 0 && hinge.hardening < 1)) refuse(where + "hardening must lie in [0, 1)");
-  } else if (!hinge.law->make) {
-    refuse(where + "its law makes no spring");
+  } else if (hinge.law->values.contains("stiffness")) {
+    refuse(where + "the stiffness of its law is that of the hinge; leave it out of the law");
   }
   if (!is_positive(hinge.ultimate_rotation.value_or(1))) refuse(where + "ultimate_rotation must be positive and finite");
   for (const double value : {hinge.stiffness, hinge.stiffness_factor, hinge.member_length})
@@ -187,6 +197,11 @@ int Frame::add_hinge(const Hinge& hinge) {
   for (const Hinge& other : hinges_)
     if (other.member == hinge.member && other.place() == hinge.place()) refuse(where + "there is one already");
   require_sound(hinge, where);
+  try {
+    make_spring(law_of(*this, hinge, 1));
+  } catch (const std::invalid_argument& error) {
+    refuse(where + error.what());
+  }
   if (!hinge.is_rigid_plastic()) {
     try {
       member.beam.set_end_spring(hinge.place(), hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * bending_stiffness(hinge));
@@ -224,11 +239,10 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
     forces.push_back(forces_of(model.frame, i));
     const double k = forces.back().k;
+    const hysteresis::Settings law = law_of(model.frame, hinges[i], k);
     YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces.back()),
-                                                 hinges[i].law                ? hinges[i].law->name
-                                                 : hinges[i].is_rigid_plastic() ? "hinge"
-                                                                                : "bilinear",
-                                                 parameters_of(hinges[i], k), spring_of(model.frame, hinges[i], k));
+                                                 hinges[i].is_rigid_plastic() ? "hinge" : law.law, parameters_of(hinges[i], k),
+                                                 make_spring(law));
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
     require_elastic_at_rest(part, forces.back());
   }

@@ -1,14 +1,9 @@
 #pragma once
 /// Ends of members at which bending yields. SI units.
 
-#include <functional>
-#include <memory>
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include <pounding/structures/spring.hpp>
+#include <pounding/hysteresis/entry.hpp>
 
 namespace pounding {
 
@@ -16,14 +11,6 @@ namespace pounding {
 enum class MemberEnd { start, end };
 /// The local axis that a member bends about; in the plane it is y.
 enum class BendingAxis { y, z };
-
-/// The law of a spring at the end of a member.
-struct HingeLaw {
-  std::string name;                                        ///< the word of the input: "bilinear"
-  std::vector<std::pair<std::string, double>> parameters;  ///< for reports
-  /// A spring that has not been deformed, of this stiffness [N m/rad]: Spring::stiffness is to return it.
-  std::function<std::unique_ptr<Spring>(double stiffness)> make;
-};
 
 /// One end of a member that yields in bending about one of its local axes; two axes of one end do not know of each other. The moment is
 /// the end moment that InternalForces reports, with its sign: `yield_moment` where the member sags there, with tension on the side
@@ -40,7 +27,7 @@ struct Hinge {
   int member = 0;
   MemberEnd at = MemberEnd::start;
   BendingAxis about = BendingAxis::y;
-  double yield_moment = 0;                    ///< > 0, of a rigid-plastic hinge and of a bilinear spring [N m]
+  double yield_moment = 0;                    ///< > 0, unless there is a law [N m]
   std::optional<double> hogging_moment{};     ///< > 0; the same unless given [N m]
   double hardening = 0;                       ///< in [0, 1) [-]
   std::optional<double> ultimate_rotation{};  ///< plastic rotation that it can bear, for reports [rad]
@@ -48,7 +35,9 @@ struct Hinge {
   double stiffness_factor = 0;                ///< or as a multiple of 6EI/L [-]
   /// L of the member that this one is a part of, where it was cut; 0: its own length [m].
   double member_length = 0;
-  std::optional<HingeLaw> law{};  ///< of a spring in series instead of a bilinear one
+  /// Law of a spring in series instead of a bilinear one, without its stiffness. Its yield_force is a moment [N m], that of sagging where
+  /// there is a negative_yield_force, too.
+  std::optional<hysteresis::Settings> law{};
 
   bool is_rigid_plastic() const { return stiffness == 0 && stiffness_factor == 0; }
   /// Place of its moment among the twelve end forces of a member.

@@ -12,6 +12,7 @@
 #include <pounding/core/names.hpp>
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/input/frame_parts_input.hpp>
+#include <pounding/input/hinge_input.hpp>
 #include <pounding/input/words/sections.hpp>
 
 namespace pounding {
@@ -37,6 +38,7 @@ class Reader {
     if (const auto floors = body_.find("floors"))
       for (const Input& node : floors->items()) read_floor(node);
     make_floors_rigid();
+    if (const auto hinges = body_.find("hinges")) read_hinges(*hinges, parts_.frame);
     read_gravity();
     read_report();
     return std::move(parts_.frame);
@@ -249,9 +251,11 @@ class Reader {
   std::vector<FloorPlace> floor_places_;
 };
 
-// At the place of the node or member that the refusal begins with, else at the frame.
+// At the place of the hinge, node or member that the refusal begins with, else at the frame.
 [[noreturn]] void fail_at_part(const std::string& refusal, const FrameInput& from, const Input& body) {
   const Frame& frame = from.model.frame;
+  for (std::size_t hinge = 0; hinge < from.hinge_places.size(); ++hinge)
+    if (refusal.starts_with(fmt::format("hinge {}: ", frame.hinge_name(static_cast<int>(hinge))))) from.hinge_places[hinge].fail(refusal);
   for (int node = 0; node < frame.nodes(); ++node)
     if (refusal.starts_with(fmt::format("node {}: ", frame.node_name(node)))) from.node_places[node].fail(refusal);
   for (int member = 0; member < frame.members(); ++member)

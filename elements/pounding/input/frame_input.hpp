@@ -10,10 +10,10 @@
 
 namespace pounding {
 
-/// A frame as it was read, and where its nodes and members stand in the file.
+/// A frame as it was read, and where its nodes, members and hinges stand in the file.
 struct FrameInput {
   FrameModel model;
-  std::vector<Input> node_places, member_places;
+  std::vector<Input> node_places, member_places, hinge_places;
 };
 
 /// Reads and checks everything that needs no matrices. Throws InputError at the place of what is wrong.
@@ -22,7 +22,7 @@ struct FrameInput {
 /// of floors as well.
 FrameInput read_frame(const Input& body);
 
-/// Reads a frame and makes its structure. Throws InputError at the place of what is wrong: of a node or a member where the
+/// Reads a frame and makes its structure. Throws InputError at the place of what is wrong: of a node, a member or a hinge where the
 /// frame names one, else at the frame.
 Structure read_frame_structure(const Input& body);
 

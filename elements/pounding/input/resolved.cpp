@@ -31,6 +31,20 @@ std::vector<double> periods(const Structure& s) {
   return all;
 }
 
+// Each with its law, its numbers and the moment that gravity and loads give it at rest.
+void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& hinges) {
+  out << YAML::Key << "hinges" << YAML::Value << YAML::BeginMap;
+  for (const YieldingPart& hinge : hinges) {
+    out << YAML::Key << hinge.name << YAML::Value << YAML::Flow << YAML::BeginMap;
+    out << YAML::Key << "law" << YAML::Value << hinge.law;
+    for (const YieldingPart::Parameter& parameter : hinge.parameters) emit(out, parameter.name.c_str(), parameter.value);
+    emit(out, "yield_rotation", hinge.spring->yield_deformation());
+    if (hinge.at_rest != 0) emit(out, "moment_at_rest", hinge.spring->stiffness() * hinge.at_rest);
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
+}
+
 // The matrices of a frame are too large to show.
 void emit_frame(YAML::Emitter& out, const Structure& s) {
   out << YAML::Key << "unknowns" << YAML::Value << s.size();
@@ -50,6 +64,7 @@ void emit_frame(YAML::Emitter& out, const Structure& s) {
     for (const Support& support : s.supports) out << support.name;
     out << YAML::EndSeq;
   }
+  if (!s.yielding.empty()) emit_hinges(out, s.yielding);
 }
 
 // The law of the storeys with its numbers, storey by storey; a bilinear one as in its own keys where these say all.

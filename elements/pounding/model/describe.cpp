@@ -1,6 +1,8 @@
 #include <pounding/model/model.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -21,6 +23,24 @@ std::string describe(const Structure& s) {
   return text + (s.frequencies.size() > 1 ? fmt::format(", first periods {} and {}", period(0), period(1)) : ", period " + period(0));
 }
 
+// "     8 hinges: yield moments 180 kN m to 250 kN m, yield rotations 0.000192 to 0.000208, at rest up to 31 % of them"
+std::string describe_hinges(const Structure& s) {
+  double weakest = std::numeric_limits<double>::infinity(), strongest = 0, least = weakest, largest = 0, at_rest = 0;
+  for (const YieldingPart& part : s.yielding) {
+    const double rotation = part.spring->yield_deformation(), moment = rotation * part.spring->stiffness();
+    weakest = std::min(weakest, moment), strongest = std::max(strongest, moment);
+    least = std::min(least, rotation), largest = std::max(largest, rotation);
+    at_rest = std::max(at_rest, std::abs(part.at_rest) / rotation);
+  }
+  const auto range = [](const std::string& from, const std::string& to) { return from == to ? from : from + " to " + to; };
+  const auto moment = [](double value) { return fmt::format("{:.4g} kN m", value / 1e3); };
+  const std::size_t count = s.yielding.size();
+  std::string text = fmt::format("     {} hinge{}: yield moment {}, yield rotation {}", count, count == 1 ? "" : "s", range(moment(weakest), moment(strongest)),
+                                 range(fmt::format("{:.4g}", least), fmt::format("{:.4g}", largest)));
+  if (at_rest > 0) text += fmt::format(", at rest up to {:.3g} % of it", 100 * at_rest);
+  return text + '\n';
+}
+
 }  // namespace
 
 std::string describe(const Model& model) {
@@ -34,6 +54,7 @@ std::string describe(const Model& model) {
   }
   for (const Structure& s : model.structures) {
     text += describe(s) + '\n';
+    if (s.dimension > 1 && !s.yielding.empty()) text += describe_hinges(s);
     for (const AppliedForce& force : s.applied_forces) text += fmt::format("     force on {}: {}\n", force.place, force.history.source());
   }
   text += describe_joined(model);

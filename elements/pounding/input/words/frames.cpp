@@ -1,3 +1,4 @@
+#include <pounding/input/words/hinges.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/shared.hpp>
 
@@ -65,6 +66,10 @@ constexpr Word frame_words[] = {
     {.key = "geometry", .takes = Takes::choice, .choices = geometries, .otherwise = "linear",
      .meaning = "linear; p_delta with the axial forces at rest; corotational for members that turn by large angles.",
      .example = "p_delta"},
+    {.key = "hinges", .form = Form::named, .inside = &hinge, .otherwise = "no end of a member yields", .since = "0.2.0",
+     .meaning = "Ends of members that yield in bending, by the names of the members, or of all beams or columns. Members in large rotations "
+                "(geometry: corotational) take none.",
+     .example = "{beams: {at: both, yield_moment: 210 kN m, hardening: 3 %}}"},
     {.key = "report", .inside = &report, .otherwise = "all nodes of a frame of up to 100, and no members",
      .meaning = "Nodes and members whose histories stand in the results.", .example = "{nodes: all, members: [c1]}"},
     damping_word,

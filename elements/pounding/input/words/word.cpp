@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/input/words/hinges.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/springs.hpp>
 
@@ -23,7 +24,7 @@ std::string Bounds::text() const {
 namespace words {
 namespace {
 
-// The laws of springs follow behind the section of that name.
+// The laws of springs and of hinges follow behind the sections of these names.
 constexpr const Section* without_laws[] = {
     &model,       &ground_motion,   &components,       &motion,       &wave,       &harmonic, &sum_part, &pulse, &synthetic,
     &displacement, &moved_harmonic, &moved_part,
@@ -32,7 +33,7 @@ constexpr const Section* without_laws[] = {
     &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
     &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,
     &node_displacements,
-    &spring,      &tie,             &report,           &link,         &link_end,   &stiffness, &device, &bar, &damper,
+    &spring,      &tie,             &hinge,     &report,           &link,         &link_end,   &stiffness, &device, &bar, &damper,
     &analysis,    &checkpoint};
 
 }  // namespace
@@ -63,6 +64,7 @@ std::span<const Section* const> sections() noexcept {
     for (const Section* section : without_laws) {
       made.push_back(section);
       if (section == &storey_spring) std::ranges::copy(laws_of_springs(), std::back_inserter(made));
+      if (section == &hinge) std::ranges::copy(laws_of_hinges(), std::back_inserter(made));
     }
     return made;
   }();

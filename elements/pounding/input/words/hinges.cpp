@@ -1,0 +1,131 @@
+#include <deque>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/hysteresis/all.hpp>
+#include <pounding/input/words/hinges.hpp>
+
+namespace pounding::words {
+namespace {
+
+constexpr std::string_view places[] = {"start", "end", "both", "feet"};
+constexpr std::string_view axes[] = {"y", "z", "both"};
+
+constexpr Word at_word{.key = "at", .takes = Takes::choice, .choices = places, .noun = "end of a member", .need = Need::required, .since = "0.2.0",
+                       .meaning = "Which ends of the member: feet are those at nodes that the ground holds. A member that is cut into parts has its "
+                                  "two outer ends.",
+                       .example = "both"};
+constexpr Word axis_word{.key = "axis", .takes = Takes::choice, .choices = axes, .noun = "axis", .otherwise = "y in the plane; in space it must be given",
+                         .since = "0.2.0",
+                         .meaning = "Local axis that the member bends about, see reference. both are two hinges that do not know of each other.",
+                         .example = "y"};
+constexpr Word moment_word{.key = "yield_moment", .takes = Takes::quantity, .form = Form::one_or_list, .least = 2, .most = 2,
+                           .dimension = dimension::energy, .bounds = bounds::any, .noun = "a moment", .since = "0.2.0",
+                           .meaning = "Moment at which the end yields: one, or two, [sagging, -hogging]. A beam sags with tension below.",
+                           .example = "210 kN m"};
+constexpr Word ultimate_word{.key = "ultimate_rotation", .takes = Takes::quantity, .bounds = bounds::positive, .otherwise = "none", .since = "0.2.0",
+                             .meaning = "Plastic rotation that the end can bear, for reports [rad].", .example = "0.04"};
+
+Word rigid(Word word) {
+  word.otherwise = "that of the law, where there is one";
+  return word;
+}
+
+Word required(Word word) {
+  word.need = Need::required;
+  return word;
+}
+
+/// The words of the hinges and of the laws of springs in series, with the texts that they point to.
+struct OfHinges {
+  std::deque<std::string> texts;
+  std::deque<std::vector<Word>> words;
+  std::deque<Section> sections;
+  std::vector<Word> own{at_word,
+                        axis_word,
+                        rigid(moment_word),
+                        {.key = "hardening", .takes = Takes::quantity, .bounds = bounds::from_0_below_1, .otherwise = "0", .since = "0.2.0",
+                         .meaning = "Part of its stiffness that the member keeps when both ends yield in double curvature.", .example = "3 %"},
+                        ultimate_word};
+
+  template <hysteresis::Law L>
+  void add(const L& made) {
+    std::vector<Word>& of_law = words.emplace_back();
+    of_law.push_back(required(moment_word));
+    of_law.push_back({.key = "stiffness", .takes = Takes::quantity, .dimension = dimension::energy, .bounds = bounds::positive,
+                      .noun = "a moment per radian", .otherwise = "10 x 6EI/L", .since = "0.2.0",
+                      .meaning = "First stiffness of the spring between the member and its node [N m/rad]. Give it or stiffness_factor.",
+                      .example = "900 MN m"});
+    of_law.push_back({.key = "stiffness_factor", .takes = Takes::quantity, .bounds = bounds::positive, .otherwise = "10", .since = "0.2.0",
+                      .meaning = "The same as a multiple of 6EI/L of the member.", .example = "10"});
+    for (const auto& parameter : L::parameters)
+      if (const std::string_view name = parameter.info.name; name != "stiffness" && !name.ends_with("yield_force"))
+        of_law.push_back(word_of(parameter, made));
+    if constexpr (requires { L::choices; })
+      for (const auto& choice : L::choices)
+        of_law.push_back({.key = choice.info.name, .takes = Takes::choice, .choices = choice.info.words,
+                          .otherwise = choice.info.words[choice.get(made)], .since = "0.2.0",
+                          .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))), .example = choice.info.words.back()});
+    sections.push_back({.name = kept(fmt::format("hinge_{}", L::name)), .place = kept(fmt::format("structures.NAME.frame.hinges.NAME.{}", L::name)),
+                        .meaning = kept(fmt::format("{}: {}. Forces are moments, deformations rotations.", L::shape, L::summary)), .words = of_law});
+    own.push_back({.key = L::name, .inside = &sections.back(), .otherwise = "rigid-plastic", .since = "0.2.0",
+                   .meaning = kept(fmt::format("A spring in series with the member, instead of a rigid-plastic hinge: {}.", L::summary)),
+                   .example = "{yield_moment: 210 kN m}"});
+  }
+
+ private:
+  std::string_view kept(std::string text) { return texts.emplace_back(std::move(text)); }
+
+  template <class Parameter, class L>
+  Word word_of(const Parameter& parameter, const L& made) {
+    const hysteresis::ParameterInfo& info = parameter.info;
+    const std::string unit(info.unit.empty() ? "" : " " + std::string(info.unit));
+    Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(info.unit), .bounds = bounds::any,
+              .need = info.need == hysteresis::Need::required ? Need::required : Need::optional, .since = "0.2.0",
+              .meaning = kept(fmt::format("{}.", capital(info.meaning))), .example = kept(fmt::format("{:g}{}", info.typical, unit))};
+    if (word.need == Need::optional)
+      word.otherwise = parameter.value ? kept(fmt::format("{:g}{}", made.*parameter.value, unit)) : std::string_view("what the others say");
+    return word;
+  }
+
+  static std::string capital(std::string_view text) {
+    std::string all(text);
+    if (!all.empty() && all[0] >= 'a' && all[0] <= 'z' && (all.size() < 2 || all[1] != ' ')) all[0] = static_cast<char>(all[0] - 'a' + 'A');
+    return all;
+  }
+};
+
+template <class Any>
+struct Adder;
+template <class... L>
+struct Adder<std::variant<L...>> {
+  static void run(OfHinges& hinges) { (hinges.add(L{}), ...); }
+};
+
+const OfHinges& hinges() {
+  static const OfHinges all = [] {
+    OfHinges made;
+    Adder<hysteresis::AnyLaw>::run(made);
+    return made;
+  }();
+  return all;
+}
+
+}  // namespace
+
+const Section hinge{.name = "hinges", .place = "structures.NAME.frame.hinges.NAME",
+                    .meaning = "Ends of members that yield in bending: of one member by its name, or of beams (all level members) or columns (all "
+                               "upright ones). What is said of one member counts before what is said of all.",
+                    .words = hinges().own};
+
+std::vector<const Section*> laws_of_hinges() {
+  std::vector<const Section*> all;
+  for (const Section& section : hinges().sections) all.push_back(&section);
+  return all;
+}
+
+}  // namespace pounding::words

@@ -1,0 +1,204 @@
+// Hinges of frames by themselves: what is refused, two yield moments, gravity, names.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <pounding/core/units.hpp>
+#include <pounding/frames/frame_structure.hpp>
+#include <pounding/frames/sections.hpp>
+#include <pounding/frames/corotational.hpp>
+
+namespace pounding {
+namespace {
+
+constexpr double yield = 200e3;
+const Material concrete{.young = 30e9, .shear = 12.5e9};
+const Section square = without_shear_deformation(rectangle_section(0.4, 0.4));
+
+void refused(const std::function<void()>& act, const std::string& text) {
+  try {
+    act();
+    ADD_FAILURE() << "not refused: " << text;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(error.what(), text);
+  }
+}
+
+// A beam of 6 m between two walls, cut in the middle, where a mass hangs: "left" and "right".
+Frame held_beam(int dimension = 2, const BeamOptions& left = {}) {
+  Frame frame(dimension);
+  frame.add_node({0, 0, 0}), frame.add_node({3, 0, 0}), frame.add_node({6, 0, 0});
+  frame.fix(0), frame.fix(2);
+  frame.add_mass(1, 10e3);
+  frame.set_name(frame.add_member(0, 1, square, concrete, left), "left");
+  frame.set_name(frame.add_member(1, 2, square, concrete), "right");
+  return frame;
+}
+
+Structure made(const Frame& frame, FrameGeometry geometry = FrameGeometry::linear, bool gravity = false) {
+  FrameModel model{.frame = frame, .geometry = geometry};
+  model.gravity = gravity;
+  return make_structure(std::move(model));
+}
+
+TEST(Hinges, RefuseWhatCannotBe) {
+  const auto add = [](const Hinge& hinge, int dimension = 2, const BeamOptions& options = {}) {
+    return [=] { held_beam(dimension, options).add_hinge(hinge); };
+  };
+  const std::string where = "member left: the hinge at its start: ";
+  refused(add({.member = 7, .yield_moment = yield}), "there is no member 7 among 2");
+  refused(add({.yield_moment = 0}), where + "the yield moments must be positive and finite");
+  refused(add({.yield_moment = yield, .hogging_moment = -1}), where + "the yield moments must be positive and finite");
+  for (const double hardening : {-0.01, 1.0, std::nan("")})
+    refused(add({.yield_moment = yield, .hardening = hardening}), where + "hardening must lie in [0, 1)");
+  refused(add({.yield_moment = yield, .ultimate_rotation = 0}), where + "ultimate_rotation must be positive and finite");
+  refused(add({.yield_moment = yield, .stiffness = -1}), where + "stiffness, stiffness_factor and member_length must be finite and not negative");
+  refused(add({.yield_moment = yield, .stiffness = 1e8, .stiffness_factor = 10}), where + "give stiffness or stiffness_factor, not both");
+  refused(add({.about = BendingAxis::z, .yield_moment = yield}), where + "a plane frame bends about y only");
+  refused(add({.yield_moment = yield}, 2, {.start_releases = {Dof::ry}}),
+          where + "ry is released there, so no moment reaches it; leave out the release or the hinge");
+  refused(add({.about = BendingAxis::z, .yield_moment = yield}, 3, {.start_releases = {Dof::rz}}),
+          where + "rz is released there, so no moment reaches it; leave out the release or the hinge");
+  refused(add({.law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_force", yield}}}}),
+          where + "a law acts in a spring; give its stiffness or stiffness_factor");
+  refused(add({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_force", yield}, {"stiffness", 1}}}}),
+          where + "the stiffness of its law is that of the hinge; leave it out of the law");
+  refused([] {
+    Frame frame = held_beam();
+    frame.add_hinge({.yield_moment = yield});
+    frame.add_hinge({.yield_moment = yield});
+  }, where + "there is one already");
+  refused([] {
+    Frame frame = held_beam();
+    const int tie = frame.add_truss(0, 1, 1e-3, concrete);
+    frame.set_name(tie, "tie");
+    frame.add_hinge({.member = tie, .yield_moment = yield});
+  }, "member tie: the hinge at its start: a truss carries no moment that could yield");
+}
+
+TEST(Hinges, RefuseStructuresThatTheyCannotStandIn) {
+  Frame frame = held_beam();
+  frame.add_hinge({.yield_moment = yield});
+  refused([&] { made(frame, FrameGeometry::corotational); },
+          "hinge left start: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave the hinges out");
+  FrameModel apart{.frame = frame};
+  apart.supports = {{.name = "late", .nodes = {2}, .delay = 0.1}};
+  refused([&] { make_structure(apart); },
+          "hinge left start: in a frame with hinges all supports move alike; leave out their delay and ground_motion, or the hinges");
+  const Structure alike = made(frame);
+  refused([&] { alike.supports_along({1, 0, 0}); },
+          "a wave moves the supports of a frame one after the other, and in a frame with hinges all move alike; leave the wave or the hinges out");
+}
+
+TEST(Hinges, RefuseAContactBetweenTheEndsOfTheirMember) {
+  Frame frame(2);
+  frame.add_node({0, 0, 0}), frame.add_node({0, 0, 3});
+  frame.fix(0);
+  frame.add_mass(1, 1e3), frame.add_mass(1, Dof::ry, 10);
+  frame.set_name(frame.add_member(0, 1, square, concrete), "c");
+  EXPECT_EQ(made(frame).surface->column(2, Side::plus_x, 0).member, 0);
+  frame.add_hinge({.yield_moment = yield});
+  refused([&] { made(frame).surface->column(2, Side::plus_x, 0); },
+          "member c has a hinge and is not hit between its ends; cut it into parts, such as parts: 3, so that a node stands there");
+}
+
+// The mass of 10 t at the middle: W L/8 = 73.55 kN m at the walls (hogging) and at the middle (sagging).
+TEST(Hinges, StandUnderGravityAsFarAsTheyStayElastic) {
+  const double moment = 10e3 * standard_gravity * 6 / 8;
+  const auto with = [](double sagging, double hogging, double factor = 0) {
+    Frame frame = held_beam();
+    for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})
+      frame.add_hinge({.member = 0, .at = at, .yield_moment = sagging, .hogging_moment = hogging, .stiffness_factor = factor});
+    return frame;
+  };
+  const Structure s = made(with(yield, yield), FrameGeometry::linear, true);
+  ASSERT_EQ(s.yielding.size(), 2u);
+  EXPECT_EQ(s.yielding[0].name, "left start");
+  EXPECT_EQ(s.yielding[0].law, "hinge");
+  // The start hogs: a negative moment on it; the end sags: a negative one, too.
+  for (const YieldingPart& part : s.yielding) EXPECT_NEAR(part.spring->stiffness() * part.at_rest, -moment, 1e-9 * moment) << part.name;
+  const Eigen::VectorXd forces = s.forces.rows * s.at_rest + s.forces.at_rest;
+  EXPECT_NEAR(forces[2], -moment, 1e-9 * moment);
+
+  EXPECT_NO_THROW(made(with(80e3, 80e3), FrameGeometry::linear, true));
+  EXPECT_NO_THROW(made(with(60e3, 80e3), FrameGeometry::linear, false));
+  const std::string rest = ": at rest, under gravity and loads alone, its moment is -73.55 kN m, and it yields at ",
+                    type = "; give it a yield moment above that, or lighten what it carries";
+  refused([&] { made(with(60e3, 80e3), FrameGeometry::linear, true); }, "hinge left end" + rest + "-60 kN m" + type);
+  refused([&] { made(with(80e3, 60e3), FrameGeometry::linear, true); }, "hinge left start" + rest + "-60 kN m" + type);
+}
+
+TEST(Hinges, ALoadBetweenTheEndsCountsAtRest) {
+  Frame frame = held_beam();
+  for (const int member : {0, 1}) frame.add_member_load(member, {0, 0, -10e3});
+  frame.add_hinge({.member = 0, .yield_moment = yield});
+  FrameModel model{.frame = frame};
+  model.gravity = false;
+  const Structure s = make_structure(model);
+  EXPECT_NEAR(s.yielding[0].spring->stiffness() * s.yielding[0].at_rest, -10e3 * 36 / 12, 1e-9 * 30e3) << "q l^2/12";
+}
+
+// Bouc and Wen's law bends from the start.
+TEST(Hinges, ALawThatIsNeverStraightTakesNoGravity) {
+  Frame frame = held_beam();
+  frame.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_force", yield}, {"hardening", 0.02}}}});
+  EXPECT_EQ(made(frame).yielding[0].law, "bouc_wen");
+  refused([&] { made(frame, FrameGeometry::linear, true); },
+          "hinge left start: at rest, under gravity and loads alone, its moment is -72.15 kN m, and bouc_wen is not straight so far; type bilinear instead");
+}
+
+// [sagging, hogging] is the same on both ends, though their moments have other signs.
+TEST(Hinges, YieldAtTwoMoments) {
+  for (const int dimension : {2, 3})
+    for (const BendingAxis about : {BendingAxis::y, BendingAxis::z}) {
+      if (dimension == 2 && about == BendingAxis::z) continue;
+      Frame frame = held_beam(dimension);
+      for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})
+        frame.add_hinge({.member = 0, .at = at, .about = about, .yield_moment = 150e3, .hogging_moment = 250e3, .hardening = 0.02});
+      const Structure s = made(frame);
+      // The middle moves so that the member sags between two ends that turn against each other.
+      const auto unknown = [&](const std::string& name) {
+        return static_cast<int>(std::find(s.unknowns.begin(), s.unknowns.end(), "node 1 " + name) - s.unknowns.begin());
+      };
+      Eigen::VectorXd sag = Eigen::VectorXd::Zero(s.size());
+      // Down along z, or along -y; the far end stays level, so the start hogs and the far end sags.
+      sag[unknown(about == BendingAxis::y ? "uz" : "uy")] = -1;
+      const Structure& t = s;
+      for (int i = 0; i < 2; ++i) {
+        const Spring& spring = *t.yielding[i].spring;
+        const double k = spring.stiffness(), d = t.yielding[i].deformation.dot(sag);
+        const double yields_at = *spring.corner(d * 1e3);
+        EXPECT_NEAR(std::abs(k * yields_at), i == 0 ? 250e3 : 150e3, 1e-6) << dimension << static_cast<int>(about) << i;
+        EXPECT_NEAR(std::abs(k * *spring.corner(-d * 1e3)), i == 0 ? 150e3 : 250e3, 1e-6);
+        EXPECT_NEAR(spring.yield_deformation(), 150e3 / k, 1e-15);
+      }
+    }
+}
+
+TEST(Hinges, AreNamedByMemberEndAndAxis) {
+  Frame plane = held_beam(), space = held_beam(3);
+  plane.add_hinge({.member = 1, .at = MemberEnd::end, .yield_moment = yield});
+  space.add_hinge({.member = 0, .about = BendingAxis::z, .yield_moment = yield, .stiffness_factor = 5, .member_length = 6});
+  EXPECT_EQ(plane.hinge_name(0), "right end");
+  EXPECT_EQ(space.hinge_name(0), "left start z");
+  EXPECT_DOUBLE_EQ(space.bending_stiffness(space.hinges()[0]), 6 * 30e9 * square.inertia_z / 6);
+  const Structure s = made(space);
+  EXPECT_EQ(s.yielding[0].law, "bilinear");
+  EXPECT_DOUBLE_EQ(s.yielding[0].spring->stiffness(), 5 * 30e9 * square.inertia_z);
+}
+
+TEST(Hinges, RigidPlasticOnesAddNoStiffness) {
+  Frame frame = held_beam();
+  const Structure without = made(frame);
+  for (const int member : {0, 1})
+    for (const MemberEnd at : {MemberEnd::start, MemberEnd::end}) frame.add_hinge({.member = member, .at = at, .yield_moment = yield, .hardening = 0.03});
+  EXPECT_EQ((made(frame).stiffness - without.stiffness).norm(), 0);
+}
+
+}  // namespace
+}  // namespace pounding

@@ -1,0 +1,175 @@
+// Hinges of frames in the input: their meaning, and the report of each mistake in them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/frames/frame_structure.hpp>
+#include <pounding/input/frame_input.hpp>
+#include <pounding/input/resolved.hpp>
+#include "support/models.hpp"
+
+namespace pounding {
+namespace {
+
+const std::string grid =
+    "material: {E: 30 GPa}\n"
+    "grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4], shear: false},\n"
+    "       beams: {rectangle: [0.3, 0.5], shear: false}, floor_mass: 20 t}\n";
+const std::string space =
+    "material: {E: 30 GPa}\n"
+    "grid: {storeys: 1, bays: [1, 1], storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]},\n"
+    "       beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n";
+
+FrameModel read(const std::string& yaml) { return read_frame(Input::read_text(yaml, "test.yaml")).model; }
+
+Structure structure(const std::string& yaml) { return read_frame_structure(Input::read_text(yaml, "test.yaml")); }
+
+std::vector<std::string> names(const std::string& yaml) {
+  std::vector<std::string> all;
+  for (const YieldingPart& part : structure(yaml).yielding) all.push_back(part.name);
+  return all;
+}
+
+// `message` is the whole text after the name of the file; the hinges stand in line 4.
+void refused(const std::string& hinges, const std::string& message, const std::string& frame = grid) {
+  try {
+    structure(frame + "hinges: " + hinges + "\n");
+    ADD_FAILURE() << "this was taken: " << hinges << "\nnot refused: " << message;
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), "test.yaml:4:" + message) << hinges;
+  }
+}
+
+using Names = std::vector<std::string>;
+
+TEST(HingeInput, GroupsAndNamesChooseTheEnds) {
+  EXPECT_EQ(names(grid + "hinges: {beams: {at: both, yield_moment: 210 kN m}}"),
+            (Names{"beam x 1.0 start", "beam x 1.0 end", "beam x 2.0 start", "beam x 2.0 end"}));
+  EXPECT_EQ(names(grid + "hinges: {columns: {at: feet, yield_moment: 210 kN m}}"), (Names{"column 1.0 start", "column 1.1 start"}));
+  EXPECT_EQ(names(grid + "hinges: {column 2.0: {at: end, yield_moment: 210 kN m}}"), Names{"column 2.0 end"});
+  EXPECT_EQ(names(grid + "members: {column 1.0: {parts: 3}}\nhinges: {columns: {at: both, yield_moment: 210 kN m}}"),
+            (Names{"column 1.0/1 start", "column 1.0/3 end", "column 1.1 start", "column 1.1 end", "column 2.0 start", "column 2.0 end",
+                   "column 2.1 start", "column 2.1 end"}));
+  EXPECT_EQ(names(space + "hinges: {beam y 1.0.0: {at: start, axis: both, yield_moment: 210 kN m}, columns: {at: feet, axis: z, yield_moment: 1 MN m}}"),
+            (Names{"column 1.0.0 start z", "beam y 1.0.0 start y", "beam y 1.0.0 start z", "column 1.1.0 start z", "column 1.0.1 start z",
+                   "column 1.1.1 start z"}));
+}
+
+TEST(HingeInput, AMemberByItsNameCountsBeforeItsGroup) {
+  const FrameModel model = read(grid +
+                                "hinges:\n  beam x 2.0: {at: end, yield_moment: [100 kN m, -150 kN m], hardening: 1 %}\n"
+                                "  beams: {at: both, yield_moment: 210 kN m, hardening: 3 %, ultimate_rotation: 0.04}\n");
+  const std::vector<Hinge>& hinges = model.frame.hinges();
+  ASSERT_EQ(hinges.size(), 4u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(hinges[i].yield_moment, 210e3);
+    EXPECT_EQ(hinges[i].hogging_moment, std::nullopt);
+    EXPECT_EQ(hinges[i].hardening, 0.03);
+    EXPECT_EQ(hinges[i].ultimate_rotation, 0.04);
+    EXPECT_TRUE(hinges[i].is_rigid_plastic());
+  }
+  EXPECT_EQ(hinges[3].yield_moment, 100e3);
+  EXPECT_EQ(hinges[3].hogging_moment, 150e3);
+  EXPECT_EQ(hinges[3].hardening, 0.01);
+}
+
+TEST(HingeInput, SpringsFollowLawsByName) {
+  const Structure s = structure(grid +
+                                "hinges:\n  columns: {at: feet, bilinear: {yield_moment: 250 kN m, hardening: 0.003}}\n"
+                                "  beam x 1.0: {at: both, menegotto_pinto: {yield_moment: 180 kN m, hardening: 0.01, stiffness: 90 MN m, memory: last}}\n"
+                                "  beam x 2.0: {at: start, bouc_wen: {yield_moment: 180 kN m, stiffness_factor: 5}}\n");
+  const auto part = [&](const std::string& name) -> const YieldingPart& {
+    return *std::find_if(s.yielding.begin(), s.yielding.end(), [&](const YieldingPart& each) { return each.name == name; });
+  };
+  const double of_column = 6 * 30e9 * std::pow(0.4, 4) / 12 / 3, of_beam = 6 * 30e9 * 0.3 * 0.125 / 12 / 6;
+  EXPECT_EQ(part("column 1.0 start").law, "bilinear");
+  EXPECT_NEAR(part("column 1.0 start").spring->stiffness(), 10 * of_column, 1e-6 * of_column);
+  EXPECT_EQ(part("beam x 1.0 end").law, "menegotto_pinto");
+  EXPECT_EQ(part("beam x 1.0 end").spring->stiffness(), 90e6);
+  EXPECT_EQ(part("beam x 2.0 start").law, "bouc_wen");
+  EXPECT_NEAR(part("beam x 2.0 start").spring->stiffness(), 5 * of_beam, 1e-6 * of_beam);
+}
+
+TEST(HingeInput, APartHasTheLengthOfItsMember) {
+  const FrameModel model = read(grid + "members: {beam x 1.0: {parts: 4}}\nhinges: {beam x 1.0: {at: both, yield_moment: 210 kN m}}");
+  for (const Hinge& hinge : model.frame.hinges()) EXPECT_DOUBLE_EQ(hinge.member_length, 6);
+}
+
+TEST(HingeInput, RefusesWhatIsWrong) {
+  refused("{beam x 1.1: {at: both, yield_moment: 1}}", R"(10: hinges.beam x 1.1: unknown member "beam x 1.1". Did you mean "beam x 1.0"?)");
+  refused("{beams: {yield_moment: 1}}", R"(17: hinges.beams: key "at" is missing; type "at: both")");
+  refused("{beams: {at: middle, yield_moment: 1}}",
+          R"(22: hinges.beams.at: unknown end of a member "middle". Allowed: start, end, both, feet.)");
+  refused("{beams: {at: both}}", "17: hinges.beams: the yield moment is missing; type yield_moment: 210 kN m");
+  refused("{beams: {at: both, yield_moment: 0}}", R"(42: hinges.beams.yield_moment: takes a moment > 0 such as "210 kN m"; "0" is outside)");
+  refused("{beams: {at: both, yield_moment: 210 kN}}", R"(42: hinges.beams.yield_moment: takes a moment such as "210 kN m"; "210 kN" is a force)");
+  refused("{beams: {at: both, yield_moment: [1 kN m, 2 kN m]}}",
+          R"(51: hinges.beams.yield_moment[1]: takes a moment < 0 such as "210 kN m"; "2 kN m" is outside)");
+  refused("{beams: {at: both, yield_moment: [1, -2, 3]}}",
+          "42: hinges.beams.yield_moment: takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of 3 was read");
+  refused("{beams: {at: both, yield_moment: 1, hardening: 100 %}}",
+          R"(56: hinges.beams.hardening: takes a number in [0, 1) such as "3 %"; "100 %" is outside)");
+  refused("{beams: {at: both, yield_moment: 1, hardning: 0.1}}", R"(45: hinges.beams: unknown key "hardning". Did you mean "hardening"?)");
+  refused("{beams: {at: feet, yield_moment: 1}}", "22: hinges.beams.at: no end stands on a node that the ground holds; type at: start, at: end or at: both");
+  refused("{beams: {at: both, axis: z, yield_moment: 1}}", "34: hinges.beams.axis: a plane frame bends about y only; leave the axis out");
+  refused("{beams: {at: both, yield_moment: 1}}",
+          "17: hinges.beams: the axis is missing, and a member in space bends about two; type axis: y, axis: z or axis: both", space);
+  refused("{beams: 210 kN m}", "17: hinges.beams: takes a map; type {at: both, yield_moment: 210 kN m, hardening: 3 %}");
+  refused("{beams: {at: both, yield_moment: 1, bilinear: {yield_moment: 1}}}",
+          "28: hinges.beams.yield_moment: belongs to a rigid-plastic hinge, and bilinear is given too; write it inside bilinear, or leave bilinear out");
+  refused("{beams: {at: both, bilinear: {yield_moment: 1}, bouc_wen: {yield_moment: 1}}}",
+          "57: hinges.beams.bouc_wen: a hinge follows one law, and bilinear is given too; keep one of the two");
+  refused("{beams: {at: both, bouc_wen: {yield_moment: [1, -2]}}}",
+          "53: hinges.beams.bouc_wen.yield_moment: bouc_wen yields at the same moment both ways; give one");
+  refused("{beams: {at: both, bilinear: {yield_moment: 1, stiffness: 1, stiffness_factor: 2}}}",
+          "70: hinges.beams.bilinear.stiffness_factor: give stiffness or stiffness_factor, not both");
+  refused("{beams: {at: both, bilinear: {yield_moment: 1, sharpness: 1}}}",
+          R"(56: hinges.beams.bilinear: unknown key "sharpness". Allowed: yield_moment, stiffness, stiffness_factor, hardening.)");
+}
+
+TEST(HingeInput, RefusesEndsThatCannotYield) {
+  const std::string released = grid.substr(0, grid.find("grid:")) + "members: {beam x 1.0: {releases: {end: [ry]}}}\n" + grid.substr(grid.find("grid:"));
+  try {
+    structure(released + "hinges: {beams: {at: both, yield_moment: 210 kN m}}");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "test.yaml:5:17: hinges.beams: member beam x 1.0: the hinge at its end: ry is released there, so no moment reaches it; "
+                               "leave out the release or the hinge");
+  }
+  // 10 t at each node, 98 kN, on a cantilever of 1 m.
+  const std::string bracket =
+      "material: {E: 30 GPa}\nnodes: {a: [0, 0], b: [1 m, 0]}\n"
+      "members: {arm: {between: [a, b], section: {rectangle: [0.4, 0.4]}}}\n";
+  refused("{arm: {at: start, yield_moment: 90 kN m}}\nsupports: {a: fixed}\nmasses: {b: 10 t}\ngravity: true",
+          "15: hinges.arm: hinge arm start: at rest, under gravity and loads alone, its moment is -98.07 kN m, and it yields at -90 kN m; "
+          "give it a yield moment above that, or lighten what it carries", bracket);
+  refused("{arm: {at: start, yield_moment: 90 kN m}}\nsupports: {a: fixed}\nmasses: {b: 10 t}\ngravity: true\ngeometry: corotational",
+          "15: hinges.arm: hinge arm start: with geometry: corotational no end of a member yields; type geometry: p_delta, or leave the hinges out",
+          bracket);
+}
+
+TEST(HingeInput, AreShownAsTheyWereResolved) {
+  const Model model = test::model_of(
+      "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n"
+      "      grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n"
+      "      hinges: {columns: {at: feet, yield_moment: 250 kN m, hardening: 2 %, ultimate_rotation: 0.04}}\n"
+      "    damping: 5 %\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n");
+  const YAML::Node hinge = YAML::Load(resolved_yaml(model))["structures"]["a"]["hinges"]["column 1.1 start"];
+  EXPECT_EQ(hinge["law"].as<std::string>(), "hinge");
+  EXPECT_EQ(hinge["yield_moment"].as<double>(), 250e3);
+  EXPECT_EQ(hinge["hardening"].as<double>(), 0.02);
+  EXPECT_EQ(hinge["ultimate_rotation"].as<double>(), 0.04);
+  const double k = hinge["member_stiffness"].as<double>();
+  EXPECT_NEAR(hinge["yield_rotation"].as<double>(), 250e3 / k, 1e-15);
+  EXPECT_NE(describe(model).find("     2 hinges: yield moment 250 kN m, yield rotation "), std::string::npos) << describe(model);
+}
+
+}  // namespace
+}  // namespace pounding
