@@ -130,7 +130,7 @@ InternalForces make_internal_forces(const FrameModel& model, const AssembledFram
     const Eigen::SparseMatrix<double, Eigen::RowMajor> all = model.frame.end_force_rows(member, frame);
     for (int j = 0; j < places; ++j) add(member * places + j, all, report.places[j]);
     if (!model.is_loaded()) continue;
-    const Vector12 held = model.frame.fixed_end_forces(member);
+    const Vector12 held = model.frame.fixed_end_forces(member, model.has_gravity());
     for (int j = 0; j < places; ++j) report.at_rest[member * places + j] = held[report.places[j]];
   }
   const Eigen::SparseMatrix<double, Eigen::RowMajor> on_ground = reactions.by_displacements * frame.transform;
@@ -171,7 +171,7 @@ void let_turn(const std::shared_ptr<const FrameModel>& model, const std::shared_
       Vector12 forces = turning->end_forces(member, q);
       if (model->is_loaded()) {  // which keep their directions in space
         const Eigen::Matrix3d turn = turning->axes(member, q) * model->frame.beam(member).axes().transpose();
-        const Vector12 held = model->frame.fixed_end_forces(member);
+        const Vector12 held = model->frame.fixed_end_forces(member, model->has_gravity());
         for (const int i : {0, 3, 6, 9}) forces.segment<3>(i) += turn * held.segment<3>(i);
       }
       for (const int place : places) ends[at++] = forces[place];
