@@ -19,6 +19,7 @@
 #include <pounding/run/implausible.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
+#include <pounding/input/pushover_input.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/modes.hpp>
@@ -26,6 +27,7 @@
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/launch.hpp>
 #include <pounding/petsc/ranks.hpp>
+#include <pounding/results/pushover_file.hpp>
 #include "bindings.hpp"
 #include "host.hpp"
 
@@ -105,6 +107,16 @@ std::vector<StructureModes> modes_of_all(const Source& source, int count) {
     std::vector<StructureModes> found;
     for (const Structure& structure : model.structures) found.push_back(modes_of(structure, count));
     return found;
+  });
+}
+
+/// What a pushover found, as JSON; written to `output` unless that is empty.
+std::string pushed_over(const Source& source, const PushoverWords& words, const std::string& output) {
+  return with_petsc([&] {
+    const Model model = read(source);
+    const Pushover found = pushover(model, words, petsc::lowest_modes);
+    if (!output.empty()) write_pushover(output, found, model.source_text);
+    return pushover_json(found);
   });
 }
 
@@ -288,6 +300,13 @@ void bind_models(py::module_& module) {
   module.def("parse", [](const Source& source) { return plain(Input::read_text(source.text, source.name)); });
   module.def("check", &checked);
   module.def("modes", &modes_of_all, "source"_a, "count"_a);
+  module.def(
+      "pushover",
+      [](const Source& source, const std::string& structure, const std::string& load, const std::string& direction, const std::string& to,
+         const std::string& cyclic, const std::string& output) {
+        return pushed_over(source, {.structure = structure, .load = load, .direction = direction, .to = to, .cyclic = cyclic, .mark = ""}, output);
+      },
+      "source"_a, "structure"_a, "load"_a, "direction"_a, "to"_a, "cyclic"_a, "output"_a);
   module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("refuse", &refuse, "text"_a);

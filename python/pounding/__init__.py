@@ -26,10 +26,12 @@ if TYPE_CHECKING:
     from pounding import opensees as opensees
     from pounding import results as results
     from pounding._modes import Mode, Modes, modes
+    from pounding._pushover import pushover
     from pounding.contact import FreeImpact, Law, Response, calibrate, laws
     from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError
     from pounding.models import Model, check
     from pounding.opensees.from_model import from_opensees
+    from pounding.pushover_curve import Pushover, read_pushover
     from pounding.records import record
     from pounding.running import resume, run
     from pounding.runs import Run, read
@@ -37,19 +39,21 @@ if TYPE_CHECKING:
 
     __version__: str
 
-__all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", "Interrupted", "Law", "Mode", "Model", "Modes", "Response",
-           "Run", "SolverError", "Spectrum", "calibrate", "check", "from_opensees", "laws", "modes", "read", "record", "record_spectrum",
-           "resume", "run"]
+__all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", "Interrupted", "Law", "Mode", "Model", "Modes", "Pushover",
+           "Response", "Run", "SolverError", "Spectrum", "calibrate", "check", "from_opensees", "laws", "modes", "pushover", "read",
+           "read_pushover", "record", "record_spectrum", "resume", "run"]
 
 #: Modules that are public themselves: `pounding.opensees.link`.
 _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "results")
 #: The module of every other public name.
 _MODULES = {
     "_modes": ("Mode", "Modes", "modes"),
+    "_pushover": ("pushover",),
     "contact": ("FreeImpact", "Law", "Response", "calibrate", "laws"),
     "errors": ("AccuracyWarning", "ImplausibleWarning", "InputError", "Interrupted", "SolverError"),
     "models": ("Model", "check"),
     "opensees.from_model": ("from_opensees",),
+    "pushover_curve": ("Pushover", "read_pushover"),
     "records": ("record",),
     "running": ("resume", "run"),
     "runs": ("Run", "read"),

@@ -171,7 +171,7 @@ Pushover pushover(const Structure& s, const PushoverOptions& options, const Mode
   const double way = options.targets.front() > 0 ? 1 : -1;
   for (double& value : displacements) value *= way;
   for (double& value : base_shears) value *= way;
-  found.bilinear = bilinear_curve(displacements, base_shears, found.path.mechanism);
+  found.bilinear = bilinear_curve(displacements, base_shears);
   found.equivalent = equivalent_oscillator(s, found.loads, *found.bilinear);
   return found;
 }

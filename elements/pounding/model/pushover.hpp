@@ -33,8 +33,8 @@ struct PushoverOptions {
 };
 
 /// A curve of base shear over displacement of the roof as two straight lines, the second one level, by EN 1998-1, annex B (the N2
-/// method): the lines end at the mechanism, without one at the end of the curve, at the latest at its largest base shear; the area under
-/// both is the same.
+/// method): the lines end where the curve ends, or at its largest base shear where it falls after that; the area under both is the same.
+/// Behind a mechanism without hardening the yield displacement does not depend on that end.
 struct BilinearCurve {
   double base_shear = 0;          ///< [N]
   double yield_displacement = 0;  ///< [m]
@@ -71,8 +71,8 @@ struct Pushover {
   std::optional<int> first_yield() const;
   /// The point with the largest base shear, of cycles by its size.
   int strongest() const;
-  /// Base shear at the mechanism, without one the largest, over that at the first yield: alpha_u/alpha_1 of EN 1998-1.
-  std::optional<double> overstrength() const;
+  /// Base shear at a point over that at the first yield; at the mechanism this is alpha_u/alpha_1 of EN 1998-1. NaN without a yield.
+  double overstrength(int point) const;
   /// Largest deformation of a part over the path, over that at which it yields.
   double ductility(int part) const;
   /// Force of a part at a point [N] or [N m].
@@ -89,8 +89,8 @@ double roof_height(const Structure& structure);
 /// displacement at which something does), and as push(); SolverError as push().
 Pushover pushover(const Structure& structure, const PushoverOptions& options, const ModeSolver& modes = dense_modes);
 
-/// The two straight lines of a curve: its points, and the one where the mechanism is complete.
-BilinearCurve bilinear_curve(const std::vector<double>& displacements, const std::vector<double>& base_shears, std::optional<int> mechanism);
+/// The two straight lines of a curve.
+BilinearCurve bilinear_curve(const std::vector<double>& displacements, const std::vector<double>& base_shears);
 
 /// The oscillator that stands for a building under these loads on its floors; nothing where a floor has no mass or the roof no load.
 std::optional<EquivalentOscillator> equivalent_oscillator(const Structure& structure, const std::vector<double>& loads, const BilinearCurve& curve);

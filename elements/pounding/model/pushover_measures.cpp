@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <pounding/model/pushover.hpp>
 
@@ -18,10 +19,9 @@ int Pushover::strongest() const {
   return static_cast<int>(std::max_element(path.points.begin(), path.points.end(), by_size) - path.points.begin());
 }
 
-std::optional<double> Pushover::overstrength() const {
+double Pushover::overstrength(int point) const {
   const std::optional<int> first = first_yield();
-  if (!first) return {};
-  return std::abs(path.points[path.mechanism.value_or(strongest())].factor / path.points[*first].factor);
+  return first ? std::abs(path.points[point].factor / path.points[*first].factor) : std::numeric_limits<double>::quiet_NaN();
 }
 
 double Pushover::ductility(int part) const {
@@ -39,10 +39,10 @@ double Pushover::plastic_deformation(int part) const {
   return force == 0 ? 0 : -force / parts[part].stiffness;
 }
 
-BilinearCurve bilinear_curve(const std::vector<double>& displacements, const std::vector<double>& base_shears, std::optional<int> mechanism) {
+BilinearCurve bilinear_curve(const std::vector<double>& displacements, const std::vector<double>& base_shears) {
   const auto largest = static_cast<std::size_t>(std::max_element(base_shears.begin(), base_shears.end()) - base_shears.begin());
-  std::size_t end = mechanism ? static_cast<std::size_t>(*mechanism) : displacements.size() - 1;
-  if (largest < end && base_shears[largest] > base_shears[end] * (1 + 1e-9)) end = largest;
+  const std::size_t last = displacements.size() - 1;
+  const std::size_t end = base_shears[largest] > base_shears[last] * (1 + 1e-9) ? largest : last;
   double energy = 0;
   for (std::size_t i = 1; i <= end; ++i)
     energy += 0.5 * (base_shears[i] + base_shears[i - 1]) * (displacements[i] - displacements[i - 1]);

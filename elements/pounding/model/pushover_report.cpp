@@ -60,7 +60,7 @@ std::string events_table(const Pushover& found) {
 }
 
 std::string parts_table(const Pushover& found) {
-  std::string text = "\npart                      ductility       plastic\n                                     (mm, mrad)\n";
+  std::string text = "\npart                      ductility       plastic\n                                  (mm, mrad)\n";
   for (int j = 0; j < static_cast<int>(found.parts.size()); ++j)
     text += fmt::format("{:<24}{:11.4f}{:14.4f}\n", found.parts[j].name, found.ductility(j), 1e3 * found.plastic_deformation(j));
   return text;
@@ -73,9 +73,9 @@ std::string summary_text(const Pushover& found) {
                         fmt::join(names_of(found, found.path.mechanism_parts), ", "));
   else
     text += "mechanism     none on this way\n";
-  if (const auto ratio = found.overstrength())
-    text += fmt::format("overstrength  {:.4f}, base shear {} over that at the first yield\n", *ratio,
-                        found.path.mechanism ? "at the mechanism" : "at its largest");
+  text += fmt::format("overstrength  {}{:.4f} at the largest base shear, over that at the first yield\n",
+                      found.path.mechanism ? fmt::format("{:.4f} at the mechanism, ", found.overstrength(*found.path.mechanism)) : "",
+                      found.overstrength(found.strongest()));
   if (found.bilinear)
     text += fmt::format("two lines     yield at {:.4f} mm, {:.4f} kN; level to {:.4f} mm: ductility {:.4f} (EN 1998-1, annex B)\n",
                         1e3 * found.bilinear->yield_displacement, found.bilinear->base_shear / 1e3, 1e3 * found.bilinear->displacement,
@@ -161,7 +161,7 @@ std::string pushover_json(const Pushover& found, bool with_points) {
            {"mechanism", nullptr},
            {"first_yield", nullptr},
            {"largest", point_json(found, found.strongest())},
-           {"overstrength", nullptr},
+           {"overstrength", {{"mechanism", nullptr}, {"largest", found.overstrength(found.strongest())}}},
            {"bilinear", nullptr},
            {"equivalent", nullptr},
            {"parts", parts_json(found)}};
@@ -169,9 +169,9 @@ std::string pushover_json(const Pushover& found, bool with_points) {
   if (found.path.mechanism) {
     all["mechanism"] = point_json(found, *found.path.mechanism);
     all["mechanism"]["parts"] = names_of(found, found.path.mechanism_parts);
+    all["overstrength"]["mechanism"] = found.overstrength(*found.path.mechanism);
   }
   if (const auto first = found.first_yield()) all["first_yield"] = point_json(found, *first);
-  if (const auto ratio = found.overstrength()) all["overstrength"] = *ratio;
   if (found.bilinear)
     all["bilinear"] = {{"yield_displacement", found.bilinear->yield_displacement},
                        {"base_shear", found.bilinear->base_shear},

@@ -1,0 +1,49 @@
+"""Pushovers of the structures of a model."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Sequence
+from os import PathLike, fspath
+from pathlib import Path
+
+from pounding._native import core
+from pounding.errors import InputError, SolverError
+from pounding.models import Model, as_model
+from pounding.pushover_curve import Pushover
+
+
+def pushover(model: Model | str | PathLike[str], structure: str = "", *, to: str | float | None = None,
+             cyclic: Sequence[str | float] | str = (), load: str | PathLike[str] | Sequence[float] = "triangular", direction: str = "x",
+             output: str | PathLike[str] = "") -> Pushover:
+    """Pushes a structure of a model or an input file by horizontal forces on its floors until its roof has moved by `to`: "250 mm",
+    "2 % roof" of its height, or a number [m]. Its parts must yield. `structure` may be left out where one structure of the model
+    yields. Displacements in `cyclic` are reached before, one after the other.
+
+    `load` is "triangular" (masses times heights), "uniform" (masses), "mode1" (masses times the mode with the largest effective mass),
+    the name of a file with one force a floor, or these forces, from the ground up and to any scale. `direction` is x, or in space y.
+    `output` is a results file to write.
+
+    Raises InputError for what cannot be pushed so; SolverError, with the results until then, for a structure that collapses."""
+    model = as_model(model)
+    steps = cyclic if isinstance(cyclic, str) else ", ".join(_length(step) for step in cyclic)
+    arguments = (direction, "" if to is None else _length(to), steps, fspath(output))
+    if isinstance(load, (str, PathLike)):
+        text = core.pushover(model._source(), structure, fspath(load), *arguments)
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            forces = Path(folder) / "load"
+            forces.write_text("\n".join(repr(float(force)) for force in load))
+            try:
+                text = core.pushover(model._source(), structure, str(forces), *arguments)
+            except InputError as error:
+                raise InputError(str(error).replace(f"{forces} holds", "the list holds")) from None
+    found = Pushover.from_json(json.loads(text))
+    if found.status != "done":
+        raise SolverError(f"{found.structure} collapses: {found.status.removeprefix('collapse: ')}; push it less far", found)
+    return found
+
+
+def _length(value: str | float) -> str:
+    return value if isinstance(value, str) else f"{float(value)!r} m"

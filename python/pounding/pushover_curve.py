@@ -1,0 +1,212 @@
+"""Curves of pushed structures, and pictures of them: `pounding pushover MODEL.yaml --plot` calls
+`python3 -m pounding.pushover_curve CURVE.json -o OUT.png` with the object that `pounding pushover --json` prints."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import textwrap
+from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pounding import told
+from pounding.checked_file import NotResults, require_whole
+from pounding.errors import InputError
+from pounding.texts import text, texts
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class PushoverEvent:
+    """What happens to parts at one point of the path."""
+
+    point: int  #: number of the point, from 0
+    displacement: float  #: of the roof [m]
+    base_shear: float  #: [N]
+    kind: str  #: "yields", "softens" or "unloads"
+    first: bool  #: the parts had never yielded before
+    parts: list[str]  #: their names
+
+
+def _lines(found: Any) -> list[str]:
+    """State; events; measures."""
+    end = f"{1e3 * found.displacement[-1]:.4g} mm, {found.base_shear[-1] / 1e3:.4g} kN"
+    events = [f"{', '.join(event.parts)} at {1e3 * event.displacement:.4g} mm" for event in found.events if event.first]
+    mechanism = "no mechanism" if found.mechanism is None else f"mechanism at {1e3 * found.displacement[found.mechanism]:.4g} mm"
+    return [f"pushover of {found.structure} along {found.direction}: {found.status}, to {end}",
+            f"first yields: {told.few(events, 4)}",
+            f"{mechanism}; overstrength {found.overstrength:.4g}"]
+
+
+@dataclass(frozen=True, repr=False)
+class Pushover(told.Told, lines=_lines):
+    """A structure that was pushed over. Between two points the path is straight where the laws of the parts are piecewise linear."""
+
+    structure: str
+    direction: str  #: "x" or "y"
+    status: str  #: "done", or "collapse: " and the reason
+    displacement: np.ndarray  #: [point] of the roof [m]
+    base_shear: np.ndarray  #: [point] [N]
+    floor_displacement: np.ndarray  #: [point, floor], from the ground up [m]
+    parts: list[str]  #: names of the parts that yield
+    deformation: np.ndarray  #: [point, part] [m] or [rad]
+    force: np.ndarray  #: [point, part] [N] or [N m]
+    events: list[PushoverEvent]
+    mechanism: int | None  #: the point at which the parts that yield make a mechanism
+    overstrength: float  #: largest base shear over that at the first yield
+    summary: dict[str, Any] = field(default_factory=dict)  #: all else that `pounding pushover --json` prints
+
+    @property
+    def bilinear(self) -> dict[str, float] | None:
+        """The two straight lines of EN 1998-1, annex B: yield_displacement, displacement [m], base_shear [N]; None for cycles."""
+        return self.summary.get("bilinear")
+
+    @property
+    def equivalent(self) -> dict[str, float] | None:
+        """The oscillator of annex B: mass [kg], participation, period [s]; None for cycles."""
+        return self.summary.get("equivalent")
+
+    @classmethod
+    def from_json(cls, found: dict[str, Any]) -> Pushover:
+        """The object that `pounding pushover --json` prints. Raises InputError for another one."""
+        try:
+            points = {name: np.array(values, float) for name, values in found["points"].items()}
+            return cls._of({name: value for name, value in found.items() if name != "points"}, points)
+        except (AttributeError, KeyError, TypeError, ValueError) as error:
+            raise InputError(f"this is no object of a pushover: {error}") from error
+
+    @classmethod
+    def _of(cls, summary: dict[str, Any], points: dict[str, np.ndarray]) -> Pushover:
+        mechanism = summary["mechanism"]
+        return cls(structure=summary["structure"], direction=summary["direction"], status=summary["status"],
+                   displacement=points["displacement"], base_shear=points["base_shear"], floor_displacement=points["floor_displacement"],
+                   parts=[part["name"] for part in summary["parts"]], deformation=points["deformation"], force=points["force"],
+                   events=[PushoverEvent(**event) for event in summary["events"]],
+                   mechanism=None if mechanism is None else mechanism["point"], overstrength=summary["overstrength"]["largest"],
+                   summary=summary)
+
+    def plot(self, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+        """A picture of the curve with its events, numbered in their order, and the two straight lines. `size` is width and height [in].
+        Raises ImportError without matplotlib."""
+        return pushover_figure(self, f"Pushover of {self.structure}" if title is None else title, size)
+
+
+def read_pushover(path: str | PathLike[str]) -> Pushover:
+    """The pushover in the results file `path`, whose checksum is compared first. Raises OSError when it cannot be opened, NotResults when
+    it is something else or damaged."""
+    import h5py
+
+    require_whole(path)
+    with h5py.File(path, "r") as file:
+        if "pushover" not in file:
+            raise NotResults(f'{path} holds no pushover; results of a run are read by pounding.read("{Path(path).name}")')
+        group = file["pushover"]
+        names = ("displacement", "base_shear", "floor_displacement", "deformation", "force")
+        points = {name: np.asarray(group[name][()], float) for name in names}
+        found = Pushover._of(json.loads(text(group["summary"][()])), points)
+        assert found.parts == texts(group["parts"][()])
+        return found
+
+
+#: Events with a line of their own beside the picture.
+MOST = 14
+
+
+def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] | None = None) -> Figure:
+    """The picture of `Pushover.plot`."""
+    from matplotlib import rc_context
+
+    from pounding.pictures.style import NARROW, STYLE, Picture, head
+
+    size = size or (6.5, 3.4)
+    narrow = size[0] < NARROW
+    with rc_context(STYLE):
+        figure = Picture(figsize=size, layout="constrained")
+        axes = figure.subplots()
+        _draw_curve(axes, found)
+        _number_events(axes, found, 30 if narrow else 36)
+        # Events are told below a narrow picture and beside a wide one.
+        place = {"loc": "outside lower center"} if narrow else {"loc": "outside right upper"}
+        figure.legend(*axes.get_legend_handles_labels(), handlelength=1.2, **place)
+        head(figure, title)
+        return figure
+
+
+def _draw_curve(axes: Axes, found: Pushover) -> None:
+    from pounding.pictures.style import BLUE, FORCE_UNITS, MM, QUIET, VERMILION, engineering, largest
+
+    size, unit = engineering(largest([found.base_shear]), FORCE_UNITS)
+    axes.plot(MM * found.displacement, found.base_shear / size, color=BLUE, linewidth=1.4, zorder=3, label="pushover")
+    if found.bilinear:
+        way = np.sign(found.displacement[-1])
+        x = way * np.array([0, found.bilinear["yield_displacement"], found.bilinear["displacement"]])
+        axes.plot(MM * x, way * np.array([0, 1, 1]) * found.bilinear["base_shear"] / size, color=QUIET, linestyle="--", zorder=2,
+                  label="two straight lines")
+    if found.mechanism is not None:
+        axes.plot(MM * found.displacement[found.mechanism], found.base_shear[found.mechanism] / size, "D", color=VERMILION, markersize=6,
+                  linestyle="none", fillstyle="none", zorder=5, label="mechanism")
+    axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
+    axes.axvline(0, color="0.4", linewidth=0.6, zorder=1)
+    axes.set(xlabel="Displacement of the roof [mm]", ylabel=f"Base shear [{unit}]")
+    axes.margins(x=0.02)
+
+
+def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
+    """A number at every first yield, and its parts in the legend."""
+    from pounding.pictures.style import BLUE, FORCE_UNITS, MM, engineering, largest
+
+    size = engineering(largest([found.base_shear]), FORCE_UNITS)[0]
+    events = [event for event in found.events if event.first]
+    together: list[tuple[float, float, list[int]]] = []
+    for number, event in enumerate(events, 1):
+        x, y = MM * event.displacement, event.base_shear / size
+        axes.plot(x, y, "o", color=BLUE, markersize=3.5, zorder=4)
+        if number <= MOST:
+            words = "\n".join(textwrap.wrap(told.few(event.parts, 3), letters, subsequent_indent="    "))
+            axes.plot([], [], linestyle="none", label=f"{number}  {words}")
+        # Numbers that would cover each other stand in one place.
+        if together and _is_near(axes, together[-1][:2], (x, y)):
+            together[-1][2].append(number)
+        else:
+            together.append((x, y, [number]))
+    for x, y, numbers in together:
+        several = str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}, {numbers[1]}" if len(numbers) == 2 else f"{numbers[0]} to {numbers[-1]}"
+        axes.annotate(several, (x, y), (0, 5 if y >= 0 else -5), textcoords="offset points", ha="right",
+                      va="bottom" if y >= 0 else "top", fontsize=7.5, zorder=6)
+    if len(events) > MOST:
+        axes.plot([], [], linestyle="none", label=f"and {len(events) - MOST} more")
+
+
+def _is_near(axes: Axes, one: tuple[float, float], other: tuple[float, float]) -> bool:
+    spans = (np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
+    return all(abs(a - b) < 0.04 * span for a, b, span in zip(one, other, spans))
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Command line. Returns 0, or 2 after a message when the curve cannot be read or the picture not written."""
+    from pounding.pictures.style import write_picture
+
+    parser = argparse.ArgumentParser(prog="python3 -m pounding.pushover_curve", description="Draw the curve of a pushover.")
+    parser.add_argument("curve", help="file with the JSON object")
+    parser.add_argument("-o", "--output", required=True, help="picture to write: .png, .pdf or .svg")
+    parser.add_argument("--title", help="title of the picture")
+    options = parser.parse_args(arguments)
+    try:
+        with open(options.curve, encoding="utf-8") as file:
+            found = Pushover.from_json(json.load(file))
+        return write_picture(found.plot(options.title and f"{options.title}: pushover of {found.structure}"), options.output)
+    except (InputError, OSError, ValueError) as error:
+        print(f"cannot draw {options.curve}: {error}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,190 @@
+// Pushovers of whole buildings: loads on floors, measures of the curve, messages.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <pounding/core/error.hpp>
+#include <pounding/input/pushover_input.hpp>
+#include <pounding/input/read_model.hpp>
+#include <pounding/model/pushover.hpp>
+#include <pounding/structures/oscillators.hpp>
+#include "support/book.hpp"
+#include "support/refusal.hpp"
+
+namespace pounding {
+namespace {
+
+Structure building(double hardening, bool with_heights = true) {
+  ShearBuildingOptions options{.storeys = 3, .mass = std::vector<double>{100e3, 200e3, 150e3}, .stiffness = 100e6,
+                               .yield_force = std::vector<double>{2e6, 1.6e6, 1e6}, .hardening = hardening};
+  if (with_heights) options.height = std::vector<double>{4.0, 3.0, 3.0};
+  return make_shear_building(options);
+}
+
+std::vector<double> shares(std::vector<double> forces) {
+  double sum = 0;
+  for (const double force : forces) sum += force;
+  for (double& force : forces) force /= sum;
+  return forces;
+}
+
+void expect_loads(const Pushover& found, const std::vector<double>& forces) {
+  const std::vector<double> expected = shares(forces);
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found.loads[i], expected[i], 1e-14);
+}
+
+TEST(Pushover, SharesTheLoadOutWithMassesAndHeights) {
+  expect_loads(pushover(building(0.1), {.targets = {0.2}}), {100 * 4, 200 * 7, 150 * 10});
+  expect_loads(pushover(building(0.1, false), {.targets = {0.2}}), {100 * 1, 200 * 2, 150 * 3});
+  expect_loads(pushover(building(0.1), {.pattern = LoadPattern::uniform, .targets = {0.2}}), {100, 200, 150});
+  expect_loads(pushover(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 0, 3}, .targets = {0.2}}), {1, 0, 3});
+}
+
+TEST(Pushover, TakesTheFirstModeOfTwoEqualStoreys) {
+  // 2 k at the ground, k above: modes of [3 -1; -1 1], shape 1 : 1 + sqrt 2.
+  const Structure s = make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = std::vector<double>{200e6, 100e6}, .yield_force = 1e6});
+  expect_loads(pushover(s, {.pattern = LoadPattern::mode1, .targets = {0.2}}), {1, 1 + std::sqrt(2)});
+}
+
+TEST(Pushover, MakesTwoLinesOfTheSameAreaAndAnOscillator) {
+  const Pushover found = pushover(building(0), {.targets = {0.3}});
+  ASSERT_TRUE(found.bilinear && found.equivalent);
+  // All but the first storey stay elastic: what is above V = 2 MN is level.
+  EXPECT_NEAR(found.bilinear->base_shear, 2e6, 1e-6);
+  EXPECT_NEAR(found.bilinear->yield_displacement, found.path.points[*found.first_yield()].displacement, 1e-15);
+  EXPECT_EQ(found.bilinear->displacement, 0.3);
+  // phi = z/10: m* = 100 0.4 + 200 0.7 + 150, Gamma = m*/(100 0.16 + 200 0.49 + 150).
+  test::Book book("oscillator of a pushover", "EN 1998-1, annex B, by hand", "rounding");
+  book.near("mass [t]", found.equivalent->mass / 1e3, 330, 1e-9);
+  book.near("participation [-]", found.equivalent->participation, 330.0 / 264, 1e-13);
+  book.near("period [s]", found.equivalent->period, 2 * M_PI * std::sqrt(330e3 * found.bilinear->yield_displacement / 2e6), 1e-13);
+  EXPECT_EQ(found.overstrength(found.strongest()), 1);
+}
+
+TEST(Pushover, HasTwoLinesThatEndBeforeTheLoadFalls) {
+  const BilinearCurve curve = bilinear_curve({0, 1, 2, 4}, {0, 2, 3, 1});
+  EXPECT_EQ(curve.base_shear, 3);
+  EXPECT_EQ(curve.displacement, 2);
+  EXPECT_NEAR(curve.yield_displacement, 2 * (2 - 3.5 / 3), 1e-15);
+}
+
+TEST(Pushover, IsMirroredBelowZero) {
+  const Pushover right = pushover(building(0.1), {.targets = {0.2}}), left = pushover(building(0.1), {.targets = {-0.2}});
+  EXPECT_NEAR(left.path.points.back().factor, -right.path.points.back().factor, 1e-6);
+  EXPECT_NEAR(left.bilinear->yield_displacement, right.bilinear->yield_displacement, 1e-15);
+  EXPECT_NEAR(left.bilinear->base_shear, right.bilinear->base_shear, 1e-6);
+}
+
+TEST(Pushover, FollowsTheFloors) {
+  const Pushover found = pushover(building(0.1), {.targets = {0.2}});
+  const auto last = found.floor_displacements.rows() - 1;
+  EXPECT_NEAR(found.floor_displacements(last, 2), 0.2, 1e-15);
+  for (int storey = 0; storey < 3; ++storey) {
+    const double below = storey == 0 ? 0 : found.floor_displacements(last, storey - 1);
+    EXPECT_NEAR(found.floor_displacements(last, storey) - below, found.path.points.back().deformations[storey], 1e-15);
+    EXPECT_NEAR(found.plastic_deformation(storey) * found.parts[storey].stiffness,
+                found.parts[storey].stiffness * found.path.points.back().deformations[storey] - found.force(static_cast<int>(last), storey), 1e-6);
+  }
+}
+
+TEST(Pushover, IsOneObjectOfJson) {
+  const Pushover found = pushover(building(0), {.targets = {0.3}});
+  const auto all = nlohmann::json::parse(pushover_json(found));
+  EXPECT_EQ(all["status"], "done");
+  EXPECT_EQ(all["points"]["displacement"].size(), found.path.points.size());
+  EXPECT_EQ(all["points"]["force"][1].size(), 3u);
+  EXPECT_EQ(all["events"][0]["parts"][0], "storey 1");
+  EXPECT_EQ(all["mechanism"]["point"], 1);
+  EXPECT_FALSE(nlohmann::json::parse(pushover_json(found, false)).contains("points"));
+}
+
+TEST(Pushover, RefusesWhatCannotBePushed) {
+  const auto text = [](const Structure& s, const PushoverOptions& options) { return test::refusal([&] { pushover(s, options); }); };
+  EXPECT_EQ(text(building(0.1), {}), "it is not told how far it is pushed; give a displacement of the roof");
+  EXPECT_EQ(text(building(0.1), {.targets = {0.0}}), "a displacement of the roof of zero leads nowhere; give one such as 250 mm");
+  EXPECT_EQ(text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 2}, .targets = {0.2}}),
+            "a load of 2 forces was given, and it has 3 floors; give one force a floor, from the ground up");
+  EXPECT_EQ(text(building(0.1), {.pattern = LoadPattern::given, .forces = {1, 0, -1}, .targets = {0.2}}),
+            "the forces on the floors have no sum, and the base shear is that; give other forces, or masses to the floors");
+  EXPECT_EQ(text(building(0.1), {.direction = 1, .targets = {0.2}}), "it does not move along y; push it along x");
+  const Structure elastic = make_shear_building({.storeys = 1, .mass = 1e5, .stiffness = 1e7});
+  EXPECT_EQ(text(elastic, {.targets = {0.2}}), "nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
+  const Structure one = make_oscillator({.mass = 1e5, .stiffness = 1e7, .damping_ratio = 0.0, .yield_force = 1e5});
+  EXPECT_EQ(text(one, {.targets = {0.004}}), "nothing yields on this way; the first part does at 10 mm of the roof. Push it farther, such as to 11 mm");
+}
+
+class PushoverWordsTest : public testing::Test {
+ protected:
+  std::string refusal(PushoverWords words) const {
+    try {
+      pushover(model_, words);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "taken";
+  }
+  Pushover found(const PushoverWords& words) const { return pushover(model_, words); }
+
+  Model model_ = read_model(Input::read_text(R"(
+structures:
+  old: {shear_building: {storeys: 2, mass: 100 t, stiffness: 100 MN/m, yield_force: 1 MN, height: 3 m}, damping: 5 %}
+  new: {oscillator: {mass: 100 t, period: 0.5, damping: 5 %, yield_force: 200 kN}}
+  stiff: {oscillator: {mass: 100 t, period: 0.2, damping: 5 %}}
+ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}
+analysis: {duration: 1}
+)", "towers.yaml"));
+};
+
+TEST_F(PushoverWordsTest, ReadsDisplacementsOfTheRoof) {
+  EXPECT_NEAR(found({.structure = "old", .to = "2 % roof"}).options.targets.at(0), 0.12, 1e-15);
+  EXPECT_NEAR(found({.structure = "old", .to = "-2%"}).options.targets.at(0), -0.12, 1e-15);
+  EXPECT_NEAR(found({.structure = "old", .to = "25 cm roof"}).options.targets.at(0), 0.25, 1e-15);
+  const std::vector<double> cycles = found({.structure = "old", .to = "3 %", .cyclic = "1 %, -1 %,150 mm"}).options.targets;
+  ASSERT_EQ(cycles.size(), 4u);
+  EXPECT_NEAR(cycles[1], -0.06, 1e-15);
+  EXPECT_NEAR(cycles[3], 0.18, 1e-15);
+}
+
+TEST_F(PushoverWordsTest, SaysWhatToType) {
+  EXPECT_EQ(refusal({.structure = "old", .to = "250"}), R"(--to: "250" has no unit; type "250 mm", or a part of the height such as "2 % roof")");
+  EXPECT_EQ(refusal({.structure = "old", .to = "0 mm"}),
+            R"(--to: a displacement of the roof of zero leads nowhere; type one such as "250 mm" or "2 % roof")");
+  EXPECT_EQ(refusal({.structure = "old"}), R"(--to: a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
+  EXPECT_EQ(refusal({.structure = "old", .to = "20 kN"}),
+            R"(--to: takes a length such as "20 mm"; "20 kN" is a force; or a part of the height such as "2 % roof")");
+  EXPECT_EQ(refusal({.structure = "old", .to = "much %"}), R"(--to: "much %" is no part of the height; type one such as "2 % roof")");
+  EXPECT_EQ(refusal({.structure = "old", .to = "7 m"}), R"(--to: "7 m" is farther than the roof is high, 6 m; type less)");
+  EXPECT_EQ(refusal({.structure = "new", .to = "2 %"}),
+            R"(--to: the heights of this structure are not known, so "2 %" is no length; give height to its storeys, or type a displacement such as "250 mm")");
+  EXPECT_EQ(refusal({.structure = "old", .cyclic = "1 %,,2 %"}),
+            R"(--cyclic: a displacement of the roof is missing; type one such as "250 mm" or "2 % roof")");
+  EXPECT_EQ(refusal({.to = "2 %"}), "--structure: 2 structures of this model yield; name one of them, such as old");
+  EXPECT_EQ(refusal({.structure = "odl", .to = "2 %"}), "--structure: unknown structure \"odl\". Did you mean \"old\"?");
+  EXPECT_EQ(refusal({.structure = "stiff", .to = "20 mm"}),
+            "towers.yaml: structures.stiff: nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
+  EXPECT_EQ(refusal({.structure = "old", .load = "unifrom", .to = "2 %"}), "--load: \"unifrom\" is neither a pattern nor a file. Did you mean \"uniform\"?");
+  EXPECT_EQ(refusal({.structure = "old", .direction = "z", .to = "2 %", .mark = ""}), "direction: takes x or y; \"z\" was read");
+  EXPECT_EQ(refusal({.structure = "old", .to = "1 mm"}),
+            "towers.yaml: structures.old: nothing yields on this way; the first part does at 16.67 mm of the roof. Push it farther, such as to 18 mm");
+}
+
+TEST_F(PushoverWordsTest, ReadsForcesFromAFile) {
+  const std::string path = testing::TempDir() + "forces.txt";
+  std::ofstream(path) << "# from the ground up\n1\n3  # roof\n";
+  EXPECT_NEAR(found({.structure = "old", .load = path, .to = "2 %"}).loads[1], 0.75, 1e-15);
+  std::ofstream(path) << "1, 2, 3\n";
+  EXPECT_EQ(refusal({.structure = "old", .load = path, .to = "2 %"}),
+            "--load: " + path + " holds 3 numbers, and the structure has 2 floors; write one force a floor, from the ground up");
+  std::ofstream(path) << "1\ntwo\n";
+  EXPECT_EQ(refusal({.structure = "old", .load = path, .to = "2 %"}),
+            "--load: " + path + ":2: \"two\" is no number; the file holds one force a floor, from the ground up");
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace pounding
