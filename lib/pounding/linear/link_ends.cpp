@@ -4,13 +4,13 @@
 
 namespace pounding::petsc {
 
-LinkEnds::LinkEnds(const System& system, const SystemMatrices& matrices) : matrices_(matrices) {
+LinkEnds::LinkEnds(const System& system, const SystemMatrices& matrices, const SpringRelief& relief) : matrices_(matrices) {
   const int first = matrices.first(), end = first + matrices.rows();
   slots_.resize(system.links());
   for (int i = 0; i < system.links(); ++i)
     for (std::size_t k = 0; k < system.groups.size(); ++k) {
       const Group& group = system.groups[k];
-      Part part{i, slots(), {}};
+      Part part{.link = i, .slot = slots(), .entries = {}, .push = {}};
       bool joined = false;
       for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it) {
         if (it.value() == 0 || it.row() < group.first || it.row() >= group.first + group.count) continue;
@@ -20,7 +20,12 @@ LinkEnds::LinkEnds(const System& system, const SystemMatrices& matrices) : matri
       if (!joined) continue;
       slots_[i].push_back(part.slot);
       group_of_.push_back(static_cast<int>(k));
-      if (!part.entries.empty()) parts_.push_back(std::move(part));
+      part.gives_way = relief.push().size() > 0 && is_spring(system, i);
+      if (part.gives_way)
+        for (SparseMatrix::InnerIterator it(relief.push(), i - system.contact_count()); it; ++it)
+          if (it.row() >= first && it.row() < end && it.row() >= group.first && it.row() < group.first + group.count)
+            part.push.emplace_back(static_cast<int>(it.row()) - first, it.value());
+      if (!part.entries.empty() || !part.push.empty()) parts_.push_back(std::move(part));
     }
   make_batches();
 }
@@ -77,14 +82,14 @@ void LinkEnds::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Ei
   for (const Part& part : parts_) {
     const double scale = factor * f[part.link];
     if (scale == 0) continue;
-    for (const auto& [row, value] : part.entries) y[row] += scale * value;
+    for (const auto& [row, value] : part.forces()) y[row] += scale * value;
   }
 }
 
 void LinkEnds::add_columns(std::span<const int> column_of, int first, Eigen::Ref<Eigen::MatrixXd> b) const {
   for (const Part& part : parts_)
     if (const int at = column_of[part.link]; at >= first)
-      for (const auto& [row, value] : part.entries) b(row, at - first) += value;
+      for (const auto& [row, value] : part.forces()) b(row, at - first) += value;
 }
 
 }  // namespace pounding::petsc

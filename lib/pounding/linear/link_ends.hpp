@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <pounding/linear/spring_relief.hpp>
 #include <pounding/linear/system_matrices.hpp>
 #include <pounding/model/system.hpp>
 
@@ -16,8 +17,8 @@ namespace pounding::petsc {
 /// Links without a common structure are batched: A is block-diagonal, so one right-hand side serves the whole batch.
 class LinkEnds {
  public:
-  /// Both arguments must outlive this.
-  LinkEnds(const System& system, const SystemMatrices& matrices);
+  /// `relief` of the springs of the system; the others must outlive this.
+  LinkEnds(const System& system, const SystemMatrices& matrices, const SpringRelief& relief);
 
   /// Number of slots, the slots of a link, and the group of a slot.
   int slots() const { return static_cast<int>(group_of_.size()); }
@@ -31,19 +32,23 @@ class LinkEnds {
   const std::vector<int>& batch(int number) const { return batches_[number]; }
   int batch_of(int link) const { return batch_of_[link]; }
 
-  /// B^T x by slot [slots x columns of x], the same on every process. Collective. Valid until the next call.
+  /// B^T x by slot [slots x columns of x], the same on every process, for x that follows its unknowns with mass. Collective. Valid until
+  /// the next call.
   Eigen::Map<const Eigen::MatrixXd> by_slot(Eigen::Ref<const Eigen::MatrixXd> x) const;
   /// B^T x by link [links x columns of x], the same on every process. Collective.
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const;
-  /// y += factor B f, with one force per link, on the rows of this process.
+  /// y += factor B f, with B_e for springs and one force per link, on the rows of this process.
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const;
-  /// Adds the column of B of each link to column column_of[link] - first of b, where that is not negative.
+  /// Adds the column of B, for springs of B_e, of each link to column column_of[link] - first of b, where that is not negative.
   void add_columns(std::span<const int> column_of, int first, Eigen::Ref<Eigen::MatrixXd> b) const;
 
  private:
   struct Part {
     int link = 0, slot = 0;
     std::vector<std::pair<int, double>> entries;  // row on this process, value
+    std::vector<std::pair<int, double>> push;     // the same of B_e, where it is another
+    bool gives_way = false;
+    const std::vector<std::pair<int, double>>& forces() const { return gives_way ? push : entries; }
   };
 
   void make_batches();

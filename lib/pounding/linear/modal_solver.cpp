@@ -28,7 +28,7 @@ int ModalSolver::max_dynamic_dofs(const System& system) {
   return static_cast<int>(largest);
 }
 
-ModalSolver::ModalSolver(const System& system) : unknowns_(system.size()) {
+ModalSolver::ModalSolver(const System& system) : StructureSolver(system), unknowns_(system.size()) {
   for (const Group& group : system.groups) add_block(system, group);
   const int n = static_cast<int>(stiffness_.size());
   for (const Block& block : blocks_) classical_ = classical_ && block.damping.size() == 0;
@@ -59,7 +59,8 @@ ModalSolver::ModalSolver(const System& system) : unknowns_(system.size()) {
     for (const Block& block : blocks_) {
       const auto part = column.segment(block.first, block.shapes.rows());
       if (part.isZero(0)) continue;
-      for (int k = 0; k < part.size(); ++k)
+      const bool springs = is_spring(system, i);
+      for (int k = 0; k < part.size() && !springs; ++k)
         if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
           throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, block.first + k));
       gap_jacobian_[i].push_back({block.coordinate, block.shapes.transpose() * part});

@@ -18,7 +18,7 @@ namespace pounding {
 class ModalSolver final : public StructureSolver {
  public:
   /// Throws std::invalid_argument for a mass matrix that is not positive definite, a massless degree of freedom that the
-  /// stiffness does not hold, and a link or a dashpot at a massless one.
+  /// stiffness does not hold, and a link that is no spring or a dashpot at a massless one.
   explicit ModalSolver(const System& system);
 
   /// Largest number of dynamic degrees of freedom in one structure: its cube is the cost of setting up.

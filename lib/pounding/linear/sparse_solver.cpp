@@ -17,10 +17,11 @@ constexpr std::size_t max_links_by_gradients = 4;
 }  // namespace
 
 SparseSolver::SparseSolver(MPI_Comm comm, const System& system, const SparseOptions& options)
-    : system_(system),
+    : StructureSolver(system),
+      system_(system),
       options_(options),
       matrices_(comm, system, options.prefix),
-      ends_(system, matrices_),
+      ends_(system, matrices_, relief_),
       factors_(matrices_, options_, system.size(), system.links(), factorizations_) {
   PetscReal memory = options_.memory;
   PetscInt direct_below = options_.direct_below;

@@ -25,7 +25,7 @@ class SparseSolver final : public StructureSolver {
  public:
   /// Collective. `system` must outlive the solver. Throws std::invalid_argument for groups that do not follow one another over
   /// all degrees of freedom, an entry that joins two groups, a negative mass, a massless degree of freedom without stiffness,
-  /// and a link or a dashpot at a massless one; SolverError, naming the degree of freedom, for a singular matrix.
+  /// and a link that is no spring or a dashpot at a massless one; SolverError, naming the degree of freedom, for a singular matrix.
   SparseSolver(MPI_Comm comm, const System& system, const SparseOptions& options = {});
 
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;

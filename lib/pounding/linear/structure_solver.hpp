@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <pounding/linear/spring_relief.hpp>
 #include <pounding/model/system.hpp>
 
 namespace pounding {
@@ -23,7 +24,8 @@ struct EffectiveMatrix {
 /// convert from and to the degrees of freedom of the system. B is the gap Jacobian: B^T u are the relative displacements of
 /// the links. Collective, except accessors that return references or counts.
 ///
-/// Massless degrees of freedom have no equation of motion: they are in static equilibrium with the others at all times.
+/// Massless degrees of freedom have no equation of motion: they are in static equilibrium with the others at all times. The
+/// coordinates are without what they give way to springs, see SpringRelief; B of the springs is B_e wherever forces act.
 class StructureSolver {
  public:
   /// Coordinates first .. first + count - 1 on this process, all of one group of the system.
@@ -42,6 +44,8 @@ class StructureSolver {
   /// Sum of the masses of each group over its degrees of freedom and all processes [kg]: the group norm divided by it is a
   /// mean square.
   const std::vector<double>& group_masses() const { return group_masses_; }
+  /// How massless degrees of freedom give way to springs.
+  const SpringRelief& relief() const { return relief_; }
   /// The groups on this process.
   std::span<const Segment> segments() const { return segments_; }
 
@@ -84,7 +88,7 @@ class StructureSolver {
 
   /// Coordinates of a displacement or velocity given at all degrees of freedom of the system.
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const = 0;
-  /// Values u at all degrees of freedom of the system, on every process, of coordinates x.
+  /// Values u at all degrees of freedom of the system, on every process, of coordinates x; relief() is to be added.
   virtual void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const = 0;
 
   /// Sums over all processes, in place.
@@ -96,6 +100,9 @@ class StructureSolver {
   long factorizations() const { return factorizations_; }
 
  protected:
+  explicit StructureSolver(const System& system) : relief_(system) {}
+
+  SpringRelief relief_;
   Eigen::MatrixXd load_;
   Eigen::VectorXd weights_;
   std::vector<double> group_masses_;

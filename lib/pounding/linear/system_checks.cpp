@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/linear/spring_relief.hpp>
 
 namespace pounding::petsc {
 namespace {
@@ -48,10 +49,12 @@ void require_masses(const System& system, const Eigen::VectorXd& diagonal) {
     for (SparseMatrix::InnerIterator it(system.damping, j); it; ++it)
       if (it.value() != 0 && !(has_mass(j) && has_mass(it.row())))
         throw std::invalid_argument(fmt::format("a dashpot acts on unknown {}, which has no mass", has_mass(j) ? it.row() : j));
-  for (int i = 0; i < system.links(); ++i)
+  for (int i = 0; i < system.links(); ++i) {
+    if (is_spring(system, i)) continue;
     for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
       if (it.value() != 0 && !has_mass(it.row()))
         throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, it.row()));
+  }
 }
 
 void fail_singular(const SparseMatrix& matrix, const std::vector<int>& dofs, const char* what) {
