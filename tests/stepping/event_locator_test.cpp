@@ -72,7 +72,8 @@ struct Formulas {
     for (const auto& spring : springs) system.springs.push_back(spring.get());
     const LinkSet links(system);
     const EventFunctions functions(links, rigid, scales, longest_step);
-    const EventLocator locator(functions);
+    const SpringForces forces(links);
+    const EventLocator locator(functions, forces);
     write(0, now);
     try_step(h, end);
     trials = 0;

@@ -99,8 +99,10 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
   if (at.inside) {
     stepper_.interpolate(at.time, u_, v_);
     stepper_.interpolate_acceleration(at.time, a_);
+    stepper_.interpolate_springs(at.time, springs_);
   } else {
     const State& now = stepper_.state();
+    springs_ = now.force.segment(stepper_.system().contact_count(), static_cast<int>(stepper_.system().springs.size()));
     u_ = now.u;
     v_ = now.v;
     a_ = now.a;
@@ -120,8 +122,12 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
     sample_nodes(structure, u, v, a, at);
     StructureHistory& history = histories_[k];
     const std::size_t shears = history.storey_shear.size();
+    const Eigen::VectorXd yielding = yielding_forces(structure);
     for (const Floor& floor : s.floors)
-      for (const Row& shear : floor.storey_shear) history.storey_shear.push_back(value(shear, u));
+      for (std::size_t j = 0; j < floor.storey_shear.size(); ++j)
+        history.storey_shear.push_back(
+            value(floor.storey_shear[j], u) +
+            (floor.storey_shear_by_yielding.empty() ? 0 : value(floor.storey_shear_by_yielding[j], yielding)));
     if (s.storey_shears) add(s.storey_shears(u), history.storey_shear, shears);
     sample_forces(structure, u, at);
     if (s.supports.size() > 1) add_enforced(structure, at);
@@ -147,11 +153,19 @@ void StructureHistories::sample_nodes(int k, const Eigen::VectorXd& u, const Eig
     }
 }
 
+// Forces of the parts of a structure that yield, at the output time.
+Eigen::VectorXd StructureHistories::yielding_forces(int k) const {
+  const Eigen::Index count = static_cast<Eigen::Index>(model_.structures[k].yielding.size());
+  if (count == 0) return {};
+  return springs_.segment(static_cast<Eigen::Index>(first_spring_[k]) - stepper_.system().contact_count(), count);
+}
+
 void StructureHistories::sample_forces(int k, const Eigen::VectorXd& u, const OutputInstant& at) {
   const InternalForces& of = model_.structures[k].forces;
   StructureHistory& history = histories_[k];
   Eigen::VectorXd turned = Eigen::VectorXd::Zero(of.rows.rows());
   if (of.turned) turned = of.turned(u);
+  if (of.by_yielding.size() > 0) turned += of.by_yielding * yielding_forces(k);
   const auto force = [&](int row) {
     double sum = 0;
     for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(of.rows, row); it; ++it) sum += it.value() * u[it.index()];

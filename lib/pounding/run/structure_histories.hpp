@@ -37,6 +37,7 @@ class StructureHistories {
   void sample_nodes(int structure, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a,
                     const OutputInstant& at);
   void sample_forces(int structure, const Eigen::VectorXd& u, const OutputInstant& at);
+  Eigen::VectorXd yielding_forces(int structure) const;
   void add_fixed_end_forces(int structure, std::size_t from, const OutputInstant& at);
   void add_enforced(int structure, const OutputInstant& at);
 
@@ -49,6 +50,7 @@ class StructureHistories {
   std::vector<std::size_t> first_spring_;    // by structure: its lowest yielding storey among the link steps
   bool has_frames_ = false;                  // nodes, members or shears that need every unknown are reported
   Eigen::VectorXd u_, v_, a_;                // of all unknowns at an output time
+  Eigen::VectorXd springs_;                  // forces of all springs there
 };
 
 }  // namespace pounding

@@ -5,7 +5,14 @@ namespace pounding {
 DenseOutput::DenseOutput(const Equations& equations, const StepHistory& history)
     : equations_(equations),
       history_(history),
-      needs_whole_state_(equations.pseudo_forces.any() && equations.pseudo_forces.corrects(equations.system.outputs)) {}
+      needs_whole_state_(equations.pseudo_forces.any() && equations.pseudo_forces.corrects(equations.system.outputs)) {
+  const SparseMatrix& way = equations.solver.relief().way();
+  if (way.size() > 0 && SparseMatrix(equations.system.outputs.transpose() * way).nonZeros() > 0) needs_whole_state_ = true;
+}
+
+Eigen::VectorXd DenseOutput::springs_of(const Eigen::VectorXd& of_links) const {
+  return of_links.segment(equations_.links.contacts(), equations_.links.springs());
+}
 
 void DenseOutput::step_kept() {
   states_.step_kept();
@@ -25,6 +32,11 @@ void DenseOutput::show(const Instant& instant, State& state) const {
   equations_.solver.physical(instant.motion.col(Instant::v), state.v);
   equations_.solver.physical(instant.motion.col(Instant::a), state.a);
   if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(state.u, state.v, state.a);
+  if (const SpringRelief& relief = equations_.solver.relief(); relief.any()) {
+    relief.add_way(-1, springs_of(instant.force), state.u);
+    relief.add_way(-1, instant.force_rates.col(0), state.v);
+    relief.add_way(-1, instant.force_rates.col(1), state.a);
+  }
   state.force = instant.force;
 }
 
@@ -78,6 +90,11 @@ void DenseOutput::interpolate(double time, Eigen::VectorXd& u_out, Eigen::Vector
   const Cubic cubic((time - x.time) / h, h);
   u_out = cubic.begin * x.u + cubic.end * y.u + cubic.slope_begin * x.v + cubic.slope_end * y.v;
   v_out = cubic.begin * x.v + cubic.end * y.v + cubic.slope_begin * x.a + cubic.slope_end * y.a;
+  if (const SpringRelief& relief = equations_.solver.relief(); relief.any()) {
+    const Eigen::MatrixXd change = change_at_begin();
+    relief.add_way(-1, cubic.slope_begin * change.col(0), u_out);
+    relief.add_way(-1, cubic.begin * change.col(0) + cubic.slope_begin * change.col(1), v_out);
+  }
   if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(u_out, v_out);
 }
 
@@ -90,12 +107,16 @@ void DenseOutput::interpolate_acceleration(double time, Eigen::VectorXd& out) co
   }
   const Parabola parabola((time - x.time) / h);
   out = parabola.begin * x.a + parabola.middle * middle() + parabola.end * y.a;
+  if (const SpringRelief& relief = equations_.solver.relief(); relief.any())
+    relief.add_way(-1, parabola.begin * change_at_begin().col(1), out);
 }
 
 const Eigen::VectorXd& DenseOutput::middle() const {
   if (std::exchange(has_middle_, true)) return middle_;
   equations_.solver.recover(history_.kept().a_middle);
   equations_.solver.physical(history_.kept().a_middle, middle_);
+  if (const SpringRelief& relief = equations_.solver.relief(); relief.any())
+    relief.add_way(-0.5, history_.kept().force_rates_begin.col(1) + history_.kept().end.force_rates.col(1), middle_);
   if (equations_.pseudo_forces.any()) {
     Eigen::VectorXd u_middle, v_middle;
     interpolate(0.5 * (begin().time + end_minus().time), u_middle, v_middle);
@@ -113,6 +134,24 @@ const Eigen::MatrixXd& DenseOutput::outputs_middle() const {
     equations_.solver.observe(history_.kept().a_middle, outputs_middle_);
   }
   return outputs_middle_;
+}
+
+void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) const {
+  const Instant &x = history_.begin(), &y = history_.kept().end;
+  const double h = y.time - x.time;
+  if (!(h > 0)) {
+    forces = springs_of(history_.now().force);
+    return;
+  }
+  const double s = (time - x.time) / h;
+  const Parabola parabola(s);
+  forces = parabola.begin * springs_of(x.force) + parabola.middle * springs_of(history_.kept().force_middle) + parabola.end * springs_of(y.force);
+  if (!equations_.springs.any()) return;
+  const Cubic cubic(s, h);
+  const Eigen::VectorXd by_slopes = cubic.begin * springs_of(x.force) + cubic.end * springs_of(y.force) +
+                                    cubic.slope_begin * history_.kept().force_rates_begin.col(0) + cubic.slope_end * y.force_rates.col(0);
+  for (int i = 0; i < by_slopes.size(); ++i)
+    if (y.spring_slopes[i] != 0) forces[i] = by_slopes[i];
 }
 
 void DenseOutput::interpolate_outputs(double time, Eigen::MatrixXd& out) const {

@@ -57,6 +57,9 @@ class DenseOutput {
   void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   void interpolate_acceleration(double time, Eigen::VectorXd& a) const;
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const;
+  /// Forces of all springs inside the last kept step [N]: of those that give way the cubic by their slopes in the step, of all others the
+  /// parabola.
+  void interpolate_springs(double time, Eigen::VectorXd& forces) const;
 
   /// A step was kept: the views of the present become those of its beginning.
   void step_kept();
@@ -81,6 +84,9 @@ class DenseOutput {
   // Accelerations of all unknowns in the middle of the last kept step, of any length but zero.
   const Eigen::VectorXd& middle() const;
   void show(const Instant& instant, State& state) const;
+  // Derivatives of the forces of springs where the last kept step begins, minus those that its state was shown with.
+  Eigen::MatrixXd change_at_begin() const { return history_.kept().force_rates_begin - history_.begin().force_rates; }
+  Eigen::VectorXd springs_of(const Eigen::VectorXd& of_links) const;
   void show(const Instant& instant, OutputQuantities& outputs) const;
   template <class View>
   const View& now_in(Views<View>& views) const;
@@ -91,7 +97,7 @@ class DenseOutput {
 
   const Equations& equations_;
   const StepHistory& history_;
-  bool needs_whole_state_ = false;  // an output depends on massless degrees of freedom that pseudo-forces correct
+  bool needs_whole_state_ = false;  // an output depends on massless degrees of freedom that pseudo-forces or springs correct
   mutable Views<State> states_;
   mutable Views<OutputQuantities> outputs_;
   mutable Eigen::VectorXd middle_;

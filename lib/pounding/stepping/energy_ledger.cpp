@@ -67,6 +67,10 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
     e.devices += spring->damped();
     e.strain += spring->stored_correction();
   }
+  // With u = u_m - W F the unknowns store u.K u/2 = u_m.K u_m/2 + F.B_s^T W F/2. Their rate of work on a spring is F d(B^T u)/dt, that is
+  // F dd/dt, which the spring stores or loses, and F.R dF/dt: so S = B_s^T W + R holds F.S F/2 in all.
+  if (equations.springs.any())
+    e.strain += 0.5 * now.force.segment(equations.links.contacts(), equations.links.springs()).dot(now.relief);
   for (const Contact* contact : equations.system.contacts) e.impact += contact->work();
   for (const double work : friction_) e.impact += work;
   return e;

@@ -3,6 +3,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include <pounding/core/error.hpp>
+
 namespace pounding {
 namespace {
 
@@ -29,7 +31,8 @@ RigidContacts rigid_contacts(const System& system, const StructureSolver& solver
 Equations::Equations(const System& of_system, StructureSolver& of_solver, bool carries)
     : system(checked(of_system)),
       solver(of_solver),
-      links(of_system),
+      links(of_system, of_solver.relief()),
+      springs(links),
       supports(of_system, of_solver),
       short_motions(of_system, of_solver),
       pseudo_forces(of_system),
@@ -46,6 +49,10 @@ Instant Equations::zero_instant() const {
   x.ground = x.ground_carried = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
   if (links.moved()) x.by_ground = Eigen::MatrixXd::Zero(links.size(), 3);
   if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
+  if (springs.any()) {
+    x.relief = x.spring_slopes = Eigen::VectorXd::Zero(links.springs());
+    x.force_rates = Eigen::MatrixXd::Zero(links.springs(), 2);
+  }
   return x;
 }
 
@@ -125,15 +132,18 @@ void Equations::balance(Instant& x) const {
   acceleration = -push - x.motion.col(ku) - x.motion.col(cv);
   if (pseudo_forces.any()) acceleration -= x.pseudo_force;
   motions_.resize(static_cast<std::size_t>(links.size()));
-  for (int i = 0; i < links.size(); ++i) motions_[i] = links.motion(i, x);
+  for (int i = 0; i < links.size(); ++i) motions_[i] = links.without_relief(i, x);
+  if (springs.any() && !springs.settle(motions_, x.force))
+    throw SolverError("the hinges of a structure find no equilibrium with its unknowns without mass");
   balance(motions_, x.by_ground, false, x.force, acceleration);
   solver.recover(acceleration);
   x.motion.col(carried) = x.motion.col(a);
   multiply(x, a, width - a);
   gather(x);
+  if (springs.any()) springs.find_force_rates(x);
 }
 
-void Equations::balance_middle(const Instant& x, Trial& trial) const {
+bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   using enum Instant::Column;
   const double h = trial.h;
   const Instant& y = trial.end;
@@ -164,7 +174,13 @@ void Equations::balance_middle(const Instant& x, Trial& trial) const {
     pseudo_force(displacement_, force_);
     trial.a_middle -= force_;
   }
+  if (springs.any()) {
+    trial.force_middle = x.force;
+    if (!springs.settle(trial.middle, trial.force_middle)) return false;
+    springs.find_rates(x, trial);
+  }
   balance(trial.middle, trial.by_ground_middle, true, trial.force_middle, trial.a_middle);
+  return true;
 }
 
 void Equations::hold_end(const Instant& begin, Instant& end) const {

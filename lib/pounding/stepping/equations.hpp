@@ -10,6 +10,7 @@
 #include <pounding/stepping/pseudo_forces.hpp>
 #include <pounding/stepping/rigid_impacts.hpp>
 #include <pounding/stepping/short_motions.hpp>
+#include <pounding/stepping/spring_forces.hpp>
 #include <pounding/stepping/step_state.hpp>
 #include <pounding/stepping/support_excitation.hpp>
 
@@ -26,6 +27,7 @@ struct Equations {
   const System& system;
   StructureSolver& solver;
   const LinkSet links;
+  const SpringForces springs;
   SupportExcitation supports;
   const ShortMotions short_motions;
   const PseudoForces pseudo_forces;
@@ -38,8 +40,11 @@ struct Equations {
 
   /// Products of `count` columns of the motion from `first` on: K times each, C times all but the displacement.
   void multiply(Instant& x, int first, int count) const;
-  /// Relative motion of all links from the motion.
-  void gather(Instant& x) const { solver.gather(x.motion.leftCols(width), x.relative); }
+  /// Relative motion of all links from the motion, and relief of the springs from their forces.
+  void gather(Instant& x) const {
+    solver.gather(x.motion.leftCols(width), x.relative);
+    if (springs.any()) springs.relieve(x);
+  }
   /// e at a displacement.
   void pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) const;
 
@@ -51,8 +56,9 @@ struct Equations {
   /// Everything of an instant but displacement, velocity, K u and pseudo-forces, which are given: dynamic equilibrium just
   /// after it.
   void balance(Instant& x) const;
-  /// Mid-step motions, forces and accelerations of a trial: cubic interpolation of the motion, then dynamic equilibrium.
-  void balance_middle(const Instant& begin, Trial& trial) const;
+  /// Mid-step motions, forces and accelerations of a trial: cubic interpolation of the motion, then dynamic equilibrium. Then the rates of
+  /// its springs. False if these find no equilibrium.
+  bool balance_middle(const Instant& begin, Trial& trial) const;
   /// Corrects displacements and velocities at the end of a step, see hold_contacts().
   void hold_end(const Instant& begin, Instant& end) const;
 

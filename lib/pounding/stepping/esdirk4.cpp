@@ -56,8 +56,7 @@ class Esdirk4Scheme final : public TimeScheme {
     t.end.force = x.force;
     for (int i = 1; i < stage_count; ++i)
       if (!solve_stage(i, x, t)) return false;
-    finish(x, t, error);
-    return true;
+    return finish(x, t, error);
   }
 
  private:
@@ -139,8 +138,8 @@ class Esdirk4Scheme final : public TimeScheme {
     error.v += eq_.short_motions.shift(by_v);
   }
 
-  // The end of the step, its middle and its errors from the accelerations of all stages.
-  void finish(const Instant& x, Trial& t, StepError& error) {
+  // The end of the step, its middle and its errors from the accelerations of all stages. False if the springs find no equilibrium.
+  bool finish(const Instant& x, Trial& t, StepError& error) {
     const int n = eq_.solver.size();
     const double h = t.h;
     const double *u0 = x.at(u), *v0 = x.at(v);
@@ -168,8 +167,9 @@ class Esdirk4Scheme final : public TimeScheme {
     std::copy_n(acceleration(stage_count - 1).data(), n, t.end.at(a));
     eq_.multiply(t.end, u, 3);
     eq_.gather(t.end);
-    eq_.balance_middle(x, t);
+    if (!eq_.balance_middle(x, t)) return false;
     if (solver_.linked()) add_simpson_error(eq_.short_motions, x, t, simpson_part, error);
+    return true;
   }
 
   Equations& eq_;

@@ -23,6 +23,7 @@ class EventFunctions {
   /// The links and the scales that it was made with.
   const LinkSet& links() const { return links_; }
   const MotionScales& scales() const { return scales_; }
+  double longest_step() const { return longest_step_; }
 
   /// All event functions of a contact for this motion and force [N].
   Contact::EventFunctions values(int link, const LinkMotion& motion, double force) const {

@@ -14,6 +14,8 @@ constexpr double grouped_part = 1e-9;
 constexpr double shortest_look = 1e-9;
 // A corner of a spring this near an end of the trial, relative to its length, lies at that end.
 constexpr double corner_part = 1e-3;
+// So does one this near, relative to the longest step: a step that ends at a corner may leave so much of it to the next one.
+constexpr double shortest_to_corner = 1e-4;
 // A jump of the slope by a smaller part of the initial stiffness is none.
 constexpr double least_jump = 1e-6;
 constexpr int max_corner_trials = 8;
@@ -35,6 +37,7 @@ struct EventBracket {
 // One search; `trial` changes with every call of try_step.
 struct EventLocator::Search {
   const EventFunctions& functions;
+  const SpringForces& springs;
   const LinkSet& links;
   const Instant& now;
   const Trial& trial;
@@ -42,8 +45,9 @@ struct EventLocator::Search {
 
   std::vector<EventBracket> brackets() const;
   void look_for_inner_touch(int link) const;
-  std::optional<double> corner(int link) const;
-  void stop_at_corner(int link) const;
+  std::optional<double> corner(int link, const LinkMotion& begin, const LinkMotion& end) const;
+  std::optional<double> first_corner() const;
+  void stop_at_corner() const;
   bool begins_inside(EventBracket& bracket, double longest) const;
   bool solve(const EventBracket& bracket, double longest) const;
   bool touches_now(const EventBracket& bracket) const;
@@ -95,12 +99,12 @@ void EventLocator::Search::look_for_inner_touch(int link) const {
 }
 
 // Position in the trial, from 0 to 1, of the first corner of a spring's force well inside it: by the cubic through both ends.
-std::optional<double> EventLocator::Search::corner(int link) const {
+std::optional<double> EventLocator::Search::corner(int link, const LinkMotion& begin, const LinkMotion& end) const {
   const Spring& spring = links.spring(link);
-  const LinkMotion begin = links.motion(link, now), end = at_end(link);
   const CubicPenetration between(begin, end, trial.h);
   const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
-  const auto inside = [](double s) { return s > corner_part && s < 1 - corner_part; };
+  const double near = std::max(corner_part, shortest_to_corner * functions.longest_step() / trial.h);
+  const auto inside = [near](double s) { return s > near && s < 1 - near; };
   // The deformation grows or falls all the way between these two.
   const auto onset = [&](double deformation, double low, double high) {
     const double way = between.at(high) - between.at(low);
@@ -122,11 +126,26 @@ std::optional<double> EventLocator::Search::corner(int link) const {
   return std::nullopt;
 }
 
+// The first position of all springs. Where springs give way the force of one bends the path of another, and after the first corner nothing
+// is as it was.
+std::optional<double> EventLocator::Search::first_corner() const {
+  std::vector<LinkMotion> begin, end;
+  if (springs.any()) springs.follow_first_slopes(now, trial, begin, end);
+  std::optional<double> first;
+  for (int i = links.contacts(); i < links.frictions_from(); ++i) {
+    if (!links.spring(i).has_corners()) continue;
+    const std::size_t k = i - links.contacts();
+    const std::optional<double> s = springs.any() ? corner(i, begin[k], end[k]) : corner(i, links.motion(i, now), at_end(i));
+    if (s && (!first || *s < *first)) first = s;
+  }
+  return first;
+}
+
 // The force of a spring has corners; a step that ends at one keeps its order.
-void EventLocator::Search::stop_at_corner(int link) const {
+void EventLocator::Search::stop_at_corner() const {
   const double whole = trial.h, end_time = trial.end.time;
   for (int trials = 0; trials < max_corner_trials; ++trials) {
-    const std::optional<double> s = corner(link);
+    const std::optional<double> s = first_corner();
     if (!s) return;
     if (try_step(*s * trial.h, std::nullopt)) continue;
     return restore(whole, end_time);
@@ -191,9 +210,8 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
 }
 
 std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
-  const Search search{functions_, links_, now, trial, try_step};
-  for (int i = links_.contacts(); i < links_.frictions_from(); ++i)
-    if (links_.spring(i).has_corners()) search.stop_at_corner(i);
+  const Search search{functions_, springs_, links_, now, trial, try_step};
+  search.stop_at_corner();
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
   std::vector<EventBracket> open = search.brackets();
   if (open.empty()) return std::nullopt;

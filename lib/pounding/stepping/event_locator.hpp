@@ -7,6 +7,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/stepping/event_functions.hpp>
+#include <pounding/stepping/spring_forces.hpp>
 
 namespace pounding {
 
@@ -33,8 +34,9 @@ class EventLocator {
   /// could not be solved.
   using TryStep = std::function<bool(double h, std::optional<double> end)>;
 
-  /// `functions` must outlive it.
-  explicit EventLocator(const EventFunctions& functions) : functions_(functions), links_(functions.links()) {}
+  /// Both must outlive it.
+  EventLocator(const EventFunctions& functions, const SpringForces& springs)
+      : functions_(functions), springs_(springs), links_(functions.links()) {}
 
   /// `trial` is a solved step from `now` that `try_step` replaces. Nothing if no phase ends inside it; the trial may still
   /// have become shorter, because of a corner. Nearly simultaneous events are grouped. Throws LostTrial if a step cannot be
@@ -45,6 +47,7 @@ class EventLocator {
   struct Search;
 
   const EventFunctions& functions_;
+  const SpringForces& springs_;
   const LinkSet& links_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <pounding/linear/spring_relief.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/model/system.hpp>
 #include <pounding/stepping/step_state.hpp>
@@ -11,12 +12,13 @@
 namespace pounding {
 
 /// Links in the order of the columns of B: contacts, then springs that yield, then the one or two directions of each
-/// friction. Motions add the part of ground and gravity to B^T u.
+/// friction. Motions add the part of ground and gravity to B^T u, and take off what springs give way to their forces.
 class LinkSet {
  public:
-  /// `system` has passed System::check() and must outlive it.
-  explicit LinkSet(const System& system)
+  /// `system` has passed System::check(); both must outlive it. `relief` of its springs.
+  explicit LinkSet(const System& system, const SpringRelief& relief = none())
       : system_(system),
+        relief_(relief),
         contacts_(system.contact_count()),
         frictions_from_(contacts_ + static_cast<int>(system.springs.size())),
         moved_(!system.gap_by_ground.isZero(0) || !system.gravity_offset.isZero(0)),
@@ -28,12 +30,15 @@ class LinkSet {
   /// Number of links, and of contacts among them.
   int size() const { return system_.links(); }
   int contacts() const { return contacts_; }
+  int springs() const { return frictions_from_ - contacts_; }
+  bool is_spring(int link) const { return link >= contacts_ && link < frictions_from_; }
   /// First link that is a direction of a friction; the springs end here.
   int frictions_from() const { return frictions_from_; }
   const std::vector<Friction>& frictions() const { return system_.frictions; }
   Contact& contact(int link) const { return *system_.contacts[link]; }
   Spring& spring(int link) const { return *system_.springs[link - contacts_]; }
 
+  const SpringRelief& relief() const { return relief_; }
   /// Whether ground or gravity add to the relative motion.
   bool moved() const { return moved_; }
   /// One entry of Instant::by_ground, zero where it is empty.
@@ -46,6 +51,12 @@ class LinkSet {
     return link < contacts_ ? system_.contacts[link]->penetration(relative_displacement) : relative_displacement;
   }
   LinkMotion motion(int link, const Instant& x) const {
+    LinkMotion motion = without_relief(link, x);
+    if (is_spring(link) && x.relief.size() > 0) motion.penetration -= x.relief[link - contacts_];
+    return motion;
+  }
+  /// The motion as if the force of no spring were there; the rate of a spring is that at constant forces in both.
+  LinkMotion without_relief(int link, const Instant& x) const {
     const double relative_displacement = x.relative(link, Instant::u), rate = x.relative(link, Instant::v);
     if (!moved_) return {deformation(link, relative_displacement), rate};
     return {deformation(link, relative_displacement + x.by_ground(link, Instant::u)), rate + x.by_ground(link, Instant::v)};
@@ -64,7 +75,13 @@ class LinkSet {
   bool is_held(int link) const { return link < contacts_ && system_.contacts[link]->phase() == ContactPhase::resting; }
 
  private:
+  static const SpringRelief& none() {
+    static const SpringRelief nothing;
+    return nothing;
+  }
+
   const System& system_;
+  const SpringRelief& relief_;
   int contacts_, frictions_from_;
   bool moved_;
   std::vector<int> contact_of_friction_;  // by link, from frictions_from_ on

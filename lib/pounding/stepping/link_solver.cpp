@@ -1,5 +1,6 @@
 #include <pounding/stepping/link_solver.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
@@ -26,21 +27,22 @@ constexpr int max_doublings = 60;
 
 bool LinkSolver::solve(const CondensedLinks& links, Eigen::VectorXd& force) {
   failed_ = -1;
-  return links.active.size() == 1 ? solve_one(links, 0, 0.0, force[0]) : solve_many(links, force);
+  return links.active.size() == 1 ? solve_one(links, 0, 0.0, 0.0, force[0]) : solve_many(links, force);
 }
 
 // Newton's method inside a bracket: the force lies between zero and the answer of the law to the free motion; a spring that
-// softens goes beyond that. `others` is G F of the other links.
-bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, double& force) {
+// softens goes beyond that. `others` is G F of the other links, `others_relief` S F of them.
+bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, double others_relief, double& force) {
   const int link = links.active[k];
   const double flexibility = links.flexibility(k, k);
-  const double relief_u = links.weight * links.by_u * flexibility, relief_v = links.weight * links.by_v * flexibility;
+  const double at_once = links.relief ? (*links.relief)(k, k) : 0;
+  const double relief_u = links.weight * links.by_u * flexibility + at_once, relief_v = links.weight * links.by_v * flexibility;
   if (links_.is_held(link)) {
     force = (links.free_acceleration[k] / links.weight - others) / flexibility;
     return true;
   }
-  const double scale = others / flexibility;
-  const LinkMotion free{links.free[k].penetration - relief_u * scale, links.free[k].rate - relief_v * scale};
+  const LinkMotion free{links.free[k].penetration - links.weight * links.by_u * others - others_relief,
+                        links.free[k].rate - links.weight * links.by_v * others};
   const auto residual_at = [&](double f) {
     return links_.law(link, {free.penetration - relief_u * f, free.rate - relief_v * f}).force - f;
   };
@@ -135,18 +137,23 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
   ++iterations_;
   terms_ = x.norm();
   relief_.noalias() = g * x;
+  if (links.relief) relief_at_once_.noalias() = *links.relief * x;
   for (int i = 0; i < plain_; ++i) {
     if (links_.is_held(links.active[i])) {
       residual_[i] = (links.free_acceleration[i] / links.weight - relief_[i]) / g(i, i);
       if (with_slopes) slopes_.row(i) = g.row(i) / g(i, i);
       continue;
     }
-    const LinkMotion at{links.free[i].penetration - by_u * relief_[i], links.free[i].rate - by_v * relief_[i]};
+    const double at_once = links.relief ? relief_at_once_[i] : 0;
+    const LinkMotion at{links.free[i].penetration - by_u * relief_[i] - at_once, links.free[i].rate - by_v * relief_[i]};
     const laws::Response answer = links_.law(links.active[i], at);
     residual_[i] = answer.force - x[i];
     terms_ = std::max(terms_, links.active[i] < links_.contacts() ? terms(answer, at) : terms(answer, at, links.free[i]));
     if (!with_slopes) continue;
+    by_penetration_[i] = answer.by_penetration;
+    by_rate_[i] = answer.by_rate;
     slopes_.row(i) = (by_u * answer.by_penetration + by_v * answer.by_rate) * g.row(i);
+    if (links.relief) slopes_.row(i) += answer.by_penetration * links.relief->row(i);
     slopes_(i, i) += 1;
   }
   for (const Slider& slider : sliders_) {
@@ -174,10 +181,42 @@ bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
   const Eigen::MatrixXd& g = links.flexibility;
   for (int i = 0; i < plain_; ++i) {
     const double others = g.row(i).dot(x) - g(i, i) * x[i];
-    if (!solve_one(links, i, others, x[i])) return false;
+    const double relief = links.relief ? links.relief->row(i).dot(x) - (*links.relief)(i, i) * x[i] : 0;
+    if (!solve_one(links, i, others, relief, x[i])) return false;
   }
   for (const Slider& slider : sliders_)
     if (!solve_slider(links, slider, x)) return false;
+  return true;
+}
+
+// Springs alone, none of which is stiffer than its linear stiffness or has a dashpot.
+bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
+  return links.active.front() >= links_.contacts() && links.active.back() < links_.frictions_from() && by_rate_.isZero(0) &&
+         by_penetration_.maxCoeff() <= 0;
+}
+
+// The Newton step over the springs that are softer, scaled by the roots of D; the others take their residual. False where the
+// structure is unstable.
+bool LinkSolver::symmetric_direction(const CondensedLinks& links, Eigen::VectorXd& direction) {
+  std::vector<int> soft;
+  for (int i = 0; i < by_penetration_.size(); ++i)
+    if (by_penetration_[i] < 0) soft.push_back(i);
+  direction = residual_;
+  if (soft.empty()) return true;
+  const double by_u = links.by_u * links.weight;
+  const Eigen::VectorXd root = (-by_penetration_(soft)).cwiseSqrt();
+  direction(soft).setZero();
+  Eigen::VectorXd by_others = by_u * (links.flexibility * direction);
+  if (links.relief) by_others += *links.relief * direction;
+  const Eigen::VectorXd given = by_others(soft);
+  Eigen::MatrixXd matrix = -by_u * links.flexibility(soft, soft);
+  if (links.relief) matrix -= (*links.relief)(soft, soft);
+  matrix = root.asDiagonal() * matrix * root.asDiagonal();
+  matrix.diagonal().array() += 1;
+  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+  if (factor.info() != Eigen::Success) return false;
+  const Eigen::VectorXd right = residual_(soft).cwiseQuotient(root) + root.cwiseProduct(given);
+  direction(soft) = root.cwiseProduct(factor.solve(right));
   return true;
 }
 
@@ -186,6 +225,8 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   residual_.resize(count);
   relief_.resize(count);
   slopes_.resize(count, count);
+  by_penetration_.setZero(count);
+  by_rate_.setZero(count);
   plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
                             links.active.begin());
   if (!links_.frictions().empty()) find_sliders(links);
@@ -197,8 +238,14 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
     if (!std::isfinite(size)) return false;
     if (size <= solved * terms_) return true;
     const double here = terms_;
-    const Eigen::VectorXd direction = held > 1 ? Eigen::VectorXd(slopes_.completeOrthogonalDecomposition().solve(residual_))
-                                               : Eigen::VectorXd(slopes_.partialPivLu().solve(residual_));
+    Eigen::VectorXd direction;
+    if (is_symmetric(links)) {
+      if (!symmetric_direction(links, direction)) break;
+    } else if (held > 1) {
+      direction = slopes_.completeOrthogonalDecomposition().solve(residual_);
+    } else {
+      direction = slopes_.partialPivLu().solve(residual_);
+    }
     double length = 1;
     bool better = false;
     for (int halving = 0; halving < 8 && !better; ++halving, length /= 2) {

@@ -12,7 +12,7 @@ namespace pounding {
 
 /// The active links of one stage. Knows neither matrices of structures nor time: with the forces F [N],
 ///
-///   penetration = free.penetration - weight by_u G F,     rate = free.rate - weight by_v G F,
+///   penetration = free.penetration - (weight by_u G + S) F,     rate = free.rate - weight by_v G F,
 ///   closing acceleration = free_acceleration - weight G F.
 struct CondensedLinks {
   std::span<const int> active;               ///< links whose force is sought, in ascending order
@@ -21,10 +21,14 @@ struct CondensedLinks {
   const Eigen::MatrixXd& flexibility;        ///< G = B^T A^-1 B
   double by_u = 0, by_v = 0;                 ///< displacement [s^2] and velocity [s] for a unit acceleration of the stage
   double weight = 1;                         ///< weight of forces in the equations of the stage
+  const Eigen::MatrixXd* relief = nullptr;   ///< S, how far unknowns without mass give way at once; none without it
 };
 
 /// Finds forces that are those of their laws at the motion that they leave. A held contact takes the force that leaves no
 /// closing acceleration.
+///
+/// With the slopes -D of springs alone, each where D > 0, a Newton step is (1/D - H) dF = ..., H = weight by_u G + S. This matrix is
+/// positive definite where the tangent of the step is, by Woodbury's formula: it has a Cholesky factor, or the structure is unstable.
 class LinkSolver {
  public:
   /// `links` must outlive it.
@@ -45,9 +49,11 @@ class LinkSolver {
     int contact = 0, first = 0;
   };
 
-  bool solve_one(const CondensedLinks& links, int k, double others, double& force);
+  bool solve_one(const CondensedLinks& links, int k, double others, double others_relief, double& force);
   bool solve_many(const CondensedLinks& links, Eigen::VectorXd& force);
   double residual(const CondensedLinks& links, const Eigen::VectorXd& force, bool with_slopes);
+  bool is_symmetric(const CondensedLinks& links) const;
+  bool symmetric_direction(const CondensedLinks& links, Eigen::VectorXd& direction);
   bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
   void find_sliders(const CondensedLinks& links);
   FrictionForce slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const;
@@ -60,7 +66,8 @@ class LinkSolver {
   std::vector<Slider> sliders_;
   int plain_ = 0;      // active links before the first direction of a friction
   double terms_ = 0;   // size of the terms of the last residual [N]
-  Eigen::VectorXd residual_, relief_;
+  Eigen::VectorXd residual_, relief_, relief_at_once_;  // the last two: G F and S F
+  Eigen::VectorXd by_penetration_, by_rate_;            // slopes of the laws
   Eigen::MatrixXd slopes_;
 };
 

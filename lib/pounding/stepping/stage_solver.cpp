@@ -1,12 +1,40 @@
 #include <pounding/stepping/stage_solver.hpp>
 
 namespace pounding {
+namespace {
 
-bool StageSolver::begin(const EffectiveMatrix& matrix, std::optional<int> level) {
+// S of the active links, zero for those that are no springs.
+Eigen::MatrixXd relief_of(const SparseMatrix& s, const std::vector<int>& active, const LinkSet& links) {
+  const int count = static_cast<int>(active.size());
+  Eigen::MatrixXd relief = Eigen::MatrixXd::Zero(count, count);
+  std::vector<int> place(static_cast<std::size_t>(links.springs()), -1);
+  for (int k = 0; k < count; ++k)
+    if (links.is_spring(active[k])) place[active[k] - links.contacts()] = k;
+  for (int j = 0; j < links.springs(); ++j)
+    for (SparseMatrix::InnerIterator it(s, j); place[j] >= 0 && it; ++it)
+      if (place[it.row()] >= 0) relief(place[it.row()], place[j]) = it.value();
+  return relief;
+}
+
+}  // namespace
+
+bool StageSolver::begin(const EffectiveMatrix& matrix, std::optional<int> level, const ActiveSprings& springs) {
+  springs_ = &springs;
   failed_link_ = -1;
   active_.clear();
   for (int i = 0; i < links_.size(); ++i)
-    if (links_.is_active(i)) active_.push_back(i);
+    if (links_.is_spring(i) ? springs.is_active(i) : links_.is_active(i)) active_.push_back(i);
+  if (springs.holds()) {
+    held_push_.setZero(equations_.solver.size());
+    equations_.solver.add_forces(1, springs.held(), held_push_);
+  }
+  const bool gives_way = equations_.springs.any() && !active_.empty();
+  held_relief_.setZero(gives_way ? links_.springs() : 0);
+  relief_.resize(0, 0);
+  if (gives_way) {
+    links_.relief().add_relief(1, springs.held().segment(links_.contacts(), links_.springs()), held_relief_);
+    relief_ = relief_of(links_.relief().flexibility(), active_, links_);
+  }
   equations_.solver.set_matrix(matrix, level);
   return active_.empty() || equations_.solver.flexibility(active_, flexibility_);
 }
@@ -16,7 +44,8 @@ bool StageSolver::condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Re
   const int count = static_cast<int>(active_.size());
   active_force_.resize(count);
   for (int k = 0; k < count; ++k) active_force_[k] = guess_[active_[k]];
-  const CondensedLinks links{active_, free_, free_acceleration_, flexibility_, stage.by_u, stage.by_v, stage.weight};
+  const CondensedLinks links{active_,    free_,      free_acceleration_, flexibility_,
+                             stage.by_u, stage.by_v, stage.weight,       relief_.size() > 0 ? &relief_ : nullptr};
   if (!link_solver_.solve(links, active_force_)) {
     failed_link_ = link_solver_.failed_link();
     return false;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <pounding/stepping/active_springs.hpp>
 #include <pounding/stepping/anderson.hpp>
 #include <pounding/stepping/equations.hpp>
 #include <pounding/stepping/error_norm.hpp>
@@ -35,29 +36,37 @@ class StageSolver {
   /// Both must outlive it.
   StageSolver(Equations& equations, const ErrorNorm& norm) : equations_(equations), norm_(norm), links_(equations.links) {}
 
-  /// Chooses the active links and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility
-  /// G = B^T A^-1 B could not be found.
-  bool begin(const EffectiveMatrix& matrix, std::optional<int> level);
+  /// Chooses the active links, of the springs these, and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility
+  /// G = B^T A^-1 B could not be found. `springs` must outlive the solves.
+  bool begin(const EffectiveMatrix& matrix, std::optional<int> level, const ActiveSprings& springs);
 
   /// Links whose force is sought, in ascending order.
   const std::vector<int>& active() const { return active_; }
   /// Whether there are any.
   bool linked() const { return !active_.empty(); }
+  /// Whether any link may have a force, springs that keep theirs included.
+  bool forced() const { return linked() || springs_->holds(); }
 
-  /// `r`, the forces other than those of active links, becomes the acceleration of the stage. `force` of all links [N] is a
+  /// `r`, the forces other than those of links, becomes the acceleration of the stage. `force` of all links [N] is a
   /// guess and becomes the solution. False if the equations could not be solved.
   template <class FreeMotion>
   bool solve(const Stage& stage, const FreeMotion& free_motion, Eigen::VectorXd& r, Eigen::VectorXd& force) {
+    if (springs_->holds()) r -= stage.weight * held_push_;
     if (!equations_.solver.solve(r)) return false;
-    if (active_.empty()) return true;
+    if (active_.empty()) {
+      if (springs_->holds()) force = springs_->held();
+      return true;
+    }
     guess_ = force;
-    force.setZero();
+    force = springs_->held();
     equations_.solver.gather(r, gathered_);
     free_.resize(active_.size());
     free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
     for (std::size_t k = 0; k < active_.size(); ++k) {
       const FreeLink link = free_motion(active_[k], gathered_(active_[k], 0));
       free_[k] = link.motion;
+      if (held_relief_.size() > 0 && links_.is_spring(active_[k]))
+        free_[k].penetration -= held_relief_[active_[k] - links_.contacts()];
       free_acceleration_[static_cast<Eigen::Index>(k)] = link.acceleration;
     }
     return condense(stage, force, r);
@@ -109,7 +118,9 @@ class StageSolver {
   long repetitions_ = 0;
   int failed_link_ = -1;
   std::vector<int> active_;
-  Eigen::MatrixXd flexibility_;        // G of the active links
+  const ActiveSprings* springs_ = nullptr;
+  Eigen::VectorXd held_push_, held_relief_;  // B F and S F of the springs that keep their forces; the latter empty for none
+  Eigen::MatrixXd flexibility_, relief_;     // G and S of the active links; S empty for none
   std::vector<LinkMotion> free_;       // of the active links
   Eigen::VectorXd free_acceleration_, active_force_;
   Eigen::MatrixXd gathered_;           // B^T x without the forces of active links

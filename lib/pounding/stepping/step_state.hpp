@@ -56,6 +56,10 @@ struct Instant {
   Eigen::MatrixXd relative;      ///< B^T of the motion, [link, u v a carried]
   Eigen::MatrixXd by_ground;     ///< part of the relative motion due to ground and gravity, [link, u v a]; empty for none
   Eigen::VectorXd pseudo_force;  ///< see PseudoForces, [coordinate]; empty for none
+  // Where springs give way (SpringRelief), else empty:
+  Eigen::VectorXd relief;         ///< S F of every spring [m]
+  Eigen::VectorXd spring_slopes;  ///< dF/dd of every spring in the step that ends here [N/m]
+  Eigen::MatrixXd force_rates;    ///< first and second derivative in time of the force of every spring, with these slopes
 
   /// One column of `motion`.
   const double* at(Column column) const { return motion.col(column).data(); }
@@ -71,6 +75,9 @@ struct Instant {
     archive(relative);
     archive(by_ground);
     archive(pseudo_force);
+    archive(relief);
+    archive(spring_slopes);
+    archive(force_rates);
   }
 };
 
@@ -90,6 +97,9 @@ struct Trial {
   Eigen::VectorXd ground_middle;      ///< accelerations [m/s^2]
   Eigen::MatrixXd by_ground_middle;   ///< as Instant::by_ground
   std::optional<ShortMotionStep> short_motions;  ///< nothing where none acts
+  // Where springs give way, else empty; with the slopes of the middle, as those at the end:
+  Eigen::MatrixXd spring_rates;       ///< of the deformation: rate and acceleration at the beginning, rate in the middle, both at the end
+  Eigen::MatrixXd force_rates_begin;  ///< as Instant::force_rates
   double error = 0;                   ///< over the allowed one
   std::vector<double> squares_u, squares_v;  ///< sums of m u^2 and m v^2 by group, at the end
   std::vector<double> squares_slow;          ///< as squares_v, without the velocity that short motions of the ground give
@@ -103,6 +113,8 @@ struct Trial {
     archive(middle);
     archive(ground_middle);
     archive(by_ground_middle);
+    archive(spring_rates);
+    archive(force_rates_begin);
     archive(error);
     archive(squares_u);
     archive(squares_v);

@@ -30,13 +30,14 @@ Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOpt
       equations_(system, solver, carries_acceleration(options.scheme)),
       dyadic_(system, options.max_step),
       norm_(equations_, options.scheme, options.tolerance),
+      active_springs_(equations_.links),
       stages_(equations_, norm_),
       scheme_(make_scheme(options.scheme, equations_, stages_)),
       history_(equations_),
       error_{Eigen::VectorXd::Zero(solver.size()), Eigen::VectorXd::Zero(solver.size())},
       longest_step_(options.max_step),
       functions_(equations_.links, equations_.rigid, norm_.scales(), longest_step_),
-      locator_(functions_),
+      locator_(functions_, equations_.springs),
       ledger_(system),
       budget_(options.tolerance, options.scheme.error_order(), norm_.least_energy()),
       contact_events_(equations_, functions_, norm_, ledger_, options.tolerance),
@@ -67,6 +68,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   solver.recover(now.motion.col(Instant::u));
   solver.recover(now.motion.col(Instant::v));
   solver.stiffness_times(now.motion.col(Instant::u), now.motion.col(Instant::ku));
+  now.spring_slopes.setZero();
   if (equations_.pseudo_forces.any()) equations_.pseudo_force(now.motion.col(Instant::u), now.pseudo_force);
   balance_now();
   for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i)
@@ -110,14 +112,22 @@ bool Stepper::try_step(double h, std::optional<double> end) {
     supports.relative_motion(trial.end.time, trial.end.ground, trial.end.by_ground);
   }
   equations_.short_motions.follow(now, trial);
-  if (!stages_.begin(scheme_->matrix(h), step_level(h))) return false;
-  if (!scheme_->try_step(now, history_.kept().h, trial, error_)) {
-    if (stages_.failed_link() >= 0) troublesome_link_ = stages_.failed_link();
-    return false;
-  }
+  active_springs_.begin(now, h);
+  do {
+    if (!solve_trial()) return false;
+  } while (active_springs_.grow(trial));
   trial.error = norm_.ratio(trial, error_, stages_.active());
   troublesome_link_ = norm_.worst_link();
   return std::isfinite(trial.error);
+}
+
+// The trial with its springs that are active.
+bool Stepper::solve_trial() {
+  const double h = history_.trial().h;
+  if (!stages_.begin(scheme_->matrix(h), step_level(h), active_springs_)) return false;
+  if (scheme_->try_step(history_.now(), history_.kept().h, history_.trial(), error_)) return true;
+  if (stages_.failed_link() >= 0) troublesome_link_ = stages_.failed_link();
+  return false;
 }
 
 std::optional<double> Stepper::locate_event() {
@@ -135,6 +145,23 @@ bool Stepper::in_contact() const {
                      [](const Contact* contact) { return contact->phase() != ContactPhase::open; });
 }
 
+// A link in the last kept step.
+LinkStep Stepper::link_step(int i) const {
+  const LinkSet& links = equations_.links;
+  const Instant &x = history_.begin(), &y = history_.now();
+  const Trial& kept = history_.kept();
+  LinkStep step{x.time, y.time, links.motion(i, x), kept.middle[i], links.motion(i, y), x.force[i], kept.force_middle[i], y.force[i],
+                x.relative(i, Instant::a) + links.ground_part(x.by_ground, i, Instant::a),
+                y.relative(i, Instant::a) + links.ground_part(y.by_ground, i, Instant::a)};
+  if (!equations_.springs.any() || !links.is_spring(i)) return step;
+  const auto rates = kept.spring_rates.row(i - links.contacts());
+  step.motion_begin.rate = rates[0];
+  step.acceleration_begin = rates[1];
+  step.motion_end.rate = rates[3];
+  step.acceleration_end = rates[4];
+  return step;
+}
+
 void Stepper::accept() {
   history_.keep_trial();
   output_.step_kept();
@@ -143,9 +170,7 @@ void Stepper::accept() {
   const Trial& kept = history_.kept();
   for (int i = 0; i < links.size(); ++i) {
     LinkStep& step = link_steps_[i];
-    step = {x.time, y.time, links.motion(i, x), kept.middle[i], links.motion(i, y), x.force[i], kept.force_middle[i], y.force[i],
-            x.relative(i, Instant::a) + links.ground_part(x.by_ground, i, Instant::a),
-            y.relative(i, Instant::a) + links.ground_part(y.by_ground, i, Instant::a)};
+    step = link_step(i);
     if (i < links.contacts()) {
       links.contact(i).accept(step);
       norm_.learn(i, step.motion_end);

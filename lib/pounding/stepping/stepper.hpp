@@ -10,6 +10,7 @@
 #include <pounding/core/archive_eigen.hpp>
 #include <pounding/linear/structure_solver.hpp>
 #include <pounding/model/scheme.hpp>
+#include <pounding/stepping/active_springs.hpp>
 #include <pounding/stepping/contact_events.hpp>
 #include <pounding/stepping/dense_output.hpp>
 #include <pounding/stepping/dyadic_steps.hpp>
@@ -108,6 +109,8 @@ class Stepper {
   void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.interpolate(time, u, v); }
   /// Acceleration inside the last kept step: the parabola through both ends and the middle.
   void interpolate_acceleration(double time, Eigen::VectorXd& a) const { output_.interpolate_acceleration(time, a); }
+  /// Forces of all springs inside the last kept step [N].
+  void interpolate_springs(double time, Eigen::VectorXd& forces) const { output_.interpolate_springs(time, forces); }
   /// Output quantities inside the last kept step: [quantity, u v a].
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const { output_.interpolate_outputs(time, motion); }
 
@@ -127,6 +130,8 @@ class Stepper {
  private:
   void look_ahead();
   std::optional<int> step_level(double h) const;
+  bool solve_trial();
+  LinkStep link_step(int link) const;
   void apply_located(bool in_place);
   void balance_now();
 
@@ -134,6 +139,7 @@ class Stepper {
   Equations equations_;
   const DyadicSteps dyadic_;
   ErrorNorm norm_;
+  ActiveSprings active_springs_;
   StageSolver stages_;
   std::unique_ptr<TimeScheme> scheme_;
   StepHistory history_;

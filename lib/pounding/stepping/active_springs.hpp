@@ -1,0 +1,41 @@
+#pragma once
+/// Springs whose force changes in a trial step; all others keep theirs and cost nothing.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <pounding/stepping/link_set.hpp>
+
+namespace pounding {
+
+/// A part that yields answers with a constant force, zero at first, while it stays elastic. A trial begins with the springs that yield
+/// where it begins; where another one is found to leave its constant force at the middle or the end of the trial, that is made anew with
+/// this one too. Springs without corners are always active. Depends on the present state and on the trial alone.
+class ActiveSprings {
+ public:
+  /// `links` must outlive it.
+  explicit ActiveSprings(const LinkSet& links) : links_(links), is_active_(static_cast<std::size_t>(links.springs()), false) {}
+
+  /// A trial of length h from `now`.
+  void begin(const Instant& now, double h);
+  /// Whether springs were added because they left their forces in this trial.
+  bool grow(const Trial& trial);
+
+  bool is_active(int link) const { return is_active_[link - links_.contacts()]; }
+  /// Forces of all links [N]: of the springs that are not active, zero for all others.
+  const Eigen::VectorXd& held() const { return held_; }
+  /// Whether any of these is not zero.
+  bool holds() const { return holds_; }
+
+ private:
+  bool leaves(int link, double force) const { return force != constant_[link - links_.contacts()]; }
+  void hold();
+
+  const LinkSet& links_;
+  std::vector<bool> is_active_;
+  std::vector<double> constant_;  // force of each spring where the trial begins
+  Eigen::VectorXd held_;
+  bool holds_ = false;
+};
+
+}  // namespace pounding
