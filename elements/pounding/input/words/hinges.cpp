@@ -83,7 +83,7 @@ struct OfHinges {
   template <class Parameter, class L>
   Word word_of(const Parameter& parameter, const L& made) {
     const hysteresis::ParameterInfo& info = parameter.info;
-    const std::string unit(info.unit.empty() ? "" : " " + std::string(info.unit));
+    const std::string unit = info.unit.empty() ? "" : fmt::format(" {}", info.unit);
     Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(info.unit), .bounds = bounds::any,
               .need = info.need == hysteresis::Need::required ? Need::required : Need::optional, .since = "0.2.0",
               .meaning = kept(fmt::format("{}.", capital(info.meaning))), .example = kept(fmt::format("{:g}{}", info.typical, unit))};
