@@ -12,6 +12,8 @@
 #include <pounding/hysteresis/bilinear.hpp>
 #include <pounding/hysteresis/bouc_wen.hpp>
 #include <pounding/hysteresis/by_name.hpp>
+#include <pounding/hysteresis/friction_pendulum.hpp>
+#include <pounding/hysteresis/lead_rubber.hpp>
 #include <pounding/hysteresis/menegotto_pinto.hpp>
 #include <pounding/hysteresis/peak_oriented.hpp>
 
@@ -22,6 +24,9 @@ using AnyLaw = std::variant<Bilinear,
                             MenegottoPinto,
                             BoucWen,
                             PeakOriented,
+                            FrictionPendulum,
+                            LeadRubber,
+                            Elastomeric,
                             Backfill>;
 
 /// Every law with its tables, in the order of AnyLaw.

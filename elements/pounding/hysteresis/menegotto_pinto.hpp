@@ -22,8 +22,8 @@ namespace pounding::hysteresis {
 /// none). Menegotto & Pinto 1973; Filippou, Popov & Bertero 1983, EERC 83-19, without the isotropic shift.
 ///
 /// As published every turn forgets what was before: after 4 dy, -4 dy, a turn by 0.02 dy at -1.5 dy lifts the force by 0.22 Fy over the
-/// path without it. With memory "nested" a branch never rises above the branch of its own direction that an excursion interrupted; where
-/// they meet the old one goes on, and an excursion beyond the start of the old one wipes it out. With "last" it is Steel02.
+/// path without it. With memory "nested" a branch never rises above the branches of its own direction that excursions interrupted; where
+/// it meets one, that one goes on, and an excursion beyond the start of a branch wipes it out. With "last" it is Steel02.
 struct MenegottoPinto {
   static constexpr std::string_view name = "menegotto_pinto",
                                     shape = "f = b k d + (1-b) k z, z = z_r + w x/(1 + x^R)^(1/R), x = (d - d_r)/w";
@@ -70,26 +70,31 @@ struct MenegottoPinto {
   struct Branch {
     double start = 0, offset = 0, reach = 0, sharpness = 1;
   };
-  /// Branches kept at most; a seventeenth makes the smallest excursion among them forgotten.
-  static constexpr int most_branches = 16;
-  /// Branches from the oldest to the present one, by turns up and down. `most` and `least` are the outermost turning points [m].
+  /// Branches of one direction that are kept at most; one more makes that of the smallest excursion forgotten.
+  static constexpr int most_branches = 8;
+  /// Branches of one direction, each held down by the one before: the last is the present one, or the last that was interrupted.
+  struct Branches {
+    int count = 0;
+    std::array<Branch, most_branches> of{};
+  };
+  /// `most` and `least` are the outermost turning points [m].
   struct State {
     double deformation = 0, most = 0, least = 0;
-    int way = 0, count = 0;  // way of the present branch: 1 up, -1 down, 0 before the first
-    std::array<Branch, most_branches> branches{};
+    int way = 0;  // of the present branch: 1 up, -1 down, 0 before the first
+    Branches up{}, down{};
+
+    const Branches& present() const noexcept { return way < 0 ? down : up; }
+    const Branch& branch() const noexcept { return present().of[present().count - 1]; }
   };
   static constexpr std::array state{
       StateValue<MenegottoPinto>{{"turning_point", "m", "deformation at the last turning point d_r"},
-                                 [](const State& kept) { return kept.count > 0 ? kept.branches[kept.count - 1].start : 0; }},
+                                 [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().start; }},
       StateValue<MenegottoPinto>{{"knee", "m", "deformation at which its two lines meet, d_r + w"},
-                                 [](const State& kept) {
-                                   if (kept.count == 0) return 0.0;
-                                   return kept.branches[kept.count - 1].start + kept.branches[kept.count - 1].reach;
-                                 }},
+                                 [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().start + kept.branch().reach; }},
       StateValue<MenegottoPinto>{{"sharpness", "", "R of the present branch"},
-                                 [](const State& kept) { return kept.count > 0 ? kept.branches[kept.count - 1].sharpness : 0; }},
+                                 [](const State& kept) { return kept.way == 0 ? 0.0 : kept.branch().sharpness; }},
       StateValue<MenegottoPinto>{{"branches", "", "how many branches are remembered"},
-                                 [](const State& kept) { return static_cast<double>(kept.count); }}};
+                                 [](const State& kept) { return static_cast<double>(kept.up.count + kept.down.count); }}};
 
   void check() const {
     laws::require_positive("stiffness", initial_stiffness);
@@ -114,7 +119,7 @@ struct MenegottoPinto {
   State advance(const State& kept, double d) const noexcept {
     State next = kept;
     if (turns(kept, d)) turn(next, d < kept.deformation ? -1 : 1);
-    while (has_older(next) && rises_above(next.way, branch(next), older(next), d) >= 0) next.count -= 2;
+    if (next.way != 0) present(next).count = 1 + lowest(next, d);
     // A way back that is no turn is rounding.
     if (next.way * (d - next.deformation) > 0) next.deformation = d;
     return next;
@@ -123,7 +128,7 @@ struct MenegottoPinto {
   double stored(const State& kept) const noexcept {
     const double d = kept.deformation, z = d + at(branch(kept), d).lag;
     const double spring = 0.5 * hardening * initial_stiffness * d * d;
-    if (kept.count == 0 || z == 0) return spring;
+    if (kept.way == 0 || z == 0) return spring;
     const int way = z > 0 ? -1 : 1;
     State from = kept;
     if (from.way != way) turn(from, way);
@@ -134,7 +139,7 @@ struct MenegottoPinto {
       given -= elastic_work(branch(from), begin, met.value_or(zero));
       if (!met) break;
       begin = *met;
-      from.count -= 2;
+      go_on(from, begin);
     }
     return spring + (1 - hardening) * initial_stiffness * given;
   }
@@ -147,7 +152,7 @@ struct MenegottoPinto {
       yielding += elastic_work(branch(from), begin, met.value_or(d));
       if (!met) break;
       begin = *met;
-      from.count -= 2;
+      go_on(from, begin);
     }
     return initial_stiffness * (0.5 * hardening * (d - kept.deformation) * (d + kept.deformation) + (1 - hardening) * yielding);
   }
@@ -157,10 +162,10 @@ struct MenegottoPinto {
     if (turns(kept, d)) turn(from, d < kept.deformation ? -1 : 1);
     double begin = kept.deformation;
     while (const std::optional<double> met = meets(from, begin, d)) {
-      const double jump = at(branch(from), *met).slope - at(older(from), *met).slope;
+      const double jump = at(branch(from), *met).slope - at(older(from, *met), *met).slope;
       if (std::abs(jump) > 1e-9 && is_strictly_between(*met, kept.deformation, d)) return met;
       begin = *met;
-      from.count -= 2;
+      go_on(from, begin);
     }
     return {};
   }
@@ -171,14 +176,11 @@ struct MenegottoPinto {
     double lag = 0, slope = 1;
   };
 
+  static Branches& present(State& s) noexcept { return s.way < 0 ? s.down : s.up; }
   static const Branch& branch(const State& s) noexcept {
     static constexpr Branch none{.reach = HUGE_VAL};
-    return s.count > 0 ? s.branches[s.count - 1] : none;
+    return s.way == 0 ? none : s.branch();
   }
-  /// The branch of the same direction that an excursion interrupted.
-  static const Branch& older(const State& s) noexcept { return s.branches[s.count - 3]; }
-  static bool has_older(const State& s) noexcept { return s.count >= 3; }
-
   static Point at(const Branch& b, double d) noexcept {
     const double way = d - b.start, x = b.reach == 0 ? HUGE_VAL : way / b.reach, R = b.sharpness;
     if (!(x > 0) && b.reach != 0) return {b.offset, 1};
@@ -208,60 +210,49 @@ struct MenegottoPinto {
   /// The state turns into the direction `way` where it is.
   void turn(State& s, int way) const noexcept {
     const double d = s.deformation;
-    if (s.count == 0) {
-      s.branches[0] = from_turning_point(s, 0, 0, way);
-      s.count = 1;
-      s.way = way;
-      return;
-    }
     if (s.way > 0) s.most = std::max(s.most, d);
-    else s.least = std::min(s.least, d);
+    if (s.way < 0) s.least = std::min(s.least, d);
     const Branch next = from_turning_point(s, d, at(branch(s), d).lag, way);
+    if (memory == Memory::last) s.up.count = s.down.count = 0;
     s.way = way;
-    if (memory == Memory::last) {
-      s.branches[0] = next;
-      return;
-    }
-    // What began nearer than here is wiped out, and what is not above: it could not hold the new branch down.
-    while (s.count >= 2) {
-      const Branch& old = s.branches[s.count - 2];
-      if (way * (d - old.start) > 0 && rises_above(way, next, old, d) < 0) break;
-      forget(s, s.count - 2);
-      if (s.count >= 2) forget(s, s.count - 2);
-    }
-    if (s.count == most_branches) {
-      forget(s, s.count - 2);
-      forget(s, s.count - 2);
-    }
-    s.branches[s.count++] = next;
-  }
-  static void forget(State& s, int i) noexcept {
-    for (int j = i; j + 1 < s.count; ++j) s.branches[j] = s.branches[j + 1];
-    --s.count;
+    Branches& old = present(s);
+    // What began nearer than here is wiped out, and what is below from the start: it could not hold the new branch down.
+    const auto holds = [&](const Branch& b) { return way * (d - b.start) > 0 && rises_above(way, next, b, d) <= 2e-13 * yield_deformation(); };
+    int kept = 0;
+    for (int i = 0; i < old.count; ++i)
+      if (holds(old.of[i])) old.of[kept++] = old.of[i];
+    old.count = kept;
+    if (old.count == most_branches) --old.count;
+    old.of[old.count++] = next;
   }
 
   Point reached(const State& kept, double d) const noexcept {
-    if (turns(kept, d)) {
-      State turned = kept;
-      turn(turned, d < kept.deformation ? -1 : 1);
-      return lowest(turned, d);
-    }
-    return lowest(kept, d);
+    if (kept.way == 0 && d == 0) return {};
+    if (!turns(kept, d)) return at(kept.present().of[lowest(kept, d)], d);
+    State turned = kept;
+    turn(turned, d < kept.deformation ? -1 : 1);
+    return at(turned.present().of[lowest(turned, d)], d);
   }
   /// How far a branch is above another one of its direction [m]; positive where rounding could say so.
   double rises_above(int way, const Branch& b, const Branch& old, double d) const noexcept {
     return way * (at(b, d).lag - at(old, d).lag) + 1e-13 * yield_deformation();
   }
-  /// On the present branch, or on the older one that it has met.
-  Point lowest(const State& s, double d) const noexcept {
-    const Branch* present = &branch(s);
-    for (int i = s.count - 3; i >= 0 && rises_above(s.way, *present, s.branches[i], d) >= 0; i -= 2) present = &s.branches[i];
-    return at(*present, d);
+  /// Which of the branches of the present direction holds at d: the present one, or an older one that it has met. `newer` of them are
+  /// left out.
+  int lowest(const State& s, double d, int newer = 0) const noexcept {
+    const Branches& all = s.present();
+    int lowest = 0;
+    for (int i = 1; i < all.count - newer; ++i)
+      if (rises_above(s.way, all.of[i], all.of[lowest], d) < 0) lowest = i;
+    return lowest;
   }
-  /// Where the present branch, on the way from `begin` to d, meets the older one.
+  const Branch& older(const State& s, double d) const noexcept { return s.present().of[lowest(s, d, 1)]; }
+  /// The present branch ends where it meets an older one.
+  void go_on(State& s, double d) const noexcept { present(s).count = 1 + lowest(s, d, 1); }
+  /// Where the present branch, on the way from `begin` to d, meets an older one.
   std::optional<double> meets(const State& s, double begin, double d) const noexcept {
-    if (!has_older(s)) return {};
-    const auto above = [&](double x) { return rises_above(s.way, branch(s), older(s), x); };
+    if (s.present().count < 2) return {};
+    const auto above = [&](double x) { return rises_above(s.way, branch(s), older(s, x), x); };
     const double at_end = above(d);
     if (at_end < 0) return {};
     const double at_begin = above(begin);

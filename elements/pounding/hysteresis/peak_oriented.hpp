@@ -133,7 +133,7 @@ struct PeakOriented {
 
   double first_force() const noexcept { return cracking_force.value_or(yield_force); }
   double first_break() const noexcept { return first_force() / initial_stiffness; }
-  double second_slope() const noexcept { return (yield_force - *cracking_force) / (*deformation_at_yield - first_break()); }
+  double second_slope() const noexcept { return (yield_force - first_force()) / (yield_deformation() - first_break()); }
   double backbone(double a) const noexcept {
     const double dy = yield_deformation();
     if (a >= dy) return yield_force + hardening * initial_stiffness * (a - dy);

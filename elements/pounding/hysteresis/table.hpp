@@ -12,6 +12,7 @@ namespace pounding::hysteresis {
 enum class Need : unsigned char {
   required,  ///< no default: it must be given
   optional,  ///< has a default
+  instead,   ///< has no default, but may be left out where others are given instead
   extra      ///< may be left out, and has no default
 };
 
