@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <pounding/hysteresis/all.hpp>
 #include <pounding/laws/compiled.hpp>
 #include "commands.hpp"
+#include "hysteresis_text.hpp"
 
 namespace pounding::program {
 namespace {
@@ -68,7 +70,9 @@ nlohmann::json law_json_with_table(const laws::Entry& entry) {
 
 void print_all() {
   for (const laws::Entry& entry : laws::catalogue()) fmt::print("{:<30}{}\n", entry.name, entry.summary);
-  fmt::print("\npounding laws NAME shows one of them.\n");
+  fmt::print("\nLaws of yielding, of storeys, hinges and isolators:\n\n");
+  for (const hysteresis::Entry& entry : hysteresis::catalogue()) fmt::print("{:<30}{}\n", entry.name, entry.summary);
+  fmt::print("\npounding laws NAME shows one of them; of one that yields --path \"0, 3, -3, 1\" draws the loop in numbers.\n");
 }
 
 void print_parameters(const laws::Entry& entry) {
@@ -113,25 +117,46 @@ void print_law(const laws::Entry& entry) {
   if (!entry.formulas.empty()) print_formulas(entry);
 }
 
+/// Whether a name that is no law is near that of a law of yielding, and near no contact law.
+bool is_meant_to_yield(std::string_view name) {
+  return laws::nearest_name(name, laws::by_name::names(laws::catalogue())).empty() &&
+         !laws::nearest_name(name, hysteresis::by_name::names(hysteresis::catalogue())).empty();
+}
+
 }  // namespace
 
 void add_laws(CLI::App& app) {
   struct Arguments {
-    std::string name;
-    bool json = false;
+    std::string name, path;
+    int points = 1;
+    bool json = false, yielding = false;
   };
   const auto words = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("laws", "Contact laws: their formulas, parameters and what restitution they give");
+  CLI::App* command = app.add_subcommand("laws", "Contact laws and laws of yielding: their formulas, parameters, restitutions and loops");
   command->add_option("NAME", words->name, "One law in detail");
   command->add_flag("--json", words->json, "Print JSON");
+  command->add_flag("--yielding", words->yielding, "With --json and no NAME: the laws of yielding");
+  command->add_option("--path", words->path, "Loop of a law of yielding with typical parameters: turning points in yield deformations");
+  command->add_option("--points", words->points, "Points on each way of the loop, 1 for the turning points alone")->check(CLI::Range(1, 100000));
   command->callback([words] {
+    if (!words->path.empty() && words->name.empty()) throw std::invalid_argument("--path: needs the NAME of a law of yielding");
     if (words->name.empty() && !words->json) return print_all();
     if (words->name.empty()) {
       nlohmann::json list = nlohmann::json::array();
-      for (const laws::Entry& entry : laws::catalogue()) list.push_back(law_json(entry));
+      if (words->yielding)
+        for (const hysteresis::Entry& entry : hysteresis::catalogue()) list.push_back(law_json(entry));
+      else
+        for (const laws::Entry& entry : laws::catalogue()) list.push_back(law_json(entry));
       return fmt::print("{}\n", list.dump(2));
     }
+    for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
+      if (entry.name != words->name) continue;
+      if (!words->path.empty()) return print_loop(entry, read_path(words->path), words->points, words->json);
+      return words->json ? fmt::print("{}\n", law_json(entry).dump(2)) : print_law(entry);
+    }
+    if (is_meant_to_yield(words->name)) hysteresis::find_law(words->name);
     const laws::Entry& entry = laws::find_law(words->name);
+    if (!words->path.empty()) throw std::invalid_argument("--path: " + words->name + " is a contact law, which has no loop by deformations");
     if (words->json) return fmt::print("{}\n", law_json_with_table(entry).dump(2));
     print_law(entry);
   });

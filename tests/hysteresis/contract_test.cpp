@@ -87,7 +87,7 @@ TYPED_TEST(HysteresisContract, SlopeIsTheDerivativeAlongTheWay) {
     const auto difference = [&](double step) {
       return (this->law.respond(kept, d + step).force - this->law.respond(kept, d - step).force) / (2 * step);
     };
-    // Of the fourth order: what is left is rounding, 1e-16 fy over the step.
+    // The difference is of the fourth order: what is left is rounding, 1e-16 fy over the step.
     const double slope = (4 * difference(h / 2) - difference(h)) / 3;
     EXPECT_NEAR(this->law.respond(kept, d).slope, slope, 2e-8 * this->law.stiffness()) << "from " << kept.deformation << " to " << d;
     ++used;

@@ -43,7 +43,7 @@ struct Backfill {
       Parameter<Backfill>{{"strength", "N", "ultimate passive force Fu", 6e6}, &Backfill::strength},
       Parameter<Backfill>{{"gap", "m", "gap before the wall meets the soil", 0, Need::optional}, &Backfill::gap}};
 
-  /// What it remembers [m].
+  /// Its memory [m].
   struct State {
     double deformation = 0, deepest = 0;
   };
@@ -61,7 +61,7 @@ struct Backfill {
   double stiffness() const noexcept { return initial_stiffness; }
   /// At which the soil has half the stiffness of the start.
   double yield_deformation() const noexcept { return (std::sqrt(2.0) - 1) * strength / (failure_ratio * initial_stiffness); }
-  /// What stays pressed in: it opens the gap [m].
+  /// Depth that stays pressed in: it opens the gap [m].
   double pressed_in(const State& kept) const noexcept { return kept.deepest - curve(kept.deepest) / unloading; }
 
   Answer respond(const State& kept, double d) const noexcept {

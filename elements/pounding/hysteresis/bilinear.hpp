@@ -39,7 +39,7 @@ struct Bilinear {
                           nullptr,
                           &Bilinear::negative_yield_force}};
 
-  /// What it remembers [m].
+  /// Its memory [m].
   struct State {
     double deformation = 0, slip = 0;
   };

@@ -50,7 +50,7 @@ struct BoucWen {
       Parameter<BoucWen>{{"exponent", "", "sharpness of the knee n", 2, Need::optional}, &BoucWen::exponent},
       Parameter<BoucWen>{{"gamma_share", "", "g = gamma/(beta + gamma)", 0.5, Need::optional}, &BoucWen::gamma_share}};
 
-  /// What it remembers [m].
+  /// Its memory [m].
   struct State {
     double deformation = 0, elastic = 0;
   };

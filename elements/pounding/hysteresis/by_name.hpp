@@ -17,7 +17,7 @@
 
 namespace pounding::hysteresis::by_name {
 
-/// The `name` of each of these.
+/// Names of these.
 template <class Range>
 std::vector<std::string_view> names(const Range& range) {
   std::vector<std::string_view> result;

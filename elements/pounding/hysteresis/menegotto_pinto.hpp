@@ -124,7 +124,7 @@ struct MenegottoPinto {
     if (next.way * (d - next.deformation) > 0) next.deformation = d;
     return next;
   }
-  /// What a way back to z = 0 gives, and the energy of the spring b k.
+  /// Energy that a way back to z = 0 gives, and that of the spring b k.
   double stored(const State& kept) const noexcept {
     const double d = kept.deformation, z = d + at(branch(kept), d).lag;
     const double spring = 0.5 * hardening * initial_stiffness * d * d;
@@ -156,7 +156,7 @@ struct MenegottoPinto {
     }
     return initial_stiffness * (0.5 * hardening * (d - kept.deformation) * (d + kept.deformation) + (1 - hardening) * yielding);
   }
-  /// Where the present branch meets an older one at an angle.
+  /// The present branch meets an older one at an angle there.
   std::optional<double> corner(const State& kept, double d) const noexcept {
     State from = kept;
     if (turns(kept, d)) turn(from, d < kept.deformation ? -1 : 1);
@@ -216,7 +216,7 @@ struct MenegottoPinto {
     if (memory == Memory::last) s.up.count = s.down.count = 0;
     s.way = way;
     Branches& old = present(s);
-    // What began nearer than here is wiped out, and what is below from the start: it could not hold the new branch down.
+    // A branch that began nearer than here is wiped out, and one that is below from the start: it could not hold the new one down.
     const auto holds = [&](const Branch& b) { return way * (d - b.start) > 0 && rises_above(way, next, b, d) <= 2e-13 * yield_deformation(); };
     int kept = 0;
     for (int i = 0; i < old.count; ++i)
@@ -260,7 +260,7 @@ struct MenegottoPinto {
     return laws::find_root(above, begin, at_begin, d, at_end);
   }
 
-  /// Where z = 0 on a branch that goes towards it.
+  /// The deformation of z = 0 on a branch that goes towards it.
   static double end_of_elastic(const Branch& b) noexcept {
     const double part = b.reach == 0 ? 0 : -(b.start + b.offset) / b.reach;  // of the reach that z needs
     if (!(part > 0)) return b.start;
@@ -285,7 +285,7 @@ struct MenegottoPinto {
     const double p = std::pow(x, R);
     return 0.5 * x * x * std::exp(-std::log1p(p) / R) * series(1 / R, 1 + 2 / R, p / (1 + p));
   }
-  /// But for a constant.
+  /// Likewise beyond it, but for a constant.
   static double area_beyond_knee(double x, double R) noexcept {
     const double p = std::pow(x, -R);
     return x * std::exp(-std::log1p(p) / R) * series(1 / R, 1 - 1 / R, p / (1 + p));

@@ -102,7 +102,7 @@ struct PeakOriented {
     return {force_at(end, d) - initial_stiffness * d, slope_at(end) - initial_stiffness};
   }
   State advance(const State& kept, double d) const noexcept { return moved(kept, d); }
-  /// What unloading to zero force gives.
+  /// Energy that unloading to zero force gives.
   double stored(const State& kept) const noexcept {
     const double f = force_at(kept, kept.deformation);
     return f == 0 ? 0 : 0.5 * f * f / unloading_slope(kept);
@@ -209,7 +209,7 @@ struct PeakOriented {
     s.force = force;
     return s;
   }
-  /// Where the rule ends on a way that goes on for ever; infinite where it does not.
+  /// The end of the rule on a way that goes on for ever; infinite where there is none.
   double end_of_rule(const State& s, int way) const noexcept {
     const double never = way * HUGE_VAL;
     switch (s.rule) {

@@ -13,7 +13,7 @@ namespace pounding {
 /// Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a missing one and a wrong value.
 std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings);
 
-/// The same for a hinge, whose words and messages have moments: `yield_moment` for yield_force, `negative_yield_moment`,
+/// Likewise for a hinge, whose words and messages have moments: `yield_moment` for yield_force, `negative_yield_moment`,
 /// `cracking_moment`, `yield_rotation` for yield_deformation.
 std::unique_ptr<Spring> make_hinge(const hysteresis::Settings& settings);
 

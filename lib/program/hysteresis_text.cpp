@@ -1,0 +1,112 @@
+#include "hysteresis_text.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include <pounding/hysteresis/all.hpp>
+
+namespace pounding::program {
+namespace {
+
+std::string_view need_text(hysteresis::Need need) {
+  switch (need) {
+    case hysteresis::Need::required: return "required";
+    case hysteresis::Need::optional: return "optional";
+    case hysteresis::Need::instead: return "or others instead";
+    case hysteresis::Need::extra: return "may be left out";
+  }
+  return "";
+}
+
+/// A point of a loop: deformation, force, work since the beginning, then the numbers of the state.
+using Point = std::vector<double>;
+
+template <hysteresis::Law L>
+std::vector<Point> loop(const L& law, const std::vector<double>& path, int between) {
+  typename L::State kept;
+  double work = 0;
+  std::vector<Point> points;
+  for (const double turn : path) {
+    const double begin = kept.deformation, end = turn * law.yield_deformation();
+    const int parts = points.empty() ? 1 : between;
+    for (int part = 1; part <= parts; ++part) {
+      const double d = part == parts ? end : begin + part * (end - begin) / parts;
+      work += law.work(kept, d);
+      Point point{d, law.respond(kept, d).force, work};
+      kept = law.advance(kept, d);
+      for (const auto& value : L::state) point.push_back(value.get(kept));
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+nlohmann::json law_json(const hysteresis::Entry& entry) {
+  nlohmann::json law{{"name", entry.name}, {"force", entry.shape}, {"summary", entry.summary}, {"source", entry.source},
+                     {"symbols", entry.symbols}, {"range", entry.range}, {"beware", entry.beware}, {"has_corners", entry.has_corners},
+                     {"parameters", nlohmann::json::array()}, {"choices", nlohmann::json::array()}, {"state", nlohmann::json::array()}};
+  for (const hysteresis::ParameterInfo& p : entry.parameters)
+    law["parameters"].push_back({{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"typical", p.typical}, {"need", need_text(p.need)}});
+  for (const hysteresis::ChoiceInfo& c : entry.choices)
+    law["choices"].push_back({{"name", c.name}, {"meaning", c.meaning}, {"words", std::vector<std::string>(c.words.begin(), c.words.end())}});
+  for (const hysteresis::StateInfo& s : entry.state) law["state"].push_back({{"name", s.name}, {"unit", s.unit}, {"meaning", s.meaning}});
+  return law;
+}
+
+void print_law(const hysteresis::Entry& entry) {
+  fmt::print("{}: {}\n\n  {}\n\n", entry.name, entry.summary, entry.shape);
+  fmt::print("With {}; d [m] deformation, f [N] force; of a hinge [rad] and [N m].\nRange: {}.\nBeware: {}.\nSource: {}\n", entry.symbols,
+             entry.range, entry.beware, entry.source);
+  fmt::print("\n  {:<22}{:<8}{:>10}\n", "parameter", "unit", "typical");
+  for (const hysteresis::ParameterInfo& p : entry.parameters)
+    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", p.name, p.unit, fmt::format("{:g}", p.typical), p.meaning, need_text(p.need));
+  for (const hysteresis::ChoiceInfo& c : entry.choices)
+    fmt::print("  {:<22}{:<8}{:>10}  {} ({})\n", c.name, "", c.words.front(), c.meaning, fmt::join(c.words, " or "));
+}
+
+std::vector<double> read_path(const std::string& text) {
+  std::vector<double> path;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    std::string_view word = rest.substr(0, end);
+    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
+    while (!word.empty() && word.back() == ' ') word.remove_suffix(1);
+    double value = 0;
+    const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (read.ec != std::errc{} || read.ptr != word.data() + word.size() || !std::isfinite(value))
+      throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"; \"" + laws::excerpt(word) +
+                                  "\" is no number");
+    path.push_back(value);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  if (path.empty()) throw std::invalid_argument("--path: takes turning points in yield deformations such as \"0, 3, -3, 1\"");
+  return path;
+}
+
+void print_loop(const hysteresis::Entry& entry, const std::vector<double>& path, int between, bool json) {
+  std::vector<std::string> columns{"deformation", "force", "work"}, units{"m", "N", "J"};
+  for (const hysteresis::StateInfo& s : entry.state) {
+    columns.emplace_back(s.name);
+    units.emplace_back(s.unit);
+  }
+  const hysteresis::AnyLaw law = hysteresis::make_law(hysteresis::typical_settings(entry));
+  const std::vector<Point> points = std::visit([&](const auto& chosen) { return loop(chosen, path, between); }, law);
+  if (json) return fmt::print("{}\n", nlohmann::json{{"law", entry.name}, {"columns", columns}, {"units", units}, {"rows", points}}.dump(2));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    fmt::print("{:>18}", units[i].empty() ? columns[i] : fmt::format("{} [{}]", columns[i], units[i]));
+  fmt::print("\n");
+  for (const Point& point : points) {
+    for (const double value : point) fmt::print("{:>18.8g}", value);
+    fmt::print("\n");
+  }
+}
+
+}  // namespace pounding::program
