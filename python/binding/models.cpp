@@ -110,7 +110,7 @@ std::vector<StructureModes> modes_of_all(const Source& source, int count) {
   });
 }
 
-/// What a pushover found, as JSON; written to `output` unless that is empty.
+/// The results of a pushover as JSON; written to `output` unless that is empty.
 std::string pushed_over(const Source& source, const PushoverWords& words, const std::string& output) {
   return with_petsc([&] {
     const Model model = read(source);

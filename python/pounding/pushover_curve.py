@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class PushoverEvent:
-    """What happens to parts at one point of the path."""
+    """One kind of event at one point of the path."""
 
     point: int  #: number of the point, from 0
     displacement: float  #: of the roof [m]

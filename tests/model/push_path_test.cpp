@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include <pounding/hysteresis/all.hpp>
 #include <pounding/model/push_path.hpp>
+#include <pounding/structures/hysteretic_spring.hpp>
 #include <pounding/structures/oscillators.hpp>
 #include "support/book.hpp"
 #include "support/refusal.hpp"
@@ -135,7 +137,7 @@ struct Storeys {
     return make_shear_building({.storeys = 4, .mass = 200e3, .stiffness = stiffness, .yield_force = yield, .hardening = hardening});
   }
   Eigen::VectorXd load() const { return Eigen::Map<const Eigen::VectorXd>(shares.data(), 4); }
-  // Of the roof, while the base shear grows for the first time.
+  // The displacement of the roof while the base shear grows for the first time.
   double roof(double base_shear) const {
     double sum = 0, share = 1;
     for (std::size_t i = 0; i < 4; share -= shares[i++]) {
@@ -323,6 +325,88 @@ TEST(PushPath, MeetsNewtonsMethodInSmallStepsThroughCycles) {
             "steps in which a hinge turns back are not exact there");
   book.below("largest difference of the load over its largest value [-]", worst / largest, 1e-9);
   EXPECT_GT(path.events.size(), 40u);
+}
+
+// Storeys in series that yield by another law.
+template <class L>
+L storey_law(const Storeys& storeys, std::size_t i) {
+  L law;
+  law.initial_stiffness = storeys.stiffness[i];
+  law.yield_force = storeys.yield[i];
+  law.hardening = storeys.hardening;
+  return law;
+}
+
+template <class L>
+Structure storeys_by(const Storeys& storeys) {
+  Structure s = storeys.structure();
+  for (std::size_t i = 0; i < s.yielding.size(); ++i)
+    s.yielding[i] = YieldingPart(s.yielding[i].name, s.yielding[i].deformation, std::string(L::name), {},
+                                 std::make_unique<HystereticSpring<L>>(storey_law<L>(storeys, i)));
+  return s;
+}
+
+double share_above(const Storeys& storeys, std::size_t storey) {
+  double share = 0;
+  for (std::size_t i = storey; i < storeys.shares.size(); ++i) share += storeys.shares[i];
+  return share;
+}
+
+TEST(PushPath, MeetsTheTangensHyperbolicusOfBoucAndWen) {
+  const Storeys storeys;
+  const PushPath path = push(storeys_by<hysteresis::BoucWen>(storeys), at(3, storeys.load(), {0.3}));
+  Book book("pushover of storeys that follow Bouc and Wen", "closed form: f = a k d + (1 - a) k dy tanh(d/dy)", "Newton's method to rounding");
+  double worst = 0;
+  for (const PushPoint& point : path.points)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double k = storeys.stiffness[i], dy = storeys.yield[i] / k, d = point.deformations[static_cast<Eigen::Index>(i)];
+      const double force = 0.05 * k * d + 0.95 * k * dy * std::tanh(d / dy);
+      worst = std::max(worst, std::abs(force - share_above(storeys, i) * point.factor) / storeys.yield[i]);
+    }
+  book.below("largest difference of a storey shear over the yield force [-]", worst, 1e-11);
+  ASSERT_EQ(path.events.size(), 4u);
+  for (const PushEvent& event : path.events) {
+    const auto i = static_cast<std::size_t>(event.part);
+    EXPECT_TRUE(event.is_first && event.kind == PushEvent::Kind::yields);
+    EXPECT_NEAR(path.points[event.point].deformations[event.part] * storeys.stiffness[i] / storeys.yield[i], 1, 1e-7);
+  }
+}
+
+template <class L>
+class PushPathOfLaw : public testing::Test {};
+using Laws = testing::Types<hysteresis::Bilinear, hysteresis::BoucWen, hysteresis::MenegottoPinto, hysteresis::PeakOriented>;
+TYPED_TEST_SUITE(PushPathOfLaw, Laws);
+
+TYPED_TEST(PushPathOfLaw, KeepsEveryStoreyOnItsLawThroughCycles) {
+  const Storeys storeys;
+  const std::vector<double> targets{0.08, -0.06, 0.12, 0.1, 0.15, -0.2};
+  const PushPath path = push(storeys_by<TypeParam>(storeys), at(3, storeys.load(), targets));
+  ASSERT_EQ(path.collapse, "");
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto law = storey_law<TypeParam>(storeys, i);
+    typename TypeParam::State state;
+    std::size_t point = 0;
+    for (const double target : targets) {
+      while (path.points[point].displacement != target) ++point;
+      const double d = path.points[point].deformations[static_cast<Eigen::Index>(i)];
+      // Storeys in series turn together, so that each target ends one way of the law.
+      EXPECT_NEAR(law.respond(state, d).force, share_above(storeys, i) * path.points[point].factor, 1e-9 * storeys.yield[i]) << i << " at " << target;
+      state = law.advance(state, d);
+    }
+  }
+}
+
+TEST(PushPath, YieldsOnTheStrongSideWhereThatYields) {
+  Storeys storeys;
+  Structure s = storeys.structure();
+  hysteresis::Bilinear law = storey_law<hysteresis::Bilinear>(storeys, 0);
+  law.negative_yield_force = 0.5 * law.yield_force;
+  s.yielding[0] = YieldingPart("storey 1", s.yielding[0].deformation, "bilinear", {}, std::make_unique<HystereticSpring<hysteresis::Bilinear>>(law));
+  const PushPath right = push(s, at(3, storeys.load(), {0.3})), left = push(s, at(3, storeys.load(), {-0.3}));
+  EXPECT_NEAR(right.points[right.events.front().point].factor, 1.6e6, 1e-3);
+  EXPECT_NEAR(left.points[left.events.front().point].factor, -0.8e6, 1e-3);
+  for (const PushEvent& event : right.events) EXPECT_EQ(event.kind, PushEvent::Kind::yields);
+  EXPECT_EQ(left.events.front().kind, PushEvent::Kind::yields);
 }
 
 }  // namespace

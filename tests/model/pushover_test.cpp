@@ -186,5 +186,40 @@ TEST_F(PushoverWordsTest, ReadsForcesFromAFile) {
   std::filesystem::remove(path);
 }
 
+TEST(Pushover, OfAFrameOfTheInputMeetsItsCurve) {
+  const Model model = read_model(Input::read_text(R"(
+structures:
+  frame:
+    frame:
+      material: {E: 30 GPa}
+      grid: {storeys: 3, bays: 1, storey_height: 3.2 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4], shear: false},
+             beams: {rectangle: [0.3, 0.5], shear: false}, floor_mass: 40 t}
+      hinges:
+        beams: {at: both, bilinear: {yield_moment: 180 kN m, hardening: 0.003}}
+        columns: {at: feet, bilinear: {yield_moment: 250 kN m, hardening: 0.003}}
+    damping: 5 %
+ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}
+analysis: {duration: 1}
+)", "frame.yaml"));
+  const Pushover found = pushover(model, {.to = "250 mm"});
+  ASSERT_EQ(found.path.points.size(), 6u);
+  const double roof[] = {22.21674, 27.09875, 40.13070, 71.95633, 250}, shear[] = {154.1540, 173.3743, 200.2638, 224.0691, 281.0893};
+  test::Book book("pushover of a frame with hinges, from its input", "event to event on another assembly of the stiffness, in Python (numpy)",
+                  "half a unit of the last digit that was printed");
+  for (int i = 0; i < 5; ++i) {
+    book.near("displacement of the roof [mm]", 1e3 * found.path.points[i + 1].displacement, roof[i], 5.1e-6);
+    book.near("base shear [kN]", found.path.points[i + 1].factor / 1e3, shear[i], 5.1e-5);
+  }
+  const auto yields = [&](int point) {
+    std::vector<std::string> names;
+    for (const PushEvent& event : found.path.events)
+      if (event.point == point) names.push_back(found.parts[event.part].name);
+    return names;
+  };
+  EXPECT_EQ(yields(1), (std::vector<std::string>{"beam 1.0 start", "beam 1.0 end"}));
+  EXPECT_EQ(yields(3), (std::vector<std::string>{"column 1.0 start", "column 1.1 start"}));
+  EXPECT_EQ(found.path.mechanism, 4);
+}
+
 }  // namespace
 }  // namespace pounding

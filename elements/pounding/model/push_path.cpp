@@ -13,6 +13,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/model/push_tangent.hpp>
+#include <pounding/model/pushed_springs.hpp>
 #include <pounding/model/static_yielding.hpp>
 
 namespace pounding {
@@ -31,37 +32,13 @@ constexpr double shortest_step = 1e-10;
 
 double sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-// Springs as they were given, and left so.
-class FreshSprings {
- public:
-  explicit FreshSprings(const Structure& s) : structure_(s) { refresh(); }
-  ~FreshSprings() { refresh(); }
-  FreshSprings(const FreshSprings&) = delete;
-  FreshSprings& operator=(const FreshSprings&) = delete;
-
-  std::vector<Spring*> all() const {
-    std::vector<Spring*> springs;
-    for (const YieldingPart& part : structure_.yielding) springs.push_back(part.spring.get());
-    return springs;
-  }
-
- private:
-  void refresh() {
-    for (const YieldingPart& part : structure_.yielding) {
-      Archive fresh(part.fresh);
-      part.spring->archive(fresh);
-    }
-  }
-  const Structure& structure_;
-};
-
 class Pusher {
  public:
   Pusher(const Structure& s, const PushOptions& options)
-      : structure_(s), statics_(s, options.load, options.control, options.follow), fresh_(s), springs_(fresh_.all()), yielding_(springs_.size(), 0),
-        has_yielded_(springs_.size(), false), hit_(springs_.size(), false), slopes_(VectorXd::Zero(statics_.parts())),
+      : structure_(s), statics_(s, options.load, options.control, options.follow), springs_(s), yielding_(s.yielding.size(), 0),
+        has_yielded_(s.yielding.size(), false), hit_(s.yielding.size(), false), slopes_(VectorXd::Zero(statics_.parts())),
         scales_(statics_.parts()) {
-    for (Eigen::Index j = 0; j < scales_.size(); ++j) scales_[j] = deformation_scale(spring(j), statics_.at_rest()[j]);
+    for (Eigen::Index j = 0; j < scales_.size(); ++j) scales_[j] = deformation_scale(springs_[j], statics_.at_rest()[j]);
     for (const double target : options.targets) range_ = std::max(range_, std::abs(target));
     smooth_step_ = range_ / options.smooth_steps;
     elastic_rate_ = statics_.factor(1, VectorXd::Zero(statics_.parts()));
@@ -75,52 +52,24 @@ class Pusher {
   }
 
  private:
-  Spring& spring(Eigen::Index j) const { return *springs_[static_cast<std::size_t>(j)]; }
-  const std::string& name(Eigen::Index j) const { return structure_.yielding[static_cast<std::size_t>(j)].name; }
-
   // Gravity strains the parts before they are pushed. Laws without corners give a little already, and so does the displacement.
   void rest() {
     now_.deformations = statics_.at_rest();
-    for (Eigen::Index j = 0; j < scales_.size(); ++j)
-      if (const double part = std::abs(now_.deformations[j]) / spring(j).yield_deformation(); part >= 1)
-        throw std::invalid_argument(fmt::format("{} yields under gravity alone: {:.4g} of its yield deformation; make it stronger", name(j), part));
+    springs_.require_unyielded(now_.deformations);
     for (int iteration = 0; iteration < 100; ++iteration) {
       if (!solve(now_)) fail(0);
       const double less = now_.factor / elastic_rate_;
       if (std::abs(less) <= balanced * range_) break;
       now_.displacement -= less;
     }
-    for (Eigen::Index j = 0; j < scales_.size(); ++j) {
-      spring(j).start({now_.deformations[j], 0});
-      follow(j, 0, now_.deformations[j]);
-    }
+    springs_.start(now_.deformations);
     path_.points.push_back(now_);
-  }
-
-  // The way from one deformation to another, in unit time.
-  void follow(Eigen::Index j, double from, double to) {
-    const auto motion = [&](double s) { return LinkMotion{from + s * (to - from), to - from}; };
-    LinkStep step{.begin = 0, .end = 1, .motion_begin = motion(0), .motion_middle = motion(0.5), .motion_end = motion(1)};
-    step.force_begin = spring(j).evaluate(step.motion_begin).force;
-    step.force_middle = spring(j).evaluate(step.motion_middle).force;
-    step.force_end = spring(j).evaluate(step.motion_end).force;
-    spring(j).accept(step);
-  }
-
-  // Forces and slopes.
-  std::pair<VectorXd, VectorXd> law(const VectorXd& deformations) const {
-    std::pair<VectorXd, VectorXd> response{deformations, deformations};
-    for (Eigen::Index j = 0; j < deformations.size(); ++j) {
-      const laws::Response r = spring(j).evaluate({deformations[j], 0});
-      response.first[j] = r.force, response.second[j] = r.by_penetration;
-    }
-    return response;
   }
 
   // One step towards a target: to the next corner, or a short one where the laws are smooth.
   void advance(double target) {
     const double way = sign(target - now_.displacement);
-    const PushTangent tangent = tangent_at(statics_, springs_, now_.deformations, way);
+    const PushTangent tangent = tangent_at(statics_, springs_.all(), now_.deformations, way);
     if (!tangent.exists) return collapse("move while the displacement stays");
     tell_events(tangent, way);
     const double rise = std::abs(tangent.load_rate) > 1e-9 * elastic_rate_ ? way * tangent.load_rate : 0;
@@ -130,7 +79,7 @@ class Pusher {
       if (left <= reached * range_) return collapse("leave no load that the structure could carry");
       step = std::min(step, left);
     }
-    std::vector<double> corners(springs_.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> corners(hit_.size(), std::numeric_limits<double>::infinity());
     for (Eigen::Index j = 0; j < tangent.rates.size(); ++j) corners[static_cast<std::size_t>(j)] = next_corner(j, tangent.rates[j], step);
     for (const double corner : corners) step = std::min(step, corner);
 
@@ -138,7 +87,7 @@ class Pusher {
     next.displacement = step == std::abs(target - now_.displacement) ? target : now_.displacement + way * step;
     next.deformations = now_.deformations + step * tangent.rates;
     const VectorXd expected = now_.forces + step * tangent.slopes.cwiseProduct(tangent.rates);
-    const bool is_straight = (law(next.deformations).first - expected)
+    const bool is_straight = (springs_.law(next.deformations).first - expected)
                                  .cwiseAbs()
                                  .cwiseQuotient(stiffnesses().cwiseProduct(scales_))
                                  .maxCoeff() <= straight;
@@ -157,8 +106,13 @@ class Pusher {
 
   VectorXd stiffnesses() const {
     VectorXd k(statics_.parts());
-    for (Eigen::Index j = 0; j < k.size(); ++j) k[j] = std::max(spring(j).stiffness(), std::numeric_limits<double>::min());
+    for (Eigen::Index j = 0; j < k.size(); ++j) k[j] = std::max(springs_[j].stiffness(), std::numeric_limits<double>::min());
     return k;
+  }
+
+  // A smooth law that has not reached its yield deformation.
+  bool waits_for_yield(Eigen::Index j) const {
+    return !has_yielded_[static_cast<std::size_t>(j)] && !springs_.has_corner(j) && std::isfinite(springs_[j].yield_deformation());
   }
 
   // The way to the next corner of a part, or to its first yield; at least to the end of the step where there is none.
@@ -166,11 +120,10 @@ class Pusher {
     const double d = now_.deformations[j], near = reached * scales_[j];
     double found = std::numeric_limits<double>::infinity();
     if (rate == 0) return found;
-    if (const std::optional<double> corner = spring(j).corner(d + step * rate * (1 + reached)); corner && std::abs(*corner - d) > near)
+    if (const std::optional<double> corner = springs_[j].corner(d + step * rate * (1 + reached)); corner && std::abs(*corner - d) > near)
       found = (*corner - d) / rate;
-    const double yields_at = sign(rate) * spring(j).yield_deformation();
-    if (!has_yielded_[static_cast<std::size_t>(j)] && std::isfinite(yields_at) && (yields_at - d) * sign(rate) > near)
-      found = std::min(found, (yields_at - d) / rate);
+    const double yields_at = sign(rate) * springs_[j].yield_deformation();
+    if (waits_for_yield(j) && (yields_at - d) * sign(rate) > near) found = std::min(found, (yields_at - d) / rate);
     return found;
   }
 
@@ -179,7 +132,7 @@ class Pusher {
     VectorXd d = point.deformations;
     double error = 0;
     for (int iteration = 0; iteration < 40; ++iteration) {
-      const auto [forces, slopes] = law(d);
+      const auto [forces, slopes] = springs_.law(d);
       const VectorXd rest = d - statics_.deformations(point.displacement, forces);
       error = rest.cwiseQuotient(scales_).cwiseAbs().maxCoeff() / (1 + d.cwiseQuotient(scales_).cwiseAbs().maxCoeff());
       if (!std::isfinite(error)) return false;
@@ -201,7 +154,7 @@ class Pusher {
   double beyond_yield(const PushPoint& point) const {
     double farthest = -1;
     for (Eigen::Index j = 0; j < scales_.size(); ++j)
-      if (!has_yielded_[static_cast<std::size_t>(j)] && std::isfinite(spring(j).yield_deformation()))
+      if (waits_for_yield(j))
         if (const double at = std::abs(now_.deformations[j]) / scales_[j] - 1; at < -reached)
           farthest = std::max(farthest, std::abs(point.deformations[j]) / scales_[j] - 1);
     return farthest;
@@ -232,19 +185,19 @@ class Pusher {
   }
 
   void keep(const PushPoint& next) {
-    for (Eigen::Index j = 0; j < scales_.size(); ++j) follow(j, now_.deformations[j], next.deformations[j]);
+    springs_.follow(now_.deformations, next.deformations);
     now_ = next;
     path_.points.push_back(next);
   }
 
-  // What the tangent at the last point says of each part.
+  // The events of the last point: where the tangent there sends each part.
   void tell_events(const PushTangent& tangent, double way) {
     const double largest = tangent.rates.cwiseQuotient(scales_).cwiseAbs().maxCoeff();
     bool some_yield = false;
     const int point = static_cast<int>(path_.points.size()) - 1;
-    for (std::size_t i = 0; i < springs_.size(); ++i) {
+    for (std::size_t i = 0; i < hit_.size(); ++i) {
       const auto j = static_cast<Eigen::Index>(i);
-      const double d = now_.deformations[j], k = spring(j).stiffness(), side = sign(tangent.rates[j]);
+      const double d = now_.deformations[j], k = springs_[j].stiffness(), side = sign(tangent.rates[j]);
       if (std::abs(tangent.rates[j]) <= 1e-10 * largest * scales_[j]) continue;
       const auto tell = [&](PushEvent::Kind kind, bool is_first = false) {
         path_.events.push_back({.point = point, .part = static_cast<int>(i), .kind = kind, .is_first = is_first});
@@ -254,7 +207,7 @@ class Pusher {
       const bool falls = hit_[i] && slopes_[j] - tangent.slopes[j] > 1e-9 * k && (k * d + now_.forces[j]) * side > 1e-6 * k * scales_[j];
       if (yielding_[i] == -static_cast<int>(side)) {
         tell(PushEvent::Kind::unloads);
-      } else if (!has_yielded_[i] && side * d >= spring(j).yield_deformation() * (1 - 10 * reached)) {
+      } else if (!has_yielded_[i] && (falls || waits_for_yield(j)) && side * d >= springs_[j].yield_deformation() * (1 - 10 * reached)) {
         has_yielded_[i] = true;
         tell(PushEvent::Kind::yields, true);
       } else if (falls && yielding_[i] == 0) {
@@ -274,7 +227,7 @@ class Pusher {
   // Whether the load would rise if what yields had no hardening.
   void look_for_mechanism(double way) {
     VectorXd plastic = VectorXd::Zero(scales_.size());
-    for (const int part : yielding_parts()) plastic[part] = -spring(part).stiffness();
+    for (const int part : yielding_parts()) plastic[part] = -springs_[part].stiffness();
     const PushTangent tangent = rates_of(statics_, scales_, plastic, way);
     if (tangent.exists && way * tangent.load_rate > flat * elastic_rate_) return;
     path_.mechanism = static_cast<int>(path_.points.size()) - 1;
@@ -283,7 +236,7 @@ class Pusher {
 
   void collapse(const char* what) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < springs_.size(); ++i)
+    for (std::size_t i = 0; i < hit_.size(); ++i)
       if (yielding_[i] != 0 || hit_[i]) names.push_back(structure_.yielding[i].name);
     path_.collapse = fmt::format("at {:.6g} mm the parts that yield ({}) {}", 1e3 * now_.displacement, fmt::join(names, ", "), what);
   }
@@ -294,8 +247,7 @@ class Pusher {
 
   const Structure& structure_;
   StaticYielding statics_;
-  FreshSprings fresh_;
-  std::vector<Spring*> springs_;
+  PushedSprings springs_;
   std::vector<int> yielding_;      // to which side; 0: not
   std::vector<bool> has_yielded_, hit_;  // hit_: the last step ended at a corner of it
   VectorXd slopes_, scales_;       // slopes_: along the last step

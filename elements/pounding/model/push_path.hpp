@@ -10,7 +10,7 @@
 
 namespace pounding {
 
-/// Where a structure is pushed, and how far.
+/// The load of a structure that is pushed, the displacement that is followed, and how far.
 struct PushOptions {
   Eigen::VectorXd load;         ///< p, one value an unknown [N]; the factor of the load multiplies it
   Row control;                  ///< the displacement that is followed, in terms of the unknowns
@@ -28,7 +28,7 @@ struct PushPoint {
   Eigen::VectorXd followed;  ///< other displacements that were asked for [m]
 };
 
-/// What happens to a part at a point of the path.
+/// Something that happens to a part at a point of the path.
 struct PushEvent {
   enum class Kind {
     softens,  ///< its slope falls before its yield deformation, as where concrete cracks

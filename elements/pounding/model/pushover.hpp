@@ -49,7 +49,7 @@ struct EquivalentOscillator {
   double period = 0;         ///< T* = 2 pi sqrt(m* d/F), with yield displacement and base shear of the two lines [s]
 };
 
-/// What a pushover found.
+/// Results of a pushover.
 struct Pushover {
   std::string structure;
   PushoverOptions options;

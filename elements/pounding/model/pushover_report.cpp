@@ -21,7 +21,7 @@ std::string_view word(PushEvent::Kind kind) {
   return words[static_cast<int>(kind)];
 }
 
-// What happens at one point in one way, to several parts.
+// One kind of event at one point, of several parts.
 struct Happening {
   int point;
   PushEvent::Kind kind;
