@@ -1,6 +1,6 @@
 """A process of `mpirun -n 2 pounding run` is killed at its n-th message. Whatever n is, the launcher ends all processes soon with the
 signal's exit code, and the results file is the earlier one or a whole one of this run, which goes on to the right bits. A slice of all n;
-POUNDING_ALL_FAULTS=1 takes every one."""
+POUNDING_ALL_FAULTS=1 takes every one. How many messages there are depends on the clock, by which a run looks for signals."""
 
 import os
 import signal
@@ -51,13 +51,15 @@ class KilledAtAMessage(ProgramTest):
             with self.subTest(rank=rank, number=number, of=count):
                 self.path.write_bytes(self.before)
                 done = self.run_with(rank, number)
-                self.assertEqual(done.returncode, 128 + signal.SIGKILL, done.stderr)
-                if self.path.read_bytes() == self.before:
+                self.assertIn(done.returncode, (0, 128 + signal.SIGKILL), done.stderr)
+                if done.returncode != 0 and self.path.read_bytes() == self.before:
                     continue
                 begun += 1
-                if contents(self.path)[0] == "done":
-                    self.assertEqual(contents(self.path)[1].keys(), right.keys())
+                status, found = contents(self.path)
+                if status == "done":
+                    self.assertEqual([place for place in right if found.get(place) != right[place]], [])
                 else:
+                    self.assertEqual((done.returncode, status), (128 + signal.SIGKILL, "running"))
                     self.goes_on(right)
         self.assertGreater(begun, 0)
 
