@@ -130,12 +130,16 @@ std::optional<double> EventLocator::Search::corner(int link, const LinkMotion& b
 // is as it was.
 std::optional<double> EventLocator::Search::first_corner() const {
   std::vector<LinkMotion> begin, end;
-  if (springs.any()) springs.follow_first_slopes(now, trial, begin, end);
+  const auto stays = [&](const Eigen::VectorXd& force) {
+    return force.segment(links.contacts(), links.springs()) == now.force.segment(links.contacts(), links.springs());
+  };
+  const bool bends = springs.any() && !(stays(trial.force_middle) && stays(trial.end.force));
+  if (bends) springs.follow_first_slopes(now, trial, begin, end);
   std::optional<double> first;
   for (int i = links.contacts(); i < links.frictions_from(); ++i) {
     if (!links.spring(i).has_corners()) continue;
     const std::size_t k = i - links.contacts();
-    const std::optional<double> s = springs.any() ? corner(i, begin[k], end[k]) : corner(i, links.motion(i, now), at_end(i));
+    const std::optional<double> s = bends ? corner(i, begin[k], end[k]) : corner(i, links.motion(i, now), at_end(i));
     if (s && (!first || *s < *first)) first = s;
   }
   return first;
