@@ -12,6 +12,10 @@ namespace {
 
 // Time over which the forces of members that turn are differentiated.
 constexpr double difference = 1e-7;  // [s]
+// Part of a step over which forces of springs are differentiated.
+constexpr double spring_difference = 1e-6;
+
+bool yields(const Structure& s) { return s.dimension > 1 && !s.yielding.empty(); }
 
 }  // namespace
 
@@ -20,9 +24,13 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
   motions_.setZero(Eigen::NoChange, stepper.system().size());
   const bool with_links = stepper.system().contact_count() > 0;
   for (const Link& link : model.links) every_step_ = every_step_ || (with_links && link.contact->is_rigid());
+  int springs = 0;
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
-    every_step_ = every_step_ || s.is_free || s.rigid_motions > 0;
+    first_spring_.push_back(springs);
+    springs += static_cast<int>(s.yielding.size());
+    yields_ = yields_ || yields(s);
+    every_step_ = every_step_ || s.is_free || s.rigid_motions > 0 || yields(s);
     turns_ = turns_ || s.forces.turned;
     if (s.dimension > 1) add_frame(k);
   }
@@ -44,10 +52,11 @@ void ForceEnvelopes::add_frame(int k) {
     for (const LinkEnd* end : {&link.left, &link.right})
       if (stepper_.system().contact_count() > 0 && end->structure == k && end->point.member >= 0) hit.insert(end->point.member);
   const auto apart = [&](int quantity) {
-    return s.forces.turned || (quantity >= shears && hit.contains((quantity - shears) / components));
+    return s.forces.turned || yields(s) || (quantity >= shears && hit.contains((quantity - shears) / components));
   };
-  if (!s.forces.turned) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(apart), true));
-  if (!s.forces.turned && hit.empty()) return;
+  const bool all_apart = s.forces.turned || yields(s);
+  if (!all_apart) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(apart), true));
+  if (!all_apart && hit.empty()) return;
   add_block(k, true, internal_forces(model_, k, plan_, apart, false));
   const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
   for (int i = 0; !hit.empty() && i < static_cast<int>(model_.links.size()); ++i) {
@@ -79,6 +88,28 @@ void ForceEnvelopes::take(const State& state) {
   v_ = state.v;
 }
 
+// Forces of springs at one end of the last kept step, and their rates on its side.
+void ForceEnvelopes::take_springs(double time, double other_end) {
+  if (!yields_) return;
+  stepper_.interpolate_springs(time, springs_);
+  spring_rates_.setZero(springs_.size());
+  const double way = spring_difference * (other_end - time);
+  if (way == 0) return;
+  stepper_.interpolate_springs(time + way, spring_rates_);
+  spring_rates_ = (spring_rates_ - springs_) / way;
+}
+
+// Adds what the parts of a frame that yield give to its forces, or to their rates.
+void ForceEnvelopes::add_yielding(int k, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const {
+  const Structure& s = model_.structures[k];
+  const Eigen::VectorXd own = of_springs.segment(first_spring_[k], static_cast<Eigen::Index>(s.yielding.size()));
+  Eigen::Index row = 0;
+  for (const Floor& floor : s.floors)
+    for (std::size_t j = 0; j < floor.storey_shear.size(); ++j, ++row)
+      if (!floor.storey_shear_by_yielding.empty()) values[row] += floor.storey_shear_by_yielding[j].dot(own);
+  if (s.forces.by_yielding.size() > 0) values.tail(s.forces.by_yielding.rows()) += s.forces.by_yielding * own;
+}
+
 // At the motion in u_ and v_.
 void ForceEnvelopes::evaluate(const Block& block, double time, Eigen::VectorXd& values, Eigen::VectorXd& rates) {
   motion_.resize(Eigen::NoChange, u_.size());
@@ -87,6 +118,10 @@ void ForceEnvelopes::evaluate(const Block& block, double time, Eigen::VectorXd& 
   block.quantities.evaluate<1>(motion_, std::span(&time, 1), plan_.motions, evaluated_once_);
   values = evaluated_once_.row(0);
   rates = evaluated_once_.row(1);
+  if (block.structure >= 0 && yields(model_.structures[block.structure])) {
+    add_yielding(block.structure, springs_, values);
+    add_yielding(block.structure, spring_rates_, rates);
+  }
   if (block.structure < 0 || !model_.structures[block.structure].forces.turned) return;
   const Structure& s = model_.structures[block.structure];
   Eigen::VectorXd q = u_.segment(first_unknown_[block.structure], s.size());
@@ -111,6 +146,7 @@ void ForceEnvelopes::start_from(const Instant& instant) {
 void ForceEnvelopes::begin() {
   if (blocks_.empty()) return;
   take(stepper_.state());
+  if (yields_) take_springs(stepper_.time(), stepper_.time());
   start_from(stepper_.instant_end_minus());
   for (Block& block : blocks_) {
     Eigen::VectorXd values = block.values;
@@ -125,6 +161,9 @@ void ForceEnvelopes::step(const StepMotion& step) {
   const bool pressed = presses_on_members();
   if (every_step_) {
     take(stepper_.begin());
+    // Rates jump where a step ends at a corner: those of this step count.
+    if (yields_ && step.h > 0) stepper_.interpolate(begin.time, u_, v_);
+    take_springs(begin.time, end.time);
     start_from(begin);
   } else if (turns_) {
     if (!pressed && step.h > 0) {
@@ -141,6 +180,7 @@ void ForceEnvelopes::step(const StepMotion& step) {
     if (!pressed) return;
   }
   take(stepper_.end_minus());
+  take_springs(end.time, begin.time);
   if (every_step_ || turns_) return close(end, end.time, pressed);
   for (Block& block : blocks_)
     if (block.apart) follow(block, begin.time, end.time, true);

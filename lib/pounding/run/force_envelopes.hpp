@@ -55,6 +55,8 @@ class ForceEnvelopes {
   void add_block(int structure, bool apart, LinearQuantities quantities);
   bool presses_on_members() const;
   void take(const State& state);
+  void take_springs(double time, double other_end);
+  void add_yielding(int structure, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const;
   void start_from(const Instant& instant);
   void close(const Instant& instant, double time, bool pressed);
   void wait(const State& state, const Instant& instant);
@@ -69,9 +71,11 @@ class ForceEnvelopes {
   const Stepper& stepper_;
   Results& results_;
   std::vector<int> first_unknown_;         // by structure
+  std::vector<int> first_spring_;          // by structure
   std::vector<Block> blocks_;
   std::vector<FixedEnds> fixed_ends_;
-  bool every_step_ = false;  // is a knot: contacts change velocities in no time, or bodies have no strain to measure by
+  bool every_step_ = false;  // is a knot: contacts change velocities in no time, bodies have no strain to measure by, or parts yield
+  bool yields_ = false;      // parts of frames do, which add to forces directly
   bool turns_ = false;       // members turn: their forces bend more than the displacements, and each step has a knot inside
   Knots knots_;
   bool jumped_ = false;        // something changed at the end of the last step
@@ -81,6 +85,7 @@ class ForceEnvelopes {
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
   LinearQuantities::Instants<1> motion_, evaluated_once_;
   Eigen::VectorXd u_, v_;        // of all unknowns
+  Eigen::VectorXd springs_, spring_rates_;    // forces of all springs at the motion in u_ and v_, and their rates
   Eigen::VectorXd end_, rates_;  // at the knot to come
 };
 
