@@ -108,14 +108,14 @@ TEST(HingeInput, RefusesWhatIsWrong) {
   refused("{beams: {at: middle, yield_moment: 1}}",
           R"(22: hinges.beams.at: unknown end of a member "middle". Allowed: start, end, both, feet.)");
   refused("{beams: {at: both}}", "17: hinges.beams: the yield moment is missing; type yield_moment: 210 kN m");
-  refused("{beams: {at: both, yield_moment: 0}}", R"(42: hinges.beams.yield_moment: takes a moment > 0 such as "210 kN m"; "0" is outside)");
-  refused("{beams: {at: both, yield_moment: 210 kN}}", R"(42: hinges.beams.yield_moment: takes a moment such as "210 kN m"; "210 kN" is a force)");
+  refused("{beams: {at: both, yield_moment: 0}}", R"(42: hinges.beams.yield_moment: takes an energy or moment > 0 such as "12 kN m"; "0" is outside)");
+  refused("{beams: {at: both, yield_moment: 210 kN}}", R"(42: hinges.beams.yield_moment: takes an energy or moment such as "12 kN m"; "210 kN" is a force)");
   refused("{beams: {at: both, yield_moment: [1 kN m, 2 kN m]}}",
-          R"(51: hinges.beams.yield_moment[1]: takes a moment < 0 such as "210 kN m"; "2 kN m" is outside)");
+          "51: hinges.beams.yield_moment[1]: the second moment is that of hogging, and negative; type [210 kN m, -260 kN m]");
   refused("{beams: {at: both, yield_moment: [1, -2, 3]}}",
           "42: hinges.beams.yield_moment: takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of 3 was read");
   refused("{beams: {at: both, yield_moment: 1, hardening: 100 %}}",
-          R"(56: hinges.beams.hardening: takes a number in [0, 1) such as "3 %"; "100 %" is outside)");
+          R"(56: hinges.beams.hardening: takes a number in [0, 1) such as "5 %"; "100 %" is outside)");
   refused("{beams: {at: both, yield_moment: 1, hardning: 0.1}}", R"(45: hinges.beams: unknown key "hardning". Did you mean "hardening"?)");
   refused("{beams: {at: feet, yield_moment: 1}}", "22: hinges.beams.at: no end stands on a node that the ground holds; type at: start, at: end or at: both");
   refused("{beams: {at: both, axis: z, yield_moment: 1}}", "34: hinges.beams.axis: a plane frame bends about y only; leave the axis out");

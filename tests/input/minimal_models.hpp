@@ -171,6 +171,8 @@ inline const std::map<std::string, Keys> beside_word = {
     {"hinges.menegotto_pinto", {{"yield_moment", ""}}},
     {"hinges.bouc_wen", {{"yield_moment", ""}}},
     {"hinges.peak_oriented", {{"yield_moment", ""}}},
+    {"hinge_peak_oriented.cracking_force", {{"yield_deformation", "0.03"}}},
+    {"hinge_peak_oriented.yield_deformation", {{"cracking_force", "50 kN m"}}},
     {"members.truss", {{"section", ""}}},
     {"bar.E", {{"area", "20 cm^2"}}},
     {"bar.area", {{"E", "210 GPa"}, {"stiffness", ""}}},

@@ -22,7 +22,7 @@ std::string moment(double size) { return fmt::format("{:.4g} kN m", size / 1e3);
 
 bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 
-// What a unit force of a hinge on top of k d adds to the ends of its member, in local axes, and to its nodes, in global axes.
+// Forces that a unit force of a hinge on top of k d adds to the ends of its member, in local axes, and to its nodes, in global axes.
 struct HingeForces {
   double k;
   Vector12 on_ends, on_nodes;
@@ -126,7 +126,7 @@ SparseMatrix flexibility(const Frame& frame, const std::vector<HingeForces>& for
   return relief;
 }
 
-// What the hinges add to the storey shears, as the members pass them on.
+// Storey shears by the hinges, as the members pass them on.
 void add_to_shears(const FrameModel& model, const std::vector<HingeForces>& forces, const std::vector<std::vector<bool>>& above, Structure& s) {
   const int directions = model.frame.dimension() - 1, count = static_cast<int>(forces.size());
   for (std::size_t floor = 0; floor < above.size(); ++floor) {

@@ -39,6 +39,7 @@ struct Hinge {
   /// there is a negative_yield_force, too.
   std::optional<hysteresis::Settings> law{};
 
+  /// Whether it has no stiffness of its own.
   bool is_rigid_plastic() const { return stiffness == 0 && stiffness_factor == 0; }
   /// Place of its moment among the twelve end forces of a member.
   int place() const { return (at == MemberEnd::start ? 0 : 6) + (about == BendingAxis::y ? 4 : 5); }

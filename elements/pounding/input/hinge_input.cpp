@@ -18,8 +18,6 @@
 namespace pounding {
 namespace {
 
-constexpr Bounds below_zero{.high = 0, .without_high = true};
-
 // A member as the input names it: one of the frame, or all parts of one that is cut.
 struct Whole {
   std::string name;
@@ -44,7 +42,9 @@ std::pair<double, std::optional<double>> read_moments(const Input& node) {
   const std::vector<Input> items = node.items();
   if (items.size() != 2)
     node.fail(fmt::format("takes one moment, or two of them, [sagging, -hogging]; type [210 kN m, -260 kN m]; a list of {} was read", items.size()));
-  return {items[0].as_quantity(dimension::energy, bounds::positive), -items[1].as_quantity(dimension::energy, below_zero)};
+  const double hogging = items[1].as_quantity(dimension::energy, bounds::any);
+  if (!(hogging < 0)) items[1].fail("the second moment is that of hogging, and negative; type [210 kN m, -260 kN m]");
+  return {items[0].as_quantity(dimension::energy, bounds::positive), -hogging};
 }
 
 class Reader {
@@ -132,7 +132,7 @@ class Reader {
   Hinge read_law(const Input& node) const {
     const hysteresis::Entry* law = nullptr;
     for (const hysteresis::Entry& entry : hysteresis::catalogue())
-      if (const auto found = node.find(entry.name)) {
+      if (const auto found = node.knows(entry.name) ? node.find(entry.name) : std::nullopt) {
         if (law) found->fail_at_key(fmt::format("a hinge follows one law, and {} is given too; keep one of the two", law->name));
         law = &entry;
       }

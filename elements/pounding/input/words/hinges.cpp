@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -80,15 +81,22 @@ struct OfHinges {
  private:
   std::string_view kept(std::string text) { return texts.emplace_back(std::move(text)); }
 
+  // Forces are moments here, deformations rotations.
+  static std::string_view turned(std::string_view unit) {
+    if (unit == "N" || unit == "N/m") return "N m";
+    return unit == "m" ? std::string_view() : unit;
+  }
+
   template <class Parameter, class L>
   Word word_of(const Parameter& parameter, const L& made) {
     const hysteresis::ParameterInfo& info = parameter.info;
-    const std::string unit = info.unit.empty() ? "" : fmt::format(" {}", info.unit);
-    Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(info.unit), .bounds = bounds::any,
+    const std::string_view unit = turned(info.unit);
+    const auto shown = [&](double value) { return kept(fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit)); };
+    Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(unit), .bounds = bounds::any,
               .need = info.need == hysteresis::Need::required ? Need::required : Need::optional, .since = "0.2.0",
-              .meaning = kept(fmt::format("{}.", capital(info.meaning))), .example = kept(fmt::format("{:g}{}", info.typical, unit))};
+              .meaning = kept(fmt::format("{}.", capital(info.meaning))), .example = shown(info.typical)};
     if (word.need == Need::optional)
-      word.otherwise = parameter.value ? kept(fmt::format("{:g}{}", made.*parameter.value, unit)) : std::string_view("what the others say");
+      word.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("what the others say");
     return word;
   }
 
@@ -103,7 +111,12 @@ template <class Any>
 struct Adder;
 template <class... L>
 struct Adder<std::variant<L...>> {
-  static void run(OfHinges& hinges) { (hinges.add(L{}), ...); }
+  // What has no yield force is no law of a moment.
+  template <class Each>
+  static void add(OfHinges& hinges) {
+    if (std::ranges::any_of(Each::parameters, [](const auto& parameter) { return parameter.info.name == "yield_force"; })) hinges.add(Each{});
+  }
+  static void run(OfHinges& hinges) { (add<L>(hinges), ...); }
 };
 
 const OfHinges& hinges() {
