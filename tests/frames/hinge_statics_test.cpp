@@ -260,7 +260,7 @@ FrameModel space_frame() {
   member(1, 3, {.reference = Vector3d(1, 1, 0), .start_offset = {0, 0, 0.2}});
   member(2, 3, {.start_offset = {0.2, 0, 0}, .end_offset = {-0.2, 0, 0}, .end_releases = {Dof::rz}});
   member(2, 4, {.start_releases = {Dof::rx}});
-  member(5, 4, {});
+  member(4, 5, {});
   int number = 0;
   for (int m = 0; m < 5; ++m)
     for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})

@@ -204,6 +204,15 @@ TEST(Hinges, AreNamedByMemberEndAndAxis) {
   EXPECT_DOUBLE_EQ(s.yielding[0].spring->stiffness(), 5 * 30e9 * square.inertia_z);
 }
 
+// Such a law compares its numbers with the stiffness of the spring.
+TEST(Hinges, ALawIsCheckedWithItsStiffness) {
+  const hysteresis::Settings cracking{.law = "peak_oriented", .values = {{"yield_force", yield}, {"cracking_force", 0.5 * yield}, {"yield_deformation", 0.03}}};
+  Frame frame = held_beam();
+  frame.add_hinge({.stiffness_factor = 10, .law = cracking});
+  EXPECT_EQ(made(frame).yielding[0].law, "peak_oriented");
+  EXPECT_THROW(held_beam().add_hinge({.stiffness = yield / 0.04, .law = cracking}), std::invalid_argument);
+}
+
 TEST(Hinges, RigidPlasticOnesAddNoStiffness) {
   Frame frame = held_beam();
   const Structure without = made(frame);

@@ -155,6 +155,30 @@ TEST(HingeInput, RefusesEndsThatCannotYield) {
           bracket);
 }
 
+// The weaker sense is 100 kN m, the other one 400 kN m: 10 mm to one side yield, to the other side they do not.
+TEST(HingeInput, AnInitialDisplacementIsRefusedWhereAHingeWouldYield) {
+  const auto displaced = [](const std::string& by) {
+    return "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      nodes: {a: [0, 0], b: [0, 3 m]}\n"
+           "      members: {c: {between: [a, b], section: {rectangle: [0.4, 0.4], shear: false}}}\n      supports: {a: fixed}\n"
+           "      masses: {b: 10 t}\n      floors: [{nodes: [b]}]\n      hinges: {c: {at: start, yield_moment: [400 kN m, -100 kN m]}}\n"
+           "    damping: 5 %\n    initial_displacement: " + by +
+           "\nground_motion: {harmonic: {amplitude: 1, period: 0.5, duration: 1}}\nanalysis: {duration: 1}\n";
+  };
+  int refusals = 0;
+  for (const std::string by : {"10 mm", "-10 mm"}) {
+    try {
+      test::model_of(displaced(by));
+    } catch (const InputError& error) {
+      ++refusals;
+      const std::string text = error.what();
+      EXPECT_NE(text.find(" rad, and it yields at 0.001172 rad; take less, or an initial_velocity"), text.npos) << text;
+    }
+  }
+  EXPECT_EQ(refusals, 1);
+  EXPECT_THROW(test::model_of(displaced("50 mm")), InputError);
+  EXPECT_THROW(test::model_of(displaced("-50 mm")), InputError);
+}
+
 TEST(HingeInput, AreShownAsTheyWereResolved) {
   const Model model = test::model_of(
       "structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n"

@@ -198,16 +198,11 @@ int Frame::add_hinge(const Hinge& hinge) {
     if (other.member == hinge.member && other.place() == hinge.place()) refuse(where + "there is one already");
   require_sound(hinge, where);
   try {
-    make_spring(law_of(*this, hinge, 1));
+    const double k = hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * bending_stiffness(hinge);
+    make_spring(law_of(*this, hinge, hinge.is_rigid_plastic() ? 1 : k));
+    if (!hinge.is_rigid_plastic()) member.beam.set_end_spring(hinge.place(), k);
   } catch (const std::invalid_argument& error) {
     refuse(where + error.what());
-  }
-  if (!hinge.is_rigid_plastic()) {
-    try {
-      member.beam.set_end_spring(hinge.place(), hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * bending_stiffness(hinge));
-    } catch (const std::invalid_argument& error) {
-      refuse(where + error.what());
-    }
   }
   hinges_.push_back(hinge);
   return static_cast<int>(hinges_.size()) - 1;

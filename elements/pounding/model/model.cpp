@@ -12,6 +12,7 @@
 #include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/model/cost.hpp>
+#include <pounding/model/first_yield.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/initial_shape.hpp>
 #include <pounding/model/plausible.hpp>
@@ -54,11 +55,10 @@ void damp(Structure& s, const std::optional<Damping>& damping, const ModeSolver&
 void refuse_initial_yield(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
     const double strained = part.at_rest + part.deformation.dot(s.initial_displacement);
-    const double yield = part.spring->yield_deformation();
-    if (std::abs(strained) > yield)
+    if (const auto yield = yields_before(*part.spring, strained))
       throw ModelError(ModelOption::initial_displacement,
                        fmt::format("strains {} by {}, and it yields at {}; take less, or an initial_velocity", part.name,
-                                   format_quantity(strained, dimension::length), format_quantity(yield, dimension::length)));
+                                   deformation_text(s, strained), deformation_text(s, *yield)));
   }
 }
 

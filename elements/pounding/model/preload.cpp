@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/model/first_yield.hpp>
 #include <pounding/model/rounding.hpp>
 
 namespace pounding {
@@ -84,10 +85,9 @@ Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::Matr
 void refuse_yield(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
     const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
-    const double yield = part.spring->yield_deformation();
-    if (std::abs(strained) > yield)
-      refuse(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name,
-                         format_quantity(strained, dimension::length), format_quantity(yield, dimension::length)));
+    if (const auto yield = yields_before(*part.spring, strained))
+      refuse(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name, deformation_text(s, strained),
+                         deformation_text(s, *yield)));
   }
 }
 

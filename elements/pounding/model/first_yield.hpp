@@ -1,0 +1,31 @@
+#pragma once
+/// Parts that would have yielded before a run begins.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
+#include <pounding/structures/structure.hpp>
+
+namespace pounding {
+
+/// The size of the deformation at which a spring that has not been deformed yields on its way to this one; nothing where it stays elastic.
+/// Where it yields at two sizes, that of this direction.
+inline std::optional<double> yields_before(const Spring& spring, double deformation) {
+  const double weaker = spring.yield_deformation();
+  if (!(std::abs(deformation) > weaker)) return {};
+  if (!spring.has_corners()) return weaker;
+  const std::optional<double> corner = spring.corner(deformation);
+  return corner ? std::optional(std::max(weaker, std::abs(*corner))) : std::nullopt;
+}
+
+/// A drift of a storey, "12 mm", or a rotation in a frame, "0.0012 rad".
+inline std::string deformation_text(const Structure& s, double deformation) {
+  return s.dimension == 1 ? format_quantity(deformation, dimension::length) : fmt::format("{:.4g} rad", deformation);
+}
+
+}  // namespace pounding
