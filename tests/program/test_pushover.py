@@ -44,8 +44,8 @@ class Pushover(ProgramTest):
     def test_prints_the_events_in_their_order(self):
         done = self.pounding("pushover", self.write(FRAME), "--structure", "frame", "--to", "250 mm")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"(?m)^ +1 +22\.2167 +154\.1540  yields: beam 1\.0 start, beam 1\.0 end$")
-        self.assertRegex(done.stdout, r"(?m)^ +4 +71\.9563 +224\.0691  yields: beam 3\.0 start, beam 3\.0 end$")
+        self.assertRegex(done.stdout, r"(?m)^ +1 +22\.2167 +154\.1540  yields: beam x 1\.0 start, beam x 1\.0 end$")
+        self.assertRegex(done.stdout, r"(?m)^ +4 +71\.9563 +224\.0691  yields: beam x 3\.0 start, beam x 3\.0 end$")
         self.assertRegex(done.stdout, r"(?m)^ end +250\.0000 +281\.0893$")
         self.assertIn("mechanism     at 71.9563 mm, 224.0691 kN: ", done.stdout)
         self.assertIn("overstrength  1.4535 at the mechanism, 1.8234 at the largest base shear", done.stdout)
