@@ -134,8 +134,7 @@ def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] 
         _draw_curve(axes, found)
         _number_events(axes, found, 30 if narrow else 36)
         # Events are told below a narrow picture and beside a wide one.
-        place = {"loc": "outside lower center"} if narrow else {"loc": "outside right upper"}
-        figure.legend(*axes.get_legend_handles_labels(), handlelength=1.2, **place)
+        figure.legend(*axes.get_legend_handles_labels(), handlelength=1.2, loc="outside lower center" if narrow else "outside right upper")
         head(figure, title)
         return figure
 
