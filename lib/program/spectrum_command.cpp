@@ -20,8 +20,6 @@
 namespace pounding::program {
 namespace {
 
-// Outputs that reach less of the tracked peak than this miss a part of the motion.
-constexpr double enough_of_the_peak = 0.95;
 // Steps in a period that the straight lines between outputs need.
 constexpr double steps_in_a_period = 10;
 

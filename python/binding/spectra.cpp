@@ -25,6 +25,7 @@ std::vector<double> displacements(const GroundMotion& motion, const std::vector<
 }  // namespace
 
 void bind_spectra(py::module_& module) {
+  module.attr("enough_of_the_peak") = enough_of_the_peak;
   module.def(
       "spectrum",
       [](std::vector<double> times, std::vector<double> accelerations, const std::vector<double>& periods, double damping) {

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 version: str
+enough_of_the_peak: float
 
 class Law:
     def __init__(self, law: str, formula: str, restitution: float | None, impact_velocity: float | None,

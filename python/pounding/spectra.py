@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 GRAVITY = 9.80665  #: [m/s^2]
-#: Outputs that reach less of the tracked peak than this miss a part of the motion.
-ENOUGH_OF_THE_PEAK = 0.95
 
 
 @dataclass(frozen=True)
@@ -80,7 +78,7 @@ def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Seq
     tracked = run.envelopes[name].acceleration if name in run.envelopes else None
     if tracked is not None:
         peak, seen = tracked.peak[i, "xy".index(direction)], np.abs(accelerations).max()
-        if seen < ENOUGH_OF_THE_PEAK * peak:
+        if seen < core.enough_of_the_peak * peak:
             step = run.time[1] - run.time[0]
             raise InputError(f"the outputs every {step:g} s are too far apart for a spectrum of {floor}: they reach {seen:.4g} m/s^2 of "
                              f"the peak of {peak:.4g} m/s^2; run the model again with analysis: {{output_step: {step / 10:g}}}")

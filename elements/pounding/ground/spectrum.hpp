@@ -8,6 +8,9 @@
 
 namespace pounding {
 
+/// Samples of a motion that reach less than this part of its peak miss a part of it; a spectrum of them is too low.
+inline constexpr double enough_of_the_peak = 0.95;
+
 /// Motion of an oscillator relative to its ground.
 struct OscillatorState {
   double displacement = 0;  ///< u [m]
