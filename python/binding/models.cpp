@@ -16,13 +16,13 @@
 
 #include <fmt/format.h>
 
-#include <pounding/run/implausible.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/input/pushover_input.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/modes.hpp>
+#include <pounding/model/plausible.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/launch.hpp>
@@ -165,10 +165,13 @@ std::vector<std::byte> image_for_all(const Results& results) {
 }
 
 Ran ran(const Model& model, const Outcome& outcome, std::string failure) {
-  std::vector<std::string> doubts = implausible(model);
-  for (std::string& text : implausible(model, outcome.summary)) doubts.push_back(std::move(text));
-  return {.image = image_for_all(outcome.results), .warning = failure.empty() ? warning(outcome.summary, model.analysis.tolerance) : "",
-          .implausible = std::move(doubts), .failure = failure, .resumable = outcome.resumable};
+  // The last one may be of energies, which is a warning of its own here.
+  std::vector<std::string> doubts = outcome.summary.warnings;
+  std::string of_energies = warning(outcome.summary, model.analysis.tolerance);
+  std::erase(doubts, of_energies);
+  if (!failure.empty()) of_energies.clear();
+  return {.image = image_for_all(outcome.results), .warning = std::move(of_energies), .implausible = std::move(doubts),
+          .failure = failure, .resumable = outcome.resumable};
 }
 
 Ran run_alike(const Model& model, const RunOptions& options) {

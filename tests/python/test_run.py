@@ -192,6 +192,7 @@ class Failures(RunTest):
         with self.assertWarnsRegex(pounding.AccuracyWarning, "the energies do not close") as caught:
             pounding.run(TWO_OSCILLATORS, options={"ts_rtol": 1e-3, "ts_pounding_scheme": "generalized_alpha"})
         self.assertEqual(f"pounding: warning: {caught.warning}\n", done.stderr)
+        self.assertEqual([each.category for each in caught.warnings], [pounding.AccuracyWarning])
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             pounding.run(two_oscillators())
