@@ -28,7 +28,7 @@ from matplotlib.figure import Figure
 
 from pounding import told
 from pounding.checked_file import NotResults
-from pounding.outputs import output_for, tell
+from pounding.outputs import cannot_read, output_for, tell
 from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes
 from pounding.pictures.panels import legend_below
 from pounding.results import RunData
@@ -247,7 +247,7 @@ def main(arguments: list[str] | None = None) -> int:
         run = RunData.read(options.results)
         film = animate(run, frame_times(run, options.frames, options.start, options.end), options.scale, options.title)
     except (OSError, NotResults) as error:
-        print(f"cannot read {options.results}: {error}", file=sys.stderr)
+        print(cannot_read(options.results, error), file=sys.stderr)
         return 2
     except BadRequest as error:
         print(error, file=sys.stderr)

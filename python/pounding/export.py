@@ -21,7 +21,7 @@ import h5py
 import numpy as np
 
 from pounding.checked_file import NotResults
-from pounding.outputs import output_for, tell
+from pounding.outputs import cannot_read, output_for, tell
 from pounding.results import MemberForces, RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
@@ -185,7 +185,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         run = RunData.read(options.results)
     except (OSError, NotResults) as error:
-        print(f"cannot read {options.results}: {error}", file=sys.stderr)
+        print(cannot_read(options.results, error), file=sys.stderr)
         return 2
     output = output_for(options.results, options.output, ".xdmf")
     try:

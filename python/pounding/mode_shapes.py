@@ -28,6 +28,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from pounding.outputs import cannot_read
 from pounding.pictures.drawing import project
 from pounding.pictures.style import QUIET, STYLE, BadRequest, Picture, head, structure_colour, write_picture
 
@@ -183,7 +184,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(error, file=sys.stderr)
         return 2
     except (OSError, ValueError) as error:
-        print(f"cannot read {options.modes}: {error}", file=sys.stderr)
+        print(cannot_read(options.modes, error), file=sys.stderr)
         return 2
     return write_picture(figure, options.output)
 

@@ -11,6 +11,13 @@ def output_for(results: str | PathLike[str], given: str | None, ending: str) -> 
     return Path(given) if given else Path(Path(results).stem + ending)
 
 
+def cannot_read(file: str | PathLike[str], error: Exception) -> str:
+    """The message for a file that could not be read, which names it once: some errors do so by themselves."""
+    text = getattr(error, "strerror", None) or str(error)
+    names_it = text.startswith((f"{file}: ", f"{file} ")) or text.endswith(f" {file}")
+    return text if names_it else f"cannot read {file}: {text}"
+
+
 def tell(kind: str, *files: str | PathLike[str]) -> None:
     """Prints what was written, as `pounding run` does."""
     for file in files:

@@ -11,7 +11,7 @@ import argparse
 import sys
 
 from pounding.checked_file import NotResults
-from pounding.outputs import output_for
+from pounding.outputs import cannot_read, output_for
 from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_loops, draw_restitution, draw_strongest_loop
@@ -66,7 +66,7 @@ def main(arguments: list[str] | None = None) -> int:
         else:
             figure = model_figure(run, options.title)
     except (OSError, NotResults) as error:
-        print(f"cannot read {options.results}: {error}", file=sys.stderr)
+        print(cannot_read(options.results, error), file=sys.stderr)
         return 2
     except BadRequest as error:
         print(error, file=sys.stderr)

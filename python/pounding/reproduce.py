@@ -18,6 +18,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation
 
+from pounding.outputs import cannot_read
 from pounding.paper import page
 from pounding.paper.mathematics import data_uri, rich, svg_of
 from pounding.pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
@@ -106,7 +107,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         report = json.loads(Path(options.report).read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        print(f"cannot read {options.report}: {error}", file=sys.stderr)
+        print(cannot_read(options.report, error), file=sys.stderr)
         return 2
     output = Path(options.output)
     try:

@@ -13,7 +13,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from pounding import plots
+from pounding import animation, export, plots
 from pounding.pictures import figures, style
 from pounding.pictures.style import BadRequest
 from pounding.results import NotResults
@@ -256,7 +256,7 @@ class CommandLine(unittest.TestCase):
 
     def test_missing_file_is_named(self):
         missing = self.directory / "none.h5"
-        self.assertEqual(self.run_main(missing, "-o", "x.png"), (2, f"cannot read {missing}: there is no file {missing}\n"))
+        self.assertEqual(self.run_main(missing, "-o", "x.png"), (2, f"there is no file {missing}\n"))
 
     def test_other_hdf5_file_is_refused(self):
         other = self.directory / "other.h5"
@@ -267,7 +267,12 @@ class CommandLine(unittest.TestCase):
             read(other, checked=False)
         code, text = self.run_main(other, "-o", "x.png")
         self.assertEqual(code, 2)
-        self.assertIn("has no checksum", text)
+        self.assertTrue(text.startswith(f"{other}: has no checksum"), text)
+        for command, ending in ((export, "xdmf"), (animation, "gif")):
+            errors = io.StringIO()
+            with self.subTest(command.__name__), contextlib.redirect_stderr(errors):
+                self.assertEqual(command.main([str(other), "-o", str(self.directory / f"x.{ending}")]), 2)
+            self.assertEqual(errors.getvalue(), text)
 
     def test_unknown_kind_of_picture_is_refused(self):
         code, text = self.run_main(self.results, "-o", self.directory / "run.xyz")
