@@ -27,7 +27,7 @@ structures:
   right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 400 MN/m, height: 3 m}, damping: 5 %}
 links:
   - {between: [left.3, right.3], name: left-right, gap: 10 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}
-analysis: {duration: 2, output_step: 1 ms}
+analysis: {duration: 1.2, output_step: 1 ms}
 compare: no_pounding
 """
 #: Commands that need a Python, a host or a folder of their own, and the test that runs them.
@@ -92,6 +92,7 @@ class CommandsInSentences(Lines):
     def test_AreRun(self):
         seen = {code for _, code in code_in_sentences([*PAGES, *LESSONS]) if re.match(r"pounding [a-z]+ \S", code)}
         self.assertGreaterEqual(len(seen), 12)
+        tried = set()
         for command in sorted(seen):
             for chosen in choices(command):
                 words = [STAND_INS.get(word, word) for word in shlex.split(chosen)[1:]]
@@ -104,6 +105,11 @@ class CommandsInSentences(Lines):
                     words = ["cut.h5" if word == "out.h5" else word for word in words] + ["cut.h5"] * (words[-1] == "--resume")
                     if "-pounding_ts_max_steps" in words:  # more than the run needs
                         words[words.index("-pounding_ts_max_steps") + 1] = "100000"
+                if words[0] == "animate" and "-o" in words and "--frames" not in words:
+                    words += ["--frames", "3"]  # a whole film is drawn where none is named
+                if tuple(words) in tried:
+                    continue
+                tried.add(tuple(words))
                 with self.subTest(command=chosen):
                     self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *words, PYTHONWARNINGS="ignore"), "")
 
