@@ -4,6 +4,7 @@ nobody through.
 
     python3 tests/program/stress.py build/pounding --seed 1 --count 100000 --jobs 2 --log seed1.jsonl --keep faults
     python3 tests/program/stress.py build/pounding --seed 1 --family yielding --count 1000
+    python3 tests/program/stress.py build/python --seed 1 --count 100000 --jobs 2 --log seed1.jsonl --keep faults
     python3 tests/program/stress.py build/pounding --seed 1 --print 494 > case.yaml
     python3 tests/program/stress.py build/pounding --seed 1 --against-independent 200
     python3 tests/program/stress.py build/pounding --seed 1 --against-other-integrator 200
@@ -12,6 +13,8 @@ Mass ratios from 1e-3 to 1e3, stiffness over six decades, restitutions 0.05 to 1
 that are hard to integrate: bodies that graze, rest, and touch at one instant or nearly. A seed and a number name a case. One that
 goes wrong is printed whole, as an input file. Exit code 1 when there is one. With --log every case is noted when it is done, and
 the same command goes on behind those that are in the log.
+
+Where the folder of the Python package stands for the program, cases run inside Python, which costs less than a program for each.
 
 --against-independent compares impacts with the integrator of independent.py, which needs scipy; --against-other-integrator
 compares those of esdirk4 and generalized_alpha.
@@ -31,6 +34,7 @@ from pathlib import Path
 
 from stress_cases import BEYOND_INDEPENDENT, FAMILIES, SPREAD, case_of, input_file
 from stress_checks import Run, faults_of
+from stress_in_memory import in_processes, package_run
 
 #: A run may take this long [s].
 SECONDS = 60
@@ -59,7 +63,7 @@ def examine(task):
     program, seed, number, family = task
     case, begin = case_of(seed, number, family), time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
-        run, message = program_run(program, case, folder)
+        run, message = package_run(program, case, folder, SECONDS) if Path(program).is_dir() else program_run(program, case, folder)
         outcome = {"number": number, "family": case["family"], "seconds": time.perf_counter() - begin, "text": input_file(case)}
         if message:
             return outcome | {"faults": [message]}
@@ -99,8 +103,8 @@ def logged(path):
 def examined(chosen, numbers):
     """Outcomes of cases as they are done, each noted in the log."""
     tasks = [(chosen.program, chosen.seed, number, chosen.family) for number in numbers]
-    with multiprocessing.Pool(chosen.jobs) as pool, open(chosen.log or os.devnull, "a", encoding="utf-8") as log:
-        for outcome in pool.imap_unordered(examine, tasks, chunksize=4):
+    with open(chosen.log or os.devnull, "a", encoding="utf-8") as log:
+        for outcome in in_processes(examine, tasks, chosen.jobs):
             log.write(json.dumps(outcome if outcome["faults"] else outcome | {"text": ""}) + "\n")
             log.flush()
             yield outcome
@@ -247,7 +251,7 @@ def compare(chosen):
 
 def main():
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("program")
+    words.add_argument("program", help="the program, or the folder of the Python package")
     words.add_argument("--seed", type=int, default=1)
     words.add_argument("--count", type=int, default=10000)
     words.add_argument("--first", type=int, default=0, help="number of the first case")

@@ -2,7 +2,9 @@
 
 import importlib.util
 import json
+import os
 import re
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -14,9 +16,11 @@ import numpy as np
 import stress
 import stress_cases
 from stress_checks import faults_of
+from stress_in_memory import in_processes
 from support import PROGRAM
 
 SEED, CASES, JUDGED = 2015, 60, 6
+PACKAGE = os.environ.get("POUNDING_PACKAGE")
 WITHOUT_SCIPY = importlib.util.find_spec("scipy") is None
 
 #: Two free bodies that meet once, at 1 m/s.
@@ -56,6 +60,26 @@ class RandomRows(unittest.TestCase):
         for laws in (stress_cases.LINEAR, stress_cases.HERTZ):
             stiffness = [l["stiffness"] for case in cases for l in case["links"] if l["law"] in laws]
             self.assertGreater(max(stiffness) / min(stiffness), 5e5)
+
+
+def die(_):
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+class InMemory(unittest.TestCase):
+    @unittest.skipUnless(PACKAGE, "the Python package is not built")
+    def test_gives_what_the_program_gives(self):
+        numbers = range(8)
+        inside = {outcome["number"]: outcome for outcome in
+                  in_processes(stress.examine, [(PACKAGE, SEED, number, None) for number in numbers], 1)}
+        for number in numbers:
+            outside = stress.examine((PROGRAM, SEED, number, None))
+            for key in ("faults", "impacts", "steps", "imbalance"):
+                self.assertEqual(inside[number][key], outside[key], key)
+
+    def test_names_the_cases_of_a_process_that_dies(self):
+        with self.assertRaisesRegex(SystemExit, r"died in one of these: \[7, 8\]"):
+            list(in_processes(die, [7, 8], 1))
 
 
 class FoundBefore(unittest.TestCase):

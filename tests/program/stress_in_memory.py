@@ -1,0 +1,59 @@
+"""Cases of stress.py inside one Python process: no program starts for each of them, nor MPI."""
+import concurrent.futures
+import json
+import sys
+import time
+import warnings
+from concurrent.futures.process import BrokenProcessPool
+from pathlib import Path
+
+import h5py
+from stress_cases import input_file
+from stress_checks import Run
+
+#: So many cases are given to the processes at a time.
+IN_HAND = 32
+
+
+def package_run(package, case, folder, seconds):
+    """(run, message) by the package in this folder: the run is None when it fails, with the reason."""
+    if package not in sys.path:
+        sys.path.insert(0, package)
+    import pounding
+    results, end = Path(folder) / "results.h5", time.monotonic() + seconds
+
+    def watch(*_):
+        if time.monotonic() > end:
+            raise TimeoutError(f"it took more than {seconds} s")
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            pounding.run(pounding.Model.from_yaml(input_file(case)), output=results, progress=watch)
+    except Exception as error:
+        return None, f"{type(error).__name__}: {error}"
+    with h5py.File(results) as file:
+        summary = json.loads(file["summary"][()])
+    return Run(case, results, summary), None
+
+
+def in_processes(task, arguments, jobs):
+    """task(argument) of each, as they are done. Where a process dies, which a pool of multiprocessing waits for without end, this one
+    ends and names the arguments that it had."""
+    waiting, left = {}, iter(arguments)
+    with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
+        while True:
+            for argument in left:
+                waiting[pool.submit(task, argument)] = argument
+                if len(waiting) == IN_HAND:
+                    break
+            if not waiting:
+                return
+            done, _ = concurrent.futures.wait(waiting, return_when=concurrent.futures.FIRST_COMPLETED)
+            for one in done:
+                try:
+                    outcome = one.result()
+                except BrokenProcessPool:
+                    sys.exit(f"a process died in one of these: {sorted(waiting.values())}")
+                del waiting[one]
+                yield outcome
