@@ -18,7 +18,7 @@ struct Energies {
   double impact = 0;      ///< work done on the contacts: lost, friction included, and stored while they press
   double devices = 0;     ///< dissipated by the dampers between structures
 
-  /// What was put in and is found nowhere.
+  /// Energy that was put in and is found nowhere.
   double imbalance() const { return input - (kinetic + strain + damping + hysteretic + impact + devices); }
 };
 
