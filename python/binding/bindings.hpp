@@ -6,6 +6,7 @@
 
 namespace pounding::python {
 
+void bind_hysteresis(pybind11::module_& module);
 void bind_laws(pybind11::module_& module);
 void bind_models(pybind11::module_& module);
 void bind_spectra(pybind11::module_& module);

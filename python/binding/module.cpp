@@ -32,6 +32,7 @@ void translate(std::exception_ptr thrown) {
 PYBIND11_MODULE(_core, module) {
   module.attr("version") = POUNDING_VERSION;
   py::register_local_exception_translator(translate);
+  pounding::python::bind_hysteresis(module);
   pounding::python::bind_laws(module);
   pounding::python::bind_models(module);
   pounding::python::bind_spectra(module);

@@ -36,12 +36,13 @@ if TYPE_CHECKING:
     from pounding.running import resume, run
     from pounding.runs import Run, read
     from pounding.spectra import Spectrum, record_spectrum
+    from pounding.yielding import Loop, YieldingLaw, hysteresis
 
     __version__: str
 
-__all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", "Interrupted", "Law", "Mode", "Model", "Modes", "Pushover",
-           "Response", "Run", "SolverError", "Spectrum", "calibrate", "check", "from_opensees", "laws", "modes", "pushover", "read",
-           "read_pushover", "record", "record_spectrum", "resume", "run"]
+__all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", "Interrupted", "Law", "Loop", "Mode", "Model", "Modes",
+           "Pushover", "Response", "Run", "SolverError", "Spectrum", "YieldingLaw", "calibrate", "check", "from_opensees", "hysteresis", "laws",
+           "modes", "pushover", "read", "read_pushover", "record", "record_spectrum", "resume", "run"]
 
 #: Modules that are public themselves: `pounding.opensees.link`.
 _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "results")
@@ -58,6 +59,7 @@ _MODULES = {
     "running": ("resume", "run"),
     "runs": ("Run", "read"),
     "spectra": ("Spectrum", "record_spectrum"),
+    "yielding": ("Loop", "YieldingLaw", "hysteresis"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 

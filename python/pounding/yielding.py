@@ -1,0 +1,165 @@
+"""Laws of yielding along paths of numpy arrays: storeys, hinges, isolators, soil. SI units.
+
+    law = pounding.hysteresis["bouc_wen"](stiffness="10 MN/m", yield_force="150 kN", hardening=0.05)
+    loop = law.follow([0, 0.03, -0.03, 0.01])
+    loop.force, loop.work
+
+A deformation is in m and a force in N; at a hinge rad and N m.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from pounding._native import core
+from pounding.errors import InputError
+
+#: A number in SI, or a text with its unit: "150 kN".
+Quantity = float | str
+#: An array of the shape of the path.
+Values = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class YieldingParameter:
+    """One parameter of a law."""
+
+    name: str
+    unit: str
+    meaning: str
+    typical: float  #: SI
+    need: str  #: required, optional, or others instead, may be left out
+
+
+@dataclass(frozen=True)
+class YieldingChoice:
+    """A parameter that is one of some words, the first of them by default."""
+
+    name: str
+    meaning: str
+    words: tuple[str, ...]
+
+
+class Loop(NamedTuple):
+    """A law along a path; every array has the shape of the path."""
+
+    deformation: Values  #: [m]
+    force: Values  #: [N]
+    slope: Values  #: df/dd at the end of each way [N/m]
+    work: Values  #: done since the beginning of the row [J]
+    stored: Values  #: energy that the law can give back [J]
+
+    @property
+    def lost(self) -> Values:
+        """Energy lost since the beginning of the row [J]."""
+        return self.work - self.stored
+
+
+@dataclass(frozen=True)
+class YieldingKind:
+    """A law of yielding with its tables. Calling it with parameters makes a `YieldingLaw`."""
+
+    name: str
+    shape: str  #: the force as a formula
+    summary: str
+    source: str
+    parameters: tuple[YieldingParameter, ...]
+    choices: tuple[YieldingChoice, ...]
+    has_corners: bool  #: whether the slope jumps elsewhere than at turning points
+
+    def __call__(self, **parameters: Quantity | None) -> YieldingLaw:
+        """The law with these parameters: numbers in SI, texts with units, and words for what is chosen. Raises InputError."""
+        return YieldingLaw(self, parameters)
+
+    def __str__(self) -> str:
+        lines = [f"{self.name}: {self.summary}", f"  {self.shape}", f"  {self.source}"]
+        lines += [f"  {p.name} [{p.unit or '-'}]  {p.meaning} ({p.need}), typically {p.typical:g}" for p in self.parameters]
+        lines += [f"  {c.name}: {' or '.join(c.words)}  {c.meaning}" for c in self.choices]
+        return "\n".join(lines)
+
+
+class YieldingLaw:
+    """One law with its parameters. Holds no history: every path begins undeformed."""
+
+    def __init__(self, kind: YieldingKind, parameters: Mapping[str, Quantity | None]) -> None:
+        given = {name: value for name, value in parameters.items() if value is not None}
+        chosen = {choice.name for choice in kind.choices}
+        units = {p.name: p.unit for p in kind.parameters}
+        self.kind = kind
+        self.choices = {name: str(value) for name, value in given.items() if name in chosen}
+        #: in SI
+        self.parameters = {name: _number(name, value, units.get(name, "")) for name, value in given.items() if name not in chosen}
+        self._made = core.YieldingLaw(kind.name, self.parameters, self.choices)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return YieldingLaw, (self.kind, self.parameters | self.choices)
+
+    @property
+    def stiffness(self) -> float:
+        """Before anything has yielded [N/m]."""
+        return self._made.stiffness
+
+    @property
+    def yield_deformation(self) -> float:
+        """Deformation that counts ductility [m]."""
+        return self._made.yield_deformation
+
+    def follow(self, path: npt.ArrayLike) -> Loop:
+        """The law along deformations [m], each reached straight from the one before, the first from zero. Of an array with more than one
+        dimension every row is a path of its own. Ways are followed exactly: points between turning points change nothing after them.
+        Raises InputError for what is no finite number."""
+        deformation = np.asarray(path, dtype=float)
+        if not np.isfinite(deformation).all():
+            raise InputError("path: a deformation is not finite")
+        rows = deformation.reshape(-1, deformation.shape[-1]) if deformation.ndim else deformation.reshape(1, 1)
+        return Loop(deformation, *(values.reshape(deformation.shape) for values in self._made.follow(rows)))
+
+
+class _Kinds(Mapping[str, YieldingKind]):
+    """Laws of yielding by name."""
+
+    def __init__(self) -> None:
+        self._kinds = {entry["name"]: _kind(entry) for entry in core.yielding_catalogue()}
+
+    def __getitem__(self, name: str) -> YieldingKind:
+        if name in self._kinds:
+            return self._kinds[name]
+        near = difflib.get_close_matches(name, self._kinds, 1)
+        hint = f'Did you mean "{near[0]}"?' if near else f"Allowed: {', '.join(self._kinds)}."
+        raise InputError(f'unknown law of yielding "{name}". {hint}')
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._kinds)
+
+    def __len__(self) -> int:
+        return len(self._kinds)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._kinds
+
+    def __repr__(self) -> str:
+        return f"<laws of yielding: {', '.join(self._kinds)}>"
+
+
+def _kind(entry: dict[str, Any]) -> YieldingKind:
+    parameters = tuple(YieldingParameter(*values) for values in entry["parameters"])
+    choices = tuple(YieldingChoice(name, meaning, tuple(words)) for name, meaning, words in entry["choices"])
+    return YieldingKind(**entry | {"parameters": parameters, "choices": choices})
+
+
+def _number(name: str, value: Quantity, unit: str) -> float:
+    if not isinstance(value, str):
+        return float(value)
+    try:
+        return core.quantity(value, unit, 1.0)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
+
+
+hysteresis: Mapping[str, YieldingKind] = _Kinds()

@@ -1,0 +1,142 @@
+// Springs that follow the laws of yielding, by name, the test playing the integrator.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <pounding/hysteresis/all.hpp>
+#include <pounding/structures/bilinear_spring.hpp>
+#include <pounding/structures/make_spring.hpp>
+
+namespace pounding {
+namespace {
+
+LinkStep step(const LinkMotion& begin, const LinkMotion& end) {
+  return {.begin = 0, .end = 0.01, .motion_begin = begin, .motion_middle = {}, .motion_end = end};
+}
+
+/// Motion of some decaying harmonics about a drift, over the yield deformation.
+LinkMotion motion(double t, double dy) {
+  const double u = 2.5 * std::sin(7 * t) + 1.2 * std::sin(23 * t + 0.4) - 1.2 * std::sin(0.4), v = 17.5 * std::cos(7 * t) + 27.6 * std::cos(23 * t + 0.4);
+  return {dy * u, dy * v};
+}
+
+// Formulas of the return mapping as they were before laws had a contract; results of runs have these bits.
+TEST(HystereticSpring, ABilinearOneHasTheBitsOfItsReturnMapping) {
+  const double k = 1.7e6, fy = 2.3e4, a = 0.07, yielding = (1 - a) * k, yield = fy / k;
+  double slip = 0, kept = 0, lost = 0;
+  BilinearSpring spring({.stiffness = k, .yield_force = fy, .hardening = a});
+  const auto follow = [&](double d) {
+    const double next = std::clamp(slip, d - yield, d + yield);
+    lost += yielding * yield * std::abs(next - slip);
+    slip = next;
+    kept = d;
+  };
+  int yielded = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const LinkMotion begin = motion(0.01 * i, yield), end = motion(0.01 * (i + 1), yield);
+    for (const double d : {begin.penetration, end.penetration, 2 * end.penetration}) {
+      const double stretch = d - slip;
+      const bool is_elastic = std::abs(stretch) <= yield;
+      const laws::Response r = spring.evaluate({d, 0});
+      EXPECT_EQ(r.force, is_elastic ? -yielding * slip : yielding * (std::copysign(yield, stretch) - d));
+      EXPECT_EQ(r.by_penetration, is_elastic ? 0 : -yielding);
+      yielded += !is_elastic;
+    }
+    if (begin.rate * end.rate < 0) {
+      const CubicPenetration between(begin, end, 0.01);
+      if (const double s = between.turn(); s > 0 && s < 1) follow(between.at(s));
+    }
+    follow(end.penetration);
+    spring.accept(step(begin, end));
+    ASSERT_EQ(spring.slip(), slip);
+    ASSERT_EQ(spring.lost(), lost);
+    ASSERT_EQ(spring.stored_correction(), yielding * slip * (0.5 * slip - kept));
+  }
+  EXPECT_GT(yielded, 300);
+}
+
+// Work by trapezia of a fine path; the spring takes each of its steps.
+TEST(HystereticSpring, StoresAndLosesTheWorkDoneOnItByEveryLaw) {
+  for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
+    const std::unique_ptr<Spring> spring = make_spring(hysteresis::typical_settings(entry));
+    const double dy = spring->yield_deformation(), k = spring->stiffness();
+    double work = 0;
+    LinkMotion last = motion(0, dy);
+    for (int i = 1; i <= 20000; ++i) {
+      const LinkMotion next = motion(1e-4 * i, dy);
+      const auto force = [&](double d) { return k * d + spring->evaluate({d, 0}).force; };
+      const double before = force(last.penetration), after = force(next.penetration);
+      spring->accept({.begin = 0, .end = 1e-4, .motion_begin = last, .motion_middle = {}, .motion_end = next});
+      work += 0.5 * (before + after) * (next.penetration - last.penetration);
+      last = next;
+    }
+    const double stored = 0.5 * k * last.penetration * last.penetration + spring->stored_correction();
+    EXPECT_NEAR(stored + spring->lost(), work, 1e-4 * work) << entry.name;
+    EXPECT_GT(spring->lost(), 0.05 * k * dy * dy) << entry.name;
+  }
+}
+
+TEST(HystereticSpring, GoesOnFromItsArchiveWithTheSameBitsByEveryLaw) {
+  for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
+    const hysteresis::Settings settings = hysteresis::typical_settings(entry);
+    const std::unique_ptr<Spring> spring = make_spring(settings), copy = make_spring(settings);
+    const double dy = spring->yield_deformation();
+    const auto drive = [dy](Spring& s, int from, int to) {
+      for (int i = from; i < to; ++i) s.accept(step(motion(0.01 * i, dy), motion(0.01 * (i + 1), dy)));
+    };
+    drive(*spring, 0, 137);
+    Archive archive;
+    spring->archive(archive);
+    Archive read(archive.bytes());
+    copy->archive(read);
+    read.expect_end();
+    drive(*spring, 137, 300);
+    drive(*copy, 137, 300);
+    const auto bits = [dy](const Spring& s) {
+      return std::vector<double>{s.lost(), s.stored_correction(), s.evaluate({3 * dy, 0}).force, s.evaluate({-2 * dy, 0}).by_penetration};
+    };
+    EXPECT_EQ(std::memcmp(bits(*spring).data(), bits(*copy).data(), 4 * sizeof(double)), 0) << entry.name;
+  }
+}
+
+TEST(HystereticSpring, BeginsWhereTheRunDoesWithoutALoss) {
+  const auto spring = make_spring({.law = "bouc_wen", .values = {{"stiffness", 1e6}, {"yield_force", 1e4}}});
+  spring->start({0.005, 0});
+  EXPECT_EQ(spring->lost(), 0);
+  EXPECT_NEAR(0.5 * 1e6 * 0.005 * 0.005 + spring->stored_correction(), 0.5 * 1e6 * std::pow(0.01 * std::tanh(0.5), 2), 1e-9);
+}
+
+std::string refusal(std::unique_ptr<Spring> (*make)(const hysteresis::Settings&), const hysteresis::Settings& settings) {
+  try {
+    make(settings);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(MakeSpring, AHingeHasMomentsInItsWordsAndMessages) {
+  const auto hinge = make_hinge({.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", 2e5}, {"negative_yield_moment", 1e5}}});
+  EXPECT_EQ(hinge->stiffness(), 4e7);
+  EXPECT_NEAR(4e7 * 0.1 + hinge->evaluate({0.1, 0}).force, 2e5, 1e-6);
+  EXPECT_NEAR(-4e7 * 0.1 + hinge->evaluate({-0.1, 0}).force, -1e5, 1e-6);
+  EXPECT_EQ(refusal(make_hinge, {.law = "menegotto_pinto", .values = {{"stiffness", 4e7}}}), "menegotto_pinto needs yield_moment (yield force Fy)");
+  EXPECT_EQ(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_moment", -2}}}),
+            "yield_moment is -2, but must be finite and positive");
+  EXPECT_EQ(refusal(make_hinge, {.law = "bilinear", .values = {{"stiffness", 4e7}, {"yield_force", 2}}}),
+            "a hinge has a yield_moment instead of a yield_force");
+  EXPECT_EQ(refusal(make_spring, {.law = "takeda", .values = {}}),
+            "unknown law of yielding \"takeda\". Allowed: bilinear, menegotto_pinto, bouc_wen, peak_oriented, friction_pendulum, lead_rubber, "
+            "elastomeric, backfill.");
+}
+
+}  // namespace
+}  // namespace pounding
