@@ -17,7 +17,7 @@ version = release = re.search(r"project\(pounding\s+VERSION ([0-9.]+)", (ROOT / 
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "pages", "lesson_pages", "header_reference"]
 root_doc = "python/docs/index"
-include_patterns = ["python/docs/**", "examples/**", "elements/pounding/laws/pages/*", "tests/verification/**",
+include_patterns = ["python/docs/**", "examples/**", "elements/pounding/laws/pages/*", "elements/pounding/hysteresis/pages/*", "tests/verification/**",
                     "tests/benchmarks/README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md"]
 exclude_patterns = ["build*", ".venv*", ".git"]
 # Formulas between program text; a class Link is in pounding.results and another in pounding.opensees.

@@ -35,8 +35,14 @@ def correct_links(app, docname, source):
         source[0] = links_from(source[0], folder, folder)
 
 
+#: Leads the site to all pages of a folder.
+LIST_OF_PAGES = "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
+
+
 def typeset_laws(app, docname, source):
     """On the pages of the laws: forces and damping formulas as mathematics, and the list of all laws above its pages."""
+    if docname == "elements/pounding/hysteresis/pages/README":
+        source[0] += LIST_OF_PAGES
     if not docname.startswith("elements/pounding/laws/pages/"):
         return
     def cell(match):
@@ -47,7 +53,7 @@ def typeset_laws(app, docname, source):
     text = re.sub(r"(?m)^    (\S.* = .*)$", lambda match: f"$${tex(match.group(1))}$$", source[0])
     source[0] = re.sub(r"(?m)^(\| [^|]* \| )`([^`|]* = [^`|]*)` \|", cell, text)
     if docname.endswith("/README"):
-        source[0] += "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
+        source[0] += LIST_OF_PAGES
 
 
 class ReadmeSection(SphinxDirective):

@@ -72,6 +72,18 @@ TYPED_TEST(HysteresisContract, IsElasticAtFirst) {
   EXPECT_EQ(this->law.stored({}), 0);
 }
 
+TYPED_TEST(HysteresisContract, StandingStillChangesNothing) {
+  std::mt19937 random(10);
+  for (int i = 0; i < 200; ++i) {
+    const auto kept = i == 0 ? typename TypeParam::State{} : this->follow(random_path(random, this->dy));
+    const auto still = this->law.advance(kept, kept.deformation);
+    EXPECT_EQ(this->law.work(kept, kept.deformation), 0);
+    EXPECT_EQ(lost(this->law, kept, kept.deformation), 0);
+    EXPECT_FALSE(this->law.corner(kept, kept.deformation));
+    for (const double d : random_path(random, this->dy)) EXPECT_EQ(this->law.respond(still, d).force, this->law.respond(kept, d).force);
+  }
+}
+
 TYPED_TEST(HysteresisContract, SlopeIsTheDerivativeAlongTheWay) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> reach(-6, 6);

@@ -144,6 +144,7 @@ struct MenegottoPinto {
     return spring + (1 - hardening) * initial_stiffness * given;
   }
   double work(const State& kept, double d) const noexcept {
+    if (d == kept.deformation) return 0;
     State from = kept;
     if (turns(kept, d)) turn(from, d < kept.deformation ? -1 : 1);
     double yielding = 0, begin = kept.deformation;
@@ -158,6 +159,7 @@ struct MenegottoPinto {
   }
   /// The present branch meets an older one at an angle there.
   std::optional<double> corner(const State& kept, double d) const noexcept {
+    if (d == kept.deformation) return {};
     State from = kept;
     if (turns(kept, d)) turn(from, d < kept.deformation ? -1 : 1);
     double begin = kept.deformation;
