@@ -61,8 +61,9 @@ class HystereticSpring : public Spring, public SpringInside {
     archive(given_);
   }
 
+  /// With its parameters.
   const L& law() const noexcept { return law_; }
-  /// At the last kept step.
+  /// State at the last kept step.
   const typename L::State& kept() const noexcept { return kept_; }
 
  private:
