@@ -1,11 +1,11 @@
 # Installs the public headers, when the project is installed: the faces, and every header that they include, directly or through
-# others. The faces are pounding/links.hpp, elements.hpp, lib.hpp and all of pounding/laws/. All other headers are private.
+# others. The faces are pounding/links.hpp, elements.hpp, lib.hpp and all of pounding/laws/ and pounding/hysteresis/. All other headers are private.
 #   SOURCE: the project; BINARY: its build; INCLUDEDIR: where headers go below the prefix
 cmake_policy(VERSION 3.25)
 set(roots ${SOURCE}/elements ${SOURCE}/lib ${BINARY}/elements)
 set(pending)
 foreach(root IN LISTS roots)
-  file(GLOB faces RELATIVE ${root} ${root}/pounding/*.hpp ${root}/pounding/laws/*.hpp)
+  file(GLOB faces RELATIVE ${root} ${root}/pounding/*.hpp ${root}/pounding/laws/*.hpp ${root}/pounding/hysteresis/*.hpp)
   list(APPEND pending ${faces})
 endforeach()
 # A host may ask for the version, which no header does.

@@ -42,7 +42,7 @@ class Item:
 def installed_headers() -> list[Path]:
     """The headers that cmake/install_headers.cmake installs, but for that of the version: the faces and what they include."""
     parts = [ROOT / "elements", ROOT / "lib"]
-    pending = [path for part in parts for folder in ("", "laws") for path in (part / "pounding" / folder).glob("*.hpp")]
+    pending = [path for part in parts for folder in ("", "laws", "hysteresis") for path in (part / "pounding" / folder).glob("*.hpp")]
     found = set()
     while pending:
         path = pending.pop()

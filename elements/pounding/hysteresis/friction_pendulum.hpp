@@ -41,6 +41,7 @@ struct FrictionPendulum : MadeOf<FrictionPendulum, Bilinear> {
     laws::require_positive("friction", friction);
     laws::require_positive("yield_displacement", sliding_deformation);
   }
+  /// The law that it is.
   Bilinear made() const noexcept {
     const double dish = weight / radius, stick = friction * weight / sliding_deformation, k = dish + stick;
     return {.initial_stiffness = k, .yield_force = k * sliding_deformation, .hardening = dish / k};

@@ -15,6 +15,7 @@ namespace pounding::hysteresis {
 struct RubberStiffness {
   std::optional<double> given, shear_modulus, area, thickness;  ///< k2 [N/m]; G [Pa], A [m^2], t_r [m]
 
+  /// k2 [N/m].
   double value() const noexcept { return given ? *given : *shear_modulus * *area / *thickness; }
   /// Throws std::invalid_argument unless one of the two is given, whole and positive.
   void check(std::string_view law) const {
@@ -67,7 +68,9 @@ struct LeadRubber : MadeOf<LeadRubber, Bilinear> {
     laws::require_positive("yield_displacement", displacement_at_yield);
     rubber().check(name);
   }
+  /// Its stiffness after the yield, as given.
   RubberStiffness rubber() const noexcept { return {post_yield_stiffness, shear_modulus, area, rubber_thickness}; }
+  /// The law that it is.
   Bilinear made() const noexcept {
     const double k2 = rubber().value(), k = k2 + strength / displacement_at_yield;
     return {.initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k};
@@ -114,7 +117,9 @@ struct Elastomeric : MadeOf<Elastomeric, BoucWen> {
     rubber().check(name);
     laws::require_exponent(exponent);
   }
+  /// Its stiffness after the yield, as given.
   RubberStiffness rubber() const noexcept { return {post_yield_stiffness, shear_modulus, area, rubber_thickness}; }
+  /// The law that it is.
   BoucWen made() const noexcept {
     const double k2 = rubber().value(), k = k2 + strength / displacement_at_yield;
     return {.initial_stiffness = k, .yield_force = k * displacement_at_yield, .hardening = k2 / k, .exponent = exponent};

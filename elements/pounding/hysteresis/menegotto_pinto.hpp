@@ -41,6 +41,7 @@ struct MenegottoPinto {
   /// Energy that a path may give back beyond what stored() says, over Fy dy.
   static constexpr double gives_back = 0.15;
 
+  /// Memory of the branches before a turn: those that may go on, or none as in Steel02.
   enum class Memory { nested, last };
 
   double initial_stiffness = 0;  ///< k > 0 [N/m]
@@ -83,7 +84,9 @@ struct MenegottoPinto {
     int way = 0;  // of the present branch: 1 up, -1 down, 0 before the first
     Branches up{}, down{};
 
+    /// Branches of the present direction; there is one after the first way.
     const Branches& present() const noexcept { return way < 0 ? down : up; }
+    /// Followed at present.
     const Branch& branch() const noexcept { return present().of[present().count - 1]; }
   };
   static constexpr std::array state{
