@@ -68,7 +68,7 @@ inline const std::string beside_wall =
 
 /// Two storeys that yield by this spring.
 inline std::string yielding(const std::string& spring) {
-  return shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, damping: 5 %, spring: " + spring + "}}";
+  return shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 10 MN/m, damping: 5 %, spring: " + spring + "}}";
 }
 
 /// A model around one section, whose keys stand at the @.
@@ -224,6 +224,8 @@ inline const std::map<std::string, Keys> beside_word = {
     {"structures.wall", {{"damping", ""}}},
     {"oscillator.hardening", {{"yield_force", "1 MN"}}},
     {"shear_building.hardening", {{"yield_force", "1 MN"}}},
+    {"peak_oriented.cracking_force", {{"yield_deformation", "30 mm"}}},
+    {"peak_oriented.yield_deformation", {{"cracking_force", "50 kN"}}},
     {"frame.initial_displacement", {{"floors", "[{nodes: [b, c]}]"}}},
     {"frame.grid", {{"nodes", ""}, {"members", ""}, {"supports", ""}, {"masses", ""}}},
     {"frame.nodes", {{"members", "{c1: {between: [a, b], section: " + rectangle + "}}"}, {"supports", "{a: fixed}"}, {"masses", ""}}},

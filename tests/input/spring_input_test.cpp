@@ -58,22 +58,39 @@ TEST(SpringInput, ThatIsBilinearIsThatOfItsOwnKeys) {
 }
 
 TEST(SpringInput, SaysWhereItIsWrongAndWhatToType) {
-  const auto refused = [](const std::string& spring, const std::string& message) { test::refused(building(spring), message); };
-  refused("spring: bouc_wen", "says the law alone; type spring: {bouc_wen: {yield_force: 2 MN}} with its numbers");
-  refused("spring: {boucwen: {yield_force: 600 kN}}", "bouc_wen");
-  refused("spring: {}", "the law is missing; type spring: {bouc_wen: {yield_force: 2 MN}}");
-  refused("spring: {bilinear: {yield_force: 1 MN}, bouc_wen: {yield_force: 1 MN}}", "a storey follows one law, and bilinear is given too");
-  refused("spring: {bouc_wen: {hardening: 5 %}}", "yield_force");
-  refused("spring: {bouc_wen: {yield_force: [600 kN]}}", "list of 2 from the ground up; a list of 1 was read");
-  refused("spring: {bouc_wen: {yield_force: 600 kN, stiffness: 1 MN/m}}", "stiffness");
-  refused("spring: {bouc_wen: {yield_force: 600 mm}}", "spring.bouc_wen.yield_force");
-  refused("spring: {bouc_wen: {yield_force: [600 kN, -1 kN]}}", "spring.bouc_wen.yield_force: storey 2: yield_force");
-  refused("spring: {bouc_wen: {yield_force: 600 kN, gamma_share: 0.6}}", "spring.bouc_wen.gamma_share: gamma_share");
-  refused("spring: {bouc_wen: {yield_force: 600 kN, hardening: 1}}", "spring.bouc_wen.hardening: hardening");
-  refused("spring: {menegotto_pinto: {yield_force: 600 kN, memory: all}}", "spring.menegotto_pinto.memory");
-  refused("spring: {bouc_wen: {yield_force: 600 kN}}, yield_force: 600 kN",
+  const auto refused = [](const std::string& spring, const std::string& place, const std::string& message) {
+    test::refused(building(spring), "4:" + place + message);
+  };
+  refused("spring: bouc_wen", "86: structures.a.shear_building.",
+          "spring: says the law alone; type spring: {bouc_wen: {yield_force: 2 MN}} with its numbers");
+  refused("spring: {boucwen: {yield_force: 600 kN}}", "87: structures.a.shear_building.",
+          "spring: unknown key \"boucwen\". Did you mean \"bouc_wen\"?");
+  refused("spring: {}", "86: structures.a.shear_building.",
+          "spring: the law is missing; type spring: {bouc_wen: {yield_force: 2 MN}}");
+  refused("spring: {bilinear: {yield_force: 1 MN}, bouc_wen: {yield_force: 1 MN}}", "118: structures.a.shear_building.",
+          "spring.bouc_wen: a storey follows one law, and bilinear is given too; keep one of the two");
+  refused("spring: {bouc_wen: {hardening: 5 %}}", "97: structures.a.shear_building.",
+          "spring.bouc_wen: key \"yield_force\" is missing; type \"yield_force: 150 kN\"");
+  refused("spring: {bouc_wen: {yield_force: [600 kN]}}", "111: structures.a.shear_building.",
+          "spring.bouc_wen.yield_force: takes a force such as \"200 kN\" or a list of 2 from the ground up; a list of 1 was read");
+  refused("spring: {bouc_wen: {yield_force: 600 kN, stiffness: 1 MN/m}}", "119: structures.a.shear_building.",
+          "spring.bouc_wen: unknown key \"stiffness\". Allowed: yield_force, hardening, exponent, gamma_share.");
+  refused("spring: {bouc_wen: {yield_force: 600 mm}}", "111: structures.a.shear_building.",
+          "spring.bouc_wen.yield_force: takes a force such as \"200 kN\"; \"600 mm\" is a length");
+  refused("spring: {bouc_wen: {yield_force: [600 kN, -1 kN]}}", "111: structures.a.shear_building.",
+          "spring.bouc_wen.yield_force: storey 2: yield_force is -1000, but must be finite and positive");
+  refused("spring: {bouc_wen: {yield_force: 600 kN, gamma_share: 0.6}}", "132: structures.a.shear_building.",
+          "spring.bouc_wen.gamma_share: gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy");
+  refused("spring: {bouc_wen: {yield_force: 600 kN, hardening: 1}}", "130: structures.a.shear_building.",
+          "spring.bouc_wen.hardening: hardening is 1, but must be in [0, 1)");
+  refused("spring: {menegotto_pinto: {yield_force: 600 kN, memory: all}}", "134: structures.a.shear_building.",
+          "spring.menegotto_pinto.memory: unknown memory \"all\". Allowed: nested, last.");
+  refused("spring: {bouc_wen: {yield_force: 600 kN}}, yield_force: 600 kN", "121: structures.a.shear_building.",
           "yield_force: belongs to a bilinear storey, and a spring is given too; keep one of the two");
-  refused("spring: {bouc_wen: {yield_force: 600 kN}}, hardening: 5 %", "hardening: belongs to a bilinear storey");
+  refused("spring: {bouc_wen: {yield_force: 600 kN}}, hardening: 5 %", "121: structures.a.shear_building.",
+          "hardening: belongs to a bilinear storey, and a spring is given too; keep one of the two");
+  refused("spring: backfill", "86: structures.a.shear_building.",
+          "spring: backfill is no law of storeys; pounding words spring lists them");
 }
 
 }  // namespace

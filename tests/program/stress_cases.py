@@ -40,6 +40,7 @@ DIRECT = {
 SPRINGS = {
     "bilinear": {},
     "menegotto_pinto": {"memory": ["nested", "last"], "R0": [14, 20]},
+    "peak_oriented": {"unloading": [0, 0.3, 0.5]},
     "bouc_wen": {"exponent": [1, 1.5, 2, 5], "gamma_share": [0, 0.3, 0.5]},
 }
 WITH_DESIGN_SPEED = ["modified_kelvin", "hertz_damped", "bilinear_hertz", "kuwabara_kono", "adams_impact", "limited_damper"]

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
+#include <pounding/structures/make_spring.hpp>
 
 namespace pounding {
 namespace {
@@ -20,11 +21,13 @@ const hysteresis::Entry& law_of(const Input& spring) {
     } catch (const std::invalid_argument& error) {
       spring.fail(error.what());
     }
+    if (!spring.knows(name)) spring.fail(fmt::format("{} is no law of storeys; pounding words spring lists them", name));
     spring.fail(fmt::format("says the law alone; type spring: {{{}: {{yield_force: 2 MN}}}} with its numbers", name));
   }
   spring.only_keys();
   const hysteresis::Entry* chosen = nullptr;
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
+    if (!spring.knows(entry.name)) continue;
     const auto found = spring.find(entry.name);
     if (!found) continue;
     if (chosen) found->fail_at_key(fmt::format("a storey follows one law, and {} is given too; keep one of the two", chosen->name));

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/structure_damping.hpp>
 
 namespace pounding {

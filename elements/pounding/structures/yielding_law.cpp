@@ -4,7 +4,6 @@
 #include <variant>
 
 #include <pounding/hysteresis/all.hpp>
-#include <pounding/structures/hysteretic_spring.hpp>
 
 namespace pounding {
 
@@ -14,11 +13,6 @@ hysteresis::Settings SpringOptions::of_storey(int storey, const std::vector<doub
   for (const auto& [name, each] : values) settings.values.emplace(name, each.of_each(static_cast<int>(stiffness.size()), name)[storey]);
   settings.values.emplace("stiffness", stiffness[storey]);
   return settings;
-}
-
-std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings) {
-  return std::visit([]<class L>(const L& law) -> std::unique_ptr<Spring> { return std::make_unique<HystereticSpring<L>>(law); },
-                    hysteresis::make_law(settings));
 }
 
 std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& settings) {

@@ -2,8 +2,8 @@
 /// Parts that yield by one of the laws of hysteresis/, by its name.
 
 #include <map>
-#include <memory>
 #include <string>
+#include <vector>
 
 #include <pounding/hysteresis/entry.hpp>
 #include <pounding/structures/one_or_each.hpp>
@@ -23,12 +23,9 @@ struct SpringOptions {
   hysteresis::Settings of_storey(int storey, const std::vector<double>& stiffness) const;
 };
 
-/// An undeformed spring that follows the law. Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a
-/// missing one, and a value out of range.
-std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings);
 /// Every number and choice of a law with these settings but its stiffness, defaults included; numbers that nothing stands for are left out.
 /// The value of a choice is the place of its word in the law's table, from 0.
-/// Throws as make_spring().
+/// Throws as make_spring() does.
 std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& settings);
 
 }  // namespace pounding

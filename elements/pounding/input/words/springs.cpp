@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -32,10 +33,10 @@ struct OfLaws {
     if constexpr (requires { L::choices; })
       for (const auto& choice : L::choices)
         own.push_back({.key = choice.info.name, .takes = Takes::choice, .choices = choice.info.words,
-                       .otherwise = choice.info.words[choice.get(made)], .since = "0.2.0", .meaning = choice.info.meaning,
+                       .otherwise = choice.info.words[choice.get(made)], .since = "0.2.0", .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))),
                        .example = choice.info.words.back()});
     sections.push_back({.name = L::name, .place = kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
-                        .meaning = kept(fmt::format("{}: {}.", L::shape, L::summary)), .words = own});
+                        .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), .words = own});
     by_name.push_back({.key = L::name, .inside = &sections.back(), .need = Need::exactly_one, .since = "0.2.0",
                        .meaning = kept(fmt::format("The storeys follow this law: {}.", L::summary)),
                        .example = kept(fmt::format("{{{}}}", example))});
@@ -59,7 +60,7 @@ struct OfLaws {
               .meaning = kept(fmt::format("{}: one for all storeys, or a list from the ground up.", capital(info.meaning))),
               .example = kept(shown(info.typical, info.unit))};
     if (word.need == Need::optional)
-      word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("what the others say");
+      word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
     return word;
   }
 
@@ -74,7 +75,16 @@ template <class Any>
 struct Adder;
 template <class... L>
 struct Adder<std::variant<L...>> {
-  static void run(OfLaws& laws) { (laws.add(L{}), ...); }
+  static void run(OfLaws& laws) { (add<L>(laws), ...); }
+
+ private:
+  // A storey has a stiffness and yields both ways.
+  template <class One>
+  static void add(OfLaws& laws) {
+    constexpr bool has_stiffness = std::ranges::find(hysteresis::by_name::infos<One::parameters>, "stiffness", &hysteresis::ParameterInfo::name) !=
+                                   hysteresis::by_name::infos<One::parameters>.end();
+    if constexpr (has_stiffness && hysteresis::by_name::entry<One>().is_symmetric) laws.add(One{});
+  }
 };
 
 const OfLaws& laws() {
