@@ -132,7 +132,7 @@ def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] 
         figure = Picture(figsize=size, layout="constrained")
         axes = figure.subplots()
         _draw_curve(axes, found)
-        _number_events(axes, found, 30 if narrow else 36)
+        _number_events(axes, found, 38)
         # Events are told below a narrow picture and beside a wide one.
         figure.legend(*axes.get_legend_handles_labels(), handlelength=1.2, loc="outside lower center" if narrow else "outside right upper")
         head(figure, title)
