@@ -86,7 +86,8 @@ TEST_P(Hinges, CloseTheirEnergies) {
 // The answer at a tiny tolerance by the other scheme.
 TEST_P(Hinges, KeepTheTolerance) {
   HingeFrame exact_frame({}, shake);
-  const HingeFrameRun exact = run(exact_frame, GetParam().kind == esdirk.kind ? alpha : esdirk, GetParam().kind == esdirk.kind ? 1e-6 : 1e-7);
+  const bool by_alpha = GetParam().kind == esdirk.kind;
+  const HingeFrameRun exact = run(exact_frame, by_alpha ? alpha : esdirk, by_alpha ? 1e-6 : 1e-7);
   for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
     HingeFrame frame({}, shake);
     const HingeFrameRun done = run(frame, GetParam(), tolerance);

@@ -15,7 +15,8 @@ void System::check() const {
   if (gravity_offset.size() > 0 && gravity_offset.size() != links())
     throw std::invalid_argument("System::gravity_offset needs one value a link");
   if (frictions_from > links()) throw std::invalid_argument("System::gap_jacobian needs one column a contact and a spring");
-  if (spring_flexibility.size() > 0 && (spring_flexibility.rows() != frictions_from - contact_count() || spring_flexibility.cols() != spring_flexibility.rows()))
+  if (spring_flexibility.size() > 0 && (spring_flexibility.rows() != frictions_from - contact_count() ||
+                                        spring_flexibility.cols() != spring_flexibility.rows()))
     throw std::invalid_argument("System::spring_flexibility needs one row and one column a spring");
   std::vector<bool> taken(static_cast<std::size_t>(links() - frictions_from), false);  // by column behind those of the springs
   for (const Friction& friction : frictions) {

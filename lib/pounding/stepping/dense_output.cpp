@@ -145,7 +145,8 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
   }
   const double s = (time - x.time) / h;
   const Parabola parabola(s);
-  forces = parabola.begin * springs_of(x.force) + parabola.middle * springs_of(history_.kept().force_middle) + parabola.end * springs_of(y.force);
+  forces = parabola.begin * springs_of(x.force) + parabola.middle * springs_of(history_.kept().force_middle) +
+           parabola.end * springs_of(y.force);
   if (!equations_.springs.any()) return;
   const Cubic cubic(s, h);
   const Eigen::VectorXd by_slopes = cubic.begin * springs_of(x.force) + cubic.end * springs_of(y.force) +

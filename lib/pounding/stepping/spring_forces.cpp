@@ -65,7 +65,8 @@ bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd
     const LinkMotion& motion = motions[active_[k]];
     free_[k] = {motion.penetration - (relief_[springs[k]] - by_own[k]), motion.rate};
   }
-  const CondensedLinks condensed{.active = active_, .free = free_, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
+  const CondensedLinks condensed{.active = active_, .free = free_, .free_acceleration = none_,
+                                 .flexibility = zero_, .relief = &flexibility_};
   if (!solver_.solve(condensed, own)) return false;
   force(active_) = own;
   return true;
