@@ -15,7 +15,8 @@ from generated_pages import ROOT, arguments, refuse
 from law_pages import table
 
 PAGES = ROOT / "elements/pounding/hysteresis/pages"
-PATH = "0, 2.5, -1.2, 0.4, -3.6, -3.1, -3.4, 1, 0.2, 4.5, 0"
+FIRST, TURNS = 2.5, "-1.2, 0.4, -3.6, -3.1, -3.4, 1, 0.2, 4.5, 0"
+PATH = f"{FIRST:g}, {TURNS}"
 COMMON = "f [N] force, positive where d grew from rest; d [m] deformation; at a hinge f is a moment [N m] and d a rotation [rad]"
 
 
@@ -26,8 +27,8 @@ class Program:
     def json(self, *words):
         return json.loads(subprocess.run([self.path, "laws", *words, "--json"], capture_output=True, text=True, check=True).stdout)
 
-    def loop(self, law, points=1):
-        return self.json(law["name"], "--path", PATH, "--points", str(points))["rows"]
+    def loop(self, law, path=PATH, points=1):
+        return self.json(law["name"], "--path", path, "--points", str(points))["rows"]
 
 
 def page(law, rows):
@@ -48,7 +49,7 @@ def page(law, rows):
 
 
 def index(all_laws):
-    lines = ["# Laws of yielding", "", f"{COMMON[0].upper()}{COMMON[1:]}.", "",
+    lines = ["# Laws of yielding", "", f"With {COMMON}.", "",
              "Each follows the path between two kept states exactly: it does not matter where a way without a turn is cut into steps, no energy",
              "comes from a cycle that repeats, and slopes are those of the force. `tests/hysteresis` holds all of them to it. Made by", "",
              "    .venv-test/bin/python3 python/docs/hysteresis_pages.py build/pounding --write", "", "from what `pounding laws NAME` says.", ""]
@@ -65,12 +66,13 @@ def draw(program, law, path):
     import matplotlib.pyplot as plt
     from PIL import Image  # comes with matplotlib
     from pounding.pictures.style import STYLE
-    rows = program.loop(law, 60)
+    first = [f"{FIRST * part / 60:.6g}" for part in range(61)][1:-1]
+    rows = program.loop(law, ", ".join(first)) + program.loop(law, points=60)
     with plt.rc_context(STYLE | {"savefig.dpi": 110}):
         figure, axes = plt.subplots(figsize=(3.6, 2.9), layout="constrained")
         axes.axhline(0, color="0.5", linewidth=0.6)
         axes.axvline(0, color="0.5", linewidth=0.6)
-        axes.plot([1e3 * row[0] for row in rows], [row[1] / 1e3 for row in rows], color="black", linewidth=1.2)
+        axes.plot([0] + [1e3 * row[0] for row in rows], [0] + [row[1] / 1e3 for row in rows], color="black", linewidth=1.2)
         axes.set(xlabel="deformation d (mm)", ylabel="force f (kN)")
         drawn = io.BytesIO()
         figure.savefig(drawn, format="png")
