@@ -173,6 +173,25 @@ TEST(Reactions, HoldTheLowestStoreyAndTheWeight) {
   EXPECT_NEAR(up.front(), weight, 1e-9 * weight);
 }
 
+// A single column ends at each foot.
+TEST(Reactions, HoldTheColumnThatIsHitBetweenItsEnds) {
+  const std::string hit = "links: [{between: [left, right], floors: any, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
+  const Outcome run = test::run_text(frames(hit, "", ", mass: consistent", ", mass: consistent", "1.2 m"));
+  ASSERT_GT(run.results.impacts.size(), 1u);
+  const StructureHistory& left = run.results.structures[0];
+  const StructureEnvelope& envelope = left.envelope;
+  const std::size_t members = envelope.members.size(), components = envelope.components.size();
+  for (std::size_t foot = 0; foot < 3; ++foot) {
+    const auto column = std::find(envelope.members.begin(), envelope.members.end(), fmt::format("column 1.{}", foot)) - envelope.members.begin();
+    for (std::size_t t = 0; t < run.results.time.size(); ++t) {
+      const double shear = left.end_forces[(t * members + column) * components + 1], reaction = left.reaction[(t * 3 + foot) * 3];
+      EXPECT_NEAR(std::abs(shear), std::abs(reaction), 1e-6) << foot << ", output " << t;
+    }
+    const std::size_t of_column = column * components + 1, of_foot = foot * 3;
+    EXPECT_NEAR(envelope.member_force.peak(of_column), envelope.reaction.peak(of_foot), 1e-6) << foot;
+  }
+}
+
 TEST(Reactions, OfASpringToTheGroundPushAgainstTheDisplacement) {
   const Outcome run = test::run_text(
       "ground_motion: {harmonic: {amplitude: 2, period: 0.5, duration: 1}}\n"

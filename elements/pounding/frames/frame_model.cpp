@@ -15,6 +15,13 @@ std::string height(double z) { return format_quantity(z, dimension::length); }
 
 }  // namespace
 
+std::vector<int> FrameModel::held_nodes() const {
+  std::vector<int> held = frame.grounded_nodes();
+  std::erase_if(held, [&](int node) { return node >= given_nodes(); });
+  std::sort(held.begin(), held.end());
+  return held;
+}
+
 bool FrameModel::has_gravity() const { return gravity.value_or(frame.is_loaded() || geometry == FrameGeometry::p_delta); }
 
 bool FrameModel::is_loaded() const { return frame.is_loaded() || has_gravity(); }

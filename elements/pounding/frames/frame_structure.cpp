@@ -101,10 +101,7 @@ NodeReport make_node_report(const FrameModel& model, const AssembledFrame& frame
 }
 
 Frame::Reactions make_reactions(const FrameModel& model, const AssembledFrame& frame) {
-  std::vector<int> held = model.frame.grounded_nodes();
-  std::erase_if(held, [&](int node) { return node >= model.given_nodes(); });
-  std::sort(held.begin(), held.end());
-  return model.frame.reactions(held, frame, model.has_gravity(), !turns(model));
+  return model.frame.reactions(model.held_nodes(), frame, model.has_gravity(), !turns(model));
 }
 
 InternalForces make_internal_forces(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions) {

@@ -227,6 +227,9 @@ ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& a
   point.supported = on.supported;
   point.member = member;
   point.fixed_ends = on.fixed_ends;
+  const Frame::Reactions ground = model_->frame.reactions(model_->held_nodes(), *assembled_, false, true);
+  point.reactions.resize(ground.by_forces.rows(), 3);
+  for (int axis = 0; axis < 3; ++axis) point.reactions.col(axis) = -(ground.by_forces * Eigen::VectorXd(on.supported[axis]));
   return point;
 }
 

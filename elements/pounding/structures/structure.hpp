@@ -89,6 +89,8 @@ struct ContactPoint {
   int member = -1;            ///< that is met between its ends
   /// Forces on the ends of the member by a unit force along x, y, z at the point, local axes, its nodes held.
   Eigen::Matrix<double, 12, 3> fixed_ends = Eigen::Matrix<double, 12, 3>::Zero();
+  /// Reactions to such a force, which goes straight into a support that holds an end: in the order of InternalForces. Empty for none.
+  Eigen::MatrixX3d reactions;
 };
 
 /// Horizontal direction, along or against x or y, in which a side faces.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <set>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -47,28 +47,31 @@ void ForceEnvelopes::add_frame(int k) {
   envelope.member_force = Extremes(s.forces.members.size() * s.forces.components.size());
   envelope.reaction = Extremes(s.forces.supports.size() * s.forces.directions.size());
   const int components = static_cast<int>(s.forces.components.size()), shears = static_cast<int>(envelope.storey_shear.size());
-  std::set<int> hit;  // members
-  for (const Link& link : model_.links)
-    for (const LinkEnd* end : {&link.left, &link.right})
-      if (stepper_.system().contact_count() > 0 && end->structure == k && end->point.member >= 0) hit.insert(end->point.member);
-  const auto apart = [&](int quantity) {
-    return s.forces.turned || yields(s) || (quantity >= shears && hit.contains((quantity - shears) / components));
-  };
-  const bool all_apart = s.forces.turned || yields(s);
-  if (!all_apart) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(apart), true));
-  if (!all_apart && hit.empty()) return;
-  add_block(k, true, internal_forces(model_, k, plan_, apart, false));
-  const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
-  for (int i = 0; !hit.empty() && i < static_cast<int>(model_.links.size()); ++i) {
+  // By links that press on members between their ends: what a unit force adds to the quantities.
+  std::map<int, Eigen::VectorXd> added;
+  for (int i = 0; stepper_.system().contact_count() > 0 && i < static_cast<int>(model_.links.size()); ++i) {
     const Link& link = model_.links[i];
     for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
       if (end->structure != k || end->point.member < 0) continue;
+      Eigen::VectorXd& by_force = added.try_emplace(i, Eigen::VectorXd::Zero(shears + s.forces.rows.rows())).first->second;
       const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * link.direction);
-      FixedEnds made{i, static_cast<int>(blocks_.size()) - 1, places[shears + end->point.member * components].at,
-                     Eigen::VectorXd(components)};
-      for (int j = 0; j < components; ++j) made.by_force[j] = fixed[s.forces.places[j]];
-      fixed_ends_.push_back(std::move(made));
+      for (int j = 0; j < components; ++j) by_force[shears + end->point.member * components + j] += fixed[s.forces.places[j]];
+      by_force.tail(end->point.reactions.rows()) += end->point.reactions * (sign * link.direction);
     }
+  }
+  const bool all_apart = s.forces.turned || yields(s);
+  const auto apart = [&](int quantity) {
+    return all_apart || std::any_of(added.begin(), added.end(), [&](const auto& each) { return each.second[quantity] != 0; });
+  };
+  if (!all_apart) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(apart), true));
+  if (!all_apart && added.empty()) return;
+  add_block(k, true, internal_forces(model_, k, plan_, apart, false));
+  const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
+  for (const auto& [link, by_force] : added) {
+    FixedEnds made{link, static_cast<int>(blocks_.size()) - 1, Eigen::SparseVector<double>(blocks_.back().quantities.size())};
+    for (int row = 0; row < by_force.size(); ++row)
+      if (by_force[row] != 0) made.by_force.coeffRef(places[row].at) = by_force[row];
+    fixed_ends_.push_back(std::move(made));
   }
 }
 
@@ -80,7 +83,7 @@ void ForceEnvelopes::add_block(int structure, bool apart, LinearQuantities quant
 template <class Force>
 void ForceEnvelopes::add_fixed_end_forces(const Block& block, Eigen::VectorXd& values, Force&& force) const {
   for (const FixedEnds& ends : fixed_ends_)
-    if (&blocks_[ends.block] == &block) values.segment(ends.first, ends.by_force.size()) += force(ends.link) * ends.by_force;
+    if (&blocks_[ends.block] == &block) values += force(ends.link) * ends.by_force;
 }
 
 void ForceEnvelopes::take(const State& state) {

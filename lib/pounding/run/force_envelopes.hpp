@@ -45,10 +45,10 @@ class ForceEnvelopes {
     Eigen::VectorXd values, rates;  // at the last knot that was followed
     Extremes extremes;
   };
-  // A contact that presses on a member between its ends and so loads them as those of a fixed member.
+  // A contact that presses on a member between its ends and so loads them as those of a fixed member, and supports that hold them.
   struct FixedEnds {
-    int link, block, first;    // first of the quantities of the member
-    Eigen::VectorXd by_force;  // on them by a unit force
+    int link, block;
+    Eigen::SparseVector<double> by_force;  // on the quantities of the block by a unit force
   };
 
   void add_frame(int structure);

@@ -179,7 +179,7 @@ void StructureHistories::sample_forces(int k, const Eigen::VectorXd& u, const Ou
   if (stepper_.system().contact_count() > 0) add_fixed_end_forces(k, from, at);
 }
 
-// Contacts that press on a member between its ends load its ends as those of a fixed member.
+// Contacts that press on a member between its ends load its ends as those of a fixed member, and supports that hold them.
 void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   const std::size_t components = s.forces.components.size();
@@ -187,13 +187,14 @@ void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const Out
     const Link& link = model_.links[i];
     for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
       if (end->structure != k || end->point.member < 0) continue;
-      const auto found = std::find(s.reported_members.begin(), s.reported_members.end(), end->point.member);
-      if (found == s.reported_members.end()) continue;
-      const std::size_t m = found - s.reported_members.begin();
       const LinkStep& step = stepper_.link_steps()[i];
       const double force =
           at.inside ? force_inside(step, (at.time - step.begin) / (step.end - step.begin)) : stepper_.link_forces()[static_cast<int>(i)];
       if (force == 0) continue;
+      add_to_last(histories_[k].reaction, Eigen::VectorXd(end->point.reactions * link.direction), sign * force);
+      const auto found = std::find(s.reported_members.begin(), s.reported_members.end(), end->point.member);
+      if (found == s.reported_members.end()) continue;
+      const std::size_t m = found - s.reported_members.begin();
       const Eigen::Matrix<double, 12, 1> fixed = end->point.fixed_ends * (sign * force * link.direction);
       for (std::size_t j = 0; j < components; ++j)
         histories_[k].end_forces[from + m * components + j] += fixed[s.forces.places[j]];
