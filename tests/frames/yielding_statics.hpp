@@ -39,7 +39,7 @@ struct YieldingStatics {
   MatrixXd flexibility() const { return b.transpose() * stiffness.ldlt().solve(b) + relief; }
 };
 
-/// What a load that grows from zero finds: the factors at which parts yield for the first time, in their order.
+/// The path of a load that grows from zero: the factors at which parts yield for the first time, in their order.
 struct Pushed {
   struct Event {
     double factor;

@@ -157,7 +157,7 @@ struct HingeFrame {
   }
 };
 
-/// What a run of a hinge frame came to; of the first frame only.
+/// Answers of a run, for the first frame only.
 struct HingeFrameRun {
   std::vector<double> peak_floor, end_floor;          ///< [m]
   std::vector<double> ductility, peak_moment, slip;   ///< by hinge

@@ -53,7 +53,7 @@ struct FrameModel {
 
   /// Number of nodes without the masters of rigid floors in space.
   int given_nodes() const { return first_master < 0 ? frame.nodes() : first_master; }
-  /// Those of them that the ground holds, in the order of reactions.
+  /// The nodes among them that the ground holds, in the order of reactions.
   std::vector<int> held_nodes() const;
   bool has_gravity() const;
   /// Whether weights or loads act at rest.

@@ -8,7 +8,7 @@
 
 namespace pounding {
 
-/// What stands under `spring`, for storeys with these stiffnesses [N/m]. Throws InputError at the place of what is missing, unknown or out
+/// Reads the section `spring`, for storeys with these stiffnesses [N/m]. Throws InputError at the place of what is missing, unknown or out
 /// of range.
 SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness);
 

@@ -30,6 +30,7 @@ struct PushPoint {
 
 /// Something that happens to a part at a point of the path.
 struct PushEvent {
+  /// Change of a part that makes an event.
   enum class Kind {
     softens,  ///< its slope falls before its yield deformation, as where concrete cracks
     yields,

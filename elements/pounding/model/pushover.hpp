@@ -24,6 +24,7 @@ enum class LoadPattern {
 /// Name in the input: "triangular".
 const char* name_of(LoadPattern pattern);
 
+/// How a structure is pushed, and how far.
 struct PushoverOptions {
   LoadPattern pattern = LoadPattern::triangular;
   std::vector<double> forces{};  ///< of a given pattern, from the ground up, to any scale

@@ -5,9 +5,10 @@
 
 namespace pounding {
 
-/// What some springs can do beside Spring, so that histories are exact at times between the ends of steps.
+/// A spring that follows its law inside the last kept step, so that histories are exact at times between the ends of steps.
 class SpringInside {
  public:
+  /// Force and loss at one instant.
   struct Answer {
     double force = 0;  ///< as Spring::evaluate() gives it [N]
     double lost = 0;   ///< by yielding until then, as Spring::lost() [J]

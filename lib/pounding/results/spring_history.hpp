@@ -18,7 +18,7 @@ struct SpringHistory {
   std::vector<double> deformation, force;            ///< over time
   std::vector<double> hysteretic;                    ///< energy lost so far [J], over time
 
-  // Of the whole run so far.
+  // These count the whole run so far.
   Extremes deformations, forces;     ///< over all steps, inside the steps too
   std::vector<double> last;          ///< deformation now
   std::vector<double> lost;          ///< energy lost by yielding [J]

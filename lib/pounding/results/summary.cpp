@@ -114,7 +114,7 @@ Json structures_json(const std::vector<StructureSummary>& structures) {
   return all;
 }
 
-// What each part has lost [J]; nothing where no structure yields.
+// Energy that each part has lost [J]; nothing where no structure yields.
 Json hysteretic_json(const std::vector<StructureSummary>& structures) {
   Json all = Json::object();
   for (const StructureSummary& s : structures)

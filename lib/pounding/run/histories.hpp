@@ -30,7 +30,7 @@ inline double spring_force(const LinkStep& step, double time, double deformation
   return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
 }
 
-/// The same by the spring itself where it can.
+/// That force by the spring itself where it can.
 inline double spring_force(const Spring& spring, const LinkStep& step, double time, double deformation) {
   if (const auto* exact = dynamic_cast<const SpringInside*>(&spring))
     return exact->inside(step, (time - step.begin) / (step.end - step.begin), deformation).force;

@@ -23,6 +23,7 @@ class EnergyBudget {
   /// The error that is allowed in a step, as part of the one that the tolerance allows.
   double share() const { return share_; }
 
+  /// Writes what it knows, or reads it back.
   void archive(Archive& archive);
 
  private:

@@ -38,6 +38,7 @@ class LinkSet {
   Contact& contact(int link) const { return *system_.contacts[link]; }
   Spring& spring(int link) const { return *system_.springs[link - contacts_]; }
 
+  /// How unknowns without mass give way to the springs.
   const SpringRelief& relief() const { return relief_; }
   /// Whether ground or gravity add to the relative motion.
   bool moved() const { return moved_; }

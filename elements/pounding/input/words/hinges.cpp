@@ -111,7 +111,7 @@ template <class Any>
 struct Adder;
 template <class... L>
 struct Adder<std::variant<L...>> {
-  // What has no yield force is no law of a moment.
+  // A law without a yield force is no law of a moment.
   template <class Each>
   static void add(OfHinges& hinges) {
     if (std::ranges::any_of(Each::parameters, [](const auto& parameter) { return parameter.info.name == "yield_force"; })) hinges.add(Each{});
