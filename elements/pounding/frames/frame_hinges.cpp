@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/frames/frame_dofs.hpp>
+#include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/yielding_law.hpp>
 
 namespace pounding {

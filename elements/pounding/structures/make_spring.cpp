@@ -5,6 +5,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
+
+#include <pounding/hysteresis/all.hpp>
+#include <pounding/structures/hysteretic_spring.hpp>
 
 namespace pounding {
 namespace {
@@ -23,6 +27,17 @@ std::string in_moments(std::string text) {
 }
 
 }  // namespace
+
+std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings) {
+  return std::visit(
+      []<class L>(const L& law) -> std::unique_ptr<Spring> {
+        if constexpr (requires { law.made(); })
+          return std::make_unique<HystereticSpring<decltype(law.made())>>(law.made());
+        else
+          return std::make_unique<HystereticSpring<L>>(law);
+      },
+      hysteresis::make_law(settings));
+}
 
 std::unique_ptr<Spring> make_hinge(const hysteresis::Settings& settings) {
   hysteresis::Settings forces = settings;

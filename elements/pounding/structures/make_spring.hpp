@@ -1,15 +1,19 @@
 #pragma once
-/// Springs of hinges by the name of their law.
+/// Springs by the name of their law, for inputs.
 
 #include <memory>
 
 #include <pounding/hysteresis/entry.hpp>
 #include <pounding/structures/spring.hpp>
-#include <pounding/structures/yielding_law.hpp>
 
 namespace pounding {
 
-/// As make_spring() for a hinge, whose words and messages have moments: `yield_moment` for yield_force, `negative_yield_moment`,
+/// A spring that follows the law of yielding that the settings name, undeformed. What a storey, a hinge or a device knows itself stands
+/// among the values: `stiffness` of a storey or a hinge, `weight` on an isolator. SI units.
+/// Throws std::invalid_argument for an unknown law or parameter (with the nearest known name), a missing one and a wrong value.
+std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings);
+
+/// Likewise for a hinge, whose words and messages have moments: `yield_moment` for yield_force, `negative_yield_moment`,
 /// `cracking_moment`, `yield_rotation` for yield_deformation.
 std::unique_ptr<Spring> make_hinge(const hysteresis::Settings& settings);
 
