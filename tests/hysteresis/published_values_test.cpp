@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -111,6 +112,25 @@ TEST(ClosedForms, BoucWenIsATangentOfAHyperbolaOrAnExponentialOnFirstLoading) {
 }
 
 // Cycled by force between 0.2 and 0.8 Fy: the integral of 1/(1 - z^n) - 1 between them, for n = 1 log 4 - 0.6.
+// The integrals of other exponents than 1 and 2 end where rounding does, on ways of any length: 1e-12 to 10 dy.
+TEST(ClosedForms, BoucWenOfAnyExponentFollowsShortAndLongWays) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (const double exponent : {1.2, 1.5, 3.0, 5.0})
+    for (const double share : {0.5, 0.3}) {
+      const BoucWen law{.initial_stiffness = 1, .yield_force = 1, .exponent = exponent, .gamma_share = share};
+      BoucWen::State state;
+      for (int i = 0; i < 500; ++i) {
+        const double way = std::pow(10, -12 + 13 * part(random)) * (part(random) < 0.5 ? -1 : 1);
+        const double cut = state.deformation + part(random) * way, end = state.deformation + way;
+        const BoucWen::State once = law.advance(state, end), twice = law.advance(law.advance(state, cut), end);
+        ASSERT_NEAR(once.elastic, twice.elastic, 1e-12) << exponent << " " << share << " " << way;
+        ASSERT_TRUE(std::isfinite(law.work(state, end)));
+        state = once;
+      }
+    }
+}
+
 TEST(ClosedForms, BoucWenDriftsUnderASteadyForce) {
   const double integrals[] = {std::log(4.0) - 0.6, std::atanh(0.8) - std::atanh(0.2) - 0.6, 0.0538483311596376};
   const double exponents[] = {1, 2, 5};

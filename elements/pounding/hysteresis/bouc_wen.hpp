@@ -138,7 +138,8 @@ struct BoucWen {
   /// dx/ds for y = tanh s: between 2/n and 1, so that the way is a smooth function of s up to the largest force.
   double way_by_angle(double s) const noexcept {
     const double e = std::exp(-2 * s), y = (1 - e) / (1 + e), rest = 4 * e / ((1 + e) * (1 + e));  // 1 - y^2
-    const double fall = -std::expm1(0.5 * exponent * std::log1p(-rest));                            // 1 - y^n
+    // 1 - y^n: of a small y as it stands, of one near 1 by its distance from it, each without cancellation.
+    const double fall = y < 0.7 ? 1 - std::pow(y, exponent) : -std::expm1(0.5 * exponent * std::log1p(-rest));
     return y > 0 ? (fall > 0 ? rest / fall : 2 / exponent) : 1;
   }
   double loaded_angle(double start, double x) const noexcept {

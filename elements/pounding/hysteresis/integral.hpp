@@ -1,6 +1,7 @@
 #pragma once
 /// Integrals of smooth functions, for the laws of yielding that have no closed form.
 
+#include <algorithm>
 #include <cmath>
 
 namespace pounding::hysteresis {
@@ -30,11 +31,13 @@ Quadrature kronrod(const F& f, double a, double b) noexcept {
   return {half * all, std::abs(half * (all - few))};
 }
 
-/// The integral of f from a to b. Intervals are halved until the two rules agree to `allowed`, at most 2^30 times.
+/// The integral of f from a to b. Intervals are halved until the two rules agree to `allowed` or to the rounding of their sums, at most
+/// 30 times each.
 template <class F>
 double integral(const F& f, double a, double b, double allowed, int depth = 30) noexcept {
   const Quadrature whole = kronrod(f, a, b);
-  if (!(whole.error > allowed) || depth == 0) return whole.value;
+  constexpr double rounding = 1e-14;
+  if (!(whole.error > std::max(allowed, rounding * std::abs(whole.value))) || depth == 0) return whole.value;
   const double middle = 0.5 * (a + b);
   return integral(f, a, middle, 0.5 * allowed, depth - 1) + integral(f, middle, b, 0.5 * allowed, depth - 1);
 }
