@@ -130,7 +130,7 @@ Frame three_storeys(bool with_nodes, double after = 1, bool cut = false) {
       parts = {frame.add_member(at_start ? hinged(start, stiffness) : start, at_end ? hinged(end, stiffness) : end, section, concrete)};
       return;
     }
-    parts = add_member_in_parts(frame, "m" + std::to_string(frame.members()), start, end,
+    parts = add_member_in_parts(frame, std::string("m").append(std::to_string(frame.members())), start, end,
                                 {.section = section, .material = concrete, .parts = cut ? 2 : 1});
     for (const auto& [is_there, number, at] : {std::tuple(at_start, parts.front(), MemberEnd::start), {at_end, parts.back(), MemberEnd::end}})
       if (is_there)

@@ -84,6 +84,13 @@ TEST(HystereticSpring, StoresAndLosesTheWorkDoneOnItByEveryLaw) {
   }
 }
 
+// In a place of its own, since GCC 12 warns of an overflow where it knows the class of the spring.
+[[gnu::noinline]] std::vector<std::byte> archived(Spring& spring) {
+  Archive archive;
+  spring.archive(archive);
+  return archive.bytes();
+}
+
 TEST(HystereticSpring, GoesOnFromItsArchiveWithTheSameBitsByEveryLaw) {
   for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
     const hysteresis::Settings settings = hysteresis::typical_settings(entry);
@@ -93,9 +100,7 @@ TEST(HystereticSpring, GoesOnFromItsArchiveWithTheSameBitsByEveryLaw) {
       for (int i = from; i < to; ++i) s.accept(step(motion(0.01 * i, dy), motion(0.01 * (i + 1), dy)));
     };
     drive(*spring, 0, 137);
-    Archive archive;
-    spring->archive(archive);
-    Archive read(archive.bytes());
+    Archive read(archived(*spring));
     copy->archive(read);
     read.expect_end();
     drive(*spring, 137, 300);
