@@ -30,6 +30,7 @@ links:
 analysis: {duration: 1.2, output_step: 1 ms}
 compare: no_pounding
 """
+YIELDS = STAND_IN.replace("stiffness: 90 MN/m", "stiffness: 90 MN/m, yield_force: 0.5 MN, hardening: 5 %")
 #: Commands that need a Python, a host or a folder of their own, and the test that runs them.
 ELSEWHERE = {"cmake": "program.cpp_lessons and program.hosts", "cc": "program.hosts", "build-lesson/": "program.cpp_lessons",
              "build/": "program.hosts", "./": "program.hosts", "env/bin/python3": "program.hosts", "python3": "install.wheel"}
@@ -105,6 +106,13 @@ class CommandsInSentences(Lines):
                     words = ["cut.h5" if word == "out.h5" else word for word in words] + ["cut.h5"] * (words[-1] == "--resume")
                     if "-pounding_ts_max_steps" in words:  # more than the run needs
                         words[words.index("-pounding_ts_max_steps") + 1] = "100000"
+                if words[0] == "pushover":
+                    (self.folder / "yields.yaml").write_text(YIELDS)
+                    (self.folder / "floors.txt").write_text("1\n2\n3\n")
+                    given = {"stand_in.yaml": "yields.yaml", "hertz": "left", "record.at2": "floors.txt", "-o": "-opushed.h5"}
+                    words = [given.get(word, word) for word in words]
+                    if len(words) == 2:  # an option by itself
+                        words += ["yields.yaml", "--structure", "left", "--to", "2 % roof"]
                 if words[0] == "animate" and "-o" in words and "--frames" not in words:
                     words += ["--frames", "3"]  # a whole film is drawn where none is named
                 if tuple(words) in tried:
@@ -162,6 +170,11 @@ class CallsInSentences(Lines):
                 code = code.replace("FILE", repr(str(record))).replace('"record.csv"', repr(str(record)))
             code = code.replace('"out.h5"', repr(str(self.output)))
             model = self.folder / STAND_INS["MODEL.yaml"]
+            if "pushover(" in code:
+                yields, pushed = self.folder / "yields.yaml", self.folder / "pushed.h5"
+                yields.write_text(YIELDS)
+                self.names["pounding"].pushover(yields, "left", to="2 % roof", output=pushed)
+                code = code.replace('"model.yaml"', repr(str(yields))).replace("FILE", repr(str(pushed)))
             eval(code, self.names | ({"FILE": model} if code.startswith("Model") else {}))
             return
         function = eval(code[:code.index("(")], self.names)

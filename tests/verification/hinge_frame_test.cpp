@@ -34,7 +34,7 @@ TEST(HingeFrame, AgreesWithAnIndependentIntegrator) {
                   "independent integration by DOP853 of the condensed equations with located corners",
                   "1e-6 of the peak at tolerance 1e-7; an imbalance of the energies below the tolerance");
   // Generalized-alpha keeps the tolerance too (hinges_test.cpp), with a million steps here.
-  const Model driven = test::model_of(el_centro() + "structures: {a: {oscillator: {mass: 1 t, period: 1}}}\nanalysis: {duration: 1}\n");
+  const Model driven = test::model_of(el_centro() + "structures: {a: {oscillator: {mass: 1 t, period: 1, damping: 0}}}\nanalysis: {duration: 1}\n");
   test::HingeFrame frame({}, assemble(driven).grounds[0]);
   ModalSolver solver(frame.system);
   const test::HingeFrameRun run =

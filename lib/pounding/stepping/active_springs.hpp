@@ -10,7 +10,7 @@ namespace pounding {
 
 /// A part that yields answers with a constant force, zero at first, while it stays elastic. A trial begins with the springs that yield
 /// where it begins; where another one is found to leave its constant force at the middle or the end of the trial, that is made anew with
-/// this one too. Springs without corners are always active. Depends on the present state and on the trial alone.
+/// this one too. Springs without corners are always active, and so are all where none gives way to its own force. Depends on the present state and on the trial alone.
 class ActiveSprings {
  public:
   /// `links` must outlive it.

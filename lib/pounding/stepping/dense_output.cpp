@@ -151,8 +151,10 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
   const Cubic cubic(s, h);
   const Eigen::VectorXd by_slopes = cubic.begin * springs_of(x.force) + cubic.end * springs_of(y.force) +
                                     cubic.slope_begin * history_.kept().force_rates_begin.col(0) + cubic.slope_end * y.force_rates.col(0);
+  // The states show the cubic of every spring that gives way, so that massless unknowns stay in equilibrium with these forces.
+  const SparseMatrix& flexibility = equations_.solver.relief().flexibility();
   for (int i = 0; i < by_slopes.size(); ++i)
-    if (y.spring_slopes[i] != 0) forces[i] = by_slopes[i];
+    if (flexibility.innerVector(i).nonZeros() > 0) forces[i] = by_slopes[i];
 }
 
 void DenseOutput::interpolate_outputs(double time, Eigen::MatrixXd& out) const {

@@ -14,7 +14,7 @@ constexpr double grouped_part = 1e-9;
 constexpr double shortest_look = 1e-9;
 // A corner of a spring this near an end of the trial, relative to its length, lies at that end.
 constexpr double corner_part = 1e-3;
-// So does one this near, relative to the longest step: a step that ends at a corner may leave so much of it to the next one.
+// Where springs give way, so does one this near, relative to the longest step: a step that ends at a corner may leave so much to the next.
 constexpr double shortest_to_corner = 1e-4;
 // A jump of the slope by a smaller part of the initial stiffness is none.
 constexpr double least_jump = 1e-6;
@@ -103,7 +103,7 @@ std::optional<double> EventLocator::Search::corner(int link, const LinkMotion& b
   const Spring& spring = links.spring(link);
   const CubicPenetration between(begin, end, trial.h);
   const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
-  const double near = std::max(corner_part, shortest_to_corner * functions.longest_step() / trial.h);
+  const double near = springs.any() ? std::max(corner_part, shortest_to_corner * functions.longest_step() / trial.h) : corner_part;
   const auto inside = [near](double s) { return s > near && s < 1 - near; };
   // The deformation grows or falls all the way between these two.
   const auto onset = [&](double deformation, double low, double high) {
