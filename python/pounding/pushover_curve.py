@@ -117,7 +117,7 @@ def read_pushover(path: str | PathLike[str]) -> Pushover:
 
 
 #: Events with a line of their own beside the picture.
-MOST = 14
+MOST = 12
 
 
 def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] | None = None) -> Figure:
@@ -134,7 +134,7 @@ def pushover_figure(found: Pushover, title: str = "", size: tuple[float, float] 
         _draw_curve(axes, found)
         _number_events(axes, found, 38)
         # Events are told below a narrow picture and beside a wide one.
-        figure.legend(*axes.get_legend_handles_labels(), handlelength=1.2, loc="outside lower center" if narrow else "outside right upper")
+        figure.legend(*axes.get_legend_handles_labels(), handlelength=1.2, loc="outside lower center" if narrow else "outside right center")
         head(figure, title)
         return figure
 
@@ -186,7 +186,7 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
 
 def _is_near(axes: Axes, one: tuple[float, float], other: tuple[float, float]) -> bool:
     spans = (np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
-    return all(abs(a - b) < 0.04 * span for a, b, span in zip(one, other, spans))
+    return all(abs(a - b) < 0.06 * span for a, b, span in zip(one, other, spans))
 
 
 def main(arguments: list[str] | None = None) -> int:
