@@ -78,6 +78,8 @@ void expect_same(const Outcome& whole, const Outcome& continued) {
 using StopWhen = bool (*)(const Contact& contact);
 
 bool pressed(const Contact& contact) { return presses(contact.phase()); }
+// The monitor looks at the clock: on a busy machine an impact may begin and end between two looks.
+bool touched(const Contact& contact) { return presses(contact.phase()) || !contact.impacts().empty(); }
 bool apart(const Contact& contact) { return !contact.impacts().empty() && contact.phase() == ContactPhase::open; }
 
 void stop(const Model& model, const RunOptions& base, StopWhen when) {
@@ -197,7 +199,7 @@ constexpr const char* buildings =
     "compare: no_pounding\n"
     "analysis: {duration: 4}\n";
 
-TEST(ResumeOfBuildings, GivesTheSameBits) { expect_to_go_on(buildings, pressed); }
+TEST(ResumeOfBuildings, GivesTheSameBits) { expect_to_go_on(buildings, touched); }
 
 // Extremes of members are followed over several steps; the column of the left frame is hit between its ends.
 constexpr const char* frames =
