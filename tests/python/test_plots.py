@@ -149,7 +149,7 @@ class Pictures(unittest.TestCase):
         run = read(self.files["towers"])
         for picture in (*figures.WHOLE, *figures.PANELS):
             for size in ((3.3, 2.4), None):
-                if picture == "profiles" and size or picture == "loops":  # nothing yields here: test_spring_results draws loops
+                if picture == "profiles" and size or picture == "springs":  # nothing yields here: test_spring_results draws loops
                     continue
                 figure = figures.figure(run, picture, "", size)
                 figure.draw_without_rendering()
