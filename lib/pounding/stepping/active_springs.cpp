@@ -10,14 +10,13 @@ constexpr double just_behind = 1e-3;
 
 void ActiveSprings::begin(const Instant& now, double h) {
   const int first = links_.contacts(), count = links_.springs();
-  // Storeys, which are few, are always active: between their yielding steps stay as short as Simpson's rule asks for where forces act.
-  const bool all = !links_.relief().any();
+  if (!links_.relief().any()) return;  // all are active
   constant_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const LinkMotion here = links_.motion(first + i, now);
     const laws::Response answer = links_.law(first + i, here);
     constant_[i] = answer.force;
-    is_active_[i] = all || !links_.spring(first + i).has_corners() || answer.by_penetration != 0 || answer.by_rate != 0 ||
+    is_active_[i] = !links_.spring(first + i).has_corners() || answer.by_penetration != 0 || answer.by_rate != 0 ||
                     leaves(first + i, links_.law(first + i, {here.penetration + just_behind * h * here.rate, here.rate}).force);
   }
   hold();

@@ -13,8 +13,12 @@ namespace pounding {
 /// this one too. Springs without corners are always active, and so are all where none gives way to its own force. Depends on the present state and on the trial alone.
 class ActiveSprings {
  public:
-  /// `links` must outlive it.
-  explicit ActiveSprings(const LinkSet& links) : links_(links), is_active_(static_cast<std::size_t>(links.springs()), false) {}
+  /// `links` must outlive it. Where none gives way, all are active for good: these are storeys, which are few, and between their yielding
+  /// steps stay as short as Simpson's rule asks for where forces act.
+  explicit ActiveSprings(const LinkSet& links)
+      : links_(links),
+        is_active_(static_cast<std::size_t>(links.springs()), !links.relief().any()),
+        held_(Eigen::VectorXd::Zero(links.size())) {}
 
   /// A trial of length h from `now`.
   void begin(const Instant& now, double h);
