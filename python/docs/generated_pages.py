@@ -17,6 +17,23 @@ def arguments(description, source, meaning):
     return given.source.resolve(), given.write
 
 
+def write_or_compare(folder, texts, pictures, write):
+    """Writes `texts`, by name, and `pictures`, functions that draw to a path by name, into a folder; or refuses a folder that holds other texts
+    or other names. Pictures are not compared."""
+    if write:
+        folder.mkdir(exist_ok=True)
+        for name, text in texts.items():
+            (folder / name).write_text(text)
+        for name, draw in pictures.items():
+            draw(folder / name)
+        return
+    there = {path.name for path in folder.iterdir()} if folder.exists() else set()
+    wrong = sorted(name for name, text in texts.items() if name not in there or (folder / name).read_text() != text)
+    wrong += sorted((set(pictures) - there) | (there - set(pictures) - set(texts)))
+    if wrong:
+        refuse(f"{folder.relative_to(ROOT)} is not what the program says: {', '.join(wrong)}.", "build/pounding")
+
+
 def refuse(complaint, source):
     """Ends a check that found something else; `source` is what stands between script and --write."""
     sys.exit(f"{complaint}\nType: python3 {Path(sys.argv[0]).resolve().relative_to(ROOT)} {source} --write")

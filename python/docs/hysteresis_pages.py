@@ -10,8 +10,9 @@ import io
 import json
 import subprocess
 import sys
+from functools import partial
 
-from generated_pages import ROOT, arguments, refuse
+from generated_pages import ROOT, arguments, write_or_compare
 from law_pages import table
 
 PAGES = ROOT / "elements/pounding/hysteresis/pages"
@@ -85,19 +86,8 @@ def main():
     program = Program(path)
     all_laws = program.json("--yielding")
     texts = {law["name"] + ".md": page(law, program.loop(law)) for law in all_laws} | {"README.md": index(all_laws)}
-    if write:
-        PAGES.mkdir(exist_ok=True)
-        for name, text in texts.items():
-            (PAGES / name).write_text(text)
-        for law in all_laws:
-            draw(program, law, PAGES / f"{law['name']}.png")
-        return
-    pictures = {f"{law['name']}.png" for law in all_laws}
-    there = {path.name for path in PAGES.iterdir()} if PAGES.exists() else set()
-    wrong = sorted(name for name, text in texts.items() if name not in there or (PAGES / name).read_text() != text)
-    wrong += sorted((pictures - there) | (there - pictures - set(texts)))
-    if wrong:
-        refuse(f"elements/pounding/hysteresis/pages is not what the program says: {', '.join(wrong)}.", "build/pounding")
+    pictures = {f"{law['name']}.png": partial(draw, program, law) for law in all_laws}
+    write_or_compare(PAGES, texts, pictures, write)
 
 
 if __name__ == "__main__":

@@ -14,9 +14,10 @@ import re
 import subprocess
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 
-from generated_pages import ROOT, arguments, refuse
+from generated_pages import ROOT, arguments, write_or_compare
 from verification_book import PAGE as BOOK
 from verification_book import anchor
 
@@ -178,20 +179,8 @@ def main():
     program = Program(path)
     all_laws = [program.json("laws", law["name"]) for law in program.json("laws")]
     texts = {law["name"] + ".md": page(law, program.calibrate(law)) for law in all_laws} | {"README.md": index(all_laws)}
-    if write:
-        PAGES.mkdir(exist_ok=True)
-        for name, text in texts.items():
-            (PAGES / name).write_text(text)
-        for law in all_laws:
-            if not law["instantaneous"]:
-                draw(program, law, PAGES / f"{law['name']}.png")
-        return
-    pictures = {f"{law['name']}.png" for law in all_laws if not law["instantaneous"]}
-    there = {path.name for path in PAGES.iterdir()} if PAGES.exists() else set()
-    wrong = sorted(name for name, text in texts.items() if name not in there or (PAGES / name).read_text() != text)
-    wrong += sorted((pictures - there) | (there - pictures - set(texts)))
-    if wrong:
-        refuse(f"elements/pounding/laws/pages is not what the program says: {', '.join(wrong)}.", "build/pounding")
+    pictures = {f"{law['name']}.png": partial(draw, program, law) for law in all_laws if not law["instantaneous"]}
+    write_or_compare(PAGES, texts, pictures, write)
 
 
 if __name__ == "__main__":

@@ -12,18 +12,13 @@
 #include <vector>
 
 #include <pounding/hysteresis/entry.hpp>
+#include <pounding/laws/entry.hpp>
 #include <pounding/laws/excerpt.hpp>
 #include <pounding/laws/nearest_name.hpp>
 
 namespace pounding::hysteresis::by_name {
 
-/// Names of these.
-template <class Range>
-std::vector<std::string_view> names(const Range& range) {
-  std::vector<std::string_view> result;
-  for (const auto& item : range) result.push_back(item.name);
-  return result;
-}
+using laws::by_name::names;
 
 /// The `info` of each line of a table.
 template <auto& table>

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include <pounding/core/names.hpp>
-#include <pounding/hysteresis/all.hpp>
 #include <pounding/input/frame_parts_input.hpp>
+#include <pounding/input/spring_input.hpp>
 
 namespace pounding {
 namespace {
@@ -130,13 +130,7 @@ class Reader {
 
   // Yield moment and what comes after it: rigid-plastic, or of a spring in series.
   Hinge read_law(const Input& node) const {
-    const hysteresis::Entry* law = nullptr;
-    for (const hysteresis::Entry& entry : hysteresis::catalogue())
-      if (const auto found = node.knows(entry.name) ? node.find(entry.name) : std::nullopt) {
-        if (law) found->fail_at_key(fmt::format("a hinge follows one law, and {} is given too; keep one of the two", law->name));
-        law = &entry;
-      }
-    if (law) {
+    if (const hysteresis::Entry* law = law_among_keys(node, "a hinge")) {
       for (const char* const key : {"yield_moment", "hardening"})
         if (const auto found = node.find(key))
           found->fail_at_key(fmt::format("belongs to a rigid-plastic hinge, and {0} is given too; write it inside {0}, or leave {0} out", law->name));

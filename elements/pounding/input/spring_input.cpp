@@ -1,5 +1,6 @@
 #include <pounding/input/spring_input.hpp>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,14 +26,7 @@ const hysteresis::Entry& law_of(const Input& spring) {
     spring.fail(fmt::format("says the law alone; type spring: {{{}: {{yield_force: 2 MN}}}} with its numbers", name));
   }
   spring.only_keys();
-  const hysteresis::Entry* chosen = nullptr;
-  for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
-    if (!spring.knows(entry.name)) continue;
-    const auto found = spring.find(entry.name);
-    if (!found) continue;
-    if (chosen) found->fail_at_key(fmt::format("a storey follows one law, and {} is given too; keep one of the two", chosen->name));
-    chosen = &entry;
-  }
+  const hysteresis::Entry* chosen = law_among_keys(spring, "a storey");
   if (!chosen) spring.fail("the law is missing; type spring: {bouc_wen: {yield_force: 2 MN}}");
   return *chosen;
 }
@@ -47,6 +41,16 @@ Input place_of(const std::string& refusal, const Input& law, const hysteresis::E
 }
 
 }  // namespace
+
+const hysteresis::Entry* law_among_keys(const Input& map, const char* what) {
+  const hysteresis::Entry* chosen = nullptr;
+  for (const hysteresis::Entry& entry : hysteresis::catalogue())
+    if (const auto found = map.knows(entry.name) ? map.find(entry.name) : std::nullopt) {
+      if (chosen) found->fail_at_key(fmt::format("{} follows one law, and {} is given too; keep one of the two", what, chosen->name));
+      chosen = &entry;
+    }
+  return chosen;
+}
 
 SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness) {
   const hysteresis::Entry& entry = law_of(spring);

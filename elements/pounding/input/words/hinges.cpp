@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <deque>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/input/words/hinges.hpp>
+#include <pounding/input/words/yielding_words.hpp>
 
 namespace pounding::words {
 namespace {
@@ -41,11 +40,8 @@ Word required(Word word) {
   return word;
 }
 
-/// The words of the hinges and of the laws of springs in series, with the texts that they point to.
-struct OfHinges {
-  std::deque<std::string> texts;
-  std::deque<std::vector<Word>> words;
-  std::deque<Section> sections;
+/// The words of the hinges and of the laws of springs in series.
+struct OfHinges : YieldingWords {
   std::vector<Word> own{at_word,
                         axis_word,
                         rigid(moment_word),
@@ -55,7 +51,7 @@ struct OfHinges {
 
   template <hysteresis::Law L>
   void add(const L& made) {
-    std::vector<Word>& of_law = words.emplace_back();
+    std::vector<Word>& of_law = more_words();
     of_law.push_back(required(moment_word));
     of_law.push_back({.key = "stiffness", .takes = Takes::quantity, .dimension = dimension::energy, .bounds = bounds::positive,
                       .noun = "a moment per radian", .otherwise = "10 x 6EI/L", .since = "0.2.0",
@@ -66,21 +62,16 @@ struct OfHinges {
     for (const auto& parameter : L::parameters)
       if (const std::string_view name = parameter.info.name; name != "stiffness" && !name.ends_with("yield_force"))
         of_law.push_back(word_of(parameter, made));
-    if constexpr (requires { L::choices; })
-      for (const auto& choice : L::choices)
-        of_law.push_back({.key = choice.info.name, .takes = Takes::choice, .choices = choice.info.words,
-                          .otherwise = choice.info.words[choice.get(made)], .since = "0.2.0",
-                          .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))), .example = choice.info.words.back()});
-    sections.push_back({.name = kept(fmt::format("hinge_{}", L::name)), .place = kept(fmt::format("structures.NAME.frame.hinges.NAME.{}", L::name)),
-                        .meaning = kept(fmt::format("{}: {}. Forces are moments, deformations rotations.", L::shape, L::summary)), .words = of_law});
-    own.push_back({.key = L::name, .inside = &sections.back(), .otherwise = "rigid-plastic", .since = "0.2.0",
+    add_choices(made, of_law);
+    const Section& section =
+        add_section({.name = kept(fmt::format("hinge_{}", L::name)), .place = kept(fmt::format("structures.NAME.frame.hinges.NAME.{}", L::name)),
+                     .meaning = kept(fmt::format("{}: {}. Forces are moments, deformations rotations.", L::shape, L::summary)), .words = of_law});
+    own.push_back({.key = L::name, .inside = &section, .otherwise = "rigid-plastic", .since = "0.2.0",
                    .meaning = kept(fmt::format("A spring in series with the member, instead of a rigid-plastic hinge: {}.", L::summary)),
                    .example = "{yield_moment: 210 kN m}"});
   }
 
  private:
-  std::string_view kept(std::string text) { return texts.emplace_back(std::move(text)); }
-
   // Forces are moments here, deformations rotations.
   static std::string_view turned(std::string_view unit) {
     if (unit == "N" || unit == "N/m") return "N m";
@@ -99,30 +90,15 @@ struct OfHinges {
       word.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("what the others say");
     return word;
   }
-
-  static std::string capital(std::string_view text) {
-    std::string all(text);
-    if (!all.empty() && all[0] >= 'a' && all[0] <= 'z' && (all.size() < 2 || all[1] != ' ')) all[0] = static_cast<char>(all[0] - 'a' + 'A');
-    return all;
-  }
-};
-
-template <class Any>
-struct Adder;
-template <class... L>
-struct Adder<std::variant<L...>> {
-  // A law without a yield force is no law of a moment.
-  template <class Each>
-  static void add(OfHinges& hinges) {
-    if (std::ranges::any_of(Each::parameters, [](const auto& parameter) { return parameter.info.name == "yield_force"; })) hinges.add(Each{});
-  }
-  static void run(OfHinges& hinges) { (add<L>(hinges), ...); }
 };
 
 const OfHinges& hinges() {
   static const OfHinges all = [] {
     OfHinges made;
-    Adder<hysteresis::AnyLaw>::run(made);
+    EachLaw<hysteresis::AnyLaw>::visit([&made]<class L>(const L& law) {
+      // A law without a yield force is no law of a moment.
+      if (std::ranges::any_of(L::parameters, [](const auto& parameter) { return parameter.info.name == "yield_force"; })) made.add(law);
+    });
     return made;
   }();
   return all;
@@ -135,10 +111,6 @@ const Section hinge{.name = "hinges", .place = "structures.NAME.frame.hinges.NAM
                                "upright ones). What is said of one member counts before what is said of all.",
                     .words = hinges().own};
 
-std::vector<const Section*> laws_of_hinges() {
-  std::vector<const Section*> all;
-  for (const Section& section : hinges().sections) all.push_back(&section);
-  return all;
-}
+std::vector<const Section*> laws_of_hinges() { return hinges().sections(); }
 
 }  // namespace pounding::words

@@ -1,0 +1,69 @@
+#pragma once
+/// The words by which inputs choose a law of yielding, whatever yields by it: storeys (springs.cpp), hinges (hinges.cpp).
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pounding/hysteresis/table.hpp>
+#include <pounding/input/words/word.hpp>
+
+namespace pounding::words {
+
+/// Words and sections made from the tables of laws, with the texts that they point to.
+class YieldingWords {
+ public:
+  /// A section for each law, in their order.
+  std::vector<const Section*> sections() const {
+    std::vector<const Section*> all;
+    for (const Section& section : sections_) all.push_back(&section);
+    return all;
+  }
+
+ protected:
+  /// Keeps a text as long as the words.
+  std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
+  /// Keeps words as long as a section that holds them.
+  std::vector<Word>& more_words() { return words_.emplace_back(); }
+  const Section& add_section(const Section& section) { return sections_.emplace_back(section); }
+
+  /// With a capital where the text begins with a word, and not with a symbol.
+  static std::string capital(std::string_view text) {
+    std::string all(text);
+    if (!all.empty() && all[0] >= 'a' && all[0] <= 'z' && (all.size() < 2 || all[1] != ' ')) all[0] = static_cast<char>(all[0] - 'a' + 'A');
+    return all;
+  }
+
+  /// The numbers of a law that are chosen by words.
+  template <class L>
+  void add_choices(const L& made, std::vector<Word>& words) {
+    if constexpr (requires { L::choices; })
+      for (const auto& choice : L::choices)
+        words.push_back({.key = choice.info.name, .takes = Takes::choice, .choices = choice.info.words,
+                         .otherwise = choice.info.words[choice.get(made)], .since = "0.2.0",
+                         .meaning = kept(fmt::format("{}.", capital(choice.info.meaning))), .example = choice.info.words.back()});
+  }
+
+ private:
+  std::deque<std::string> texts_;
+  std::deque<std::vector<Word>> words_;
+  std::deque<Section> sections_;
+};
+
+/// Calls `visit` with each law of a variant as it is by default.
+template <class Any>
+struct EachLaw;
+template <class... L>
+struct EachLaw<std::variant<L...>> {
+  template <class Visit>
+  static void visit(Visit&& visit) {
+    (visit(L{}), ...);
+  }
+};
+
+}  // namespace pounding::words
