@@ -14,7 +14,7 @@ import os
 import shutil
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -22,9 +22,11 @@ from typing import Any, TextIO
 
 import numpy as np
 from matplotlib import rc_context
-from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.animation import FFMpegWriter
+from matplotlib.artist import Artist
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from PIL import Image
 
 from pounding import told
 from pounding.checked_file import NotResults
@@ -96,8 +98,25 @@ class Film(told.Told, lines=told.film):
 
     figure: Figure
     draw: Callable[[int], None]  #: brings the figure to a frame, from 0
+    moving: list[Artist]  #: changed by `draw`, lowest first, above all that stays
     frames: int
     speed: float  #: frames a second
+
+    def pictures(self) -> Iterator[Image.Image]:
+        """One after the other, in RGB. Only what moves is drawn again: axes and legends would take most of the time."""
+        canvas = FigureCanvasAgg(self.figure)
+        for artist in self.moving:
+            artist.set_animated(True)
+        canvas.draw()
+        stays = canvas.copy_from_bbox(self.figure.bbox)
+        for frame in range(self.frames):
+            self.draw(frame)
+            canvas.restore_region(stays)
+            for artist in self.moving:
+                self.figure.draw_artist(artist)
+            yield Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3])
+        for artist in self.moving:
+            artist.set_animated(False)
 
     def _repr_html_(self) -> str:
         with tempfile.TemporaryDirectory() as folder:
@@ -121,7 +140,7 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
     room = scale * np.array([largest([moved[:, :, j] for moved in motion.displacements.values()]) for j in range(3)])
 
     with rc_context(STYLE):
-        figure = Figure(figsize=_size(scene, room), layout="constrained")
+        figure = Figure(figsize=_size(scene, room), dpi=DPI, layout="constrained")
         FigureCanvasAgg(figure)
         axes = figure.add_subplot()
         axes.grid(False)
@@ -150,13 +169,13 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
         clock.set_text(words)
         clock.set_color(VERMILION if strengths[frame].any() else "black")
 
-    # The frame around the picture stays; finding its place again in every frame would take most of the time.
+    # The frame around the picture stays where the first drawing puts it.
     draw(0)
     with rc_context(STYLE):
         figure.canvas.draw()
     figure.set_layout_engine("none")
     speed = float(np.clip(len(times) / (times[-1] - times[0]), SLOWEST, FASTEST))
-    return Film(figure, draw, len(times), speed)
+    return Film(figure, draw, [*drawing.artists(), clock], len(times), speed)
 
 
 def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], None] | None = None) -> None:
@@ -166,14 +185,19 @@ def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], N
     path = Path(path)
     check_output(path)
     with rc_context(STYLE):
-        if path.suffix == ".png":
-            _save_frames(film, path, progress)
+        if path.suffix == ".mp4":
+            _save_mp4(film, path, progress)
             return
-        speed: Any = film.speed  # an int to matplotlib's types, a number to its writers
-        writer = PillowWriter(fps=speed) if path.suffix == ".gif" else FFMpegWriter(fps=speed)
-        animation = FuncAnimation(film.figure, film.draw, frames=film.frames, init_func=lambda: None, cache_frame_data=False)
-        animation.save(str(path), writer=writer, dpi=DPI, progress_callback=progress and (
-            lambda frame, total: progress(frame + 1, total)))
+        pictures = []
+        for frame, picture in enumerate(film.pictures(), start=1):
+            if path.suffix == ".png":
+                picture.save(_frame_path(path, frame, film.frames))
+            else:
+                pictures.append(picture)
+            if progress:
+                progress(frame, film.frames)
+        if path.suffix == ".gif":
+            _save_gif(pictures, path, film.speed)
 
 
 def check_output(path: str | PathLike[str]) -> None:
@@ -186,12 +210,39 @@ def check_output(path: str | PathLike[str]) -> None:
                          f"`-o {Path(path).with_suffix('.gif')}`")
 
 
-def _save_frames(film: Film, path: Path, progress: Callable[[int, int], None] | None) -> None:
-    for frame in range(film.frames):
-        film.draw(frame)
-        film.figure.savefig(_frame_path(path, frame + 1, film.frames), dpi=DPI)
-        if progress:
-            progress(frame + 1, film.frames)
+def _save_gif(pictures: list[Image.Image], path: Path, speed: float) -> None:
+    """Repeated for ever, all pictures in the 256 colours that four of them use most: finding colours for each would take most of
+    the time. Pillow's own search for the nearest colour makes white grey."""
+    numbers = np.linspace(0, len(pictures) - 1, 4).round().astype(int)
+    counts = np.sum([np.bincount(_coarse(pictures[number]).ravel(), minlength=64**3) for number in numbers], axis=0)
+    levels = np.linspace(0, 255, 64).round()
+    chosen = np.argsort(-counts, kind="stable")[:256]
+    palette = np.stack([levels[chosen // 4096], levels[chosen // 64 % 64], levels[chosen % 64]], axis=1)
+    green_and_blue = np.stack(np.meshgrid(levels, levels, indexing="ij"), axis=-1).reshape(-1, 2)
+    rest = ((green_and_blue[:, None] - palette[None, :, 1:]) ** 2).sum(axis=2)
+    nearest = np.concatenate([np.argmin(rest + (red - palette[:, 0]) ** 2, axis=1) for red in levels]).astype(np.uint8)
+    frames = []
+    for picture in pictures:
+        frames.append(Image.fromarray(nearest[_coarse(picture)]))
+        frames[-1].putpalette(palette.astype(np.uint8).tobytes())
+    frames[0].save(path, save_all=True, append_images=frames[1:], duration=round(1000 / speed), loop=0)
+
+
+def _coarse(picture: Image.Image) -> np.ndarray:
+    """The number of each pixel's colour among 64 levels of red, green and blue."""
+    red, green, blue = (np.asarray(channel, dtype=np.int32) // 4 for channel in picture.split())
+    return red * 4096 + green * 64 + blue
+
+
+def _save_mp4(film: Film, path: Path, progress: Callable[[int, int], None] | None) -> None:
+    speed: Any = film.speed  # an int to matplotlib's types, a number to its writers
+    writer = FFMpegWriter(fps=speed)
+    with writer.saving(film.figure, str(path), DPI):
+        for frame in range(film.frames):
+            film.draw(frame)
+            writer.grab_frame()
+            if progress:
+                progress(frame + 1, film.frames)
 
 
 def _frame_path(path: Path, number: int, frames: int) -> Path:

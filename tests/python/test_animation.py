@@ -123,6 +123,27 @@ class Films(unittest.TestCase):
         with self.assertRaisesRegex(BadRequest, "--scale 0 should be above zero"):
             animation.animate(run, [0, 1], scale=0)
 
+    def test_pictures_are_what_a_whole_drawing_shows(self):
+        run = self.runs["plane"]
+        film = animation.animate(run, animation.frame_times(run, 5))
+        for frame, picture in enumerate(film.pictures()):
+            whole = animation.animate(run, animation.frame_times(run, 5))
+            whole.draw(frame)
+            whole.figure.canvas.draw()
+            np.testing.assert_array_equal(np.asarray(picture), np.asarray(whole.figure.canvas.buffer_rgba())[:, :, :3])
+
+    def test_colours_of_a_film_are_those_drawn(self):
+        run = self.runs["plane"]
+        film = animation.animate(run, animation.frame_times(run, 5))
+        with tempfile.TemporaryDirectory() as folder:
+            animation.save(film, Path(folder) / "film.gif")
+            with Image.open(Path(folder) / "film.gif") as moving:
+                for frame, picture in enumerate(film.pictures()):
+                    moving.seek(frame)
+                    apart = np.asarray(moving.convert("RGB")).astype(int) - np.asarray(picture)
+                    self.assertEqual(moving.convert("RGB").getpixel((1, 1)), (255, 255, 255))
+                    self.assertLess(np.abs(apart).mean(), 0.1)
+
     def test_film_has_its_frames(self):
         place = Path(self.directory.name)
         for kind in ("plane", "alone"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.markers import MarkerStyle
@@ -52,6 +53,10 @@ class Drawing:
         #: One flash a link, invisible while it is open.
         self.flashes = axes.scatter(points[:, 0], points[:, 1], s=0, marker=MarkerStyle(star()), facecolor=YELLOW,
                                     edgecolor="black", linewidth=0.6, zorder=7)
+
+    def artists(self) -> list[Artist]:
+        """All that `move` and `flash` change, lowest first."""
+        return sorted([*self.lines.values(), *self.boxes.values(), self.flashes], key=lambda artist: artist.get_zorder())
 
     def move(self, motion: Motion, frame: int) -> None:
         """To where `motion` has the nodes at a frame."""
