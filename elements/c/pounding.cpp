@@ -16,19 +16,20 @@
 #include <pounding/laws/free_impact.hpp>
 #include <pounding/links/contact_state.hpp>
 
+#include "guarded.hpp"
+
 struct pnd_law {
   pounding::laws::AnyLaw law;
 };
 
 namespace {
 
-namespace laws = pounding::laws;
-using pounding::ContactPhase;
-
-static_assert(sizeof(pnd_contact) == PND_CONTACT_DOUBLES * sizeof(double));
-
 // An array of its own, so that the text of a lack of memory needs none and a thread leaves nothing to tidy up.
 thread_local std::array<char, 512> last_error{};
+
+}  // namespace
+
+namespace pounding::c {
 
 pnd_status fail(pnd_status status, std::string_view text) noexcept {
   std::size_t length = std::min(text.size(), last_error.size() - 1);
@@ -39,26 +40,16 @@ pnd_status fail(pnd_status status, std::string_view text) noexcept {
   return status;
 }
 
-// No exception crosses into C.
-template <class Call>
-int guarded(Call&& call) noexcept {
-  try {
-    call();
-    return PND_OK;
-  } catch (const std::invalid_argument& error) {
-    return fail(PND_BAD_ARGUMENT, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(PND_OUT_OF_MEMORY, "out of memory");
-  } catch (const std::exception& error) {
-    return fail(PND_FAILED, error.what());
-  } catch (...) {
-    return fail(PND_FAILED, "unknown failure");
-  }
-}
+}  // namespace pounding::c
 
-void require(const void* pointer, const char* name) {
-  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
-}
+namespace {
+
+namespace laws = pounding::laws;
+using pounding::ContactPhase;
+using pounding::c::guarded;
+using pounding::c::require;
+
+static_assert(sizeof(pnd_contact) == PND_CONTACT_DOUBLES * sizeof(double));
 
 void require_finite(const char* name, double value) {
   if (!std::isfinite(value)) laws::refuse(name, value, "finite");

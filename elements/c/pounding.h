@@ -1,4 +1,4 @@
-/* Contact laws of pounding structures for C, Fortran, and whatever calls C.
+/* Contact laws and laws of yielding for C, Fortran, and whatever calls C.
  *
  *     pnd_law *law = NULL;
  *     const pnd_value values[] = {{"stiffness", 2.75e9}, {"restitution", 0.65}, {"reduced_mass", 6e4}};
@@ -182,6 +182,61 @@ PND_API int pnd_describe_law(size_t law, pnd_law_info *info);
 PND_API int pnd_describe_parameter(size_t law, size_t parameter, pnd_parameter_info *info);
 /* "exact" first. */
 PND_API int pnd_describe_formula(size_t law, size_t formula, pnd_formula_info *info);
+
+/* ---- Laws of yielding: storeys, hinges, isolators, soil ----
+ *
+ *     const pnd_value steel[] = {{"stiffness", 2e7}, {"yield_force", 1.5e5}, {"hardening", 0.02}};
+ *     const pnd_word memory[] = {{"memory", "last"}};
+ *     pnd_yielding *storey = NULL;
+ *     if (pnd_create_yielding("menegotto_pinto", steel, 3, memory, 1, &storey) != PND_OK) puts(pnd_error_text());
+ *     pnd_follow(storey, drift, n, force, tangent, lost);
+ *     pnd_destroy_yielding(storey);
+ *
+ * The force pulls back: it has the sign of the deformation while nothing has yielded. SI units; of a hinge a deformation is
+ * a rotation [rad] and a force a moment [N m]. */
+
+/* A checked law of yielding with its parameters. It never changes. */
+typedef struct pnd_yielding pnd_yielding;
+
+/* A parameter that is one of some words. */
+typedef struct pnd_word {
+  const char *name, *word;
+} pnd_word;
+
+/* Makes the law of this name, which pnd_destroy_yielding must end. Values and words are its own parameters, each at most once;
+ * NULL and 0 are no words. PND_BAD_ARGUMENT: an unknown law, parameter or word (the text names the nearest one), a parameter
+ * that is missing, a value outside its range. *made is NULL then. */
+PND_API int pnd_create_yielding(const char *law, const pnd_value *values, size_t count, const pnd_word *words, size_t word_count,
+                                pnd_yielding **made);
+/* NULL is allowed. */
+PND_API void pnd_destroy_yielding(pnd_yielding *law);
+
+/* The law along `count` deformations [m], each reached straight from the one before, the first from the undeformed state: force [N],
+ * tangent [N/m], and energy lost until then [J], of `count` values each; NULL for what is not wanted. The tangent at a turn or a
+ * corner is that on the way there. Ways are followed exactly: points between two turns change nothing after them. */
+PND_API int pnd_follow(const pnd_yielding *law, const double *deformation, size_t count, double *force, double *tangent, double *lost);
+
+/* Stiffness before anything has yielded [N/m], and the deformation that ductility is counted in [m]; NULL for what is not wanted. */
+PND_API int pnd_yielding_start(const pnd_yielding *law, double *stiffness, double *yield_deformation);
+
+/* Description of a law of yielding. */
+typedef struct pnd_yielding_info {
+  const char *name, *force, *summary, *source;
+  size_t parameters, choices; /* how many of each; choices are parameters that take a word */
+} pnd_yielding_info;
+
+/* A parameter that takes a word, with one of its words; the first one is taken where none is given. */
+typedef struct pnd_choice_info {
+  const char *name, *meaning, *word;
+  size_t words; /* how many there are */
+} pnd_choice_info;
+
+/* Laws of yielding, their parameters, choices and words are counted from 0; PND_BAD_ARGUMENT: an index that does not exist. */
+PND_API size_t pnd_yielding_count(void);
+PND_API int pnd_describe_yielding(size_t law, pnd_yielding_info *info);
+/* `need` is PND_REQUIRED or PND_OPTIONAL. */
+PND_API int pnd_describe_yielding_parameter(size_t law, size_t parameter, pnd_parameter_info *info);
+PND_API int pnd_describe_yielding_choice(size_t law, size_t choice, size_t word, pnd_choice_info *info);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-!> Contact laws of pounding structures for Fortran: the functions of pounding.h, where units, signs and errors are stated.
+!> Contact laws and laws of yielding for Fortran: the functions of pounding.h, where units, signs and errors are stated.
 !>
 !>     type(c_ptr) :: law
 !>     type(pnd_contact) :: contact        ! two bodies that never touched
@@ -9,7 +9,11 @@
 !>     status = pnd_accept(law, penetration, rate, contact)            ! once for each step that is kept
 !>     call pnd_destroy(law)
 !>
-!> Laws are counted from 1 here.
+!> Laws are counted from 1 here. A law of yielding takes whole arrays:
+!>
+!>     status = pnd_create_yielding('bouc_wen', [pnd_value('stiffness', 2d7), pnd_value('yield_force', 1.5d5)], storey)
+!>     status = pnd_follow(storey, drift, force, tangent, lost)
+!>     call pnd_destroy_yielding(storey)
 module pounding
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_loc, c_null_char, &
     c_null_ptr, c_ptr, c_size_t
@@ -18,6 +22,8 @@ module pounding
   public :: c_ptr, c_null_ptr, c_double, c_int
   public :: pnd_value, pnd_contact, pnd_response, pnd_free_impact
   public :: pnd_create, pnd_destroy, pnd_touch, pnd_respond, pnd_accept, pnd_separate, pnd_collide
+  public :: pnd_word, pnd_create_yielding, pnd_destroy_yielding, pnd_follow, pnd_yielding_start
+  public :: pnd_yielding_count, pnd_yielding_name
   public :: pnd_error_text, pnd_version, pnd_interface, pnd_law_count, pnd_law_name
 
   integer(c_int), parameter, public :: PND_OK = 0, PND_BAD_ARGUMENT = 1, PND_OUT_OF_MEMORY = 2, PND_FAILED = 3
@@ -27,6 +33,11 @@ module pounding
   type :: pnd_value
     character(32) :: name
     real(c_double) :: value
+  end type
+
+  !> A parameter that takes a word, as in pnd_word('memory', 'last').
+  type :: pnd_word
+    character(32) :: name, word
   end type
 
   type, bind(C) :: pnd_contact
@@ -46,6 +57,15 @@ module pounding
   type, bind(C) :: named_value
     type(c_ptr) :: name
     real(c_double) :: value
+  end type
+
+  type, bind(C) :: named_word
+    type(c_ptr) :: name, word
+  end type
+
+  type, bind(C) :: yielding_info
+    type(c_ptr) :: name, force, summary, source
+    integer(c_size_t) :: parameters, choices
   end type
 
   type, bind(C) :: law_info
@@ -108,6 +128,45 @@ module pounding
       type(c_ptr), intent(out) :: made
     end function
 
+    subroutine pnd_destroy_yielding(law) bind(C)
+      import :: c_ptr
+      type(c_ptr), value :: law
+    end subroutine
+
+    !> Stiffness [N/m] and deformation of the first yield [m].
+    integer(c_int) function pnd_yielding_start(law, stiffness, yield_deformation) bind(C)
+      import :: c_ptr, c_int, c_double
+      type(c_ptr), value :: law
+      real(c_double), intent(inout) :: stiffness, yield_deformation
+    end function
+
+    integer(c_int) function create_yielding_in_c(law, values, count, words, word_count, made) bind(C, name='pnd_create_yielding')
+      import :: c_char, c_int, c_ptr, c_size_t, named_value, named_word
+      character(kind=c_char), intent(in) :: law(*)
+      type(named_value), intent(in) :: values(*)
+      type(named_word), intent(in) :: words(*)
+      integer(c_size_t), value :: count, word_count
+      type(c_ptr), intent(out) :: made
+    end function
+
+    integer(c_int) function follow_in_c(law, deformation, count, force, tangent, lost) bind(C, name='pnd_follow')
+      import :: c_double, c_int, c_ptr, c_size_t
+      type(c_ptr), value :: law
+      real(c_double), intent(in) :: deformation(*)
+      integer(c_size_t), value :: count
+      real(c_double), intent(inout) :: force(*), tangent(*), lost(*)
+    end function
+
+    integer(c_size_t) function yielding_count_in_c() bind(C, name='pnd_yielding_count')
+      import :: c_size_t
+    end function
+
+    integer(c_int) function describe_yielding_in_c(law, info) bind(C, name='pnd_describe_yielding')
+      import :: c_int, c_size_t, yielding_info
+      integer(c_size_t), value :: law
+      type(yielding_info), intent(inout) :: info
+    end function
+
     type(c_ptr) function error_text_in_c() bind(C, name='pnd_error_text')
       import :: c_ptr
     end function
@@ -148,6 +207,54 @@ contains
       pairs(i) = named_value(c_loc(names(i)), values(i)%value)
     end do
     status = create_in_c(trim(law) // c_null_char, trim(formula) // c_null_char, pairs, size(pairs, kind=c_size_t), made)
+  end function
+
+  !> Makes a law of yielding, which pnd_destroy_yielding must end.
+  integer(c_int) function pnd_create_yielding(law, values, made, words) result(status)
+    character(*), intent(in) :: law
+    type(pnd_value), intent(in) :: values(:)
+    type(c_ptr), intent(out) :: made
+    type(pnd_word), intent(in), optional :: words(:)
+    character(len(values%name) + 1, c_char), target :: names(size(values))
+    character(33, c_char), allocatable, target :: texts(:, :)
+    type(named_value) :: pairs(size(values))
+    type(named_word), allocatable :: chosen(:)
+    integer :: i, count
+
+    do i = 1, size(values)
+      names(i) = trim(values(i)%name) // c_null_char
+      pairs(i) = named_value(c_loc(names(i)), values(i)%value)
+    end do
+    count = 0
+    if (present(words)) count = size(words)
+    allocate (texts(2, count), chosen(count))
+    do i = 1, count
+      texts(1, i) = trim(words(i)%name) // c_null_char
+      texts(2, i) = trim(words(i)%word) // c_null_char
+      chosen(i) = named_word(c_loc(texts(1, i)), c_loc(texts(2, i)))
+    end do
+    status = create_yielding_in_c(trim(law) // c_null_char, pairs, size(pairs, kind=c_size_t), chosen, int(count, c_size_t), made)
+  end function
+
+  !> The law along the deformations, from the undeformed state: force, tangent and energy lost, arrays of the same size.
+  integer(c_int) function pnd_follow(law, deformation, force, tangent, lost) result(status)
+    type(c_ptr), intent(in) :: law
+    real(c_double), intent(in) :: deformation(:)
+    real(c_double), intent(inout) :: force(size(deformation)), tangent(size(deformation)), lost(size(deformation))
+    status = follow_in_c(law, deformation, size(deformation, kind=c_size_t), force, tangent, lost)
+  end function
+
+  integer function pnd_yielding_count() result(count)
+    count = int(yielding_count_in_c())
+  end function
+
+  !> Name of law of yielding 1 ... pnd_yielding_count(); empty outside.
+  function pnd_yielding_name(law) result(text)
+    integer, intent(in) :: law
+    character(:), allocatable :: text
+    type(yielding_info) :: info
+    text = ''
+    if (describe_yielding_in_c(int(law - 1, c_size_t), info) == PND_OK) text = text_of(info%name)
   end function
 
   !> Error text of the last failed call of this thread.

@@ -7,7 +7,7 @@ program module_test
   type(pnd_contact) :: contact, copy
   type(pnd_response) :: answer
   type(pnd_free_impact) :: impact
-  real(real64) :: state(PND_CONTACT_DOUBLES)
+  real(real64) :: state(PND_CONTACT_DOUBLES), force(3), tangent(3), lost(3), stiffness, yields
   integer :: i, wrong = 0
   logical :: found = .false.
 
@@ -52,6 +52,26 @@ program module_test
   call expect('its indentation', near(contact%indentation, 3.75d-3) .and. near(contact%crushed, 5d-3))
   call pnd_destroy(law)
   call pnd_destroy(c_null_ptr)
+
+  ! A bilinear spring to four times its yield deformation of 7.5 mm, back, and again: (1 - a) Fy (dmax - dy) in the first quarter.
+  call status_is('a law of yielding', PND_OK, pnd_create_yielding('bilinear', [pnd_value('stiffness', 2d7), &
+                                             pnd_value('yield_force', 1.5d5), pnd_value('hardening', 0.1d0)], law))
+  call status_is('its start', PND_OK, pnd_yielding_start(law, stiffness, yields))
+  call expect('its stiffness', near(stiffness, 2d7) .and. near(yields, 7.5d-3))
+  call status_is('a path', PND_OK, pnd_follow(law, [3d-2, -3d-2, 3d-2], force, tangent, lost))
+  call expect('the forces', near(force(1), 1.95d5) .and. near(force(2), -1.95d5) .and. near(force(3), 1.95d5))
+  call expect('the tangents', near(tangent(2), 2d6))
+  call expect('what is lost', near(lost(1), 0.9d0*1.5d5*2.25d-2) .and. near(lost(3) - lost(1), 3.6d0*1.5d5*2.25d-2))
+  call pnd_destroy_yielding(law)
+  call status_is('a law with a word', PND_OK, pnd_create_yielding('menegotto_pinto', [pnd_value('stiffness', 2d7), &
+                                             pnd_value('yield_force', 1.5d5)], law, [pnd_word('memory', 'last')]))
+  call pnd_destroy_yielding(law)
+  call status_is('a wrong word', PND_BAD_ARGUMENT, pnd_create_yielding('menegotto_pinto', [pnd_value('stiffness', 2d7), &
+                                             pnd_value('yield_force', 1.5d5)], law, [pnd_word('memory', 'lost')]))
+  call expect('its text', index(pnd_error_text(), 'cannot be "lost"') > 0)
+  call expect('the list of laws of yielding', pnd_yielding_name(1) == 'bilinear' .and. pnd_yielding_name(0) == '' .and. &
+              pnd_yielding_name(pnd_yielding_count() + 1) == '')
+  call pnd_destroy_yielding(c_null_ptr)
   if (wrong > 0) error stop 1
 
 contains

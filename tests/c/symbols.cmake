@@ -3,7 +3,8 @@
 execute_process(COMMAND ${READELF} --dyn-syms --wide ${LIBRARY} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${symbols}")
 set(missing interface version error_text create destroy touch respond accept separate collide law_count find_law describe_law
-  describe_parameter describe_formula)
+  describe_parameter describe_formula create_yielding destroy_yielding follow yielding_start yielding_count describe_yielding
+  describe_yielding_parameter describe_yielding_choice)
 foreach(line IN LISTS lines)
   if(NOT line MATCHES " (GLOBAL|WEAK|UNIQUE) " OR line MATCHES " UND ")
     continue()

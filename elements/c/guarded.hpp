@@ -1,0 +1,40 @@
+#pragma once
+/// How functions of the C interface fail: a status, and a text of the calling thread.
+
+#include <cmath>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "pounding.h"
+
+namespace pounding::c {
+
+/// Keeps the text for pnd_error_text() and returns the status.
+pnd_status fail(pnd_status status, std::string_view text) noexcept;
+
+/// No exception crosses into C.
+template <class Call>
+int guarded(Call&& call) noexcept {
+  try {
+    call();
+    return PND_OK;
+  } catch (const std::invalid_argument& error) {
+    return fail(PND_BAD_ARGUMENT, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(PND_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(PND_FAILED, error.what());
+  } catch (...) {
+    return fail(PND_FAILED, "unknown failure");
+  }
+}
+
+/// Throws std::invalid_argument for a null pointer.
+inline void require(const void* pointer, const char* name) {
+  if (pointer == nullptr) throw std::invalid_argument(std::string(name) + " is a null pointer");
+}
+
+}  // namespace pounding::c
