@@ -64,9 +64,9 @@ TEST(Hinges, RefuseWhatCannotBe) {
           where + "ry is released there, so no moment reaches it; leave out the release or the hinge");
   refused(add({.about = BendingAxis::z, .yield_moment = yield}, 3, {.start_releases = {Dof::rz}}),
           where + "rz is released there, so no moment reaches it; leave out the release or the hinge");
-  refused(add({.law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_force", yield}}}}),
+  refused(add({.law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}}}}),
           where + "a law acts in a spring; give its stiffness or stiffness_factor");
-  refused(add({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_force", yield}, {"stiffness", 1}}}}),
+  refused(add({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"stiffness", 1}}}}),
           where + "the stiffness of its law is that of the hinge; leave it out of the law");
   refused([] {
     Frame frame = held_beam();
@@ -160,7 +160,7 @@ TEST(Hinges, AWeightBetweenTheEndsCountsAtRest) {
 // Bouc and Wen's law bends from the start. The spring of 20 EI/m beside 4EI/L of the whole beam takes 20/(20 + 4/6) of 73.55 kN m.
 TEST(Hinges, ALawThatIsNeverStraightTakesNoGravity) {
   Frame frame = held_beam();
-  frame.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_force", yield}, {"hardening", 0.02}}}});
+  frame.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"hardening", 0.02}}}});
   EXPECT_EQ(made(frame).yielding[0].law, "bouc_wen");
   refused([&] { made(frame, FrameGeometry::linear, true); },
           "hinge left start: at rest, under gravity and loads alone, its moment is -71.18 kN m, and bouc_wen is not straight so far; type bilinear instead");
@@ -206,11 +206,20 @@ TEST(Hinges, AreNamedByMemberEndAndAxis) {
 
 // Such a law compares its numbers with the stiffness of the spring.
 TEST(Hinges, ALawIsCheckedWithItsStiffness) {
-  const hysteresis::Settings cracking{.law = "peak_oriented", .values = {{"yield_force", yield}, {"cracking_force", 0.5 * yield}, {"yield_deformation", 0.03}}};
+  const hysteresis::Settings cracking{.law = "peak_oriented", .values = {{"yield_moment", yield}, {"cracking_moment", 0.5 * yield}, {"yield_rotation", 0.03}}};
   Frame frame = held_beam();
   frame.add_hinge({.stiffness_factor = 10, .law = cracking});
   EXPECT_EQ(made(frame).yielding[0].law, "peak_oriented");
-  EXPECT_THROW(held_beam().add_hinge({.stiffness = yield / 0.04, .law = cracking}), std::invalid_argument);
+  refused([&] { held_beam().add_hinge({.stiffness = yield / 0.04, .law = cracking}); },
+          "member left: the hinge at its start: yield_rotation is 0.03, but must be above yield_moment/stiffness, 0.04");
+}
+
+TEST(Hinges, LawsSpeakOfMoments) {
+  const auto add = [](const hysteresis::Settings& law) { return [=] { held_beam().add_hinge({.stiffness_factor = 10, .law = law}); }; };
+  const std::string where = "member left: the hinge at its start: ";
+  refused(add({.law = "menegotto_pinto", .values = {{"yield_moment", -yield}}}), where + "yield_moment is -2e+05, but must be finite and positive");
+  refused(add({.law = "bouc_wen", .values = {{"hardening", 0.1}}}), where + "bouc_wen needs yield_moment (yield force Fy)");
+  refused(add({.law = "bilinear", .values = {{"yield_force", yield}}}), where + "a hinge has a yield_moment instead of a yield_force");
 }
 
 TEST(Hinges, RigidPlasticOnesAddNoStiffness) {

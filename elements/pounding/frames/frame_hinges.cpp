@@ -56,11 +56,11 @@ hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
   if (hinge.law) {
     law = *hinge.law;
   } else {
-    law.values = {{"yield_force", hinge.yield_moment}, {"hardening", hardening_of(frame, hinge, k)}};
-    if (hinge.hogging_moment) law.values["negative_yield_force"] = *hinge.hogging_moment;
+    law.values = {{"yield_moment", hinge.yield_moment}, {"hardening", hardening_of(frame, hinge, k)}};
+    if (hinge.hogging_moment) law.values["negative_yield_moment"] = *hinge.hogging_moment;
   }
   law.values["stiffness"] = k;
-  const auto sagging = law.values.find("yield_force"), hogging = law.values.find("negative_yield_force");
+  const auto sagging = law.values.find("yield_moment"), hogging = law.values.find("negative_yield_moment");
   if (!hinge.sags_positive() && sagging != law.values.end() && hogging != law.values.end()) std::swap(sagging->second, hogging->second);
   return law;
 }
@@ -68,7 +68,7 @@ hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
 std::vector<YieldingPart::Parameter> parameters_of(const Hinge& hinge, double k) {
   std::vector<YieldingPart::Parameter> all;
   if (hinge.law) {
-    for (const auto& [name, value] : hinge.law->values) all.push_back({name == "yield_force" ? "yield_moment" : name, value});
+    for (const auto& [name, value] : hinge.law->values) all.push_back({name, value});
   } else {
     all.push_back({"yield_moment", hinge.yield_moment});
     if (hinge.hogging_moment) all.push_back({"hogging_moment", *hinge.hogging_moment});
@@ -200,7 +200,7 @@ int Frame::add_hinge(const Hinge& hinge) {
   require_sound(hinge, where);
   try {
     const double k = hinge.stiffness > 0 ? hinge.stiffness : hinge.stiffness_factor * bending_stiffness(hinge);
-    make_spring(law_of(*this, hinge, hinge.is_rigid_plastic() ? 1 : k));
+    make_hinge(law_of(*this, hinge, hinge.is_rigid_plastic() ? 1 : k));
     if (!hinge.is_rigid_plastic()) member.beam.set_end_spring(hinge.place(), k);
   } catch (const std::invalid_argument& error) {
     refuse(where + error.what());
@@ -238,7 +238,7 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
     const hysteresis::Settings law = law_of(model.frame, hinges[i], k);
     YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces.back()),
                                                  hinges[i].is_rigid_plastic() ? "hinge" : law.law, parameters_of(hinges[i], k),
-                                                 make_spring(law));
+                                                 make_hinge(law));
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
     require_elastic_at_rest(part, forces.back());
   }

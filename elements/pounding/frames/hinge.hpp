@@ -35,8 +35,8 @@ struct Hinge {
   double stiffness_factor = 0;                ///< or as a multiple of 6EI/L [-]
   /// L of the member that this one is a part of, where it was cut; 0: its own length [m].
   double member_length = 0;
-  /// Law of a spring in series instead of a bilinear one, without its stiffness. Its yield_force is a moment [N m], that of sagging where
-  /// there is a negative_yield_force, too.
+  /// Law of a spring in series instead of a bilinear one, in the words of make_hinge() and without its stiffness. Its yield_moment is that
+  /// of sagging where there is a negative_yield_moment, too.
   std::optional<hysteresis::Settings> law{};
 
   /// Whether it has no stiffness of its own.

@@ -14,6 +14,7 @@
 #include <pounding/core/names.hpp>
 #include <pounding/input/frame_parts_input.hpp>
 #include <pounding/input/spring_input.hpp>
+#include <pounding/structures/make_spring.hpp>
 
 namespace pounding {
 namespace {
@@ -148,11 +149,11 @@ class Reader {
     Hinge hinge{.law = hysteresis::Settings{.law = std::string(law.name)}};
     const Input moment = node.at("yield_moment");
     const auto [sagging, hogging] = read_moments(moment);
-    hinge.law->values["yield_force"] = sagging;
+    hinge.law->values["yield_moment"] = sagging;
     if (hogging) {
       if (std::ranges::find(law.parameters, "negative_yield_force", &hysteresis::ParameterInfo::name) == law.parameters.end())
         moment.fail(fmt::format("{} yields at the same moment both ways; give one", law.name));
-      hinge.law->values["negative_yield_force"] = *hogging;
+      hinge.law->values["negative_yield_moment"] = *hogging;
     }
     const auto stiffness = node.find("stiffness"), factor = node.find("stiffness_factor");
     if (stiffness && factor) factor->fail_at_key("give stiffness or stiffness_factor, not both");
@@ -162,7 +163,8 @@ class Reader {
       hinge.stiffness_factor = node.quantity("stiffness_factor");
     for (const hysteresis::ParameterInfo& parameter : law.parameters)
       if (parameter.name != "stiffness" && !parameter.name.ends_with("yield_force"))
-        if (const auto value = node.find(parameter.name)) hinge.law->values[std::string(parameter.name)] = value->as_quantity();
+        if (const auto value = node.find(in_moments(std::string(parameter.name))))
+          hinge.law->values[in_moments(std::string(parameter.name))] = value->as_quantity();
     for (const hysteresis::ChoiceInfo& choice : law.choices)
       if (const auto word = node.find(choice.name)) hinge.law->words[std::string(choice.name)] = word->as_choice();
     return hinge;

@@ -5,7 +5,6 @@
 
 #include <pounding/hysteresis/law.hpp>
 #include <pounding/structures/spring.hpp>
-#include <pounding/structures/spring_inside.hpp>
 
 namespace pounding {
 
@@ -14,7 +13,7 @@ namespace pounding {
 /// As a Spring it answers the force of the law minus k u. The law follows straight ways; where the deformation turns within a step,
 /// accept() goes to the turning point of the cubic through both ends of the step first. There is no dashpot.
 template <hysteresis::Law L>
-class HystereticSpring : public Spring, public SpringInside {
+class HystereticSpring : public Spring {
  public:
   /// Undeformed. Throws std::invalid_argument for a parameter that is out of range.
   explicit HystereticSpring(const L& law) : law_(law) { law_.check(); }
@@ -43,7 +42,7 @@ class HystereticSpring : public Spring, public SpringInside {
     }
     follow(step.motion_end.penetration);
   }
-  SpringInside::Answer inside(const LinkStep& step, double s, double deformation) const noexcept override {
+  Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override {
     typename L::State state = before_;
     double given = given_before_;
     if (step.motion_begin.rate * step.motion_end.rate < 0) {

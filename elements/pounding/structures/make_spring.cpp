@@ -20,13 +20,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> moments{
      {"cracking_force", "cracking_moment"},
      {"yield_deformation", "yield_rotation"}}};
 
+}  // namespace
+
 std::string in_moments(std::string text) {
   for (const auto& [force, moment] : moments)
     for (std::size_t at = 0; (at = text.find(force, at)) != std::string::npos; at += moment.size()) text.replace(at, force.size(), moment);
   return text;
 }
-
-}  // namespace
 
 std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings) {
   return std::visit(

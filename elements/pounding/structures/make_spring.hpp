@@ -2,6 +2,7 @@
 /// Springs by the name of their law, for inputs.
 
 #include <memory>
+#include <string>
 
 #include <pounding/hysteresis/entry.hpp>
 #include <pounding/structures/spring.hpp>
@@ -16,5 +17,8 @@ std::unique_ptr<Spring> make_spring(const hysteresis::Settings& settings);
 /// Likewise for a hinge, whose words and messages have moments: `yield_moment` for yield_force, `negative_yield_moment`,
 /// `cracking_moment`, `yield_rotation` for yield_deformation.
 std::unique_ptr<Spring> make_hinge(const hysteresis::Settings& settings);
+
+/// A text about a law, or one of its words, with the words of hinges in it.
+std::string in_moments(std::string text);
 
 }  // namespace pounding

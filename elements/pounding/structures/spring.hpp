@@ -31,6 +31,16 @@ class Spring {
   virtual void start(const LinkMotion& /*motion*/) {}
   /// A step was kept.
   virtual void accept(const LinkStep& step) = 0;
+  /// Force and loss at one instant.
+  struct Instant {
+    double force = 0;  ///< as evaluate() gives it [N]
+    double lost = 0;   ///< by yielding until then, as lost() [J]
+  };
+  /// At s from 0 to 1 of the step that was kept last, where the deformation is this [m], so that histories are exact between the ends of
+  /// steps. Pure. Written here for springs without memory.
+  virtual Instant inside(const LinkStep& step, double s, double deformation) const noexcept {
+    return {evaluate({deformation, interpolate(step, s).rate}).force, lost()};
+  }
   /// Energy that the spring has lost by yielding [J].
   virtual double lost() const noexcept = 0;
   /// Energy that it has lost by damping [J].

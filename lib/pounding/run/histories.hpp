@@ -1,7 +1,6 @@
 #pragma once
 /// Forces of links inside a step; columns of the histories that grow beside the output times, and how to cut them to a length.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
@@ -10,7 +9,7 @@
 #include <pounding/core/archive.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/stepping/dense_output.hpp>
-#include <pounding/structures/spring_inside.hpp>
+#include <pounding/structures/spring.hpp>
 
 namespace pounding {
 
@@ -20,21 +19,9 @@ inline double force_inside(const LinkStep& step, double s) {
   return parabola.begin * step.force_begin + parabola.middle * step.force_middle + parabola.end * step.force_end;
 }
 
-/// Force of a part that yields at an instant of its last kept step [N], for springs that cannot tell it themselves (SpringInside): linear in
-/// the deformation [m] rather than in time, which is exact on a straight branch, however long the step.
-inline double spring_force(const LinkStep& step, double time, double deformation) {
-  const bool early = time < 0.5 * (step.begin + step.end);
-  const double u0 = early ? step.motion_begin.penetration : step.motion_middle.penetration;
-  const double u1 = early ? step.motion_middle.penetration : step.motion_end.penetration;
-  const double f0 = early ? step.force_begin : step.force_middle, f1 = early ? step.force_middle : step.force_end;
-  return u0 == u1 ? f0 : f0 + (f1 - f0) * std::clamp((deformation - u0) / (u1 - u0), 0.0, 1.0);
-}
-
-/// That force by the spring itself where it can.
+/// Force of a part that yields at an instant of its last kept step, where the deformation is this [m], as Spring::evaluate() gives it [N].
 inline double spring_force(const Spring& spring, const LinkStep& step, double time, double deformation) {
-  if (const auto* exact = dynamic_cast<const SpringInside*>(&spring))
-    return exact->inside(step, (time - step.begin) / (step.end - step.begin), deformation).force;
-  return spring_force(step, time, deformation);
+  return spring.inside(step, (time - step.begin) / (step.end - step.begin), deformation).force;
 }
 
 inline std::array<std::vector<double>*, 5> columns(LinkHistory& h) {

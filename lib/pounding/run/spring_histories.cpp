@@ -126,14 +126,9 @@ void SpringHistories::sample(double time, bool inside) {
       const LinkStep& step = stepper_.link_steps()[link];
       const double s = (time - step.begin) / (step.end - step.begin);
       d = interpolate(step, s).penetration;
-      if (const auto* exact = dynamic_cast<const SpringInside*>(&spring)) {
-        const SpringInside::Answer answer = exact->inside(step, s, d);
-        on_top = answer.force;
-        lost = answer.lost;
-      } else {
-        on_top = spring_force(step, time, d);
-        lost = history.lost[i] + s * (lost - history.lost[i]);
-      }
+      const Spring::Instant instant = spring.inside(step, s, d);
+      on_top = instant.force;
+      lost = instant.lost;
     }
     history.deformation.push_back(d);
     history.force.push_back(history.stiffness[i] * d + on_top);

@@ -8,6 +8,7 @@
 #include <pounding/hysteresis/all.hpp>
 #include <pounding/input/words/hinges.hpp>
 #include <pounding/input/words/yielding_words.hpp>
+#include <pounding/structures/make_spring.hpp>
 
 namespace pounding::words {
 namespace {
@@ -83,9 +84,9 @@ struct OfHinges : YieldingWords {
     const hysteresis::ParameterInfo& info = parameter.info;
     const std::string_view unit = turned(info.unit);
     const auto shown = [&](double value) { return kept(fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit)); };
-    Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(unit), .bounds = bounds::any,
+    Word word{.key = kept(in_moments(std::string(info.name))), .takes = Takes::quantity, .dimension = parse_unit_dimension(unit), .bounds = bounds::any,
               .need = info.need == hysteresis::Need::required ? Need::required : Need::optional, .since = "0.2.0",
-              .meaning = kept(fmt::format("{}.", capital(info.meaning))), .example = shown(info.typical)};
+              .meaning = kept(in_moments(fmt::format("{}.", capital(info.meaning)))), .example = shown(info.typical)};
     if (word.need == Need::optional)
       word.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("what the others say");
     return word;
