@@ -21,6 +21,7 @@
 #include <pounding/run/same_model.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
+#include <pounding/model/yielding_report.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
@@ -274,16 +275,19 @@ void add_run(CLI::App& app) {
     const Model model = read(Input::read_file(check_words->model));
     const std::vector<std::string> warnings = implausible(model);
     print_warnings(warnings);
-    if (check_words->json)
-      std::puts(nlohmann::ordered_json{{"status", "ok"},
-                                       {"structures", model.structures.size()},
-                                       {"links", model.links.size()},
-                                       {"devices", model.devices.size()},
-                                       {"warnings", warnings}}
-                    .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-                    .c_str());
-    else
-      std::fputs((describe(model) + "\n" + resolved_yaml(model)).c_str(), stdout);
+    if (!check_words->json) {
+      const std::string yielding = yielding_table(model);
+      std::fputs((describe(model) + "\n" + yielding + (yielding.empty() ? "" : "\n") + resolved_yaml(model)).c_str(), stdout);
+      return;
+    }
+    using Json = nlohmann::ordered_json;
+    Json found{{"status", "ok"},
+               {"structures", model.structures.size()},
+               {"links", model.links.size()},
+               {"devices", model.devices.size()},
+               {"warnings", warnings}};
+    if (Json yielding = Json::parse(yielding_json(model)); !yielding.empty()) found["yielding"] = std::move(yielding);
+    std::puts(found.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
   });
 }
 

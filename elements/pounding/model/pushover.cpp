@@ -10,6 +10,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/model/modes.hpp>
+#include <pounding/model/storey_heights.hpp>
 
 namespace pounding {
 namespace {
@@ -17,18 +18,6 @@ namespace {
 [[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
 
 const char* axis(int direction) { return direction == 0 ? "x" : "y"; }
-
-// Lowest height that counts: of a node that is held, or the ground of a stick.
-double base_of(const Structure& s) {
-  if (s.geometry.positions.empty()) return 0;
-  double lowest = s.geometry.positions.front().z();
-  for (const Eigen::Vector3d& position : s.geometry.positions) lowest = std::min(lowest, position.z());
-  return lowest;
-}
-
-bool knows_heights(const Structure& s) {
-  return std::all_of(s.floors.begin(), s.floors.end(), [](const Floor& floor) { return floor.elevation.has_value(); });
-}
 
 Eigen::VectorXd mode_of_floors(const Structure& s, int direction, const ModeSolver& solver) {
   constexpr int enough_modes = 12;
@@ -52,7 +41,7 @@ std::vector<double> weights_of(const Structure& s, const PushoverOptions& option
   if (options.pattern == LoadPattern::mode1) shape = mode_of_floors(s, options.direction, solver);
   if (options.pattern == LoadPattern::triangular)
     for (std::size_t i = 0; i < floors; ++i)
-      shape[static_cast<Eigen::Index>(i)] = knows_heights(s) ? *s.floors[i].elevation - base_of(s) : static_cast<double>(i + 1);
+      shape[static_cast<Eigen::Index>(i)] = knows_heights(s) ? *s.floors[i].elevation - base_height(s) : static_cast<double>(i + 1);
   std::vector<double> weights;
   for (std::size_t i = 0; i < floors; ++i) weights.push_back(s.floors[i].mass * shape[static_cast<Eigen::Index>(i)]);
   return weights;
@@ -131,7 +120,7 @@ const char* name_of(LoadPattern pattern) {
 
 double roof_height(const Structure& s) {
   if (s.floors.empty() || !knows_heights(s)) return std::numeric_limits<double>::quiet_NaN();
-  return *s.floors.back().elevation - base_of(s);
+  return *s.floors.back().elevation - base_height(s);
 }
 
 Pushover pushover(const Structure& s, const PushoverOptions& options, const ModeSolver& modes) {
