@@ -23,10 +23,12 @@ class Springs(told.Told, lines=told.springs):
     deformation: np.ndarray  #: [time, part] at the output times [m] or [rad]
     force: np.ndarray  #: [time, part] [N] or [N m]
     hysteretic: np.ndarray  #: [time, part] energy lost by yielding so far [J]
-    #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility, residual, hysteretic [J],
-    #: first_yield [s] (NaN where it stayed elastic), damping_shear (over the yield shear; NaN for hinges).
+    #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility, peak_plastic (largest size of the plastic
+    #: part of the deformation), cycles, residual, hysteretic [J], first_yield [s] (NaN where it stayed elastic), damping_shear (over the
+    #: yield shear; NaN for hinges).
     largest: dict[str, np.ndarray]
-    states: list[str]  #: "elastic" or "yielded", one a part
+    states: list[str]  #: "elastic", "yielded" or "beyond ultimate", one a part
+    ultimate_rotation: np.ndarray  #: [part] plastic rotation that a hinge can bear [rad]; NaN where none was given
 
     def __len__(self) -> int:
         return len(self.names)
@@ -44,6 +46,7 @@ def read_springs(structure: h5py.Group) -> Springs | None:
         return None
     group = structure["springs"]
     summary = group["summary"]
+    ultimate = group["ultimate_rotation"][:] if "ultimate_rotation" in group else np.full(len(group["names"]), np.nan)
     return Springs(names=texts(group["names"][:]), laws=texts(group["laws"][:]), states=texts(summary["state"][:]),
-                   largest={key: data[:] for key, data in summary.items() if key != "state"},
+                   ultimate_rotation=ultimate, largest={key: data[:] for key, data in summary.items() if key != "state"},
                    **{key: group[key][:] for key in ("stiffness", "yield_deformation", "deformation", "force", "hysteretic")})

@@ -27,6 +27,19 @@ links:
   - {between: [left, right], floors: all, gap: 20 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.65}
 analysis: {duration: 4.0, tolerance: 1e-5, output_step: 5 ms}
 """
+#: A portal frame whose columns yield far, and one whose beam hardly does.
+PORTAL = """\
+    frame:
+      material: {E: 30 GPa, poisson: 0.2}
+      grid: {storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {rectangle: [0.4 m, 0.4 m]}, beams: {rectangle: [0.4 m, 0.6 m]},
+             floor_mass: 60 t}
+      hinges: {%s}
+    damping: 5 %%
+"""
+FRAMES = ("ground_motion: {harmonic: {amplitude: 4.0, period: 0.5, duration: 2.0}}\nstructures:\n"
+          "  weak:\n" + PORTAL % "columns: {at: both, yield_moment: 80 kN m, hardening: 3 %, ultimate_rotation: 0.0005}" +
+          "  strong:\n" + PORTAL % "columns: {at: feet, yield_moment: 130 kN m, hardening: 3 %}, beams: {at: both, yield_moment: 5 MN m}" +
+          "analysis: {duration: 2.5, output_step: 5 ms}\n")
 
 
 class Yielding(ProgramTest):
@@ -114,6 +127,54 @@ class Yielding(ProgramTest):
         _, found = self.springs(path)
         expected = np.abs(shears).max(axis=0) / np.array(YIELD)
         np.testing.assert_allclose(found["summary/damping_shear"], expected, rtol=1e-4)
+
+    def test_count_cycles_and_the_largest_plastic_deformation(self):
+        summary, path = self.results(PAIR.replace("output_step: 5 ms", "output_step: 0.2 ms"))
+        _, found = self.springs(path)
+        d, f, limit = found["deformation"], found["force"], found["yield_deformation"]
+        np.testing.assert_allclose(found["summary/peak_plastic"], np.abs(d - f / np.array(STIFFNESS)).max(axis=0), rtol=1e-4)
+        # A bilinear storey yields in each swing once: its slope is that of the hardening.
+        for i in range(2):
+            signs = np.sign(np.diff(d[:, i]))[np.abs(np.diff(f[:, i])) < 0.5 * STIFFNESS[i] * np.abs(np.diff(d[:, i]))]
+            swings = 1 + np.count_nonzero(np.diff(signs))
+            self.assertGreater(swings, 4)
+            self.assertEqual(found["summary/cycles"][i], swings / 2)
+        left = summary["structures"]["left"]["yielding"]["springs"]
+        self.assertEqual([one["cycles"] for one in left], found["summary/cycles"].tolist())
+        self.assertEqual([one["plastic"] for one in left], found["summary/peak_plastic"].tolist())
+        self.assertTrue(np.isnan(found["ultimate_rotation"]).all())
+        self.assertNotIn("hinges", summary)
+        self.assertGreater(found["summary/cycles"][0], 0)
+
+    def test_what_is_left_is_told_with_the_heights(self):
+        with_heights = PAIR.replace("stiffness: [60 MN/m", "height: [3 m, 2.5 m], stiffness: [60 MN/m")
+        summary, path = self.results(with_heights)
+        left, right = summary["structures"]["left"], summary["structures"]["right"]
+        np.testing.assert_allclose(left["residual_drift_ratio"], np.abs(left["residual_drift"]) / [3, 2.5], rtol=1e-14)
+        self.assertNotIn("residual_drift_ratio", right)
+        drifts = np.abs(left["residual_drift"])
+        worst = int(np.argmax(drifts))
+        lines = self.pounding("run", "model.yaml").stdout.splitlines()
+        self.assertIn(f"left: at the end, where it may still move, the top is displaced by {1e3 * abs(left['residual_displacement'][-1]):.4g} mm, and storey "
+                      f"{worst + 1} drifts most, {1e3 * drifts[worst]:.4g} mm or {100 * left['residual_drift_ratio'][worst]:.3g} % of its height", lines)
+
+    def test_hinges_are_counted_with_those_beyond_their_ultimate_rotation(self):
+        summary, path = self.results(FRAMES)
+        hinges = summary["hinges"]
+        parts = {(name, part["name"]): part for name, one in summary["structures"].items() for part in one["yielding"]["springs"]}
+        self.assertEqual((hinges["count"], hinges["yielded"]), (8, 6))
+        beyond = [key for key, part in parts.items() if part["state"] == "beyond ultimate"]
+        self.assertEqual(beyond, [key for key, part in parts.items() if part["ultimate_rotation"] and part["plastic"] > part["ultimate_rotation"]])
+        self.assertEqual((hinges["beyond_ultimate"], len(beyond)), (4, 4))
+        largest = max(parts, key=lambda key: parts[key]["ductility"])
+        self.assertEqual((hinges["largest"]["structure"], hinges["largest"]["name"]), largest)
+        self.assertEqual((hinges["largest"]["ductility"], hinges["largest"]["rotation"]), (parts[largest]["ductility"], parts[largest]["plastic"]))
+        _, found = self.springs(path, "weak")
+        self.assertEqual(found["ultimate_rotation"].tolist(), [0.0005] * 4)
+        lines = self.pounding("run", "model.yaml").stdout.splitlines()
+        farthest = max((parts[key]["plastic"], key[1]) for key in beyond)
+        self.assertTrue(any(line.startswith("weak: 4 hinges beyond their ultimate rotation, the farthest ") and
+                            line.endswith(f"with {1e3 * farthest[0]:.4g} of 0.5 mrad") for line in lines), lines)
 
     def test_are_in_the_table(self):
         self.write(PAIR)

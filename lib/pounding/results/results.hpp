@@ -90,7 +90,7 @@ struct SolverStatistics {
 /// Content of a results file.
 struct Results {
   std::string program = "pounding", version, created, title, command;
-  std::string status = "running";  ///< running | done | failed: reason
+  std::string status = "running";  ///< running | done | done: collapse ... | failed: reason
   std::string model_yaml;          ///< the input as given
   std::string resolved_yaml;       ///< every default and calibrated parameter filled in
   std::string integrator;          ///< scheme of the time stepping by its name in the input

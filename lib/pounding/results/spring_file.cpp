@@ -23,6 +23,8 @@ constexpr SummaryField summary_fields[] = {
     {{"peak_time", "s", "time of peak_deformation"}, &SpringSummary::peak_time},
     {{"peak_force", "N", "largest absolute force; of hinges [N m]"}, &SpringSummary::peak_force},
     {{"ductility", "1", "size of the peak deformation over the yield deformation"}, &SpringSummary::ductility},
+    {{"peak_plastic", "m", "largest size of the plastic part of the deformation; of hinges [rad]"}, &SpringSummary::plastic},
+    {{"cycles", "1", "half the number of swings by more than twice the yield deformation"}, &SpringSummary::cycles},
     {{"residual", "m", "deformation at the end of the run, where it may still move; of hinges [rad]"}, &SpringSummary::residual},
     {{"hysteretic", "J", "energy lost by yielding"}, &SpringSummary::energy_lost},
     {{"first_yield", "s", "time at which the yield deformation was first exceeded; NaN where it never was"}, &SpringSummary::first_yield},
@@ -39,8 +41,8 @@ void write_summary(hid_t place, const SpringHistory& springs) {
     array(summary, field.label, values, {values.size()});
   }
   std::vector<std::string> states;
-  for (const SpringSummary& row : rows) states.emplace_back(row.yielded() ? "yielded" : "elastic");
-  hdf5::texts(summary, "state", "elastic, or yielded once at least", states);
+  for (const SpringSummary& row : rows) states.emplace_back(row.state());
+  hdf5::texts(summary, "state", "elastic, yielded once at least, or beyond ultimate", states);
 }
 
 }  // namespace
@@ -52,6 +54,8 @@ void write_springs(hid_t structure, const std::string& name, const SpringHistory
   hdf5::texts(place, "laws", "laws of their forces", springs.laws);
   array(place, {"stiffness", "N/m", "initial stiffness; of hinges [N m/rad]"}, springs.stiffness, {springs.size()});
   array(place, {"yield_deformation", "m", "deformation at the first yield; of hinges [rad]"}, springs.yield_deformation, {springs.size()});
+  array(place, {"ultimate_rotation", "rad", "plastic rotation that a hinge can bear; NaN where none was given"}, springs.ultimate,
+        {springs.size()});
   const auto history = [&](const Label& label, const std::vector<double>& values) {
     if (values.size() != samples * springs.size())
       throw std::invalid_argument(name + ": springs, " + label.name + " holds " + std::to_string(values.size()) + " values; " +

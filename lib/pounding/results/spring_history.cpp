@@ -1,25 +1,51 @@
 #include <pounding/results/spring_history.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pounding {
+
+// With the sign of its way the deformation grows in a swing up and in one down alike.
+void CycleCounts::follow(std::size_t part, double deformation, double yield_deformation) {
+  double& count = swings[part];
+  if (count == 0) {
+    if (std::abs(deformation) <= yield_deformation) return;
+    count = std::copysign(1.0, deformation);
+    turn[part] = deformation;
+    return;
+  }
+  const double way = std::copysign(1.0, count), on = way * (deformation - turn[part]);
+  if (on < -2 * yield_deformation) count = -(count + way);
+  if (on > 0 || on < -2 * yield_deformation) turn[part] = deformation;
+}
+
+double CycleCounts::cycles(std::size_t part) const { return 0.5 * std::abs(swings[part]); }
+
+void CycleCounts::archive(Archive& archive) {
+  archive(turn);
+  archive(swings);
+}
 
 void SpringHistory::archive(Archive& archive) {
   archive(deformations);
   archive(forces);
-  for (std::vector<double>* values : {&last, &lost, &first_yield, &damping_shear}) archive(*values);
+  for (std::vector<double>* values : {&last, &lost, &first_yield, &damping_shear, &plastic}) archive(*values);
+  archive(cycles);
 }
 
 void SpringSummary::archive(Archive& archive) {
   archive(name);
   archive(law);
-  for (double* value : {&peak, &peak_time, &peak_force, &ductility, &residual, &energy_lost, &first_yield, &damping_shear}) archive(*value);
+  archive(is_hinge);
+  for (double* value : {&peak, &peak_time, &peak_force, &ductility, &plastic, &ultimate, &cycles, &residual, &energy_lost, &first_yield,
+                        &damping_shear})
+    archive(*value);
 }
 
 std::vector<SpringSummary> summaries(const SpringHistory& springs) {
   std::vector<SpringSummary> all;
   for (std::size_t i = 0; i < springs.size(); ++i) {
-    SpringSummary s{springs.names[i], springs.laws[i]};
+    SpringSummary s{.name = springs.names[i], .law = springs.laws[i], .is_hinge = springs.hinges[i]};
     const Extremes& d = springs.deformations;
     if (d.min[i] <= d.max[i]) {
       const bool up = d.max[i] >= -d.min[i];
@@ -28,6 +54,9 @@ std::vector<SpringSummary> summaries(const SpringHistory& springs) {
       s.peak_force = springs.forces.peak(i);
     }
     s.ductility = d.peak(i) / springs.yield_deformation[i];
+    s.plastic = springs.plastic[i];
+    s.ultimate = springs.ultimate[i];
+    s.cycles = springs.cycles.cycles(i);
     s.residual = springs.last[i];
     s.energy_lost = springs.lost[i];
     s.first_yield = springs.first_yield[i];

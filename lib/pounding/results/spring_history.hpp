@@ -10,10 +10,25 @@
 
 namespace pounding {
 
+/// Counts swings of deformations: each goes on by more than twice the yield deformation beyond the last turn, the first one by more than
+/// once from zero. A bilinear part yields in each of them once.
+struct CycleCounts {
+  std::vector<double> turn;   ///< deformation farthest on the way of the present swing, one a part
+  std::vector<double> swings; ///< so far; the present one goes up where this is positive, down where it is negative
+
+  /// A part goes straight to a deformation, and yields at this one for the first time.
+  void follow(std::size_t part, double deformation, double yield_deformation);
+  /// Half the number of swings of a part.
+  double cycles(std::size_t part) const;
+  void archive(Archive& archive);
+};
+
 /// Deformations are drifts of storeys [m] or rotations of hinges [rad]; forces are shears [N] or moments [N m], k times the deformation
 /// while the part is elastic. Lists are row-major [time, part] at the output times, or have one entry a part.
 struct SpringHistory {
   std::vector<std::string> names, laws;              ///< "storey 1", "bilinear"
+  std::vector<double> ultimate;                      ///< plastic rotation that a hinge can bear [rad]; NaN where none was given
+  std::vector<bool> hinges;                          ///< whether it is a hinge at the end of a member
   std::vector<double> stiffness, yield_deformation;  ///< initial k; size of the deformation at the first yield
   std::vector<double> deformation, force;            ///< over time
   std::vector<double> hysteretic;                    ///< energy lost so far [J], over time
@@ -25,6 +40,8 @@ struct SpringHistory {
   std::vector<double> first_yield;   ///< when the yield deformation was first exceeded [s]; NaN where it never was
   /// Largest force of the structure's damping across a storey, over its yield force; NaN for parts that are no storeys.
   std::vector<double> damping_shear;
+  std::vector<double> plastic;  ///< largest size of the plastic part of the deformation, d - f/k
+  CycleCounts cycles;
 
   /// Number of parts.
   std::size_t size() const { return names.size(); }
@@ -35,9 +52,13 @@ struct SpringHistory {
 /// One part over the run so far.
 struct SpringSummary {
   std::string name, law;
+  bool is_hinge = false;           ///< at the end of a member
   double peak = 0, peak_time = 0;  ///< deformation of the largest size, signed [m] or [rad], and when [s]
   double peak_force = 0;           ///< largest absolute force [N] or [N m]
   double ductility = 0;            ///< size of the peak over the yield deformation
+  double plastic = 0;              ///< largest size of the plastic part of the deformation [m] or [rad]
+  double ultimate = std::numeric_limits<double>::quiet_NaN();  ///< what a hinge can bear of it [rad]; NaN where none was given
+  double cycles = 0;               ///< half the number of swings, see CycleCounts
   double residual = 0;             ///< deformation at the end, which may still move [m] or [rad]
   double energy_lost = 0;          ///< [J]
   double first_yield = std::numeric_limits<double>::quiet_NaN();    ///< [s]; NaN where it stayed elastic
@@ -45,6 +66,10 @@ struct SpringSummary {
 
   /// Whether its yield deformation was ever exceeded.
   bool yielded() const { return first_yield == first_yield; }
+  /// Whether a hinge has turned further than it can bear.
+  bool is_beyond_ultimate() const { return plastic > ultimate; }
+  /// "elastic", "yielded" or "beyond ultimate".
+  const char* state() const { return is_beyond_ultimate() ? "beyond ultimate" : yielded() ? "yielded" : "elastic"; }
   /// For a checkpoint.
   void archive(Archive& archive);
 };

@@ -84,10 +84,13 @@ Json yielding_json(const std::vector<SpringSummary>& springs) {
   for (const SpringSummary& s : springs)
     parts.push_back({{"name", s.name},
                      {"law", s.law},
-                     {"state", s.yielded() ? "yielded" : "elastic"},
+                     {"state", s.state()},
                      {"peak", s.peak},
                      {"time", s.peak_time},
                      {"ductility", s.ductility},
+                     {"plastic", s.plastic},
+                     {"ultimate_rotation", number(s.ultimate)},
+                     {"cycles", s.cycles},
                      {"residual", s.residual},
                      {"peak_force", s.peak_force},
                      {"energy_lost", s.energy_lost},
@@ -109,9 +112,32 @@ Json structures_json(const std::vector<StructureSummary>& structures) {
     if (s.springs.empty()) continue;
     one["residual_displacement"] = s.residual_displacement;
     one["residual_drift"] = s.residual_drift;
+    if (!s.residual_drift_ratio.empty()) one["residual_drift_ratio"] = s.residual_drift_ratio;
     one["yielding"] = yielding_json(s.springs);
   }
   return all;
+}
+
+// The hinges of all frames together; nothing where there are none.
+Json hinges_json(const std::vector<StructureSummary>& structures) {
+  long count = 0, yielded = 0, beyond = 0;
+  const SpringSummary* most = nullptr;
+  const StructureSummary* of = nullptr;
+  for (const StructureSummary& s : structures)
+    for (const SpringSummary& part : s.springs) {
+      if (!part.is_hinge) continue;
+      ++count;
+      yielded += part.yielded();
+      beyond += part.is_beyond_ultimate();
+      if (most && part.ductility <= most->ductility) continue;
+      most = &part;
+      of = &s;
+    }
+  if (!most) return {};
+  return {{"count", count},
+          {"yielded", yielded},
+          {"beyond_ultimate", beyond},
+          {"largest", {{"structure", of->name}, {"name", most->name}, {"ductility", most->ductility}, {"rotation", most->plastic}}}};
 }
 
 // Energy that each part has lost [J]; nothing where no structure yields.
@@ -220,6 +246,7 @@ std::string to_json(const Summary& summary) {
     all["devices"] = devices_json(summary.devices);
     all["energy"]["devices"] = e.devices;
   }
+  if (Json hinges = hinges_json(summary.structures); !hinges.empty()) all["hinges"] = std::move(hinges);
   if (Json by = hysteretic_json(summary.structures); !by.empty()) all["hysteretic_by"] = std::move(by);
   if (!summary.without_pounding.empty()) {
     Json amplification = Json::object();

@@ -42,10 +42,11 @@ struct StructureSummary {
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
   std::vector<std::string> directions;  ///< of the floors' motion: x; in space x, y, rz
   StructureEnvelope envelope{};
-  std::vector<SpringSummary> springs{};  ///< of the parts that yield; empty for none, and so are the two below
+  std::vector<SpringSummary> springs{};  ///< of the parts that yield; empty for none, and so are the three below
   /// At the end of the run, where it may still move, one a floor: signed along x, in space lengths of horizontal vectors [m]. A structure
   /// without storeys has no drift.
   std::vector<double> residual_displacement{}, residual_drift{};
+  std::vector<double> residual_drift_ratio{};  ///< size of the drift over the height of the storey [-]; empty where heights are not known
 
   /// For a checkpoint.
   void archive(Archive& archive) {
@@ -58,6 +59,7 @@ struct StructureSummary {
     archive(springs);
     archive(residual_displacement);
     archive(residual_drift);
+    archive(residual_drift_ratio);
   }
 };
 
@@ -86,7 +88,7 @@ struct EnergySummary {
 
 /// A run in a few numbers.
 struct Summary {
-  std::string status;  ///< running | done | failed: reason
+  std::string status;  ///< running | done | done: collapse ... | failed: reason
   std::vector<LinkSummary> links;
   std::vector<DeviceSummary> devices;
   std::vector<StructureSummary> structures;

@@ -139,6 +139,42 @@ std::string forces_table(const std::vector<StructureSummary>& structures) {
 // The parts that yield most, at most so many of a structure.
 constexpr std::size_t most_shown_springs = 12;
 
+// Hinges that turned further than they can bear, one line a structure.
+std::string beyond_ultimate(const std::vector<StructureSummary>& structures) {
+  std::string text;
+  for (const StructureSummary& s : structures) {
+    const SpringSummary* worst = nullptr;
+    int count = 0;
+    for (const SpringSummary& part : s.springs)
+      if (part.is_beyond_ultimate()) {
+        ++count;
+        if (!worst || part.plastic / part.ultimate > worst->plastic / worst->ultimate) worst = &part;
+      }
+    if (worst)
+      text += fmt::format("{}: {} hinge{} beyond {} ultimate rotation, the farthest {} with {:.4g} of {:.4g} mrad\n", s.name, count,
+                          count == 1 ? "" : "s", count == 1 ? "its" : "their", worst->name, 1e3 * worst->plastic, 1e3 * worst->ultimate);
+  }
+  return text;
+}
+
+// Displacements and drifts that are left at the end, one line a structure.
+std::string residuals(const std::vector<StructureSummary>& structures) {
+  std::string text;
+  for (const StructureSummary& s : structures) {
+    if (s.residual_displacement.empty()) continue;
+    text += fmt::format("{}: at the end, where it may still move, the top is displaced by {:.4g} mm", s.name,
+                        std::abs(1e3 * s.residual_displacement.back()));
+    const auto size = [](double value) { return std::abs(value); };
+    if (const auto worst = std::ranges::max_element(s.residual_drift, {}, size); worst != s.residual_drift.end()) {
+      const auto storey = worst - s.residual_drift.begin();
+      text += fmt::format(", and storey {} drifts most, {:.4g} mm", storey + 1, 1e3 * std::abs(*worst));
+      if (!s.residual_drift_ratio.empty()) text += fmt::format(" or {:.3g} % of its height", 100 * s.residual_drift_ratio[storey]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 std::string springs_table(const std::vector<StructureSummary>& structures) {
   std::size_t width = 9, part_width = 4;
   bool any = false;
@@ -148,10 +184,10 @@ std::string springs_table(const std::vector<StructureSummary>& structures) {
     any = any || !s.springs.empty();
   }
   if (!any) return {};
-  std::string text = fmt::format("{:<{}}  {:<{}}  {:>10}  {:>8}  {:>9}  {:>10}  {:>10}  {:>13}  {:>13}\n", "structure", width, "part",
-                                 part_width, "largest", "at (s)", "ductility", "at the end", "lost (kJ)", "yields at (s)", "damping shear");
-  text += fmt::format("{:<{}}  {:<{}}  {:>10}  {:>8}  {:>9}  {:>10}  {:>10}  {:>13}  {:>13}\n", "", width, "", part_width, "(mm, mrad)", "", "",
-                      "(mm, mrad)", "", "", "/ yield shear");
+  std::string text = fmt::format("{:<{}}  {:<{}}  {:>10}  {:>8}  {:>9}  {:>10}  {:>6}  {:>10}  {:>13}  {:>13}\n", "structure", width, "part",
+                                 part_width, "largest", "at (s)", "ductility", "at the end", "cycles", "lost (kJ)", "yields at (s)", "damping shear");
+  text += fmt::format("{:<{}}  {:<{}}  {:>10}  {:>8}  {:>9}  {:>10}  {:>6}  {:>10}  {:>13}  {:>13}\n", "", width, "", part_width, "(mm, mrad)",
+                      "", "", "(mm, mrad)", "", "", "", "/ yield shear");
   for (const StructureSummary& s : structures) {
     std::vector<const SpringSummary*> parts;
     for (const SpringSummary& part : s.springs) parts.push_back(&part);
@@ -159,15 +195,15 @@ std::string springs_table(const std::vector<StructureSummary>& structures) {
     if (shown_parts < parts.size()) std::ranges::stable_sort(parts, std::ranges::greater{}, &SpringSummary::ductility);
     for (std::size_t i = 0; i < shown_parts; ++i) {
       const SpringSummary& part = *parts[i];
-      text += fmt::format("{:<{}}  {:<{}}  {:>10.4f}  {:>8.3f}  {:>9.3f}  {:>10.4f}  {:>10.4f}  {:>13}  {:>13}\n", s.name, width, part.name,
-                          part_width, shown(1e3 * part.peak, 4), part.peak_time, part.ductility, shown(1e3 * part.residual, 4),
+      text += fmt::format("{:<{}}  {:<{}}  {:>10.4f}  {:>8.3f}  {:>9.3f}  {:>10.4f}  {:>6.1f}  {:>10.4f}  {:>13}  {:>13}\n", s.name, width, part.name,
+                          part_width, shown(1e3 * part.peak, 4), part.peak_time, part.ductility, shown(1e3 * part.residual, 4), part.cycles,
                           shown(part.energy_lost / 1e3, 4), part.yielded() ? fmt::format("{:.3f}", part.first_yield) : "elastic",
                           std::isnan(part.damping_shear) ? "-" : fmt::format("{:.3f}", part.damping_shear));
     }
     if (shown_parts < parts.size())
       text += fmt::format("{:<{}}  {} more parts yield less; the results file has them\n", s.name, width, parts.size() - shown_parts);
   }
-  return text;
+  return text + beyond_ultimate(structures) + residuals(structures);
 }
 
 std::string separations_table(const std::vector<LinkSeparation>& separations) {
@@ -198,6 +234,8 @@ std::string to_table(const Summary& summary) {
       shown(e.input / 1e3, 5), shown(e.kinetic / 1e3, 5), shown(e.strain / 1e3, 5), shown(e.damping / 1e3, 5),
       shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5),
       summary.devices.empty() ? "" : fmt::format(" + devices {:.5f}", shown(e.devices / 1e3, 5)), e.error);
+  if (const std::size_t colon = summary.status.find(": "); summary.status.starts_with("done") && colon != std::string::npos)
+    text += fmt::format("ended        by {}\n", summary.status.substr(colon + 2));
   text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
   return text;

@@ -5,14 +5,23 @@
 #include <cmath>
 #include <limits>
 
+#include <pounding/model/storey_heights.hpp>
 #include <pounding/run/histories.hpp>
 
 namespace pounding {
 namespace {
 
+// A number that a part was given under a name; NaN for none.
+double given(const YieldingPart& part, const char* name) {
+  const auto found = std::ranges::find(part.parameters, name, &YieldingPart::Parameter::name);
+  return found == part.parameters.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
+
 SpringHistory heading(const Structure& s) {
   SpringHistory history;
   for (const YieldingPart& part : s.yielding) {
+    history.hinges.push_back(!std::isnan(given(part, "yield_moment")));
+    history.ultimate.push_back(given(part, "ultimate_rotation"));
     history.names.push_back(part.name);
     history.laws.push_back(part.law);
     history.stiffness.push_back(part.spring->stiffness());
@@ -22,7 +31,7 @@ SpringHistory heading(const Structure& s) {
   constexpr double never = std::numeric_limits<double>::quiet_NaN();
   history.deformations = history.forces = Extremes(parts);
   history.last.assign(parts, 0.0);
-  history.lost.assign(parts, 0.0);
+  for (std::vector<double>* values : {&history.lost, &history.plastic, &history.cycles.turn, &history.cycles.swings}) values->assign(parts, 0.0);
   history.first_yield.assign(parts, never);
   history.damping_shear.assign(parts, s.storey_stiffness.empty() ? never : 0.0);
   return history;
@@ -39,6 +48,12 @@ double first_beyond(const LinkStep& step, double limit) {
   double low = 0, high = beyond;
   while (high - low > 1e-12) (std::abs(between.at(0.5 * (low + high))) > limit ? high : low) = 0.5 * (low + high);
   return high;
+}
+
+// A part comes straight to a deformation, where its force on top of k d is this.
+void reach(SpringHistory& history, std::size_t i, double deformation, double on_top) {
+  history.plastic[i] = std::max(history.plastic[i], std::abs(on_top / history.stiffness[i]));
+  history.cycles.follow(i, deformation, history.yield_deformation[i]);
 }
 
 }  // namespace
@@ -76,6 +91,7 @@ void SpringHistories::begin() {
     history.deformations.update(i, time, d);
     history.forces.update(i, time, history.stiffness[i] * d + stepper_.link_forces()[link]);
     if (std::abs(d) > history.yield_deformation[i]) history.first_yield[i] = time;
+    reach(history, i, d, stepper_.link_forces()[link]);
   });
 }
 
@@ -93,6 +109,12 @@ void SpringHistories::step_part(int k, std::size_t i) {
   const auto force = [&](const LinkMotion& motion, double on_top) { return stiffness * motion.penetration + on_top; };
   history.forces.update(i, step.begin, h, force(begin, step.force_begin), force(step.motion_middle, step.force_middle),
                         force(end, step.force_end));
+  if (begin.rate * end.rate < 0) {
+    const CubicPenetration between(begin, end, h);
+    if (const double s = between.turn(); s > 0 && s < 1)
+      reach(history, i, between.at(s), model_.structures[k].yielding[i].spring->inside(step, s, between.at(s)).force);
+  }
+  reach(history, i, end.penetration, step.force_end);
   history.last[i] = end.penetration;
   history.lost[i] = model_.structures[k].yielding[i].spring->lost();
   if (std::isnan(history.first_yield[i]))
@@ -152,6 +174,8 @@ void SpringHistories::summarize(int k, StructureSummary& summary) const {
       summary.residual_drift.push_back(in_plan ? std::hypot(at[0] - below[0], at[1] - below[1]) : at[0] - below[0]);
     below = at;
   }
+  const std::vector<double> heights = storey_heights(s);
+  for (std::size_t i = 0; i < heights.size(); ++i) summary.residual_drift_ratio.push_back(std::abs(summary.residual_drift[i]) / heights[i]);
 }
 
 void SpringHistories::archive(Archive& archive) {
