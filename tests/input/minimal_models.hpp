@@ -77,7 +77,7 @@ inline std::string around(const Section& s) {
   with_floor["floors"] = "[{nodes: [b, c]}]";
   const std::map<const Section*, std::string> models = {
       {&words::model, "@"},
-      {&words::analysis, pair + "analysis: @"},
+      {&words::analysis, "structures: {left: {shear_building: {storeys: 1, mass: 100 t, stiffness: 60 MN/m, height: 3 m}, damping: 5 %}}\nanalysis: @"},
       {&words::checkpoint, pair + "analysis: {duration: 1}\ncheckpoint: @"},
       {&words::ground_motion, two_in_space + "ground_motion: @"},
       {&words::components, two_in_space + "ground_motion: {components: @}"},

@@ -38,6 +38,7 @@ AnalysisSettings read_analysis(const Input& node) {
   }
   settings.max_step = node.find_quantity("max_step").value_or(0);
   if (const auto most = node.find("most_steps")) settings.most_steps = static_cast<long>(most->as_integer());
+  settings.collapse_drift = node.find_quantity("collapse_drift").value_or(0);
   return settings;
 }
 

@@ -244,6 +244,7 @@ std::string resolved_yaml(const Model& model) {
     emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
   if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
   out << YAML::Key << "most_steps" << YAML::Value << model.analysis.most_steps;
+  if (model.analysis.collapse_drift > 0) emit(out, "collapse_drift", model.analysis.collapse_drift);
   out << YAML::EndMap;
   if (model.checkpoint.asked()) {
     out << YAML::Key << "checkpoint" << YAML::Value << YAML::BeginMap;

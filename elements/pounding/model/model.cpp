@@ -17,6 +17,7 @@
 #include <pounding/model/initial_shape.hpp>
 #include <pounding/model/plausible.hpp>
 #include <pounding/model/preload.hpp>
+#include <pounding/model/storey_heights.hpp>
 
 namespace pounding {
 namespace {
@@ -225,6 +226,26 @@ void Model::check_ground() const {
     throw ModelError(ModelOption::wave, "reaches all supports at once; give the frames an origin each, or leave it out").as_idle();
 }
 
+namespace {
+
+// Why this collapse_drift cannot be watched; empty where it can, and where there is none.
+std::string fault_of_collapse(const std::vector<Structure>& structures, double collapse_drift) {
+  if (collapse_drift == 0) return {};
+  if (!(collapse_drift > 0 && std::isfinite(collapse_drift)))
+    return fmt::format("collapse_drift must be finite and positive; {:g} was given", collapse_drift);
+  bool any = false;
+  for (const Structure& s : structures) {
+    const bool known = !storey_heights(s).empty();
+    any = any || known;
+    if (!known && s.kind == "shear_building" && !s.yielding.empty())
+      return fmt::format("collapse_drift is a part of the height of a storey, and {} has no heights; type height: 3 m in it, or leave out "
+                         "collapse_drift", s.name);
+  }
+  return any ? std::string() : "collapse_drift is a part of the height of a storey, and no structure has heights; type height: 3 m in one, or leave it out";
+}
+
+}  // namespace
+
 void Model::check_settings() const {
   const auto refuse = [](const std::string& text) { throw ModelError(ModelOption::analysis, text); };
   const auto is_time = [](double value) { return value >= 0 && std::isfinite(value); };
@@ -236,6 +257,7 @@ void Model::check_settings() const {
     refuse(fmt::format("the output_step of {:g} s is longer than the duration of {:g} s", analysis.output_step, analysis.duration));
   if (analysis.most_steps < 1 || analysis.most_steps > limits::most_steps)
     refuse(fmt::format("most_steps lies in [1, {}]; {} was given", limits::most_steps, analysis.most_steps));
+  if (const std::string text = fault_of_collapse(structures, analysis.collapse_drift); !text.empty()) refuse(text);
   if (const double radius = analysis.scheme.spectral_radius; !(radius >= 0 && radius <= 1))
     refuse(fmt::format("the spectral_radius lies in [0, 1]; {:g} was given", radius));
   for (const std::string& name : accept)

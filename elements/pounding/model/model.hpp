@@ -78,6 +78,7 @@ struct AnalysisSettings {
   Scheme scheme{};          ///< scheme of the time stepping
   double max_step = 0;      ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
   long most_steps = limits::usual_steps;  ///< steps that the run may take, in [1, limits::most_steps]; it then ends and can be resumed
+  double collapse_drift = 0;  ///< size of the drift of a storey over its height at which the run ends, as done [-]; 0: none
 };
 
 /// How often a run at least leaves a state to go on from; the results file is rewritten then. Zero: not asked for.

@@ -122,7 +122,7 @@ StructureSummary FloorEnvelopes::summary(const Structure& structure, int k) cons
   const bool in_plan = response_.directions(k) > 1;
   for (std::size_t i = 0; i < structure.floors.size(); ++i) {
     s.peak_displacement.push_back((in_plan ? lengths_[k].displacement : envelope.displacement).peak(i));
-    if (structure.has_storeys()) s.peak_drift.push_back((in_plan ? lengths_[k].drift : envelope.drift).peak(i));
+    if (structure.has_storeys()) s.peak_drift.push_back(peak_drift(k, static_cast<int>(i)));
     s.peak_acceleration.push_back((in_plan ? lengths_[k].acceleration : envelope.acceleration).peak(i));
   }
   return s;

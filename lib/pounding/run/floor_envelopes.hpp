@@ -26,6 +26,10 @@ class FloorEnvelopes {
   void step(const StepMotion& step);
   /// Peaks of one structure; drifts are left out where it has no storeys.
   StructureSummary summary(const Structure& structure, int index) const;
+  /// Largest drift of a storey so far, in space the length of a horizontal vector [m].
+  double peak_drift(int structure, int storey) const {
+    return (response_.directions(structure) > 1 ? lengths_[structure].drift : histories_[structure].envelope.drift).peak(storey);
+  }
   /// For a checkpoint, without the envelopes.
   void archive(Archive& archive) { archive(lengths_); }
 

@@ -20,6 +20,7 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       springs_(model, response_, stepper, results.structures),
       step_motion_(response_, stepper),
       floors_(model, response_, results.structures),
+      collapse_(model, floors_, results.structures),
       storeys_(model, stepper, results),
       forces_(model, plan_, stepper, results) {}
 

@@ -9,6 +9,7 @@
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/results/summary.hpp>
+#include <pounding/run/collapse.hpp>
 #include <pounding/run/device_histories.hpp>
 #include <pounding/run/floor_envelopes.hpp>
 #include <pounding/run/floor_response.hpp>
@@ -42,6 +43,8 @@ class Recorder {
   /// to the lengths.
   void archive(Archive& archive);
 
+  /// Whether and how a structure has collapsed until now.
+  const Collapse& collapse() const { return collapse_; }
   /// Impacts of all links so far.
   int impacts() const;
   /// Fills peaks, links, devices and energies of a summary from the run so far.
@@ -66,6 +69,7 @@ class Recorder {
   SpringHistories springs_;
   StepMotion step_motion_;
   FloorEnvelopes floors_;
+  Collapse collapse_;
   StoreyShears storeys_;
   ForceEnvelopes forces_;
   long outputs_ = 0;  // output times so far

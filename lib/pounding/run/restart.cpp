@@ -77,7 +77,7 @@ void read(hid_t file, InterruptedRun& run) {
     throw InputError(fmt::format("{}: was written by pounding {}, and this is {}; only the same version goes on with the same "
                                  "result. Run the model from the start",
                                  run.file, version, POUNDING_VERSION));
-  if (status == "done") throw InputError(fmt::format("{}: the run is done; there is nothing to go on with", run.file));
+  if (status.starts_with("done")) throw InputError(fmt::format("{}: the run is done; there is nothing to go on with", run.file));
   const bool has_other_run = hdf5::has(file, without_links_group);
   const std::string of_other_run = std::string(without_links_group) + "/checkpoint";
   run.without_links = !hdf5::has(file, "checkpoint") && has_other_run && hdf5::has(file, of_other_run.c_str());

@@ -92,7 +92,8 @@ Outcome run_once(const Model& model, const RunOptions& options, const WriteResul
   fill_statistics(setup.ts, stepper, results.solver);
   results.solver.wall_seconds = writer.seconds();
   results.solver.wall_solve = results.solver.wall_seconds - results.solver.wall_setup - results.solver.wall_output;
-  writer.conclude(failure.empty() ? "done" : "failed: " + failure);
+  const std::string done = monitor.collapse().empty() ? "done" : "done: " + monitor.collapse();
+  writer.conclude(failure.empty() ? done : "failed: " + failure);
   writer.write(results.status);
   if (!failure.empty()) throw FailedRun(failure, std::move(outcome));
   return outcome;
@@ -119,7 +120,7 @@ Outcome run_without_links(const Model& model, const RunOptions& options, const W
   // Its end has no state to continue from: until the run with links has one, the file keeps the last one before.
   if (write)
     write_part = [&](const Results& results) {
-      if (results.status != "done") write(first_part(model, options, results).results);
+      if (!results.status.starts_with("done")) write(first_part(model, options, results).results);
     };
   RunOptions quiet = options;
   quiet.command.clear();

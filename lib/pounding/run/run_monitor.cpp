@@ -60,6 +60,7 @@ PetscErrorCode RunMonitor::after_step(TS ts) {
   PetscCall(TSGetApplicationContext(ts, &monitor));
   try {
     monitor->recorder_.step();
+    monitor->end_at_collapse();
     if (--monitor->steps_to_look_ == 0) monitor->look();
   } catch (const std::bad_alloc&) {
     PetscFunctionReturn(petsc::fail("out of memory", static_cast<PetscErrorCode>(PETSC_ERR_MEM)));
@@ -68,6 +69,13 @@ PetscErrorCode RunMonitor::after_step(TS ts) {
   }
   if (monitor->failure_) PetscFunctionReturn(petsc::fail("recording failed"));
   PetscFunctionReturn(POUNDING_PETSC_SUCCESS);
+}
+
+void RunMonitor::end_at_collapse() {
+  const Collapse& collapse = recorder_.collapse();
+  if (!collapse.is_asked() || !ranks_.any(collapse.has_come())) return;
+  collapse_ = collapse.text(stepper_.time());
+  petsc::check(TSSetConvergedReason(ts_, TS_CONVERGED_USER));
 }
 
 void RunMonitor::look() {
@@ -95,7 +103,7 @@ int RunMonitor::steps_until_next_look() const {
 
 // A limit on steps (most_steps, -pounding_ts_max_steps) ends a TS without an error.
 std::string RunMonitor::early_end() {
-  if (stepper_.time() >= duration_ * (1 - 1e-12)) return "";
+  if (!collapse_.empty() || stepper_.time() >= duration_ * (1 - 1e-12)) return "";
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   PetscInt steps = 0;
   petsc::check(TSGetConvergedReason(ts_, &reason));

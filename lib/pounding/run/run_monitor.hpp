@@ -25,10 +25,13 @@ class RunMonitor {
   std::string solve();
   /// Whether a run that ended early left a state to continue from: it was stopped, or cut by a limit on steps.
   bool is_resumable() const { return resumable_; }
+  /// How a structure collapsed, which ends a run and is no failure; empty where none did.
+  const std::string& collapse() const { return collapse_; }
 
  private:
   static PetscErrorCode after_step(TS ts);
   void look();
+  void end_at_collapse();
   std::string early_end();
   int steps_until_next_look() const;
 
@@ -42,6 +45,7 @@ class RunMonitor {
   Stopwatch since_report_, since_look_;
   int steps_between_looks_ = 1, steps_to_look_ = 1;
   bool resumable_ = false;
+  std::string collapse_;
   std::exception_ptr failure_ = nullptr;  // thrown after a step, kept out of PETSc's callbacks
 };
 

@@ -55,7 +55,11 @@ constexpr Word analysis_words[] = {
     {.key = "most_steps", .takes = Takes::integer, .bounds = {.low = 1, .high = limits::most_steps}, .otherwise = "100000000", .since = "0.2.0",
      .meaning = "Steps that the run may take. A run that needs more is refused where that is known at its start; otherwise it ends there, and "
                 "--resume goes on with it.",
-     .example = "500000000"}};
+     .example = "500000000"},
+    {.key = "collapse_drift", .takes = Takes::quantity, .bounds = bounds::positive, .otherwise = "no end before the duration", .since = "0.2.0",
+     .meaning = "Drift of a storey over its height at which a structure has collapsed. The run ends there, as done, and says when, where and "
+                "what had yielded.",
+     .example = "10 %"}};
 
 constexpr Word checkpoint_words[] = {
     {.key = "every", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,

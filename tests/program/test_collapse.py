@@ -1,0 +1,75 @@
+"""A storey that drifts too far ends the run, as done: analysis.collapse_drift."""
+
+import json
+import unittest
+
+import h5py
+import numpy as np
+
+from support import ProgramTest
+
+#: A pulse that pushes a building of two storeys far beyond what it can bear.
+MODEL = """\
+ground_motion: {harmonic: {amplitude: 6.0, period: 2.0, duration: 2.0}}
+structures:
+  left:
+    shear_building: {storeys: 2, mass: 200 t, stiffness: 60 MN/m, height: 3 m, yield_force: [0.9 MN, 2 MN], hardening: 0.02}
+    damping: 5 %
+  right: {oscillator: {mass: 100 t, period: 0.4, damping: 5 %}}
+analysis: {duration: 4.0, tolerance: 1e-5, output_step: 1 ms}
+"""
+LIMIT = 0.02
+
+
+def limited(limit=LIMIT):
+    return MODEL.replace("analysis: {", f"analysis: {{collapse_drift: {100 * limit} %, ")
+
+
+class Collapse(ProgramTest):
+    def run_model(self, model, *words):
+        self.write(model)
+        return self.pounding("run", "model.yaml", "-o", "out.h5", *words)
+
+    def test_ends_the_run_as_done_where_the_drift_is_reached(self):
+        self.run_model(MODEL, "-q")
+        with h5py.File(self.folder / "out.h5") as file:
+            time, drift = file["time"][:], np.abs(file["structures/left/drift"][:, :])
+        first = time[np.argmax(drift.max(axis=1) > LIMIT * 3)]
+        self.assertTrue(0.2 < first < 2.0, "the pulse must push it that far")
+        done = self.run_model(limited(), "--json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        status = json.loads(done.stdout)["status"]
+        self.assertRegex(status, r"^done: collapse at t = [0-9.]+ s: storey 1 of left has drifted 2(\.\d+)? % of its height, and collapse_drift is "
+                                 r"2 %; 1 of 2 parts yielded, most of all storey 1$")
+        with h5py.File(self.folder / "out.h5") as file:
+            self.assertEqual(file.attrs["status"], status)
+            end, drift = file["energy/time"][-1], np.abs(file["structures/left/drift"][:]).max()
+        # It ends with the step in which the drift was reached.
+        self.assertTrue(first - 1.1e-3 <= end < first + 0.02, (first, end))
+        self.assertLess(drift, 1.05 * LIMIT * 3)
+
+    def test_is_told_in_the_report_and_not_resumed(self):
+        done = self.run_model(limited())
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("\nended        by collapse at t = ", done.stdout)
+        again = self.pounding("run", "--resume", "out.h5")
+        self.assertEqual(again.returncode, 2)
+        self.assertIn("the run is done", again.stderr)
+
+    def test_does_not_come_where_the_limit_is_not_reached(self):
+        done = self.run_model(limited(0.9), "--json")
+        self.assertEqual(json.loads(done.stdout)["status"], "done")
+
+    def test_needs_heights(self):
+        for model, words in ((limited().replace("height: 3 m, ", ""),
+                              "collapse_drift is a part of the height of a storey, and left has no heights; type height: 3 m in it"),
+                             (limited().replace("height: 3 m, yield_force: [0.9 MN, 2 MN], hardening: 0.02", ""), "no structure has heights"),
+                             (limited(-0.1), "collapse_drift")):
+            model = model.replace("60 MN/m, }", "60 MN/m}")
+            done = self.run_model(model)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(words, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
