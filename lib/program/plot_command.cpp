@@ -85,15 +85,15 @@ void add_plot(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plot", "Draw a results file");
-  command->add_option("results", options->results, "results file that `pounding run` wrote")->required();
+  command->add_option("results", options->results, "results file that `pounding run` or `pounding pushover` wrote")->required();
   names_a_file(command->add_option("-o,--output", options->picture,
                                    "picture: .png, .pdf or .svg (default: RESULTS.png in the current folder; of the other pictures "
                                    "RESULTS-model.png ...)"));
   command->add_option("--title", options->title, "title instead of that of the run");
   command->add_option("--picture", options->kind,
-                      "run (histories and impacts), model (the structures at rest), profiles (extremes over the height) or loops (force over deformation "
-                      "of the six parts that yield most)")
-      ->check(CLI::IsMember({"run", "model", "profiles", "loops"}));
+                      "run (histories and impacts), model (the structures at rest), profiles (extremes over the height), loops (force over deformation "
+                      "of the six parts that yield most) or hinges (a map of what yielded, and the impacts)")
+      ->check(CLI::IsMember({"run", "model", "profiles", "loops", "hinges"}));
   command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
   command->add_flag("--compare", options->compare, "also draw the run without links, dashed; profiles do so whenever it is there");
   command->callback([options] {

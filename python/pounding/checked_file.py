@@ -21,6 +21,10 @@ class NotResults(InputError):
     """A file that is there, but not one that `pounding run` wrote, or not any more as it was written."""
 
 
+class HoldsPushover(NotResults):
+    """A file that `pounding pushover` wrote, where one of a run is asked for."""
+
+
 def block(size: int, crc: int) -> bytes:
     """The text in front of a file of `size` bytes, this text included, whose other bytes have the CRC-32 `crc`."""
     text = FIRST_LINE + (f"size {size:020}\ncrc32 {crc:08x}\n"

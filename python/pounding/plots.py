@@ -1,8 +1,8 @@
-"""Pictures of a run: `python3 -m pounding.plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
+"""Pictures of a run, or of a pushover: `python3 -m pounding.plots RESULTS.h5 [-o OUT.png] [--title TEXT]`.
 
 `standard_figure` is the whole picture; the functions `draw_...` draw one panel each on given axes, for notebooks and papers.
 Lengths are drawn in mm, forces and energies in the unit that suits their size. The command line also draws the model and the
-profiles over its height (`--picture`).
+profiles over its height (`--picture`). The file of a pushover has one picture, its curve.
 """
 
 from __future__ import annotations
@@ -10,9 +10,12 @@ from __future__ import annotations
 import argparse
 import sys
 
-from pounding.checked_file import NotResults
+from matplotlib.figure import Figure
+
+from pounding.checked_file import HoldsPushover, NotResults
 from pounding.outputs import cannot_read, output_for
 from pounding.pictures.displacements import draw_displacements
+from pounding.pictures.hinge_map import hinges_figure
 from pounding.pictures.histories import draw_balance_error, draw_energies, draw_forces, draw_ground, draw_openings
 from pounding.pictures.loops import draw_loops, draw_restitution, draw_strongest_loop
 from pounding.pictures.model_picture import model_figure
@@ -21,11 +24,22 @@ from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
 from pounding.pictures.spring_loops import loops_figure
 from pounding.pictures.style import BadRequest, write_picture
+from pounding.pushover_curve import read_pushover
 from pounding.results import RunData
 
 __all__ = ["draw_balance_error", "draw_displacements", "draw_energies", "draw_forces", "draw_ground", "draw_loops",
-           "draw_openings", "draw_restitution", "draw_strongest_loop", "label_time", "loops_figure", "main", "model_figure",
+           "draw_openings", "draw_restitution", "draw_strongest_loop", "hinges_figure", "label_time", "loops_figure", "main", "model_figure",
            "profiles_figure", "standard_figure"]
+
+#: Pictures of what yields, and what the run without links has none of.
+YIELDING = {"loops": (loops_figure, "a picture of loops"), "hinges": (hinges_figure, "a map")}
+
+
+def _pushover(options: argparse.Namespace) -> Figure:
+    """The curve in a results file that holds no run."""
+    if options.picture != "run" or options.compare or options.floors:
+        raise BadRequest("this is the file of a pushover, of which there is one picture; leave --picture, --compare and --floors out")
+    return read_pushover(options.results).plot(options.title)
 
 
 def _floor_choice(text: str) -> dict[str, str]:
@@ -39,12 +53,12 @@ def _floor_choice(text: str) -> dict[str, str]:
 def main(arguments: list[str] | None = None) -> int:
     """Command line. Returns 0, or 2 after a message when the results cannot be read or the picture not written."""
     parser = argparse.ArgumentParser(prog="python3 -m pounding.plots", description="Draw the results of a run.")
-    parser.add_argument("results", help="file that `pounding run` wrote")
+    parser.add_argument("results", help="file that `pounding run` or `pounding pushover` wrote")
     parser.add_argument("-o", "--output", help="picture to write: .png, .pdf or .svg (default: RESULTS.png in the current "
                                                "folder; of the other pictures RESULTS-model.png ...)")
     parser.add_argument("--title", help="title instead of that of the run")
-    parser.add_argument("--picture", choices=("run", "model", "profiles", "loops"), default="run",
-                        help="the standard picture, the structures at rest, extreme values over the height, or the loops of what yields")
+    parser.add_argument("--picture", choices=("run", "model", "profiles", "loops", "hinges"), default="run",
+                        help="the standard picture, the structures at rest, extreme values over the height, the loops or the map of what yields")
     parser.add_argument("--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2")
     parser.add_argument("--compare", action="store_true", help="also draw the run without links, dashed")
     options = parser.parse_args(arguments)
@@ -52,15 +66,19 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"--floors belongs to --picture run; --picture {options.picture} shows every floor", file=sys.stderr)
         return 2
     try:
-        run = RunData.read(options.results)
+        try:
+            run = RunData.read(options.results)
+        except HoldsPushover:
+            return write_picture(_pushover(options), output_for(options.results, options.output, ".png"))
         if options.picture == "run":
             figure = standard_figure(run, options.title, options.floors, compare=options.compare)
         elif options.picture == "profiles":
             figure = profiles_figure(run, options.title, compare=options.compare or None)
-        elif options.compare and options.picture == "loops":
-            raise BadRequest("loops of the run without links are not drawn; leave --compare out")
-        elif options.picture == "loops":
-            figure = loops_figure(run, options.title)
+        elif options.picture in YIELDING:
+            draw, name = YIELDING[options.picture]
+            if options.compare:
+                raise BadRequest(f"{name} of the run without links is not drawn; leave --compare out")
+            figure = draw(run, options.title)
         elif options.compare:
             raise BadRequest("the structures at rest are the same without links; leave --compare out")
         else:

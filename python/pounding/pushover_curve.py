@@ -178,15 +178,18 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
             together.append((x, y, [number]))
     for x, y, numbers in together:
         several = str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}, {numbers[1]}" if len(numbers) == 2 else f"{numbers[0]} to {numbers[-1]}"
-        axes.annotate(several, (x, y), (0, 5 if y >= 0 else -5), textcoords="offset points", ha="right",
-                      va="bottom" if y >= 0 else "top", fontsize=7.5, zorder=6)
+        # On the side of the curve where it does not go on.
+        up = 1 if y >= 0 else -1
+        axes.annotate(several, (x, y), (4 * up, -3 * up), textcoords="offset points", ha="left" if y >= 0 else "right",
+                      va="top" if y >= 0 else "bottom", fontsize=7.5, zorder=6)
     if len(events) > MOST:
         axes.plot([], [], linestyle="none", label=f"and {len(events) - MOST} more")
 
 
 def _is_near(axes: Axes, one: tuple[float, float], other: tuple[float, float]) -> bool:
-    spans = (np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
-    return all(abs(a - b) < 0.06 * span for a, b, span in zip(one, other, spans))
+    # Numbers are wider than high.
+    rooms = (0.1 * np.ptp(axes.get_xlim()), 0.06 * np.ptp(axes.get_ylim()))
+    return all(abs(a - b) < room for a, b, room in zip(one, other, rooms))
 
 
 def main(arguments: list[str] | None = None) -> int:

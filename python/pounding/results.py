@@ -13,7 +13,7 @@ import h5py
 import numpy as np
 
 from pounding import told
-from pounding.checked_file import NotResults, require_whole, require_whole_image
+from pounding.checked_file import HoldsPushover, NotResults, require_whole, require_whole_image
 from pounding.devices import Device, read_devices
 from pounding.envelopes import StructureEnvelope, read_envelopes
 from pounding.springs import Springs, read_springs
@@ -198,6 +198,8 @@ class RunData(told.Told, lines=told.run):
 
     @classmethod
     def _of(cls: type[Data], file: h5py.File, name: str, source: Path | bytes) -> Data:
+        if "pushover" in file and "structures" not in file:
+            raise HoldsPushover(f"{name} holds a pushover and no run; pounding.read_pushover reads it")
         # In a file that was not checked anything may be missing or of another type.
         try:
             without = None

@@ -28,7 +28,8 @@ class Run(RunData):
     def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None, *,
              compare: bool | None = None) -> Figure:
         """A picture: "run" (histories and impacts), "displacement", "gap", "force", "loops", "energy", "model" (the
-        structures at rest) or "profiles" (extreme values over the height).
+        structures at rest), "profiles" (extreme values over the height), "springs" (loops of the six parts that lose most energy) or
+        "hinges" (a map of what yielded).
 
         `title` stands instead of that of the run; "" leaves out all titles, for a picture with a caption. `size` is width and
         height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points. A notebook shows the picture; save it with

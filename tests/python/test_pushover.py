@@ -1,6 +1,8 @@
 """Pushovers from Python: arrays, messages, files and pictures."""
 
+import contextlib
 import copy
+import io
 import os
 import tempfile
 import unittest
@@ -84,6 +86,22 @@ class Pushover(unittest.TestCase):
             self.assertEqual(words, ["pushover", "two straight lines", "mechanism", "1  storey 1", "2  storey 2"])
             with tempfile.TemporaryDirectory() as folder:
                 figure.savefig(os.path.join(folder, "curve.png"))
+
+
+class Drawn(unittest.TestCase):
+    def test_by_plot_from_its_file(self):
+        from pounding import plots
+        from pounding.checked_file import HoldsPushover
+        with tempfile.TemporaryDirectory() as folder:
+            path, picture = Path(folder) / "curve.h5", Path(folder) / "curve.png"
+            pounding.pushover(model(), to="2 % roof", output=path)
+            with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as told:
+                self.assertEqual(plots.main([str(path), "-o", str(picture)]), 0)
+                self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+                self.assertEqual(plots.main([str(path), "-o", str(picture), "--picture", "hinges"]), 2)
+            self.assertIn("this is the file of a pushover, of which there is one picture", told.getvalue())
+            with self.assertRaisesRegex(HoldsPushover, "holds a pushover and no run; pounding.read_pushover reads it"):
+                pounding.read(path)
 
 
 if __name__ == "__main__":

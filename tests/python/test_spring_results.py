@@ -1,5 +1,6 @@
 """Storeys that yield in the results of a run, as Python reads, prints, tabulates and draws them."""
 
+import dataclasses
 import importlib.util
 import os
 import subprocess
@@ -19,6 +20,21 @@ structures:
   third: {oscillator: {mass: 100 t, period: 0.4, damping: 5 %}}
 analysis: {duration: 2.5, output_step: 5 ms}
 """
+#: Two portal frames, 20 mm apart, whose columns yield at both ends.
+PORTAL = """\
+  {name}:
+    frame:
+      origin: [{origin} m, 0 m]
+      material: {{E: 30 GPa, poisson: 0.2}}
+      grid: {{storeys: 1, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {{rectangle: [0.4 m, 0.4 m]}}, beams: {{rectangle: [0.4 m, 0.6 m]}},
+             floor_mass: {mass} t}}
+      hinges: {{columns: {{at: both, yield_moment: 80 kN m, hardening: 3 %, ultimate_rotation: 0.0005}}}}
+    damping: 5 %
+"""
+FRAMES = ("ground_motion: {harmonic: {amplitude: 4.0, period: 0.5, duration: 2.0}}\nstructures:\n" + PORTAL.format(name="left", origin=0, mass=90) +
+          PORTAL.format(name="right", origin=6.02, mass=30) +
+          "links: [{between: [left, right], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
+          "analysis: {duration: 2.5, output_step: 5 ms}\n")
 
 
 def results_of(model):
@@ -83,6 +99,83 @@ class Springs(unittest.TestCase):
         summary = self.results.summary["structures"]["left"]
         np.testing.assert_allclose(heights[:4], 1e3 * np.array(summary["peak_drift"]))
         np.testing.assert_allclose(heights[4:8], 1e3 * np.abs(summary["residual_drift"]))
+
+    @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
+    def test_are_storeys_of_a_map_coloured_by_ductility(self):
+        from matplotlib.colors import to_rgba
+        from pounding.pictures.hinge_map import COLOURS, hinges_figure
+        figure = hinges_figure(self.results)
+        axes, bar = figure.axes
+        self.assertEqual(bar.get_ylabel(), "Ductility")
+        largest = max(one.springs.largest["ductility"].max() for one in self.results.structures.values() if one.springs is not None)
+        np.testing.assert_allclose(bar.get_ylim(), (1, largest))
+        colours = {to_rgba(line.get_color()) for line in axes.lines}
+        for one in self.results.structures.values():
+            for ductility, state in zip(one.springs.largest["ductility"], one.springs.states) if one.springs is not None else ():
+                expected = COLOURS((ductility - 1) / (largest - 1)) if state == "yielded" else to_rgba("white")
+                self.assertIn(expected, colours)
+        numbers = {text.get_text() for text in axes.texts}
+        self.assertIn(f"{largest:.3g}", numbers)
+        legends_fit(self, figure)
+        legends_fit(self, hinges_figure(self.results, size=(3.3, 2.8)))
+
+    @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
+    def test_a_map_needs_something_that_yields(self):
+        from pounding.pictures.hinge_map import hinges_figure
+        from pounding.pictures.style import BadRequest
+        elastic = dataclasses.replace(self.results, structures={"third": self.results.structures["third"]})
+        with self.assertRaisesRegex(BadRequest, "every structure of this run stays elastic"):
+            hinges_figure(elastic)
+
+
+@unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
+class HingeMap(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.results = results_of(FRAMES)
+
+    def marks(self):
+        from pounding.pictures.hinge_map import APART, _all_have_ultimate, _marks
+        from pounding.pictures.model_picture import spread_scene
+        scene = spread_scene(self.results, APART)
+        return scene, {(mark.structure, mark.name): mark for mark in _marks(scene, _all_have_ultimate(self.results))}
+
+    def test_hinges_stand_at_the_ends_of_their_members(self):
+        scene, marks = self.marks()
+        self.assertEqual(len(marks), 8)
+        # The columns are 3 m high, and the circles 7 % of that off their ends; the frames begin 0 and 6.02 m from the origin.
+        apart = scene.scale * 0.02
+        for (structure, name), place in ((("left", "column 1.0 start"), (0, 0.21)), (("left", "column 1.1 end"), (6, 2.79)),
+                                         (("right", "column 1.0 start"), (6 + apart, 0.21)), (("right", "column 1.1 start"), (12 + apart, 0.21))):
+            np.testing.assert_allclose(marks[structure, name].points, [[place[0], 0, place[1]]], atol=1e-9)
+        self.assertGreater(apart, 0.5)
+
+    def test_hinges_with_an_ultimate_rotation_are_coloured_by_it(self):
+        from pounding.pictures.hinge_map import hinges_figure
+        _, marks = self.marks()
+        for name, one in self.results.structures.items():
+            for i, part in enumerate(one.springs.names):
+                self.assertEqual(marks[name, part].value, one.springs.largest["peak_plastic"][i] / 0.0005)
+        self.assertIn("beyond ultimate", {mark.state for mark in marks.values()})
+        for size in (None, (3.3, 2.8)):
+            figure = hinges_figure(self.results, size=size)
+            self.assertEqual(figure.axes[1].get_ylabel(), "Plastic rotation over ultimate")
+            [legend] = figure.legends
+            words = [text.get_text() for text in legend.get_texts()]
+            self.assertTrue(any(each.startswith("impacts, at most ") for each in words) and "beyond its ultimate rotation" in words, words)
+            legends_fit(self, figure)
+
+    def test_a_star_tells_how_often_a_link_was_hit(self):
+        from pounding.pictures.hinge_map import hinges_figure
+        figure = hinges_figure(self.results)
+        self.assertIn(str(self.results.impacts.size), [text.get_text() for text in figure.axes[0].texts])
+
+
+def legends_fit(case, figure):
+    figure.draw_without_rendering()
+    for legend in figure.legends:
+        box = legend.get_window_extent().transformed(figure.transFigure.inverted())
+        case.assertTrue(box.x0 >= -0.001 and box.x1 <= 1.001 and box.y0 >= -0.001 and box.y1 <= 1.001, box)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from pounding.pictures.comparison import (draw_displacements_without_links, draw_input_without_links, draw_openings_without_links,
                                           require_comparison)
 from pounding.pictures.displacements import draw_displacements
+from pounding.pictures.hinge_map import hinges_figure
 from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
 from pounding.pictures.loops import draw_loops
 from pounding.pictures.model_picture import model_figure
@@ -22,7 +23,7 @@ from pounding.pictures.style import NARROW, STYLE, BadRequest, Picture, head
 from pounding.results import RunData
 
 WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure,
-                                         "springs": loops_figure}
+                                         "springs": loops_figure, "hinges": hinges_figure}
 OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
                                              "energy": draw_energies}
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}

@@ -25,10 +25,8 @@ def model_figure(run: RunData, title: str | None = None, size: tuple[float, floa
     """The structures of a run at rest. One elevation; of a model in space a view, a plan and two elevations, in a narrow figure the view
     alone. `size` [in]."""
     scene = Scene(run)
-    # Sticks have no place of their own: their gaps are drawn wide enough to be seen.
-    widest = max((link.gap for link in run.links.values()), default=0.0)
-    if not scene.has_places and widest > 0:
-        scene = Scene(run, 0.04 * max(np.ptp(scene.bounds(), axis=1)) / widest)
+    if not scene.has_places:
+        scene = spread_scene(run, 0.04)
     views: list[Any] = [["oblique", "plan"], ["elevation", "side"]] if scene.is_spatial else [["elevation"]]
     if scene.is_spatial and size is not None and size[0] < NARROW:
         views = [["oblique"]]
@@ -44,6 +42,13 @@ def model_figure(run: RunData, title: str | None = None, size: tuple[float, floa
         return figure
 
 
+def spread_scene(run: RunData, part: float) -> Scene:
+    """The structures of a run with their gaps drawn so wide that the widest is this part of the picture."""
+    scene = Scene(run)
+    widest = max((link.gap for link in run.links.values()), default=0.0)
+    return Scene(run, part * max(np.ptp(scene.bounds(), axis=1)) / widest) if widest > 0 else scene
+
+
 def draw_model(axes: Axes, scene: Scene, view: str) -> None:
     """One view of a scene at rest: elevation, side, plan or oblique."""
     axes.grid(False)
@@ -51,12 +56,13 @@ def draw_model(axes: Axes, scene: Scene, view: str) -> None:
     Drawing(axes, scene, view)
     frame_axes(axes, scene, view)
     label_axes(axes, scene, view)
-    _name_structures(axes, scene, view)
+    name_structures(axes, scene, view)
     if view == "elevation":
-        _label_floors(axes, scene)
+        label_floors(axes, scene)
 
 
-def _name_structures(axes: Axes, scene: Scene, view: str) -> None:
+def name_structures(axes: Axes, scene: Scene, view: str) -> None:
+    """The name of each structure above it."""
     for number, name in enumerate(scene.line_models):
         points = project(scene.at_rest(name), view)
         x, y = (points[:, 0].min() + points[:, 0].max()) / 2, points[:, 1].max() + scene.line_models[name].half_height
@@ -65,7 +71,7 @@ def _name_structures(axes: Axes, scene: Scene, view: str) -> None:
                       color="0.25" if wall else structure_colour(number), zorder=8)
 
 
-def _label_floors(axes: Axes, scene: Scene) -> None:
+def label_floors(axes: Axes, scene: Scene) -> None:
     """Floors of the structure at the left end on the left of all, of that at the right end on the right, walls included."""
     middles = {name: scene.at_rest(name)[:, 0].mean() for name, s in scene.run.structures.items() if s.floors}
     if not middles:

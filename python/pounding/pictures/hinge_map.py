@@ -1,0 +1,223 @@
+"""Map of what yielded: the structures at rest with their hinges and storeys, and the impacts between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib import colormaps, rc_context
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.markers import MarkerStyle
+
+from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes, project, star
+from pounding.pictures.model_picture import TITLES, label_floors, name_structures, spread_scene
+from pounding.pictures.panels import legend_below
+from pounding.pictures.scene import Scene
+from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, NARROW, STYLE, YELLOW, BadRequest, Picture, engineering, head
+from pounding.results import RunData, Structure
+
+#: From little to much.
+COLOURS = colormaps["YlOrRd"]
+#: Areas of circles, and widths of storeys, from no energy to the largest [points^2], [points].
+AREAS, WIDTHS = (14.0, 150.0), (4.0, 12.0)
+#: Area of a hinge that stayed elastic [points^2].
+ELASTIC = 7.0
+#: Links are drawn this wide, as a part of the picture: hinges on both sides and the impacts between them need room.
+APART = 0.08
+#: A hinge is drawn this part of its member away from the node, one about z a little further.
+OFF_NODE, OFF_NODE_Z = 0.07, 0.13
+
+
+@dataclass(frozen=True)
+class Mark:
+    """One part that can yield, as it is drawn."""
+
+    structure: str
+    name: str
+    points: np.ndarray  #: [1 or 2, 3]: of a hinge, or the two ends of a storey, in the scene [m]
+    value: float  #: ductility, or plastic rotation over the ultimate one
+    energy: float  #: lost [J]
+    state: str  #: "elastic", "yielded" or "beyond ultimate"
+
+    @property
+    def is_storey(self) -> bool:
+        """Drawn as a line from floor to floor."""
+        return len(self.points) == 2
+
+
+def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
+    """The structures of a run at rest with every part that can yield: circles at hinges, thick lines for storeys, coloured by ductility,
+    or by plastic rotation over the ultimate one where every hinge of the run has one, and larger the more energy they lost. Parts that
+    stayed elastic are small and white. Stars mark links that were hit, larger the harder. One elevation; of a model in space a view and an
+    elevation, in a narrow figure the view alone. `size` [in]. Raises BadRequest for a run in which nothing can yield."""
+    scene = spread_scene(run, APART)
+    over_ultimate = _all_have_ultimate(run)
+    marks = list(_marks(scene, over_ultimate))
+    if not marks:
+        raise BadRequest("there is nothing to map: every structure of this run stays elastic. Give frames hinges, or storeys a yield_force")
+    narrow = size is not None and size[0] < NARROW
+    views = ["elevation"] if not scene.is_spatial else ["oblique"] if narrow else ["oblique", "elevation"]
+    with rc_context(STYLE):
+        figure = Picture(figsize=size or _size(scene, len(views)), layout="constrained")
+        panels = figure.subplots(1, len(views), squeeze=False)[0]
+        norm = Normalize(0 if over_ultimate else 1, max([1.0 if over_ultimate else 1.5, *(mark.value for mark in marks)]))
+        for letter, panel, view in zip("ab", panels, views):
+            panel.set_title(f"({letter}) {TITLES[view]}" if len(views) > 1 else "")
+            draw_hinges(panel, scene, view, marks, norm, min(1.0, figure.get_figwidth() / (5.5 * len(views))))
+        figure.colorbar(ScalarMappable(norm, COLOURS), ax=list(panels), fraction=0.04, pad=0.02, shrink=0.8,
+                        panchor=False, label="Plastic rotation over ultimate" if over_ultimate else "Ductility")
+        handles = list(_legend(run, marks))
+        legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 2 if narrow else 4)
+        head(figure, run.title if title is None else title)
+        return figure
+
+
+def draw_hinges(axes: Axes, scene: Scene, view: str, marks: list[Mark], norm: Normalize, scale: float = 1.0) -> None:
+    """One view of a scene with its marks, as large as on a page or, with a `scale` below 1, smaller. Where there is room numbers stand beside
+    them: the largest ductility of each structure, and how often each link was hit."""
+    numbers = scale > 0.75
+    axes.grid(False)
+    draw_ground(axes, scene, view)
+    drawing = Drawing(axes, scene, view, marks=False)
+    for lines in drawing.lines.values():
+        lines.set_alpha(0.45)
+    most = max((mark.energy for mark in marks), default=0.0)
+    for mark in sorted(marks, key=lambda one: one.energy):
+        _draw_mark(axes, mark, view, norm, mark.energy / most if most > 0 else 0.0, scale)
+    _draw_impacts(axes, scene, view, numbers, scale)
+    frame_axes(axes, scene, view)
+    label_axes(axes, scene, view)
+    if view == "elevation" and scene.scale != 1:
+        hide_x(axes)
+    name_structures(axes, scene, view)
+    if view == "elevation":
+        label_floors(axes, scene)
+    if numbers:
+        _number_largest(axes, marks, view)
+
+
+def _marks(scene: Scene, over_ultimate: bool) -> Iterator[Mark]:
+    for name, structure in scene.run.structures.items():
+        springs = structure.springs
+        if springs is None:
+            continue
+        for i, part in enumerate(springs.names):
+            points = _points(scene, structure, part)
+            if points is None:
+                continue
+            largest = springs.largest
+            value = largest["peak_plastic"][i] / springs.ultimate_rotation[i] if over_ultimate else largest["ductility"][i]
+            yield Mark(name, part, points, float(value), float(largest["hysteretic"][i]), springs.states[i])
+
+
+def _all_have_ultimate(run: RunData) -> bool:
+    found = [springs for structure in run.structures.values() if (springs := structure.springs) is not None and len(springs)]
+    return bool(found) and all(np.isfinite(springs.ultimate_rotation).all() for springs in found)
+
+
+def _points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
+    """The place of a part; None for one that has no place in a drawing of lines."""
+    nodes = scene.at_rest(structure.name)
+    kind, _, number = part.partition(" ")
+    if structure.geometry is None:
+        model = scene.line_models[structure.name]
+        if kind != "storey" or not number.isdigit() or int(number) > len(model.members):
+            return None
+        return nodes[model.members[int(number) - 1]]
+    words = part.split(" ")
+    off = OFF_NODE
+    if words[-1] in ("y", "z"):
+        off = OFF_NODE_Z if words.pop() == "z" else OFF_NODE
+    member = " ".join(words[:-1])
+    if words[-1] not in ("start", "end") or member not in structure.geometry.member_names:
+        return None
+    start, end = nodes[structure.geometry.members[structure.geometry.member_names.index(member)]]
+    if words[-1] == "end":
+        start, end = end, start
+    return (start + off * (end - start))[None]
+
+
+def _draw_mark(axes: Axes, mark: Mark, view: str, norm: Normalize, share: float, scale: float) -> None:
+    points = project(mark.points, view)
+    elastic = mark.state == "elastic"
+    face = "white" if elastic else COLOURS(norm(mark.value))
+    edge = "0.45" if elastic else "black"
+    if mark.is_storey:
+        # Short of the masses at its ends; the wider line behind is its edge.
+        low, high = points[0] + 0.12 * (points[1] - points[0]), points[0] + 0.88 * (points[1] - points[0])
+        width = scale * (2.5 if elastic else WIDTHS[0] + (WIDTHS[1] - WIDTHS[0]) * share)
+        for colour, more, order in ((edge, 1.2, 4.5), (face, 0.0, 4.6)):
+            axes.plot(*np.array([low, high]).T, color=colour, linewidth=width + more, solid_capstyle="butt", zorder=order)
+        return
+    area = scale**2 * (ELASTIC if elastic else AREAS[0] + (AREAS[1] - AREAS[0]) * share)
+    beyond = mark.state == "beyond ultimate"
+    axes.scatter(*points.T, s=area, facecolor=[face], edgecolor=edge, linewidth=0.5, zorder=4 if elastic else 5)
+    if beyond:
+        axes.scatter(*points.T, s=area, marker="x", color="black", linewidth=1.0, zorder=5.5)
+
+
+def _draw_impacts(axes: Axes, scene: Scene, view: str, numbers: bool, scale: float) -> None:
+    """A star at every link that was hit, with the count of its impacts; a diamond at the others."""
+    impacts = scene.run.impacts
+    # A rigid impact has no finite force, so impulses show their size.
+    strength = "impulse" if not np.isfinite(impacts["peak_force"]).any() else "peak_force"
+    most = float(np.nanmax(impacts[strength], initial=0.0)) if impacts.size else 0.0
+    for name, face in scene.faces.items():
+        link = scene.run.links[name]
+        x, y = project(face + 0.5 * scene.scale * link.gap * link.direction, view)
+        rows = scene.run.impacts_of(name)
+        if not rows.size:
+            axes.scatter(x, y, s=12 * scale**2, marker="D", facecolor="white", edgecolor="black", linewidth=0.6, zorder=6)
+            continue
+        largest = float(np.nanmax(rows[strength], initial=0.0))
+        area = scale**2 * (50 + 200 * (largest / most if most > 0 else 0.0))
+        axes.scatter(x, y, s=area, marker=MarkerStyle(star()), facecolor=YELLOW, edgecolor="black", linewidth=0.5, zorder=6)
+        if numbers:
+            axes.annotate(str(rows.size), (x, y), ha="center", va="center_baseline", fontsize=6, zorder=7)
+
+
+def _number_largest(axes: Axes, marks: list[Mark], view: str) -> None:
+    """The number behind the colour of the part of each structure that yielded most; of storeys that of each, up to sixteen."""
+    for name in dict.fromkeys(mark.structure for mark in marks):
+        own = [mark for mark in marks if mark.structure == name and mark.state != "elastic"]
+        shown = own if own and own[0].is_storey and len(own) <= 16 else sorted(own, key=lambda one: -one.value)[:1]
+        for mark in shown:
+            x, y = project(mark.points, view).mean(axis=0)
+            axes.annotate(f"{mark.value:.3g}", (x, y), (3 + WIDTHS[1] / 2, 0) if mark.is_storey else (6, 7), textcoords="offset points",
+                          ha="left", va="center", fontsize=6.5, zorder=8)
+
+
+def _legend(run: RunData, marks: list[Mark]) -> Iterator[Line2D]:
+    most = max(marks, key=lambda one: one.energy)
+    size, unit = engineering(most.energy, ENERGY_UNITS)
+    circles = any(not mark.is_storey for mark in marks)
+    yielded = sum(mark.state != "elastic" for mark in marks)
+    middle = COLOURS(0.55)
+    if most.energy > 0:
+        words = f"{yielded} of {len(marks)} yielded, the largest lost {most.energy / size:.3g} {unit}"
+        yield (Line2D([], [], linestyle="none", marker="o", color=middle, markeredgecolor="black", markeredgewidth=0.5, markersize=8, label=words)
+               if circles else Line2D([], [], color=middle, linewidth=6, label=words))
+    if any(mark.state == "elastic" for mark in marks):
+        yield (Line2D([], [], linestyle="none", marker="o", markerfacecolor="white", markeredgecolor="0.45", markeredgewidth=0.5, markersize=3,
+                      label="stayed elastic") if circles else Line2D([], [], color="0.45", linewidth=2, label="stayed elastic"))
+    if any(mark.state == "beyond ultimate" for mark in marks):
+        yield Line2D([], [], linestyle="none", marker="x", color="black", markersize=6, label="beyond its ultimate rotation")
+    if run.impacts.size:
+        force = float(np.nanmax(run.impacts["peak_force"], initial=0.0))
+        size, unit = engineering(force, FORCE_UNITS)
+        words = f"impacts, at most {force / size:.3g} {unit}" if force > 0 else "impacts"
+        yield Line2D([], [], linestyle="none", marker=MarkerStyle(star()), markerfacecolor=YELLOW, markeredgecolor="black", markeredgewidth=0.5,
+                     markersize=9, label=words)
+
+
+def _size(scene: Scene, views: int) -> tuple[float, float]:
+    """Width and height of the figure [in]: those of the scene in proportion, within a page."""
+    if views > 1:
+        return 7.5, 4.6
+    width, _, height = np.ptp(scene.bounds(), axis=1)
+    return float(np.clip(2.2 + 3.8 * width / height, 4.8, 7.5)), float(np.clip(1.4 + 5.0 * height / width, 3.6, 5.2))
