@@ -11,12 +11,14 @@ void EnergyLedger::add_step(const Equations& equations, const Instant& x, const 
   const Eigen::MatrixXd& load = equations.short_motions.other_load();
   const double *v0 = x.at(v), *v1 = y.at(v), *a0 = x.at(a), *a1 = y.at(a);
   const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);
-  const auto cubic_middle = [h, n](const double* r0, const double* r1, const double* s0, const double* s1, Eigen::VectorXd& middle) {
-    middle.resize(n);
-    for (int i = 0; i < n; ++i) middle[i] = 0.5 * (r0[i] + r1[i]) + h / 8 * (s0[i] - s1[i]);
-  };
-  cubic_middle(v0, v1, a0, a1, vm_);
-  cubic_middle(cv0, cv1, ca0, ca1, cvm_);
+  vm_.resize(n);
+  cvm_.resize(n);
+  double *vm = vm_.data(), *cvm = cvm_.data();
+  const double eighth = h / 8;
+  for (int i = 0; i < n; ++i) {
+    vm[i] = 0.5 * (v0[i] + v1[i]) + eighth * (a0[i] - a1[i]);
+    cvm[i] = 0.5 * (cv0[i] + cv1[i]) + eighth * (ca0[i] - ca1[i]);
+  }
   if (kept.short_motions) {
     const GroundDefect missed = ShortMotions::of_cubic(*kept.short_motions, h);
     vm_ += equations.short_motions.shift(missed.v);
@@ -24,12 +26,12 @@ void EnergyLedger::add_step(const Equations& equations, const Instant& x, const 
     input_ += equations.short_motions.work(x, kept);
   }
   double input = 0, damping = 0;
-  for (int i = 0; i < n; ++i) damping += simpson_sum(v0[i], cv0[i], vm_[i], cvm_[i], v1[i], cv1[i]);
+  for (int i = 0; i < n; ++i) damping += simpson_sum(v0[i], cv0[i], vm[i], cvm[i], v1[i], cv1[i]);
   for (Eigen::Index k = 0; k < load.cols(); ++k) {
     const double* p = load.col(k).data();
     const double begin = x.ground[k], middle = kept.ground_middle[k], end = y.ground[k];
     if (k > 0 && begin == 0 && middle == 0 && end == 0) continue;
-    for (int i = 0; i < n; ++i) input += p[i] * simpson_sum(begin, v0[i], middle, vm_[i], end, v1[i]);
+    for (int i = 0; i < n; ++i) input += p[i] * simpson_sum(begin, v0[i], middle, vm[i], end, v1[i]);
   }
   input_ -= h / 6 * input;
   damping_ += h / 6 * damping;

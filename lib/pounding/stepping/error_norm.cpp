@@ -101,10 +101,12 @@ double ErrorNorm::group_error(Trial& trial, const StepError& error) {
   }
   solver.combine(sums_);
   double square = 0;
+  const double* const masses = solver.group_masses().data();
+  const std::vector<double>& slow_velocity = equations_.short_motions.any() ? slow_velocity_ : scales_.velocity;
   for (std::size_t k = 0; k < scales_.displacement.size(); ++k) {
     const double* sums = sums_.data() + sums_of_group * k;
-    const double mass = solver.group_masses()[k];
-    const double scale_u = scales_.displacement[k], scale_v = slow_velocity_[k];
+    const double mass = masses[k];
+    const double scale_u = scales_.displacement[k], scale_v = slow_velocity[k];
     trial.squares_u[k] = sums[2];
     trial.squares_v[k] = sums[3];
     trial.squares_slow[k] = sums[trial.short_motions ? 4 : 3];
@@ -150,10 +152,9 @@ void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::v
 }
 
 void ErrorNorm::raise(std::vector<double>& scales, const std::vector<double>& squares) const {
-  for (std::size_t k = 0; k < scales.size(); ++k) {
-    const double mass = equations_.solver.group_masses()[k];
-    if (squares[k] > scales[k] * scales[k] * mass) scales[k] = std::sqrt(squares[k] / mass);
-  }
+  const double* const masses = equations_.solver.group_masses().data();
+  for (std::size_t k = 0; k < scales.size(); ++k)
+    if (squares[k] > scales[k] * scales[k] * masses[k]) scales[k] = std::sqrt(squares[k] / masses[k]);
 }
 
 void ErrorNorm::start(const Instant& now) {
@@ -173,7 +174,7 @@ void ErrorNorm::start(const Instant& now) {
 void ErrorNorm::learn(const Trial& kept) {
   raise(scales_.displacement, kept.squares_u);
   raise(scales_.velocity, kept.squares_v);
-  raise(slow_velocity_, kept.squares_slow);
+  if (equations_.short_motions.any()) raise(slow_velocity_, kept.squares_slow);  // else it is that of all motion
 }
 
 void ErrorNorm::learn(int contact, const LinkMotion& end) {

@@ -67,9 +67,10 @@ struct EventLocator::Search {
 std::vector<EventBracket> EventLocator::Search::brackets() const {
   std::vector<EventBracket> found;
   for (int i = 0; i < links.contacts(); ++i) {
-    const LinkMotion begin = links.motion(i, now), end = at_end(i);
-    const Contact::EventFunctions at_begin = functions.values(i, begin, now.force[i]);
+    const LinkMotion end = at_end(i);
     const Contact::EventFunctions at_end = functions.values(i, end, trial.end.force[i]);
+    if (std::none_of(at_end.begin(), at_end.end(), [](double value) { return value < 0; })) continue;  // most trials
+    const Contact::EventFunctions at_begin = functions.values(i, links.motion(i, now), now.force[i]);
     for (int k = 0; k < Contact::max_event_functions; ++k) {
       if (!functions.has_ended({i, k}, at_end[k], end, now)) continue;
       const double guess = at_begin[k] <= 0 ? 0 : trial.h * at_begin[k] / (at_begin[k] - at_end[k]);
@@ -82,9 +83,10 @@ std::vector<EventBracket> EventLocator::Search::brackets() const {
 // Bodies that touch and part again within one trial: if they overlap between its ends, the trial is shortened to the time of
 // the smallest opening.
 void EventLocator::Search::look_for_inner_touch(int link) const {
-  if (links.contact(link).phase() != ContactPhase::open) return;
+  const auto rate = [&](const Instant& x) { return x.relative(link, Instant::v) + links.ground_part(x.by_ground, link, Instant::v); };
+  if (!(rate(now) > 0 && rate(trial.end) < 0) || links.contact(link).phase() != ContactPhase::open) return;
   const LinkMotion begin = links.motion(link, now), end = at_end(link);
-  if (!(begin.rate > 0 && end.rate < 0 && begin.penetration <= 0 && end.penetration <= 0)) return;
+  if (!(begin.penetration <= 0 && end.penetration <= 0)) return;
   const CubicPenetration between(begin, end, trial.h);
   const double s = between.turn();
   if (!(s > 0 && s < 1)) return;
@@ -215,7 +217,7 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
 
 std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
   const Search search{functions_, springs_, links_, now, trial, try_step};
-  search.stop_at_corner();
+  if (links_.springs() > 0) search.stop_at_corner();
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
   std::vector<EventBracket> open = search.brackets();
   if (open.empty()) return std::nullopt;

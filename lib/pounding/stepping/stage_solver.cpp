@@ -28,12 +28,14 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, std::optional<int> level,
     held_push_.setZero(equations_.solver.size());
     equations_.solver.add_forces(1, springs.held(), held_push_);
   }
-  const bool gives_way = equations_.springs.any() && !active_.empty();
-  held_relief_.setZero(gives_way ? links_.springs() : 0);
-  relief_.resize(0, 0);
-  if (gives_way) {
-    links_.relief().add_relief(1, springs.held().segment(links_.contacts(), links_.springs()), held_relief_);
-    relief_ = relief_of(links_.relief().flexibility(), active_, links_);
+  if (equations_.springs.any()) {
+    const bool gives_way = !active_.empty();
+    held_relief_.setZero(gives_way ? links_.springs() : 0);
+    relief_.resize(0, 0);
+    if (gives_way) {
+      links_.relief().add_relief(1, springs.held().segment(links_.contacts(), links_.springs()), held_relief_);
+      relief_ = relief_of(links_.relief().flexibility(), active_, links_);
+    }
   }
   equations_.solver.set_matrix(matrix, level);
   return active_.empty() || equations_.solver.flexibility(active_, flexibility_);
