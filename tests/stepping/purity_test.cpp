@@ -51,6 +51,35 @@ TEST(TrialSteps, LeaveNoTrace) {
   EXPECT_TRUE(same_bits(quiet.force, busy.force));
 }
 
+// Displacements and velocities alone are those of the states, asked for before these exist and after. A blow changes the
+// velocity in no time: the state before it is another one than the present.
+TEST(KeptSteps, ShowDisplacementsAndVelocitiesAlone) {
+  const Model model = test::model_of("structures:\n  a: {oscillator: {mass: 100 t, period: 0.5, damping: 0}}\n  w: {wall: {}}\n"
+                                     "links: [{between: [a, w], gap: 0, law: stereomechanical, restitution: 0.6}]\n"
+                                     "analysis: {duration: 1}\n");
+  const System system = assemble(model);
+  ModalSolver base(system);
+  Stepper stepper(system, base, {.tolerance = 1e-4, .max_step = 1e-2});
+  stepper.start(0, Eigen::VectorXd::Constant(1, -0.05), Eigen::VectorXd::Zero(1));
+  StepController controller(stepper);
+  FixedSteps policy;
+  int blows = 0;
+  while (stepper.time() < 0.9) {
+    controller.advance(1e-2, 1, policy);
+    const auto check = [&] {
+      Eigen::VectorXd u, v;
+      stepper.begin(u, v);
+      EXPECT_TRUE(same_bits(u, stepper.begin().u) && same_bits(v, stepper.begin().v)) << "at " << stepper.time() << " s";
+      stepper.end_minus(u, v);
+      EXPECT_TRUE(same_bits(u, stepper.end_minus().u) && same_bits(v, stepper.end_minus().v)) << "at " << stepper.time() << " s";
+    };
+    check();
+    check();
+    blows += stepper.end_minus().v[0] * stepper.state().v[0] < 0;
+  }
+  EXPECT_GE(blows, 2);
+}
+
 // Looking between the ends of a trial for a touch that is not there leaves the trial as it was, its exact end included: a
 // time one rounding short of a corner of the ground motion would ask for a step of that length.
 TEST(TrialSteps, KeepTheirExactEndWhenBodiesPassClose) {

@@ -86,11 +86,6 @@ void ForceEnvelopes::add_fixed_end_forces(const Block& block, Eigen::VectorXd& v
     if (&blocks_[ends.block] == &block) values += force(ends.link) * ends.by_force;
 }
 
-void ForceEnvelopes::take(const State& state) {
-  u_ = state.u;
-  v_ = state.v;
-}
-
 // Forces of springs at one end of the last kept step, and their rates on its side.
 void ForceEnvelopes::take_springs(double time, double other_end) {
   if (!yields_) return;
@@ -148,7 +143,8 @@ void ForceEnvelopes::start_from(const Instant& instant) {
 
 void ForceEnvelopes::begin() {
   if (blocks_.empty()) return;
-  take(stepper_.state());
+  u_ = stepper_.state().u;
+  v_ = stepper_.state().v;
   if (yields_) take_springs(stepper_.time(), stepper_.time());
   start_from(stepper_.instant_end_minus());
   for (Block& block : blocks_) {
@@ -163,7 +159,8 @@ void ForceEnvelopes::step(const StepMotion& step) {
   const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
   const bool pressed = presses_on_members();
   if (every_step_) {
-    take(stepper_.begin());
+    u_ = stepper_.begin().u;
+    v_ = stepper_.begin().v;
     // Rates jump where a step ends at a corner: those of this step count.
     if (yields_ && step.h > 0) stepper_.interpolate(begin.time, u_, v_);
     take_springs(begin.time, end.time);
@@ -176,13 +173,17 @@ void ForceEnvelopes::step(const StepMotion& step) {
     }
   } else {
     const bool changes = pressed != pressed_;
-    if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) wait(stepper_.begin(), begin);
+    if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) {
+      stepper_.begin(u_, v_);
+      wait(begin);
+    }
     if (changes) follow();
     pressed_ = pressed;
     jumped_ = step.jumps;
     if (!pressed) return;
   }
-  take(stepper_.end_minus());
+  if (every_step_) stepper_.end_minus();  // the whole state, with which the next step begins
+  stepper_.end_minus(u_, v_);
   take_springs(end.time, begin.time);
   if (every_step_ || turns_) return close(end, end.time, pressed);
   for (Block& block : blocks_)
@@ -191,7 +192,10 @@ void ForceEnvelopes::step(const StepMotion& step) {
 
 void ForceEnvelopes::end() {
   const Instant& last = stepper_.instant_end_minus();
-  if (!blocks_.empty() && last.time > knots_.last()) wait(stepper_.end_minus(), last);
+  if (!blocks_.empty() && last.time > knots_.last()) {
+    stepper_.end_minus(u_, v_);
+    wait(last);
+  }
   show();
 }
 
@@ -227,10 +231,11 @@ void ForceEnvelopes::close(const Instant& instant, double time, bool pressed) {
   knots_.set(instant);
 }
 
-void ForceEnvelopes::wait(const State& state, const Instant& instant) {
+// With the motion in u_ and v_.
+void ForceEnvelopes::wait(const Instant& instant) {
   const int at = static_cast<int>(times_.size());
-  motions_.row(at) = state.u;
-  motions_.row(LinearQuantities::batch + at) = state.v;
+  motions_.row(at) = u_;
+  motions_.row(LinearQuantities::batch + at) = v_;
   times_.push_back(instant.time);
   if (times_.size() == LinearQuantities::batch) follow();
   knots_.set(instant);

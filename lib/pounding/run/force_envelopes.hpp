@@ -54,12 +54,11 @@ class ForceEnvelopes {
   void add_frame(int structure);
   void add_block(int structure, bool apart, LinearQuantities quantities);
   bool presses_on_members() const;
-  void take(const State& state);
   void take_springs(double time, double other_end);
   void add_yielding(int structure, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const;
   void start_from(const Instant& instant);
   void close(const Instant& instant, double time, bool pressed);
-  void wait(const State& state, const Instant& instant);
+  void wait(const Instant& instant);
   void follow();
   void follow(Block& block, double begin, double end, bool pressed);
   void evaluate(const Block& block, double time, Eigen::VectorXd& values, Eigen::VectorXd& rates);

@@ -40,6 +40,31 @@ void DenseOutput::show(const Instant& instant, State& state) const {
   state.force = instant.force;
 }
 
+// `shown`: the state at this instant if there is one already.
+void DenseOutput::show(const Instant& instant, const State* shown, Eigen::VectorXd& u, Eigen::VectorXd& v) const {
+  if (shown) {
+    u = shown->u;
+    v = shown->v;
+    return;
+  }
+  equations_.solver.physical(instant.motion.col(Instant::u), u);
+  equations_.solver.physical(instant.motion.col(Instant::v), v);
+  if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(u, v);
+  if (const SpringRelief& relief = equations_.solver.relief(); relief.any()) {
+    relief.add_way(-1, springs_of(instant.force), u);
+    relief.add_way(-1, instant.force_rates.col(0), v);
+  }
+}
+
+void DenseOutput::begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const {
+  show(history_.begin(), states_.has_begin ? &states_.begin : nullptr, u, v);
+}
+
+void DenseOutput::end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const {
+  if (history_.changed_at_end()) return show(history_.kept().end, states_.has_end_minus ? &states_.end_minus : nullptr, u, v);
+  show(history_.now(), states_.has_now ? &states_.now : nullptr, u, v);
+}
+
 void DenseOutput::show(const Instant& instant, OutputQuantities& outputs) const {
   outputs.time = instant.time;
   if (needs_whole_state_) {

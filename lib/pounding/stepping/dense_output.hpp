@@ -46,6 +46,9 @@ class DenseOutput {
   const State& now() const { return now_in(states_); }
   const State& begin() const { return begin_in(states_); }
   const State& end_minus() const { return end_minus_in(states_); }
+  /// Displacements and velocities alone at the last two, cheaper than a state that nobody has asked for.
+  void begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const;
+  void end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   /// Output quantities at the same three instants.
   const OutputQuantities& outputs() const { return now_in(outputs_); }
   const OutputQuantities& outputs_begin() const { return begin_in(outputs_); }
@@ -84,6 +87,7 @@ class DenseOutput {
   // Accelerations of all unknowns in the middle of the last kept step, of any length but zero.
   const Eigen::VectorXd& middle() const;
   void show(const Instant& instant, State& state) const;
+  void show(const Instant& instant, const State* shown, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   // Derivatives of the forces of springs where the last kept step begins, minus those that its state was shown with.
   Eigen::MatrixXd change_at_begin() const { return history_.kept().force_rates_begin - history_.begin().force_rates; }
   Eigen::VectorXd springs_of(const Eigen::VectorXd& of_links) const;

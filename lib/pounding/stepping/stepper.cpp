@@ -111,11 +111,12 @@ bool Stepper::try_step(double h, std::optional<double> end) {
     supports.relative_motion(now.time + 0.5 * h, trial.ground_middle, trial.by_ground_middle);
     supports.relative_motion(trial.end.time, trial.end.ground, trial.end.by_ground);
   }
-  equations_.short_motions.follow(now, trial);
-  active_springs_.begin(now, h);
+  if (equations_.short_motions.any()) equations_.short_motions.follow(now, trial);
+  const bool springs_give_way = equations_.springs.any();  // else all are active for good
+  if (springs_give_way) active_springs_.begin(now, h);
   do {
     if (!solve_trial()) return false;
-  } while (active_springs_.grow(trial));
+  } while (springs_give_way && active_springs_.grow(trial));
   trial.error = norm_.ratio(trial, error_, stages_.active());
   troublesome_link_ = norm_.worst_link();
   return std::isfinite(trial.error);
@@ -146,20 +147,26 @@ bool Stepper::in_contact() const {
 }
 
 // A link in the last kept step.
-LinkStep Stepper::link_step(int i) const {
+void Stepper::describe(int i, LinkStep& step) const {
   const LinkSet& links = equations_.links;
   const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();
-  LinkStep step{x.time, y.time, links.motion(i, x), kept.middle[i], links.motion(i, y), x.force[i], kept.force_middle[i], y.force[i],
-                x.relative(i, Instant::a) + links.ground_part(x.by_ground, i, Instant::a),
-                y.relative(i, Instant::a) + links.ground_part(y.by_ground, i, Instant::a)};
-  if (!equations_.springs.any() || !links.is_spring(i)) return step;
+  step.begin = x.time;
+  step.end = y.time;
+  step.motion_begin = links.motion(i, x);
+  step.motion_middle = kept.middle[i];
+  step.motion_end = links.motion(i, y);
+  step.force_begin = x.force[i];
+  step.force_middle = kept.force_middle[i];
+  step.force_end = y.force[i];
+  step.acceleration_begin = x.relative(i, Instant::a) + links.ground_part(x.by_ground, i, Instant::a);
+  step.acceleration_end = y.relative(i, Instant::a) + links.ground_part(y.by_ground, i, Instant::a);
+  if (!links.is_spring(i) || !equations_.springs.any()) return;
   const auto rates = kept.spring_rates.row(i - links.contacts());
   step.motion_begin.rate = rates[0];
   step.acceleration_begin = rates[1];
   step.motion_end.rate = rates[3];
   step.acceleration_end = rates[4];
-  return step;
 }
 
 void Stepper::accept() {
@@ -170,7 +177,7 @@ void Stepper::accept() {
   const Trial& kept = history_.kept();
   for (int i = 0; i < links.size(); ++i) {
     LinkStep& step = link_steps_[i];
-    step = link_step(i);
+    describe(i, step);
     if (i < links.contacts()) {
       links.contact(i).accept(step);
       norm_.learn(i, step.motion_end);

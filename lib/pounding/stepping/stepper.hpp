@@ -78,6 +78,9 @@ class Stepper {
   const State& state() const { return output_.now(); }
   const State& begin() const { return output_.begin(); }
   const State& end_minus() const { return output_.end_minus(); }
+  /// Displacements and velocities alone at the last two, cheaper than a state that nobody has asked for.
+  void begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.begin(u, v); }
+  void end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.end_minus(u, v); }
   /// Instants at the beginning and at the end of the last kept step, before events, in the coordinates of base().
   const Instant& instant_begin() const { return history_.begin(); }
   const Instant& instant_end_minus() const { return history_.kept().end; }
@@ -131,7 +134,7 @@ class Stepper {
   void look_ahead();
   std::optional<int> step_level(double h) const;
   bool solve_trial();
-  LinkStep link_step(int link) const;
+  void describe(int link, LinkStep& step) const;
   void apply_located(bool in_place);
   void balance_now();
 
