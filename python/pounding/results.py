@@ -155,7 +155,7 @@ class RunData(told.Told, lines=told.run):
     """Everything that the results file of a run holds. `pounding.Run` adds pictures and tables."""
 
     title: str
-    status: str  #: running, done, or failed: reason
+    status: str  #: running, done, done: collapse ..., or failed: reason
     time: np.ndarray  #: [time] output times [s]
     ground_acceleration: np.ndarray  #: [time] [m/s^2]
     structures: dict[str, Structure]  #: in the order of the input

@@ -56,6 +56,13 @@ class Collapse(ProgramTest):
         self.assertEqual(again.returncode, 2)
         self.assertIn("the run is done", again.stderr)
 
+    def test_heads_the_picture_of_the_run(self):
+        self.run_model(limited(), "-q")
+        self.assertEqual(self.pounding("plot", "out.h5", "-o", "out.svg").returncode, 0)
+        words = (self.folder / "out.svg").read_text()
+        self.assertIn("The run ended by collapse at t = ", words)
+        self.assertNotIn("not complete", words)
+
     def test_does_not_come_where_the_limit_is_not_reached(self):
         done = self.run_model(limited(0.9), "--json")
         self.assertEqual(json.loads(done.stdout)["status"], "done")

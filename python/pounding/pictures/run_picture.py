@@ -109,7 +109,9 @@ def _write_heading(figure: Figure, run: RunData, title: str | None) -> None:
         return
     reached = f"t = {run.time[-1]:.4g} s" if run.time.size else "its start"
     state = f"This run is not complete: it was still running at {reached}."
-    if run.status != "running":
+    if run.status.startswith("done: "):
+        state = f"The run ended by {run.status.removeprefix('done: ')}"
+    elif run.status != "running":
         state = f"This run is not complete, it {run.status} (results up to {reached})"
     words = [*textwrap.wrap(title, 80), *textwrap.wrap(state, 85)]
     figure.suptitle("\n".join(words), fontsize=9.5, fontweight="bold", color=VERMILION)
