@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import h5py
@@ -11,10 +12,14 @@ from pounding import told
 from pounding.texts import texts
 
 
+#: Names of storeys and hinges.
+_OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
+
+
 @dataclass(frozen=True, repr=False)
 class Springs(told.Told, lines=told.springs):
-    """The parts of one structure that yield. Deformations are drifts of storeys [m] or rotations of hinges [rad], forces are shears [N] or
-    moments [N m]."""
+    """The parts of one structure that yield, and its devices. Deformations are drifts of storeys and elongations of devices [m] or rotations of
+    hinges [rad], forces are shears and tensions [N] or moments [N m]."""
 
     names: list[str]  #: "storey 1", from the ground up
     laws: list[str]  #: word of the input, one a part
@@ -32,6 +37,10 @@ class Springs(told.Told, lines=told.springs):
 
     def __len__(self) -> int:
         return len(self.names)
+
+    def is_device(self, part: int) -> bool:
+        """Whether a part is a device: neither a storey nor an end of a member."""
+        return not _OF_MEMBERS.fullmatch(self.names[part])
 
     def number(self, name: str) -> int:
         """The place of a part by its name. Raises KeyError that lists the names."""

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/words/devices.hpp>
 #include <pounding/input/words/hinges.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/springs.hpp>
@@ -130,11 +131,14 @@ inline std::string around(const Section& s) {
       {&words::link, two_in_space + "links: [@]"},
       {&words::stiffness, shaken + pair + "links: [{between: [left, right], gap: 20 mm, law: hertz, stiffness: @}]"},
       {&words::device, shaken + pair + "devices: {tie: @}"},
+      {&words::own_device, shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 1 MN/m, damping: 5 %, devices: {tie: @}}}"},
       {&words::bar, two_in_space + "devices: {tie: {between: [left.1, right.1], bar: @}}"},
       {&words::damper, shaken + pair + "devices: {tie: {between: [left, right], damper: @}}"},
       {&words::link_end, beside_wall + "links: [{between: [@, right], gap: 20 mm, law: hertz, stiffness: 1e9}]"}};
   for (const Section* law : words::laws_of_springs())
     if (law == &s) return yielding(fmt::format("{{{}: @}}", law->name));
+  for (const Section* law : words::laws_of_devices())  // they are called device_LAW
+    if (law == &s) return shaken + pair + fmt::format("devices: {{tie: {{between: [left, right], {}: @}}}}", law->name.substr(7));
   for (const Section* law : words::laws_of_hinges())  // they are called hinge_LAW
     if (law == &s) return in_frame({{"hinges", fmt::format("{{b1: {{at: both, {}: @}}}}", law->name.substr(6))}});
   return models.at(&s);
@@ -173,6 +177,8 @@ inline const std::map<std::string, Keys> beside_word = {
     {"hinges.peak_oriented", {{"yield_moment", ""}}},
     {"hinge_peak_oriented.cracking_moment", {{"yield_rotation", "0.03"}}},
     {"hinge_peak_oriented.yield_rotation", {{"cracking_moment", "50 kN m"}}},
+    {"device_peak_oriented.cracking_force", {{"yield_deformation", "30 mm"}}},
+    {"device_peak_oriented.yield_deformation", {{"cracking_force", "50 kN"}}},
     {"members.truss", {{"section", ""}}},
     {"bar.E", {{"area", "20 cm^2"}}},
     {"bar.area", {{"E", "210 GPa"}, {"stiffness", ""}}},

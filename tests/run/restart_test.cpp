@@ -201,6 +201,26 @@ constexpr const char* buildings =
 
 TEST(ResumeOfBuildings, GivesTheSameBits) { expect_to_go_on(buildings, touched); }
 
+// Dashpots inside dampers have lengths of their own, braces have slips.
+constexpr const char* with_devices =
+    "ground_motion: {synthetic: {seed: 7, duration: 4 s, step: 0.02, pga: 0.4 g}}\n"
+    "structures:\n"
+    "  left: {shear_building: {storeys: 3, mass: 250 t, stiffness: 5e5 kN/m, yield_force: 1500 kN, hardening: 0.05, damping: 5 %, devices: "
+    "{fluid: {storey: 1, damper: {coefficient: 200 kN (s/m)^0.35, exponent: 0.35, stiffness: 40 MN/m}}, "
+    "brace: {between: [1, 3], bouc_wen: {stiffness: 80 MN/m, yield_force: 300 kN}}}}}\n"
+    "  right: {shear_building: {storeys: 3, mass: 150 t, stiffness: 9e5 kN/m, damping: 3 %}}\n"
+    "links: [{between: [left, right], floors: all, gap: 5 mm, law: jankowski, stiffness: 2.75e9, restitution: 0.65}]\n"
+    "devices: {tie: {between: [left.1, right.1], bilinear: {stiffness: 60 MN/m, yield_force: 200 kN}, damper: {coefficient: 100 kN (s/m)^0.5, "
+    "exponent: 0.5, stiffness: 30 MN/m}}}\n"
+    "analysis: {duration: 4}\n";
+
+TEST(ResumeWithDevices, GivesTheSameBits) {
+  for (const char* scheme : {"duration: 4, integrator: generalized_alpha, spectral_radius: 0.8", "duration: 4, integrator: esdirk4"}) {
+    std::string yaml = with_devices;
+    expect_to_go_on(yaml.replace(yaml.find("duration: 4}"), 11, scheme), touched);
+  }
+}
+
 // Extremes of members are followed over several steps; the column of the left frame is hit between its ends.
 constexpr const char* frames =
     "ground_motion: {synthetic: {seed: 7, duration: 2 s, pga: 0.6 g}}\n"

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/hysteresis/all.hpp>
 #include <pounding/input/link_input.hpp>
+#include <pounding/input/spring_input.hpp>
 
 namespace pounding {
 namespace {
@@ -32,24 +34,68 @@ Damper read_damper(const Input& node) {
     coefficient.fail(fmt::format("beside the exponent {0:g} takes a force for 1 m/s such as \"200 kN (s/m)^{0:g}\"; \"{1}\" is none", a,
                                  excerpt(coefficient.as_text())));
   }
+  if (const auto stiffness = node.find("stiffness")) damper.stiffness = stiffness->as_quantity();
   if (const auto rounding = node.find("rounding_velocity")) {
+    if (damper.has_stiffness()) rounding->fail_at_key("rounds a damper without a stiffness; keep one of the two");
     if (damper.is_linear()) rounding->fail_at_key("rounds a power of the velocity; type an exponent such as exponent: 0.35 beside it, or leave it out");
     damper.rounding_velocity = rounding->as_quantity();
   }
   return damper;
 }
 
-// Fails at the place of the option that the model has refused.
-[[noreturn]] void fail(const ModelError& error, const Input& device, const Input& between) {
+// The numbers of a law of yielding, its stiffness among them.
+hysteresis::Settings read_law(const Input& node, const hysteresis::Entry& entry) {
+  node.only_keys();
+  hysteresis::Settings law{.law = std::string(entry.name)};
+  for (const hysteresis::ParameterInfo& parameter : entry.parameters) {
+    if (parameter.need == hysteresis::Need::required) node.at(parameter.name);
+    if (const auto value = node.find(parameter.name)) law.values.emplace(parameter.name, value->as_quantity());
+  }
+  for (const hysteresis::ChoiceInfo& choice : entry.choices)
+    if (const auto word = node.find(choice.name)) law.words.emplace(choice.name, word->as_choice());
+  return law;
+}
+
+DeviceOptions read_parts(const Input& node) {
+  DeviceOptions options;
+  if (const auto bar = node.find("bar")) options.bar = read_bar(*bar);
+  if (const hysteresis::Entry* law = law_among_keys(node, "a device")) options.law = read_law(node.at(law->name), *law);
+  if (const auto damper = node.find("damper")) options.damper = read_damper(*damper);
+  return options;
+}
+
+// Fails at the place of the option that the model has refused. Ends stand in a list, or one key says them.
+[[noreturn]] void fail(const ModelError& error, const Input& device, const Input& ends) {
+  const auto end = [&ends](std::size_t i) { return ends.is_list() ? ends.items()[i] : ends; };
   switch (error.option()) {
     case ModelOption::device_name: device.fail_at_key(error.what());
-    case ModelOption::between: between.fail(error.what());
-    case ModelOption::left: between.items()[0].fail(error.what());
-    case ModelOption::right: between.items()[1].fail(error.what());
+    case ModelOption::between: ends.fail(error.what());
+    case ModelOption::left: end(0).fail(error.what());
+    case ModelOption::right: end(1).fail(error.what());
+    case ModelOption::axis: device.at("axis").fail(error.what());
     case ModelOption::bar: device.at("bar").fail(error.what());
+    case ModelOption::device_law: {
+      const hysteresis::Entry& law = *law_among_keys(device, "a device");
+      const Input node = device.at(law.name);
+      if (device.find("bar")) node.fail_at_key(error.what());
+      place_of(error.what(), node, law).fail(error.what());
+    }
     case ModelOption::damper: device.at("damper").fail(error.what());
     default: device.fail(error.what());
   }
+}
+
+// A node of a frame, a floor by its number, or the ground.
+DeviceEnd read_end(const Input& node, bool is_frame) {
+  const std::string text = node.as_text();
+  if (text == "ground") return {};
+  if (is_frame) return {.node = text};
+  return {.floor = static_cast<int>(node.as_integer())};
+}
+
+std::pair<DeviceEnd, DeviceEnd> read_own_ends(const Input& between, bool is_frame) {
+  const std::vector<Input> items = between.items();
+  return {read_end(items[0], is_frame), read_end(items[1], is_frame)};
 }
 
 }  // namespace
@@ -58,13 +104,41 @@ void read_device(const std::string& name, const Input& node, Model& model) {
   node.only_keys();
   const Input between = node.at("between");
   const auto [left, right] = read_ends(between, model);
-  DeviceOptions options;
-  if (const auto bar = node.find("bar")) options.bar = read_bar(*bar);
-  if (const auto damper = node.find("damper")) options.damper = read_damper(*damper);
+  const DeviceOptions options = read_parts(node);
   try {
     model.connect(name, left, right, options);
   } catch (const ModelError& error) {
     fail(error, node, between);
+  }
+}
+
+void read_own_device(const std::string& name, const Input& node, const StructureHandle& structure, Model& model) {
+  node.only_keys();
+  const auto storey = node.find("storey"), between = node.find("between"), axis = node.find("axis");
+  const bool is_frame = model.structures[static_cast<std::size_t>(structure.number())].dimension > 1;
+  if (storey && between) between->fail_at_key("a device stands in a storey or between two points; keep one of storey and between");
+  if (storey && is_frame) storey->fail_at_key("belongs to shear buildings; in a frame name two nodes, such as between: [a, b]");
+  if (!storey && !between)
+    node.fail(is_frame ? "its ends are missing; type between: [a, b] with two nodes"
+                       : "its place is missing; type storey: 1, or between: [ground, 2] with two floors");
+  DeviceOptions options = read_parts(node);
+  std::pair<DeviceEnd, DeviceEnd> ends;
+  if (between) {
+    ends = read_own_ends(*between, is_frame);
+  } else {
+    const int number = static_cast<int>(storey->as_integer());
+    if (number > 1) ends.first.floor = number - 1;
+    ends.second.floor = number;
+  }
+  std::optional<DeviceAxis> chosen;
+  if (axis) {
+    const std::string word = axis->as_choice();
+    chosen = word == "along" ? DeviceAxis::along : word == "x" ? DeviceAxis::x : word == "y" ? DeviceAxis::y : DeviceAxis::z;
+  }
+  try {
+    model.connect_within(name, structure, ends.first, ends.second, chosen, options);
+  } catch (const ModelError& error) {
+    fail(error, node, between ? *between : *storey);
   }
 }
 

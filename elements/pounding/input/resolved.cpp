@@ -35,6 +35,7 @@ std::vector<double> periods(const Structure& s) {
 void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& hinges) {
   out << YAML::Key << "hinges" << YAML::Value << YAML::BeginMap;
   for (const YieldingPart& hinge : hinges) {
+    if (hinge.is_device()) continue;
     out << YAML::Key << hinge.name << YAML::Value << YAML::Flow << YAML::BeginMap;
     out << YAML::Key << "law" << YAML::Value << hinge.law;
     for (const YieldingPart::Parameter& parameter : hinge.parameters) emit(out, parameter.name.c_str(), parameter.value);
@@ -64,7 +65,7 @@ void emit_frame(YAML::Emitter& out, const Structure& s) {
     for (const Support& support : s.supports) out << support.name;
     out << YAML::EndSeq;
   }
-  if (!s.yielding.empty()) emit_hinges(out, s.yielding);
+  if (s.members_that_yield() > 0) emit_hinges(out, s.yielding);
 }
 
 // The law of the storeys with its numbers, storey by storey; a bilinear one as in its own keys where these say all.
@@ -81,7 +82,8 @@ void emit_springs(YAML::Emitter& out, const std::vector<YieldingPart>& storeys) 
       continue;
     }
     std::vector<double> values;
-    for (const YieldingPart& storey : storeys) values.push_back(storey.parameters[k].value);
+    for (const YieldingPart& storey : storeys)
+      if (!storey.is_device()) values.push_back(storey.parameters[k].value);
     emit_list(out, first.parameters[k].name, values);
   }
   if (!plain) out << YAML::EndMap << YAML::EndMap;
@@ -92,7 +94,7 @@ void emit_storeys(YAML::Emitter& out, const Structure& s) {
   emit_list(out, "mass", {masses.begin(), masses.end()});
   if (!s.storey_stiffness.empty()) {
     emit_list(out, "stiffness", s.storey_stiffness);
-    if (!s.yielding.empty()) emit_springs(out, s.yielding);
+    if (s.members_that_yield() > 0) emit_springs(out, s.yielding);
     emit_list(out, "periods", periods(s));
     const Eigen::MatrixXd damping = s.whole_damping();
     if (s.size() <= max_shown_matrix) emit_list(out, "damping_matrix", {damping.data(), damping.data() + damping.size()});
@@ -110,6 +112,19 @@ void emit_storeys(YAML::Emitter& out, const Structure& s) {
   emit_list(out, "initial_velocity", {s.initial_velocity.begin(), s.initial_velocity.end()});
 }
 
+// Devices inside a structure.
+void emit_devices(YAML::Emitter& out, const Structure& s) {
+  if (s.members_that_yield() == s.yielding.size()) return;
+  out << YAML::Key << "devices" << YAML::Value << YAML::BeginMap;
+  for (const YieldingPart& part : s.yielding) {
+    if (!part.is_device()) continue;
+    out << YAML::Key << part.name << YAML::Value << YAML::BeginMap << YAML::Key << "device" << YAML::Value << part.device;
+    for (const YieldingPart::Parameter& parameter : part.parameters) emit(out, parameter.name.c_str(), parameter.value);
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
+}
+
 void emit_structure(YAML::Emitter& out, const Structure& s) {
   out << YAML::Key << s.name << YAML::Value << YAML::BeginMap;
   out << YAML::Key << "kind" << YAML::Value << s.kind;
@@ -118,6 +133,7 @@ void emit_structure(YAML::Emitter& out, const Structure& s) {
       emit_storeys(out, s);
     else
       emit_frame(out, s);
+    emit_devices(out, s);
     out << YAML::Key << "damping" << YAML::Value << s.damping_note;
     if (s.dimension > 1) {
       emit(out, "damping_by_mass", s.by_mass);
@@ -201,16 +217,23 @@ void emit_device(YAML::Emitter& out, const Model& model, const Device& device) {
       << end_of(model, device.left) << end_of(model, device.right) << YAML::EndSeq;
   emit_list(out, "direction", {device.direction.begin(), device.direction.end()});
   if (device.length) emit(out, "length", *device.length);
-  if (device.bar) {
+  if (device.parts.bar) {
     out << YAML::Key << "bar" << YAML::Value << YAML::BeginMap;
-    emit(out, "stiffness", device.bar->stiffness);
+    emit(out, "stiffness", device.parts.bar->stiffness);
     out << YAML::EndMap;
   }
-  if (device.damper) {
+  if (const auto& law = device.parts.law) {
+    out << YAML::Key << law->law << YAML::Value << YAML::BeginMap;
+    for (const auto& [name, value] : law->values) emit(out, name.c_str(), value);
+    for (const auto& [name, word] : law->words) out << YAML::Key << name << YAML::Value << word;
+    out << YAML::EndMap;
+  }
+  if (const auto& damper = device.parts.damper) {
     out << YAML::Key << "damper" << YAML::Value << YAML::BeginMap;
-    emit(out, "coefficient", device.damper->coefficient);
-    emit(out, "exponent", device.damper->exponent);
-    if (!device.damper->is_linear()) emit(out, "rounding_velocity", device.damper->rounding_velocity);
+    emit(out, "coefficient", damper->coefficient);
+    emit(out, "exponent", damper->exponent);
+    if (damper->has_stiffness()) emit(out, "stiffness", damper->stiffness);
+    else if (!damper->is_linear()) emit(out, "rounding_velocity", damper->rounding_velocity);
     out << YAML::EndMap;
   }
   out << YAML::EndMap;

@@ -31,15 +31,6 @@ const hysteresis::Entry& law_of(const Input& spring) {
   return *chosen;
 }
 
-// The key of the law that its refusal names, or the law itself.
-Input place_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry) {
-  const std::string_view first = std::string_view(refusal).substr(0, refusal.find(' '));
-  for (const hysteresis::ParameterInfo& parameter : entry.parameters)
-    if (parameter.name == first)
-      if (const auto found = law.find(parameter.name)) return *found;
-  return law;
-}
-
 }  // namespace
 
 const hysteresis::Entry* law_among_keys(const Input& map, const char* what) {
@@ -50,6 +41,14 @@ const hysteresis::Entry* law_among_keys(const Input& map, const char* what) {
       chosen = &entry;
     }
   return chosen;
+}
+
+Input place_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry) {
+  const std::string_view first = std::string_view(refusal).substr(0, refusal.find(' '));
+  for (const hysteresis::ParameterInfo& parameter : entry.parameters)
+    if (parameter.name == first)
+      if (const auto found = law.find(parameter.name)) return *found;
+  return law;
 }
 
 SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness) {

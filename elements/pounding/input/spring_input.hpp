@@ -1,6 +1,7 @@
 #pragma once
 /// Reads the law by which storeys yield.
 
+#include <string>
 #include <vector>
 
 #include <pounding/hysteresis/entry.hpp>
@@ -11,6 +12,9 @@ namespace pounding {
 
 /// The law of yielding whose name is a key of this map; nullptr for none. `what` follows it, for the refusal of a second one: "a storey".
 const hysteresis::Entry* law_among_keys(const Input& map, const char* what);
+
+/// The key of the law that a refusal begins with, or the law itself.
+Input place_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry);
 
 /// Reads the section `spring`, for storeys with these stiffnesses [N/m]. Throws InputError at the place of what is missing, unknown or out
 /// of range.

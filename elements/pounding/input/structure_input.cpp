@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/input/device_input.hpp>
 #include <pounding/input/force_input.hpp>
 #include <pounding/input/frame_input.hpp>
 #include <pounding/input/ground_input.hpp>
@@ -191,11 +192,15 @@ class StructureInput {
     }
     if (delay) options.delay = delay->as_quantity();
     if (const auto forces = place_.find("forces")) options.forces = read_forces(*forces);
-    try {
-      model.add(name_, std::move(s), options);
-    } catch (const ModelError& error) {
-      fail(error);
-    }
+    const StructureHandle handle = [&] {
+      try {
+        return model.add(name_, std::move(s), options);
+      } catch (const ModelError& error) {
+        fail(error);
+      }
+    }();
+    if (const auto devices = body_->is_map() && body_->knows("devices") ? body_->find("devices") : std::nullopt)
+      for (const auto& [device, node] : devices->entries()) read_own_device(device, node, handle, model);
   }
 
  private:

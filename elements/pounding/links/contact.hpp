@@ -18,6 +18,9 @@ namespace pounding {
 struct LinkMotion {
   double penetration = 0;  ///< [m]
   double rate = 0;         ///< [m/s]
+  // Of a spring with a dashpot inside alone (Spring::slips), else zero:
+  double slip = 0;         ///< length that the dashpot has got, but for what follows [m]
+  double lag = 0;          ///< to which this time at its present rate is added [s]; infinite for what is at rest
 };
 
 /// One kept step of a link: motion and force at its beginning, its middle and its end.

@@ -178,11 +178,14 @@ System assemble(const Model& model, bool with_links) {
       part.spring->archive(fresh);
       system.springs.push_back(part.spring.get());
       columns.push_back({.at_rest = part.at_rest});
+      // Preloads leave a device undeformed, as gravity does.
+      if (const Structure& s = model.structures[i]; part.is_device() && with_links && s.preload_displacement.size() > 0)
+        columns.back().at_rest -= part.deformation.dot(s.preload_displacement);
     }
   }
   for (const Device& device : model.devices) {
     add_column(device, -device.direction, true);  // it gets longer
-    *device.member = BarAndDamper(device.bar, device.damper);
+    *device.member = DeviceSpring(device.parts);
     system.springs.push_back(device.member.get());
   }
   for (std::size_t i = 0; with_links && i < model.links.size(); ++i) {

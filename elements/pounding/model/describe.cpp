@@ -27,6 +27,7 @@ std::string describe(const Structure& s) {
 std::string describe_hinges(const Structure& s) {
   double weakest = std::numeric_limits<double>::infinity(), strongest = 0, least = weakest, largest = 0, at_rest = 0;
   for (const YieldingPart& part : s.yielding) {
+    if (part.is_device()) continue;
     const double rotation = part.spring->yield_deformation(), moment = rotation * part.spring->stiffness();
     weakest = std::min(weakest, moment), strongest = std::max(strongest, moment);
     least = std::min(least, rotation), largest = std::max(largest, rotation);
@@ -34,7 +35,7 @@ std::string describe_hinges(const Structure& s) {
   }
   const auto range = [](const std::string& from, const std::string& to) { return from == to ? from : from + " to " + to; };
   const auto moment = [](double value) { return fmt::format("{:.4g} kN m", value / 1e3); };
-  const std::size_t count = s.yielding.size();
+  const std::size_t count = s.members_that_yield();
   std::string text = fmt::format("     {} hinge{}: yield moment {}, yield rotation {}", count, count == 1 ? "" : "s", range(moment(weakest), moment(strongest)),
                                  range(fmt::format("{:.4g}", least), fmt::format("{:.4g}", largest)));
   if (at_rest > 0) text += fmt::format(", at rest up to {:.3g} % of it", 100 * at_rest);
@@ -54,7 +55,9 @@ std::string describe(const Model& model) {
   }
   for (const Structure& s : model.structures) {
     text += describe(s) + '\n';
-    if (s.dimension > 1 && !s.yielding.empty()) text += describe_hinges(s);
+    if (s.dimension > 1 && s.members_that_yield() > 0) text += describe_hinges(s);
+    for (const YieldingPart& part : s.yielding)
+      if (part.is_device()) text += fmt::format("     device {}: {}\n", part.name, part.device);
     for (const AppliedForce& force : s.applied_forces) text += fmt::format("     force on {}: {}\n", force.place, force.history.source());
   }
   text += describe_joined(model);

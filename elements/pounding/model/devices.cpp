@@ -10,6 +10,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/model/drawing.hpp>
+#include <pounding/model/device_parts.hpp>
 #include <pounding/model/facing.hpp>
 #include <pounding/model/place_ends.hpp>
 
@@ -84,17 +85,6 @@ void require_motion(const LinkEnd& end, const Structure& s, const Eigen::Vector3
   }
 }
 
-Bar bar_of(const std::variant<Bar, BarSection>& given, const Device& device) {
-  if (const Bar* bar = std::get_if<Bar>(&given)) return *bar;
-  const BarSection& section = std::get<BarSection>(given);
-  if (!(section.young > 0 && section.area > 0))
-    refuse(ModelOption::bar, "Young's modulus and area of a bar must be positive");
-  if (!device.length.value_or(0))
-    refuse(ModelOption::bar, "E and area need the length of the bar, which is drawn between frames that stand apart; type bar: "
-                             "{stiffness: 50 MN/m}");
-  return {section.young * section.area / *device.length};
-}
-
 std::string text_of(const LinkEnd& end, const Structure& s) {
   return end.label.empty() ? s.name : fmt::format("{} of {}", end.label, s.name);
 }
@@ -105,6 +95,9 @@ std::string names_of(const Model& model, const std::vector<int>& structures) {
     text += (i == 0 ? "" : i + 1 == structures.size() ? " and " : ", ") + model.structures[structures[i]].name;
   return text;
 }
+
+// Stiffness of a device before anything yields; a damper has none in a slow motion.
+double first_stiffness(const Device& device) { return device.member->first_slope(); }
 
 // Motion of an end along the device by the unknowns of all joined structures, from this one on.
 void add_motion(const LinkEnd& end, const Eigen::Vector3d& direction, int first, Eigen::SparseVector<double>& row) {
@@ -130,23 +123,8 @@ void Model::connect(const std::string& name, const ContactLocation& left, const 
     lay_between_sides(device, pair, *this);
   require_motion(device.left, a, device.direction, ModelOption::left);
   require_motion(device.right, b, device.direction, ModelOption::right);
-  try {
-    if (options.bar) device.bar = bar_of(*options.bar, device);
-    if (device.bar) device.bar->check();
-  } catch (const ModelError&) {
-    throw;
-  } catch (const std::invalid_argument& error) {
-    refuse(ModelOption::bar, error.what());
-  }
-  try {
-    device.damper = options.damper;
-    if (device.damper) device.damper->check();
-  } catch (const std::invalid_argument& error) {
-    refuse(ModelOption::damper, error.what());
-  }
-  if (!device.bar && !device.damper)
-    refuse(ModelOption::device, "is neither a bar nor a damper; type bar: {stiffness: 50 MN/m}, damper: {coefficient: 200 kN s/m}, or both");
-  device.member = std::make_unique<BarAndDamper>(device.bar, device.damper);
+  device.parts = parts_of(options, device.length);
+  device.member = std::make_unique<DeviceSpring>(device.parts);
   devices.push_back(std::move(device));
 }
 
@@ -154,7 +132,7 @@ JoinedByBars joined_by_bars(const Model& model) {
   std::set<int> numbers;
   for (const Device& device : model.devices)
     for (const LinkEnd* end : {&device.left, &device.right})
-      if (device.bar && !model.structures[end->structure].is_rigid()) numbers.insert(end->structure);
+      if (first_stiffness(device) > 0 && !model.structures[end->structure].is_rigid()) numbers.insert(end->structure);
   JoinedByBars joined{{numbers.begin(), numbers.end()}, {}};
   if (numbers.empty()) return joined;
 
@@ -174,13 +152,14 @@ JoinedByBars joined_by_bars(const Model& model) {
     modes += count_of_modes(s);
   }
   for (const Device& device : model.devices) {
-    if (!device.bar) continue;
+    const double k = first_stiffness(device);
+    if (k == 0) continue;
     Eigen::SparseVector<double> elongation(n);
     for (const auto& [end, sign] : {std::pair(&device.left, -1.0), std::pair(&device.right, 1.0)})
       if (!model.structures[end->structure].is_rigid()) add_motion(*end, sign * device.direction, first[end->structure], elongation);
     for (Row::InnerIterator i(elongation); i; ++i)
       for (Row::InnerIterator j(elongation); j; ++j)
-        stiffness.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()), device.bar->stiffness * i.value() * j.value());
+        stiffness.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()), k * i.value() * j.value());
   }
   SparseMatrix m(n, n), k(n, n);
   m.setFromTriplets(mass.begin(), mass.end());
@@ -199,16 +178,27 @@ std::string describe_joined(const Model& model) {
                      periods);
 }
 
-std::string describe(const Model& model, const Device& device) {
-  std::string text = fmt::format("device {}: ", device.name);
-  if (device.bar) text += "bar " + format_quantity(device.bar->stiffness, dimension::stiffness, 6);
-  if (device.damper) {
-    const Damper& damper = *device.damper;
-    text += fmt::format("{}damper {:.6g} kN ", device.bar ? ", " : "", damper.coefficient / 1e3);
-    text += damper.is_linear() ? "s/m"
-                               : fmt::format("(s/m)^{0:g}, rounded as c v (v^2 + v0^2)^{1:g} with v0 = {2:g} mm/s", damper.exponent,
-                                             0.5 * (damper.exponent - 1), 1e3 * damper.rounding_velocity);
+std::string describe(const DeviceParts& parts) {
+  std::string text;
+  if (parts.bar) text += "bar " + format_quantity(parts.bar->stiffness, dimension::stiffness, 6);
+  if (parts.law) {
+    const DeviceSpring spring({.law = parts.law});
+    const double k = spring.first_slope();
+    text += fmt::format("{} {}, yields at {}", parts.law->law, format_quantity(k, dimension::stiffness, 6),
+                        format_quantity(spring.yield_deformation() * k, dimension::force, 6));
   }
+  if (!parts.damper) return text;
+  const Damper& damper = *parts.damper;
+  text += fmt::format("{}damper {:.6g} kN ", text.empty() ? "" : ", ", damper.coefficient / 1e3);
+  text += damper.is_linear() ? "s/m" : fmt::format("(s/m)^{:g}", damper.exponent);
+  if (damper.has_stiffness()) return text + " behind " + format_quantity(damper.stiffness, dimension::stiffness, 6);
+  if (!damper.is_linear())
+    text += fmt::format(", rounded as c v (v^2 + v0^2)^{:g} with v0 = {:g} mm/s", 0.5 * (damper.exponent - 1), 1e3 * damper.rounding_velocity);
+  return text;
+}
+
+std::string describe(const Model& model, const Device& device) {
+  std::string text = fmt::format("device {}: {}", device.name, describe(device.parts));
   text += fmt::format(", between {} and {}", text_of(device.left, model.structures[device.left.structure]),
                       text_of(device.right, model.structures[device.right.structure]));
   if (device.length) text += fmt::format(", {} long", format_quantity(*device.length, dimension::length, 6));

@@ -125,6 +125,18 @@ void refuse_idle_components(const GroundComponents& ground, int dimension, int s
                           of_one ? "the structure does not move" : "no structure moves"));
 }
 
+// What stretches a device is the motion of the unknowns alone.
+void require_devices_on_one_ground(const Model& model) {
+  for (const Structure& s : model.structures)
+    if (s.supports.size() > 1)
+      for (const YieldingPart& part : s.yielding)
+        if (part.is_device())
+          throw ModelError(ModelOption::structures,
+                           fmt::format("{} has a device, {}, and its supports move differently; leave out their delay and ground_motion, the "
+                                       "wave, or the device",
+                                       s.name, part.name));
+}
+
 // A ground that waits is at rest, and would have to take its velocity up at once.
 bool begins_with_velocity(const GroundComponents& ground) {
   return std::any_of(ground.begin(), ground.end(), [](const GroundMotion& motion) { return motion.initial_velocity() != 0; });
@@ -274,6 +286,7 @@ void Model::complete() {
   check_settings();
   put_on_ground();
   check_ground();
+  require_devices_on_one_ground(*this);
   press_preloaded(structures, links);
   const GroundPlan plan = ground_plan(*this);
   if (analysis.duration == 0) analysis.duration = plan.duration();

@@ -21,7 +21,7 @@
 #include <pounding/model/model_error.hpp>
 #include <pounding/model/scheme.hpp>
 #include <pounding/model/system.hpp>
-#include <pounding/structures/bar_and_damper.hpp>
+#include <pounding/structures/device_spring.hpp>
 #include <pounding/structures/one_or_each.hpp>
 #include <pounding/structures/structure.hpp>
 #include <pounding/structures/structure_damping.hpp>
@@ -55,15 +55,15 @@ struct Link {
   std::unique_ptr<Contact> contact;
 };
 
-/// A bar, a damper or both beside each other between two structures: it always acts, both ways. Gravity and preloads leave it undeformed.
+/// A bar or what yields by a law, a damper, or both beside each other between two structures: it always acts, both ways. Gravity and
+/// preloads leave it undeformed.
 struct Device {
   std::string name;
   LinkEnd left, right;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< along which it acts, from left to right
   std::optional<double> length;                          ///< that is drawn [m]
-  std::optional<Bar> bar;
-  std::optional<Damper> damper;
-  std::unique_ptr<BarAndDamper> member;
+  DeviceParts parts;
+  std::unique_ptr<DeviceSpring> member;
 };
 
 /// Below the first the rounding of the arithmetic is larger than the error; above the second an impact is not resolved.
@@ -172,10 +172,20 @@ struct BarSection {
   double area = 0;   ///< A [m^2]
 };
 
-/// Parts of a device; at least one of the two.
+/// Parts of a device; at least one, and not a bar beside a law.
 struct DeviceOptions {
   std::optional<std::variant<Bar, BarSection>> bar{};
+  std::optional<hysteresis::Settings> law{};  ///< of yielding by its name, with its stiffness
   std::optional<Damper> damper{};
+};
+
+/// Along which a device inside one structure acts.
+enum class DeviceAxis { along, x, y, z };
+
+/// One end of a device inside one structure: a node, a floor, or the ground.
+struct DeviceEnd {
+  std::string node{};
+  std::optional<int> floor{};  ///< from 1 at the lowest
 };
 
 /// Something in a model that can be and was probably not meant.
@@ -225,6 +235,12 @@ class Model {
   /// along the device, and for numbers out of range.
   void connect(const std::string& name, const ContactLocation& left, const ContactLocation& right, const DeviceOptions& options);
 
+  /// Connects two points of one structure by a device, which becomes one of its parts that yield and has no part in its damping. `along` is
+  /// the line between two nodes; nothing stands for it between nodes, and for x else. Nodes of a damper move with mass. Throws ModelError
+  /// as connect() does, and for a structure whose supports move differently or that turns.
+  void connect_within(const std::string& name, const StructureHandle& structure, const DeviceEnd& from, const DeviceEnd& to,
+                      std::optional<DeviceAxis> axis, const DeviceOptions& options);
+
   /// Fills in what was left out (duration, output step), lets the ground act on the structures and checks the whole. A run does
   /// this by itself; whoever assembles a model calls it before. Afterwards nothing can be added; a second call does nothing.
   /// Throws ModelError.
@@ -272,6 +288,8 @@ std::string describe_joined(const Model& model);
 
 /// One line on a device: what it is, between which ends.
 std::string describe(const Model& model, const Device& device);
+/// The parts of a device in words: "bar 50 MN/m, damper 200 kN s/m".
+std::string describe(const DeviceParts& parts);
 
 /// A model in a few lines, one each: title, ground motions, structures with floors, masses and first periods, links with their laws,
 /// gaps and masses, devices.

@@ -42,7 +42,9 @@ enum class ModelOption {
   device,
   device_name,
   bar,
-  damper
+  device_law,
+  damper,
+  axis
 };
 
 /// A model that cannot be. The text says what is wrong and what to give; a reader of inputs finds by the option where in its

@@ -84,6 +84,7 @@ Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::Matr
 // The structures are taken as elastic.
 void refuse_yield(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
+    if (part.is_device()) continue;  // undeformed
     const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
     if (const auto yield = yields_before(*part.spring, strained))
       refuse(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name, deformation_text(s, strained),

@@ -81,6 +81,8 @@ Eigen::VectorXd force_on(const Structure& s, std::size_t floor, int direction) {
 void check(const Structure& s, const PushoverOptions& options) {
   if (s.yielding.empty())
     refuse("nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
+  for (const YieldingPart& part : s.yielding)
+    if (part.is_device()) refuse(fmt::format("it has a device, {}, and devices are not pushed; leave it out", part.name));
   if (s.floors.empty()) refuse("it has no floors that could be pushed; name them under floors");
   if (options.direction < 0 || static_cast<std::size_t>(options.direction) >= std::min<std::size_t>(2, s.floors.front().motion.size()))
     refuse(fmt::format("it does not move along {}; push it along x", axis(options.direction)));

@@ -1,9 +1,5 @@
 #pragma once
-/// Devices that join two points of different structures, always and both ways: an elastic bar, a damper, or both beside each other.
-
-#include <optional>
-
-#include <pounding/structures/spring.hpp>
+/// Parts of devices: an elastic bar, a damper.
 
 namespace pounding {
 
@@ -24,43 +20,33 @@ struct Bar {
 ///
 /// which is c |v|^a but for a part (a-1)/2 (v0/v)^2: with a = 0.35 and v0 = 1 mm/s the force is 1.3 % smaller at 5 mm/s and 0.003 % at 100 mm/s
 /// (Constantinou & Symans 1993, The Structural Design of Tall Buildings 2, 93-132, for the power law).
+///
+/// With a stiffness the damper stands in series with a spring, which real ones and their braces are: a Maxwell element. Its force is the
+/// same all along it, f = k_d s with the stretch s of the spring, and the dashpot gets longer at the rate (|f|/c)^(1/a) sign f, which needs
+/// no rounding:
+///
+///   df/dt = k_d (v - (|f|/c)^(1/a) sign f),   a <= 1.
 struct Damper {
   static constexpr double least_exponent = 0.2, largest_exponent = 2;
 
   double coefficient = 0;           ///< c > 0 [N (s/m)^a]
   double exponent = 1;              ///< a in [0.2, 2]
-  double rounding_velocity = 1e-3;  ///< v0 > 0 [m/s]; without a part where a = 1
+  double rounding_velocity = 1e-3;  ///< v0 > 0 [m/s]; without a part where a = 1, and beside a stiffness
+  double stiffness = 0;             ///< k_d > 0 of the spring in series [N/m]; 0 for a rigid one
 
   bool is_linear() const noexcept { return exponent == 1; }  ///< and not rounded
   double force(double rate) const noexcept;  ///< [N]
   double slope(double rate) const noexcept;  ///< of the force, positive [N s/m]
+
+  bool has_stiffness() const noexcept { return stiffness > 0; }  ///< then force() and slope() do not hold
+  /// Rate at which the dashpot behind a spring with this stretch [m] gets longer [m/s].
+  double slip_rate(double stretch) const noexcept;
+  /// The stretch s [m] that leaves s + lag slip_rate(s) = length, for a lag [s] that may be infinite, where the answer is 0.
+  double stretch(double length, double lag) const noexcept;
+  /// Its derivative by the length, in [0, 1].
+  double stretch_slope(double stretch, double lag) const noexcept;
   /// Throws std::invalid_argument for a number that is out of range.
   void check() const;
-};
-
-/// A bar, a damper or both beside each other, as a spring between two points: deformation and force are elongation and tension.
-class BarAndDamper final : public Spring {
- public:
-  /// Undeformed. Throws std::invalid_argument for none of the two, and for numbers that they refuse.
-  BarAndDamper(std::optional<Bar> bar, std::optional<Damper> damper);
-
-  laws::Response evaluate(const LinkMotion& motion) const noexcept override;
-  bool has_corners() const noexcept override { return false; }
-  void start(const LinkMotion& motion) override { elongation_ = motion.penetration; }
-  void accept(const LinkStep& step) override;
-  double lost() const noexcept override { return 0; }
-  double damped() const noexcept override { return damped_; }
-  /// Energy of the bar [J].
-  double stored_correction() const noexcept override;
-  void archive(Archive& archive) override;
-
-  /// Elongation at the last kept state [m].
-  double elongation() const noexcept { return elongation_; }
-
- private:
-  std::optional<Bar> bar_;
-  std::optional<Damper> damper_;
-  double elongation_ = 0, damped_ = 0;
 };
 
 }  // namespace pounding

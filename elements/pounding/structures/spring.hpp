@@ -20,13 +20,24 @@ class Spring {
   virtual laws::Response evaluate(const LinkMotion& motion) const noexcept = 0;
   /// k [N/m].
   virtual double stiffness() const noexcept { return 0; }
+  /// Slope of evaluate() before anything has yielded: of what the structures are not assembled with [N/m].
+  virtual double first_slope() const noexcept { return 0; }
   /// Size of the deformation at which it first yields, what ductility is counted in [m]; infinite for what never does.
   virtual double yield_deformation() const noexcept { return std::numeric_limits<double>::infinity(); }
   /// The first deformation on the straight way from the last kept one to this one at which the slope jumps, itself excluded; nothing
   /// where it does not jump.
   virtual std::optional<double> corner(double /*deformation*/) const noexcept { return {}; }
+  /// How much the slope that it has at the end of the straight way to this deformation is below the one with which it turns back [N/m].
+  virtual double slope_lost(double deformation) const noexcept { return -evaluate({deformation, 0}).by_penetration; }
   /// Whether the force has corners, at which steps end.
   virtual bool has_corners() const noexcept { return true; }
+  /// Whether a dashpot inside it gets longer by its own force, so that the force depends on the path in time. The integrator keeps its
+  /// length, LinkMotion::slip.
+  virtual bool slips() const noexcept { return false; }
+  /// Rate at which that dashpot gets longer [m/s]. Pure.
+  virtual double slip_rate(const LinkMotion& /*motion*/) const noexcept { return 0; }
+  /// Its length where the run begins with this motion [m].
+  virtual double first_slip(const LinkMotion& /*motion*/) const noexcept { return 0; }
   /// The run begins with this motion, or goes on from it after somebody changed it.
   virtual void start(const LinkMotion& /*motion*/) {}
   /// A step was kept.

@@ -1,5 +1,6 @@
 #include <pounding/structures/structure.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -55,6 +56,10 @@ Eigen::Vector3d Structure::total_mass() const {
     for (const Support& support : supports)
       for (const Support& other : supports) sum[j] += support.influence.col(j).dot(other.load.col(j));
   return sum;
+}
+
+std::size_t Structure::members_that_yield() const {
+  return static_cast<std::size_t>(std::ranges::count_if(yielding, [](const YieldingPart& part) { return !part.is_device(); }));
 }
 
 }  // namespace pounding

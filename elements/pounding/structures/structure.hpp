@@ -21,7 +21,8 @@ namespace pounding {
 /// How the unknowns of a structure make one quantity: their factors.
 using Row = Eigen::SparseVector<double>;
 
-/// A part of a structure that yields, in parallel to the stiffness that K has for it: a storey, a hinge at the end of a member.
+/// A part of a structure that yields, in parallel to the stiffness that K has for it: a storey, a hinge at the end of a member. Or a device
+/// between two of its points, which K has nothing of.
 struct YieldingPart {
   /// A number that its law was made with, for reports.
   struct Parameter {
@@ -37,6 +38,9 @@ struct YieldingPart {
   std::vector<Parameter> parameters;
   std::unique_ptr<Spring> spring;
   std::vector<std::byte> fresh;  ///< archive of the spring as it was given
+  std::string device{};          ///< of a device: its parts and its ends, for reports; else empty
+
+  bool is_device() const noexcept { return !device.empty(); }
 
   /// Takes a spring that has not been deformed.
   YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers, std::unique_ptr<Spring> undeformed);
@@ -168,7 +172,7 @@ struct Structure {
   std::vector<Support> supports;         ///< one at least; displacements are relative to the ground at the first
   std::vector<Floor> floors;             ///< from the ground up
   std::vector<double> storey_stiffness;  ///< of a structure whose storeys are springs, from the ground up [N/m]
-  std::vector<YieldingPart> yielding;    ///< of storeys that are springs one each, from the ground up; empty when all stays elastic
+  std::vector<YieldingPart> yielding;    ///< storeys that are springs, from the ground up, or hinges; then devices; empty when all stays elastic
   /// [part, part], symmetric: by how much the forces of the yielding parts shorten their deformations at once, on top of the unknowns
   /// without mass that give way to them, [m/N] or [rad/(N m)]. A hinge in series with a member gives way like this. Empty for none.
   SparseMatrix yielding_flexibility;
@@ -195,6 +199,8 @@ struct Structure {
   int size() const { return static_cast<int>(mass.rows()); }
   /// A wall: it moves with the ground.
   bool is_rigid() const { return size() == 0; }
+  /// Parts that yield without devices: all storeys that are springs, or none of them; hinges.
+  std::size_t members_that_yield() const;
   /// Whether drift and storey shear mean something.
   bool has_storeys() const { return !floors.empty() && !floors.front().storey_shear.empty(); }
   /// The whole damping matrix.

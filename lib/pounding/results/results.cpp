@@ -233,7 +233,7 @@ void write_energy(hid_t file, const EnergyHistory& energy, bool has_devices) {
   column({"damping", "J", "energy dissipated by the damping of the structures"}, energy.damping);
   column({"hysteretic", "J", "energy dissipated by yielding"}, energy.hysteretic);
   column({"impact", "J", "work done on the links: lost, and stored while they press"}, energy.impact);
-  if (has_devices) column({"devices", "J", "energy dissipated by the dampers between structures"}, energy.devices);
+  if (has_devices) column({"devices", "J", "energy dissipated by dampers"}, energy.devices);
   column({"error", "J", "input minus all other parts"}, energy.error);
 }
 
@@ -310,7 +310,7 @@ void visit_all(AnyResults& results, Visit&& visit) {
   visit("energy/damping", energy.damping);
   visit("energy/hysteretic", energy.hysteretic);
   visit("energy/impact", energy.impact);
-  if (!results.devices.empty()) visit("energy/devices", energy.devices);
+  if (results.has_devices()) visit("energy/devices", energy.devices);
   visit("energy/error", energy.error);
 }
 
@@ -339,7 +339,7 @@ void write_all(hid_t file, const Results& results) {
   write_devices(file, results.devices, results.time.size());
   write_envelopes(file, results.structures);
   write_impacts(file, results);
-  write_energy(file, results.energy, !results.devices.empty());
+  write_energy(file, results.energy, results.has_devices());
   text(file, "summary", "summary as JSON", results.summary_json);
   write_solver(file, results.integrator, results.solver);
   if (!results.no_pounding.empty()) hdf5::add_file(file, "no_pounding", results.no_pounding, without_pounding_leaves_out);
@@ -347,6 +347,12 @@ void write_all(hid_t file, const Results& results) {
 }
 
 }  // namespace
+
+bool Results::has_devices() const {
+  return !devices.empty() || std::ranges::any_of(structures, [](const StructureHistory& s) {
+    return std::ranges::any_of(s.springs.laws, [](const std::string& law) { return law.ends_with("damper"); });
+  });
+}
 
 void visit_histories(Results& results,
                      const std::function<void(const std::string& path, std::vector<double>& values)>& visit) {

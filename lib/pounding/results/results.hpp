@@ -35,12 +35,12 @@ struct LinkHistory {
   std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
 };
 
-/// History of a bar or damper between two structures at the output times.
+/// History of a device between two structures at the output times.
 struct DeviceHistory {
   std::string name;
   NamedEnd left, right;
   std::array<double, 3> position{}, direction{1, 0, 0};  ///< of the left end [m]; from left to right
-  double stiffness = 0;    ///< of the bar [N/m]; 0 for none
+  double stiffness = 0;    ///< of the bar, the initial one of a law of yielding [N/m]; 0 for none
   double coefficient = 0;  ///< of the damper [N (s/m)^exponent]; 0 for none
   double exponent = 1;
   std::vector<double> elongation, force;  ///< [m], [N]; positive in tension
@@ -108,6 +108,8 @@ struct Results {
   std::vector<std::byte> no_pounding;
   SolverStatistics solver;
   std::string summary_json;  ///< the object that --json prints
+  /// Whether any device stands between structures, or with a damper inside one.
+  bool has_devices() const;
   std::optional<Checkpoint> checkpoint;  ///< of an interrupted run that can be resumed
 };
 

@@ -62,9 +62,9 @@ void write_springs(hid_t structure, const std::string& name, const SpringHistory
                                   std::to_string(samples * springs.size()) + " are expected");
     array(place, label, values, {samples, springs.size()});
   };
-  history({"deformation", "m", "drift of a storey; rotation of a hinge [rad]"}, springs.deformation);
-  history({"force", "N", "shear of a storey; moment of a hinge [N m]"}, springs.force);
-  history({"hysteretic", "J", "energy lost by yielding so far"}, springs.hysteretic);
+  history({"deformation", "m", "drift of a storey, elongation of a device; rotation of a hinge [rad]"}, springs.deformation);
+  history({"force", "N", "shear of a storey, tension of a device; moment of a hinge [N m]"}, springs.force);
+  history({"hysteretic", "J", "energy lost by yielding so far; of a device by its damper, too"}, springs.hysteretic);
   write_summary(place, springs);
 }
 

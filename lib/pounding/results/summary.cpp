@@ -242,10 +242,8 @@ std::string to_json(const Summary& summary) {
                 {"rejected", summary.solver.rejected},
                 {"events", summary.solver.events},
                 {"wall_seconds", summary.solver.wall_seconds}}}};
-  if (!summary.devices.empty()) {
-    all["devices"] = devices_json(summary.devices);
-    all["energy"]["devices"] = e.devices;
-  }
+  if (!summary.devices.empty()) all["devices"] = devices_json(summary.devices);
+  if (!summary.devices.empty() || e.devices > 0) all["energy"]["devices"] = e.devices;
   if (Json hinges = hinges_json(summary.structures); !hinges.empty()) all["hinges"] = std::move(hinges);
   if (Json by = hysteretic_json(summary.structures); !by.empty()) all["hysteretic_by"] = std::move(by);
   if (!summary.without_pounding.empty()) {

@@ -233,7 +233,7 @@ std::string to_table(const Summary& summary) {
       "             largest imbalance {:.1e} of the input\n",
       shown(e.input / 1e3, 5), shown(e.kinetic / 1e3, 5), shown(e.strain / 1e3, 5), shown(e.damping / 1e3, 5),
       shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5),
-      summary.devices.empty() ? "" : fmt::format(" + devices {:.5f}", shown(e.devices / 1e3, 5)), e.error);
+      summary.devices.empty() && !(e.devices > 0) ? "" : fmt::format(" + devices {:.5f}", shown(e.devices / 1e3, 5)), e.error);
   if (const std::size_t colon = summary.status.find(": "); summary.status.starts_with("done") && colon != std::string::npos)
     text += fmt::format("ended        by {}\n", summary.status.substr(colon + 2));
   text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,

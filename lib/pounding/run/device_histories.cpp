@@ -12,10 +12,10 @@ DeviceHistory heading(const Device& device, const Model& model) {
     history.position[i] = device.left.point.position[i];
     history.direction[i] = device.direction[i];
   }
-  if (device.bar) history.stiffness = device.bar->stiffness;
-  if (device.damper) {
-    history.coefficient = device.damper->coefficient;
-    history.exponent = device.damper->exponent;
+  history.stiffness = device.member->first_slope();
+  if (device.parts.damper) {
+    history.coefficient = device.parts.damper->coefficient;
+    history.exponent = device.parts.damper->exponent;
   }
   return history;
 }
@@ -49,16 +49,15 @@ void DeviceHistories::step() {
   }
 }
 
-// The force has no memory: inside a step it is that of the motion there.
 void DeviceHistories::sample(double time, bool inside) {
   for (std::size_t i = 0; i < histories_.size(); ++i) {
-    const BarAndDamper& member = *model_.devices[i].member;
+    const DeviceSpring& member = *model_.devices[i].member;
     double elongation = member.elongation(), force = force_now(i);
     if (inside) {
       const LinkStep& step = step_of(i);
-      const LinkMotion motion = interpolate(step, (time - step.begin) / (step.end - step.begin));
-      elongation = motion.penetration;
-      force = member.evaluate(motion).force;
+      const double s = (time - step.begin) / (step.end - step.begin);
+      elongation = interpolate(step, s).penetration;
+      force = member.inside(step, s, elongation).force;
     }
     histories_[i].elongation.push_back(elongation);
     histories_[i].force.push_back(force);
@@ -68,7 +67,7 @@ void DeviceHistories::sample(double time, bool inside) {
 std::vector<DeviceSummary> DeviceHistories::summary() const {
   std::vector<DeviceSummary> all;
   for (std::size_t i = 0; i < histories_.size(); ++i)
-    all.push_back({histories_[i].name, histories_[i].extremes, model_.devices[i].member->damped()});
+    all.push_back({histories_[i].name, histories_[i].extremes, model_.devices[i].member->damped() + model_.devices[i].member->lost()});
   return all;
 }
 

@@ -24,7 +24,7 @@ SpringHistory heading(const Structure& s) {
     history.ultimate.push_back(given(part, "ultimate_rotation"));
     history.names.push_back(part.name);
     history.laws.push_back(part.law);
-    history.stiffness.push_back(part.spring->stiffness());
+    history.stiffness.push_back(part.spring->stiffness() + part.spring->first_slope());
     history.yield_deformation.push_back(part.spring->yield_deformation());
   }
   const std::size_t parts = s.yielding.size();
@@ -33,9 +33,13 @@ SpringHistory heading(const Structure& s) {
   history.last.assign(parts, 0.0);
   for (std::vector<double>* values : {&history.lost, &history.plastic, &history.cycles.turn, &history.cycles.swings}) values->assign(parts, 0.0);
   history.first_yield.assign(parts, never);
-  history.damping_shear.assign(parts, s.storey_stiffness.empty() ? never : 0.0);
+  history.damping_shear.assign(parts, never);
+  if (!s.storey_stiffness.empty()) std::fill_n(history.damping_shear.begin(), s.members_that_yield(), 0.0);
   return history;
 }
+
+// By yielding, and by the damper of a device.
+double lost_by(const Spring& spring) { return spring.lost() + spring.damped(); }
 
 // The first part of a step, from 0 to 1, at which the size of the deformation exceeds a limit, on the cubic through its ends; 2 for none.
 double first_beyond(const LinkStep& step, double limit) {
@@ -67,11 +71,12 @@ SpringHistories::SpringHistories(const Model& model, const FloorResponse& respon
     histories_[k].springs = heading(s);
     first_.push_back(link);
     link += s.yielding.size();
-    if (s.yielding.empty() || s.storey_stiffness.empty()) continue;
+    for (const YieldingPart& part : s.yielding) assembled_.push_back(part.spring->stiffness());
+    if (s.members_that_yield() == 0 || s.storey_stiffness.empty()) continue;
     StoreyDamping damping{static_cast<int>(k), response.row(static_cast<int>(k), 0, 0), s.whole_damping(), {}};
     for (int i = s.size() - 2; i >= 0; --i) damping.by_velocity.row(i) += damping.by_velocity.row(i + 1);
     for (const YieldingPart& part : s.yielding)
-      damping.yield_force.push_back(part.spring->stiffness() * part.spring->yield_deformation());
+      if (!part.is_device()) damping.yield_force.push_back(part.spring->stiffness() * part.spring->yield_deformation());
     dampings_.push_back(std::move(damping));
   }
 }
@@ -89,7 +94,7 @@ void SpringHistories::begin() {
     const double d = stepper_.link_motion(link).penetration, time = stepper_.time();
     history.last[i] = d;
     history.deformations.update(i, time, d);
-    history.forces.update(i, time, history.stiffness[i] * d + stepper_.link_forces()[link]);
+    history.forces.update(i, time, assembled(k, i) * d + stepper_.link_forces()[link]);
     if (std::abs(d) > history.yield_deformation[i]) history.first_yield[i] = time;
     reach(history, i, d, stepper_.link_forces()[link]);
   });
@@ -103,7 +108,7 @@ void SpringHistories::step() {
 void SpringHistories::step_part(int k, std::size_t i) {
   SpringHistory& history = histories_[k].springs;
   const LinkStep& step = stepper_.link_steps()[first_[k] + i];
-  const double h = step.end - step.begin, stiffness = history.stiffness[i];
+  const double h = step.end - step.begin, stiffness = assembled(k, i);
   const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
   history.deformations.update(i, step.begin, h, begin.penetration, begin.rate, end.penetration, end.rate);
   const auto force = [&](const LinkMotion& motion, double on_top) { return stiffness * motion.penetration + on_top; };
@@ -116,7 +121,7 @@ void SpringHistories::step_part(int k, std::size_t i) {
   }
   reach(history, i, end.penetration, step.force_end);
   history.last[i] = end.penetration;
-  history.lost[i] = model_.structures[k].yielding[i].spring->lost();
+  history.lost[i] = lost_by(*model_.structures[k].yielding[i].spring);
   if (std::isnan(history.first_yield[i]))
     if (const double s = first_beyond(step, history.yield_deformation[i]); s <= 1) history.first_yield[i] = step.begin + s * h;
 }
@@ -143,7 +148,7 @@ void SpringHistories::sample(double time, bool inside) {
     const int link = static_cast<int>(first_[k] + i);
     double d = stepper_.link_motion(link).penetration, on_top = stepper_.link_forces()[link];
     const Spring& spring = *model_.structures[k].yielding[i].spring;
-    double lost = spring.lost();
+    double lost = lost_by(spring);
     if (inside) {
       const LinkStep& step = stepper_.link_steps()[link];
       const double s = (time - step.begin) / (step.end - step.begin);
@@ -153,7 +158,7 @@ void SpringHistories::sample(double time, bool inside) {
       lost = instant.lost;
     }
     history.deformation.push_back(d);
-    history.force.push_back(history.stiffness[i] * d + on_top);
+    history.force.push_back(assembled(k, i) * d + on_top);
     history.hysteretic.push_back(lost);
   });
 }

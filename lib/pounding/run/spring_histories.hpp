@@ -1,5 +1,5 @@
 #pragma once
-/// Histories and extremes of the parts of structures that yield: storeys and hinges.
+/// Histories and extremes of the parts of structures that yield: storeys, hinges and devices.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -39,6 +39,7 @@ class SpringHistories {
     std::vector<double> yield_force;  // [N]
   };
 
+  double assembled(int structure, std::size_t part) const { return assembled_[first_[structure] - first_.front() + part]; }
   void step_part(int structure, std::size_t part);
   void step_damping(const StoreyDamping& damping);
   template <class Visit>
@@ -49,6 +50,7 @@ class SpringHistories {
   const Stepper& stepper_;
   std::vector<StructureHistory>& histories_;
   std::vector<std::size_t> first_;        // by structure: link of its first part
+  std::vector<double> assembled_;         // by part of all structures: stiffness that K has of it
   std::vector<StoreyDamping> dampings_;
 };
 

@@ -19,6 +19,16 @@ StoreyShears::StoreyShears(const Model& model, const Stepper& stepper, Results& 
   }
 }
 
+// The part of a storey shear that devices carry, with the forces of parts.
+template <class ForceOf>
+double StoreyShears::by_devices(std::size_t k, std::size_t storey, const ForceOf& force) const {
+  const std::vector<Row>& rows = model_.structures[k].floors[storey].storey_shear_by_yielding;
+  double sum = 0;
+  if (!rows.empty())
+    for (Row::InnerIterator it(rows.front()); it; ++it) sum += it.value() * force(static_cast<std::size_t>(it.index()));
+  return sum;
+}
+
 void StoreyShears::begin(const Eigen::MatrixXd& floors) {
   for (std::size_t k = 0; k < model_.structures.size(); ++k) {
     const Structure& s = model_.structures[k];
@@ -26,7 +36,8 @@ void StoreyShears::begin(const Eigen::MatrixXd& floors) {
       const int at = first_row_[k] + static_cast<int>(i);
       const double drift = floors(at, 0) - (i > 0 ? floors(at - 1, 0) : 0);
       double force = s.storey_stiffness[i] * drift;
-      if (!s.yielding.empty()) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
+      if (s.members_that_yield() > 0) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
+      force += by_devices(k, i, [&](std::size_t part) { return stepper_.link_forces()[static_cast<int>(first_spring_[k] + part)]; });
       results_.structures[k].envelope.storey_shear.update(i, stepper_.time(), force);
     }
   }
@@ -47,19 +58,31 @@ void StoreyShears::step(int k, int row, const StepMotion& step) {
     };
     const double k_i = s.storey_stiffness[i], d0 = drift(step.begin, 0), d1 = drift(step.end_minus, 0);
     const double v0 = drift(step.begin, 1), v1 = drift(step.end_minus, 1);
-    if (s.yielding.empty()) {
+    if (s.yielding.empty()) {  // nor is there a device
       shear.update(i, step.begin_time, step.h, k_i * d0, k_i * v0, k_i * d1, k_i * v1);
       continue;
     }
-    const LinkStep& spring = stepper_.link_steps()[first_spring_[k] + i];
+    const bool yields = s.members_that_yield() > 0, has_device = s.floors[i].storey_shear_by_yielding.size() > 0;
+    const LinkStep* spring = yields ? &stepper_.link_steps()[first_spring_[k] + i] : nullptr;
     const auto update = [&](double part, double d) {
       const double time = step.begin_time + part * step.h;
-      shear.update(i, time, k_i * d + spring_force(*s.yielding[i].spring, spring, time, d));
+      double force = k_i * d + (yields ? spring_force(*s.yielding[i].spring, *spring, time, d) : 0);
+      force += by_devices(k, i, [&](std::size_t j) {
+        const LinkStep& device = stepper_.link_steps()[first_spring_[k] + j];
+        return spring_force(*s.yielding[j].spring, device, time, interpolate(device, part).penetration);
+      });
+      shear.update(i, time, force);
+    };
+    const auto update_inside = [&](double part) {
+      const Cubic at(part, step.h);
+      update(part, at.begin * d0 + at.end * d1 + at.slope_begin * v0 + at.slope_end * v1);
     };
     const double turn = v0 * v1 < 0 ? v0 / (v0 - v1) : 0.5;
-    const Cubic at_turn(turn, step.h), at_middle(0.5, step.h);
-    update(turn, at_turn.begin * d0 + at_turn.end * d1 + at_turn.slope_begin * v0 + at_turn.slope_end * v1);
-    if (turn != 0.5) update(0.5, at_middle.begin * d0 + at_middle.end * d1 + at_middle.slope_begin * v0 + at_middle.slope_end * v1);
+    update_inside(turn);
+    if (turn != 0.5) update_inside(0.5);
+    // The largest sum of two forces need not be where one of them turns.
+    if (has_device)
+      for (const double part : {0.125, 0.25, 0.375, 0.625, 0.75, 0.875}) update_inside(part);
     update(1, d1);
   }
 }

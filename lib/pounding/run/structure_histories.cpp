@@ -86,13 +86,30 @@ void StructureHistories::sample_floors(int k, const OutputInstant& at) {
       history.drift.push_back(drift);
       if (s.storey_stiffness.empty()) continue;
       double shear = s.storey_stiffness[i] * drift;
-      if (!s.yielding.empty()) {
+      if (s.members_that_yield() > 0) {
         const LinkStep& step = stepper_.link_steps()[first_spring_[k] + i];
         const Spring& spring = *s.yielding[i].spring;
         shear += at.inside ? spring_force(spring, step, at.time, drift) : spring.evaluate({.penetration = drift}).force;
       }
+      if (!s.floors[i].storey_shear_by_yielding.empty()) shear += shear_by_devices(k, s.floors[i].storey_shear_by_yielding.front(), at);
       history.storey_shear.push_back(shear);
     }
+}
+
+// The part of the storey shear of a shear building that devices carry.
+double StructureHistories::shear_by_devices(int k, const Row& factors, const OutputInstant& at) const {
+  double sum = 0;
+  for (Row::InnerIterator it(factors); it; ++it) {
+    const std::size_t link = first_spring_[k] + it.index();
+    const LinkStep& step = stepper_.link_steps()[link];
+    double force = stepper_.link_forces()[static_cast<int>(link)];
+    if (at.inside) {
+      const double d = interpolate(step, (at.time - step.begin) / (step.end - step.begin)).penetration;
+      force = spring_force(*model_.structures[k].yielding[it.index()].spring, step, at.time, d);
+    }
+    sum += it.value() * force;
+  }
+  return sum;
 }
 
 void StructureHistories::sample_frames(const OutputInstant& at) {

@@ -33,6 +33,7 @@ Equations::Equations(const System& of_system, StructureSolver& of_solver, bool c
       solver(of_solver),
       links(of_system, of_solver.relief()),
       springs(links),
+      slips(links),
       supports(of_system, of_solver),
       short_motions(of_system, of_solver),
       pseudo_forces(of_system),
@@ -49,6 +50,7 @@ Instant Equations::zero_instant() const {
   x.ground = x.ground_carried = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
   if (links.moved()) x.by_ground = Eigen::MatrixXd::Zero(links.size(), 3);
   if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
+  if (slips.any()) x.slip = Eigen::VectorXd::Zero(links.springs());
   if (springs.any()) {
     x.relief = x.spring_slopes = Eigen::VectorXd::Zero(links.springs());
     x.force_rates = Eigen::MatrixXd::Zero(links.springs(), 2);
@@ -160,6 +162,7 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
     trial.middle[i] = {links.deformation(i, relative_displacement + links.ground_part(trial.by_ground_middle, i, u)),
                        rate + links.ground_part(trial.by_ground_middle, i, v)};
   }
+  if (slips.any()) slips.find_middle(x, trial);
   const int n = solver.size();
   const double *ku0 = x.at(ku), *ku1 = y.at(ku), *kv0 = x.at(kv), *kv1 = y.at(kv);
   const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);

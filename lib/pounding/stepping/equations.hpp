@@ -11,6 +11,7 @@
 #include <pounding/stepping/rigid_impacts.hpp>
 #include <pounding/stepping/short_motions.hpp>
 #include <pounding/stepping/spring_forces.hpp>
+#include <pounding/stepping/spring_slips.hpp>
 #include <pounding/stepping/step_state.hpp>
 #include <pounding/stepping/support_excitation.hpp>
 
@@ -28,6 +29,7 @@ struct Equations {
   StructureSolver& solver;
   const LinkSet links;
   const SpringForces springs;
+  const SpringSlips slips;
   SupportExcitation supports;
   const ShortMotions short_motions;
   const PseudoForces pseudo_forces;

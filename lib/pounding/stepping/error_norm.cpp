@@ -52,6 +52,7 @@ ErrorNorm::ErrorNorm(const Equations& equations, const Scheme& scheme, double to
   scales_.velocity.assign(system.groups.size(), 0.0);
   rate_scale_.assign(static_cast<std::size_t>(links), 0.0);
   penetration_scale_.assign(static_cast<std::size_t>(links), 0.0);
+  stretch_scale_.assign(equations.slips.any() ? static_cast<std::size_t>(equations.links.springs()) : 0, 0.0);
   slow_velocity_.assign(system.groups.size(), 0.0);
   sums_.resize(sums_of_group * system.groups.size());
 }
@@ -72,6 +73,12 @@ double ErrorNorm::ratio(Trial& trial, const StepError& error, const std::vector<
       worst = own;
       worst_link_ = i;
     }
+  }
+  for (const int spring : equations_.slips.slipping()) {
+    const double own = slip_error(spring, trial, error.slip[spring]);
+    if (own <= worst) continue;
+    worst = own;
+    worst_link_ = -1;
   }
   return worst / allowed_;
 }
@@ -132,6 +139,22 @@ double ErrorNorm::contact_error(int contact, const Trial& trial) const {
   return std::max(std::abs(link_errors_(contact, 0)) / scale_d, std::abs(link_errors_(contact, 1)) / scale_r);
 }
 
+// Stretch of the spring beside the dashpot, which its force follows.
+double ErrorNorm::stretch(int spring, const Instant& x) const {
+  const LinkMotion motion = equations_.links.motion(equations_.links.contacts() + spring, x);
+  return std::abs(motion.penetration - motion.slip);
+}
+
+double ErrorNorm::slip_error(int spring, const Trial& trial, double error) const {
+  const double part = std::max(min_contact_penetration, rounding / allowed_);
+  double wide = 0;  // of the bodies that it joins
+  for (const int k : link_groups_[equations_.links.contacts() + spring])
+    wide += std::max(scales_.displacement[k], std::sqrt(trial.squares_u[k] / equations_.solver.group_masses()[k]));
+  // Between two walls nothing but the spring itself says what is much.
+  const double scale = std::max({stretch_scale_[spring], stretch(spring, trial.end), part * wide});
+  return scale > 0 ? std::abs(error) / scale : 0;
+}
+
 void ErrorNorm::allow(double part) { allowed_ = std::max(part * allowed_by_tolerance_, rounding); }
 
 void ErrorNorm::measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v) {
@@ -175,6 +198,7 @@ void ErrorNorm::learn(const Trial& kept) {
   raise(scales_.displacement, kept.squares_u);
   raise(scales_.velocity, kept.squares_v);
   if (equations_.short_motions.any()) raise(slow_velocity_, kept.squares_slow);  // else it is that of all motion
+  for (const int spring : equations_.slips.slipping()) stretch_scale_[spring] = std::max(stretch_scale_[spring], stretch(spring, kept.end));
 }
 
 void ErrorNorm::learn(int contact, const LinkMotion& end) {
@@ -229,6 +253,7 @@ void ErrorNorm::archive(Archive& archive) {
   archive(slow_velocity_);
   archive(rate_scale_);
   archive(penetration_scale_);
+  archive(stretch_scale_);
 }
 
 void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, const Trial& t, double part, StepError& error) {

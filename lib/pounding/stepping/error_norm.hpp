@@ -50,6 +50,8 @@ class ErrorNorm {
   void raise(std::vector<double>& scales, const std::vector<double>& squares) const;
   double group_error(Trial& trial, const StepError& error);
   double contact_error(int contact, const Trial& trial) const;
+  double slip_error(int spring, const Trial& trial, double error) const;
+  double stretch(int spring, const Instant& x) const;
 
   const Equations& equations_;
   const double allowed_by_tolerance_;  // relative error of one step
@@ -59,6 +61,7 @@ class ErrorNorm {
   // motion behind would else hide errors in it.
   std::vector<double> slow_velocity_;
   std::vector<double> rate_scale_, penetration_scale_;  // by link, of the present impact
+  std::vector<double> stretch_scale_;          // by spring that slips: largest stretch beside its dashpot so far
   std::vector<double> rest_size_;              // by group, of ElasticForces::at_rest()
   std::vector<std::vector<int>> link_groups_;  // groups that a link joins
   int worst_link_ = -1;

@@ -53,6 +53,10 @@ class Esdirk4Scheme final : public TimeScheme {
     if (t.short_motions) short_accelerations_ = t.short_motions->begin.col(a);
     link_accelerations_.resize(eq_.links.size(), stage_count);
     if (eq_.links.size() > 0) link_accelerations_.col(0) = x.relative.col(a);
+    if (eq_.slips.any()) {
+      slip_rates_.resize(eq_.links.springs(), stage_count);
+      slip_rates_.col(0) = eq_.slips.rates(x);
+    }
     t.end.force = x.force;
     for (int i = 1; i < stage_count; ++i)
       if (!solve_stage(i, x, t)) return false;
@@ -92,9 +96,16 @@ class Esdirk4Scheme final : public TimeScheme {
         relative_displacement += eq_.short_motions.closing(link, missed_.u);
         rate += eq_.short_motions.closing(link, missed_.v);
       }
-      return FreeLink{{eq_.links.deformation(link, relative_displacement + eq_.links.ground_part(by_ground, link, u)),
-                       rate + eq_.links.ground_part(by_ground, link, v)},
-                      g + eq_.links.ground_part(by_ground, link, a)};
+      FreeLink free{{eq_.links.deformation(link, relative_displacement + eq_.links.ground_part(by_ground, link, u)),
+                     rate + eq_.links.ground_part(by_ground, link, v)},
+                    g + eq_.links.ground_part(by_ground, link, a)};
+      if (eq_.slips.any() && eq_.slips.slips(link)) {
+        const int spring = link - eq_.links.contacts();
+        free.motion.slip = x.slip[spring];
+        for (int j = 0; j < i; ++j) free.motion.slip += h * esdirk4::a[i][j] * slip_rates_(spring, j);
+        free.motion.lag = shift * h;
+      }
+      return free;
     };
     if (eq_.pseudo_forces.any()) {
       free_displacement_ = x.motion.col(u) + ci * h * x.motion.col(v);
@@ -106,11 +117,29 @@ class Esdirk4Scheme final : public TimeScheme {
       return false;
     }
     for (std::size_t k = 0; k < solver_.active().size(); ++k) link_accelerations_(solver_.active()[k], i) = solver_.link_acceleration(k);
+    if (eq_.slips.any()) find_slip_rates(i, stage);
     std::copy_n(r, n, acceleration(i).data());
     if (last) return true;
     eq_.solver.stiffness_times(acceleration(i), stages_.col(3 * i + 1));
     eq_.solver.damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
     return true;
+  }
+
+  void find_slip_rates(int i, const Stage& stage) {
+    slip_rates_.col(i).setZero();
+    for (std::size_t k = 0; k < solver_.active().size(); ++k)
+      if (const int link = solver_.active()[k]; eq_.slips.slips(link))
+        slip_rates_(link - eq_.links.contacts(), i) = eq_.links.spring(link).slip_rate(solver_.link_motion(stage, k));
+  }
+
+  // The slips at the end of the step and their errors.
+  void finish_slips(const Instant& x, Trial& t, StepError& error) const {
+    t.end.slip = x.slip;
+    error.slip.setZero(x.slip.size());
+    for (int j = 0; j < stage_count; ++j) {
+      t.end.slip += t.h * esdirk4::a[stage_count - 1][j] * slip_rates_.col(j);
+      error.slip += t.h * esdirk4::error.velocity[j] * slip_rates_.col(j);
+    }
   }
 
   // How far stage i misses the short motions of the ground, which stand at `motion` there. Keeps their accelerations.
@@ -167,7 +196,9 @@ class Esdirk4Scheme final : public TimeScheme {
     std::copy_n(acceleration(stage_count - 1).data(), n, t.end.at(a));
     eq_.multiply(t.end, u, 3);
     eq_.gather(t.end);
+    if (eq_.slips.any()) finish_slips(x, t, error);
     if (!eq_.balance_middle(x, t)) return false;
+    if (eq_.slips.any()) eq_.slips.add_simpson_error(x, t, simpson_part, error);
     if (solver_.linked()) add_simpson_error(eq_.short_motions, x, t, simpson_part, error);
     return true;
   }
@@ -178,6 +209,7 @@ class Esdirk4Scheme final : public TimeScheme {
   Eigen::MatrixXd by_ground_;
   Eigen::MatrixXd stages_;              // three columns a stage: acceleration, K and C times it
   Eigen::MatrixXd link_accelerations_;  // closing, [link, stage]
+  Eigen::MatrixXd slip_rates_;          // [spring, stage]; empty where none slips
   Eigen::MatrixXd short_accelerations_; // of the short motions of the ground, [motion, stage]
   GroundDefect missed_;                 // in the present stage
   Eigen::VectorXd guess_, free_displacement_;

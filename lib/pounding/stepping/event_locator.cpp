@@ -120,7 +120,7 @@ std::optional<double> EventLocator::Search::corner(int link, const LinkMotion& b
   if (const auto deformation = spring.corner(turned))
     if (const double s = onset(*deformation, 0, turn); inside(s)) return s;
   // Springs unload with about k, whatever slope they had.
-  const bool turns_sharply = std::abs(spring.evaluate({turned, 0}).by_penetration) > least_jump * spring.stiffness();
+  const bool turns_sharply = std::abs(spring.slope_lost(turned)) > least_jump * (spring.stiffness() + spring.first_slope());
   if (turns_sharply) return inside(turn) ? std::optional(turn) : std::nullopt;
   if (turn < 1)
     if (const auto deformation = spring.corner(end.penetration))

@@ -68,6 +68,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     t.end.force.setZero();
     if (stages_.forced()) t.end.force = x.force;
     const Stage stage{beta * h * h, gamma * h, alpha_f};
+    if (eq_.slips.any()) slip_free_ = x.slip + 0.5 * h * eq_.slips.rates(x);
     const auto free_motion = [&, beta = beta, gamma = gamma, alpha_m = alpha_m, alpha_f = alpha_f](int i, double g) {
       const double sa = x.relative(i, a), s = carries ? sa + part * (x.relative(i, carried) - sa) : sa;
       double relative_displacement = x.relative(i, u) + h * x.relative(i, v) + by_c_in_u * s + beta * h * h * g;
@@ -79,6 +80,10 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       FreeLink link{{eq_.links.deformation(i, relative_displacement + eq_.links.ground_part(t.end.by_ground, i, u)),
                      rate + eq_.links.ground_part(t.end.by_ground, i, v)},
                     g};
+      if (eq_.slips.any() && eq_.slips.slips(i)) {
+        link.motion.slip = slip_free_[i - eq_.links.contacts()];
+        link.motion.lag = 0.5 * h;
+      }
       if (eq_.links.moved()) {
         // At the time that the scheme's acceleration belongs to.
         const double begin = x.by_ground(i, a), end = t.end.by_ground(i, a);
@@ -117,15 +122,28 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     else
       eq_.multiply(t.end, u, 3);
     eq_.gather(t.end);
+    if (eq_.slips.any()) finish_slips(stage, h, t);
     if (!eq_.balance_middle(x, t)) return false;
 
     error.u.setZero();
     error.v.setZero();
+    if (eq_.slips.any()) {
+      error.slip.setZero(x.slip.size());
+      eq_.slips.add_simpson_error(x, t, 1, error);
+    }
     add_simpson_error(eq_.short_motions, x, t, 1, error);
     return true;
   }
 
  private:
+  // The trapezoidal rule, of second order as the scheme is.
+  void finish_slips(const Stage& stage, double h, Trial& t) const {
+    t.end.slip = slip_free_;
+    for (std::size_t k = 0; k < stages_.active().size(); ++k)
+      if (const int link = stages_.active()[k]; eq_.slips.slips(link))
+        t.end.slip[link - eq_.links.contacts()] += 0.5 * h * eq_.links.spring(link).slip_rate(stages_.link_motion(stage, k));
+  }
+
   // The acceleration from dynamic equilibrium, with the link forces as the scheme found them, beside the one it carries.
   void balance_end(Instant& end) {
     eq_.multiply(end, u, 2);
@@ -145,6 +163,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
   Eigen::VectorXd work_, r_, ground_, ground_begin_;
   GroundDefect missed_;  // of the short motions of the ground
   Eigen::VectorXd guess_, free_displacement_;
+  Eigen::VectorXd slip_free_;  // slip of each spring but for its rate at the end; empty where none slips
 };
 
 }  // namespace

@@ -59,8 +59,9 @@ class LinkSet {
   /// The motion as if the force of no spring were there; the rate of a spring is that at constant forces in both.
   LinkMotion without_relief(int link, const Instant& x) const {
     const double relative_displacement = x.relative(link, Instant::u), rate = x.relative(link, Instant::v);
-    if (!moved_) return {deformation(link, relative_displacement), rate};
-    return {deformation(link, relative_displacement + x.by_ground(link, Instant::u)), rate + x.by_ground(link, Instant::v)};
+    const double slip = x.slip.size() > 0 && is_spring(link) ? x.slip[link - contacts_] : 0;
+    if (!moved_) return {deformation(link, relative_displacement), rate, slip};
+    return {deformation(link, relative_displacement + x.by_ground(link, Instant::u)), rate + x.by_ground(link, Instant::v), slip};
   }
   /// Force and slopes of a contact or a spring.
   laws::Response law(int link, const LinkMotion& motion) const {

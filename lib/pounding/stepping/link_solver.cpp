@@ -20,6 +20,13 @@ double terms(const laws::Response& law, const LinkMotion& at, const LinkMotion& 
   return std::max(terms(law, at), std::max(law.by_penetration, 0.0) * std::abs(free.penetration) + law.by_rate * std::abs(free.rate));
 }
 
+// The motion that forces leave when they take these parts off.
+LinkMotion relieved(LinkMotion free, double penetration, double rate) {
+  free.penetration -= penetration;
+  free.rate -= rate;
+  return free;
+}
+
 constexpr double solved = 1e-14;  // relative to the terms of a force
 constexpr int max_doublings = 60;
 
@@ -41,11 +48,9 @@ bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, do
     force = (links.free_acceleration[k] / links.weight - others) / flexibility;
     return true;
   }
-  const LinkMotion free{links.free[k].penetration - links.weight * links.by_u * others - others_relief,
-                        links.free[k].rate - links.weight * links.by_v * others};
-  const auto residual_at = [&](double f) {
-    return links_.law(link, {free.penetration - relief_u * f, free.rate - relief_v * f}).force - f;
-  };
+  LinkMotion free = relieved(links.free[k], links.weight * links.by_u * others, links.weight * links.by_v * others);
+  free.penetration -= others_relief;
+  const auto residual_at = [&](double f) { return links_.law(link, relieved(free, relief_u * f, relief_v * f)).force - f; };
   const double unrelieved = links_.law(link, free).force;
   double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
   if (low == high) {
@@ -59,7 +64,7 @@ bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, do
   double trial = std::clamp(force, low, high);
   for (int iteration = 0; iteration < 200; ++iteration) {
     ++iterations_;
-    const LinkMotion at{free.penetration - relief_u * trial, free.rate - relief_v * trial};
+    const LinkMotion at = relieved(free, relief_u * trial, relief_v * trial);
     const laws::Response answer = links_.law(link, at);
     const double residual = answer.force - trial;
     const double size = link < links_.contacts() ? terms(answer, at) : terms(answer, at, free);
@@ -145,7 +150,8 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
       continue;
     }
     const double at_once = links.relief ? relief_at_once_[i] : 0;
-    const LinkMotion at{links.free[i].penetration - by_u * relief_[i] - at_once, links.free[i].rate - by_v * relief_[i]};
+    LinkMotion at = relieved(links.free[i], by_u * relief_[i], by_v * relief_[i]);
+    at.penetration -= at_once;
     const laws::Response answer = links_.law(links.active[i], at);
     residual_[i] = answer.force - x[i];
     terms_ = std::max(terms_, links.active[i] < links_.contacts() ? terms(answer, at) : terms(answer, at, links.free[i]));

@@ -99,6 +99,16 @@ class StageSolver {
     return gathered_(active_[k], 0) - relief;
   }
 
+  /// Motion of active link number k, a spring that does not give way, in the last stage that was solved, which was this one.
+  LinkMotion link_motion(const Stage& stage, std::size_t k) const {
+    double relief = 0;
+    for (std::size_t l = 0; l < active_.size(); ++l) relief += flexibility_(k, l) * active_force_[l];
+    LinkMotion motion = free_[k];
+    motion.penetration -= stage.weight * stage.by_u * relief;
+    motion.rate -= stage.weight * stage.by_v * relief;
+    return motion;
+  }
+
   /// The link at which a solve since begin() gave up; -1 for none.
   int failed_link() const { return failed_link_; }
   /// Iterations for link forces and pseudo-forces since the start of the run.

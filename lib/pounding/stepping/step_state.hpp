@@ -56,6 +56,7 @@ struct Instant {
   Eigen::MatrixXd relative;      ///< B^T of the motion, [link, u v a carried]
   Eigen::MatrixXd by_ground;     ///< part of the relative motion due to ground and gravity, [link, u v a]; empty for none
   Eigen::VectorXd pseudo_force;  ///< see PseudoForces, [coordinate]; empty for none
+  Eigen::VectorXd slip;          ///< LinkMotion::slip of every spring; empty where none slips
   // Where springs give way (SpringRelief), else empty:
   Eigen::VectorXd relief;         ///< S F of every spring [m]
   Eigen::VectorXd spring_slopes;  ///< dF/dd of every spring in the step that ends here [N/m]
@@ -75,6 +76,7 @@ struct Instant {
     archive(relative);
     archive(by_ground);
     archive(pseudo_force);
+    archive(slip);
     archive(relief);
     archive(spring_slopes);
     archive(force_rates);
@@ -122,9 +124,10 @@ struct Trial {
   }
 };
 
-/// Estimated errors of a trial in displacement and velocity [coordinate].
+/// Estimated errors of a trial in displacement and velocity [coordinate], and in the slip of every spring; that empty where none slips.
 struct StepError {
   Eigen::VectorXd u, v;
+  Eigen::VectorXd slip{};
 };
 
 }  // namespace pounding

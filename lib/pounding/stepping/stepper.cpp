@@ -71,6 +71,10 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   now.spring_slopes.setZero();
   if (equations_.pseudo_forces.any()) equations_.pseudo_force(now.motion.col(Instant::u), now.pseudo_force);
   balance_now();
+  if (equations_.slips.any() && !started_) {
+    equations_.slips.start(now);
+    balance_now();
+  }
   for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i)
     equations_.links.spring(i).start(equations_.links.motion(i, now));
   history_.restart();

@@ -59,10 +59,11 @@ def most_energy(run: RunData) -> list[tuple[int, Structure, int]]:
 def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
     """The loop of one part."""
     springs = _springs(structure)
-    turns = structure.geometry is not None
+    is_device = springs.is_device(part)
+    turns = structure.geometry is not None and not is_device
     deformation, force = MM * springs.deformation[:, part], springs.force[:, part]
     size, unit = engineering(largest([force]), MOMENT_UNITS if turns else FORCE_UNITS)
-    for sign in (-1, 1):
+    for sign in (-1, 1) if np.isfinite(springs.yield_deformation[part]) else ():
         axes.axvline(sign * MM * springs.yield_deformation[part], color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), zorder=1)
     axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
     axes.plot(deformation, force / size, color=colour, linewidth=0.8)
@@ -70,8 +71,8 @@ def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
         axes.plot(deformation[-1], force[-1] / size, marker="o", markersize=4, color="black", linestyle="none", zorder=4)
     lost_size, lost_unit = engineering(springs.largest["hysteretic"][part], ENERGY_UNITS)
     axes.set_title(f"{structure.name}, {springs.names[part]}")
-    axes.set_ylabel(f"{'Moment' if turns else 'Shear'} [{unit}]")
-    axes.set_xlabel(f"{'Rotation [mrad]' if turns else 'Drift [mm]'}\nductility {springs.largest['ductility'][part]:.3g}, "
+    axes.set_ylabel(f"{'Moment' if turns else 'Tension' if is_device else 'Shear'} [{unit}]")
+    axes.set_xlabel(f"{'Rotation [mrad]' if turns else 'Elongation [mm]' if is_device else 'Drift [mm]'}\nductility {springs.largest['ductility'][part]:.3g}, "
                     f"{springs.largest['hysteretic'][part] / lost_size:.3g} {lost_unit} lost")
     axes.xaxis.set_major_locator(MaxNLocator(4))
     axes.yaxis.set_major_locator(MaxNLocator(4))

@@ -1,3 +1,4 @@
+#include <pounding/input/words/devices.hpp>
 #include <pounding/input/words/sections.hpp>
 
 #include <pounding/model/model.hpp>

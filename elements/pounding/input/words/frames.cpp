@@ -1,3 +1,4 @@
+#include <pounding/input/words/devices.hpp>
 #include <pounding/input/words/hinges.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/shared.hpp>
@@ -70,6 +71,9 @@ constexpr Word frame_words[] = {
      .meaning = "Ends of members that yield in bending, by the names of the members, or of all beams or columns. Members in large rotations "
                 "(geometry: corotational) take none.",
      .example = "{beams: {at: both, yield_moment: 210 kN m, hardening: 3 %}}"},
+    {.key = "devices", .form = Form::named, .inside = &own_device, .since = "0.2.0",
+     .meaning = "Braces and dampers between two nodes, or a node and the ground, by their names.",
+     .example = "{brace: {between: [a, c], bilinear: {stiffness: 80 MN/m, yield_force: 600 kN, hardening: 0.02}}}"},
     {.key = "report", .inside = &report, .otherwise = "all nodes of a frame of up to 100, and no members",
      .meaning = "Nodes and members whose histories stand in the results.", .example = "{nodes: all, members: [c1]}"},
     damping_word,

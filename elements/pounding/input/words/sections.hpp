@@ -30,8 +30,6 @@ extern const Section support, support_springs, support_dashpots, node_masses, no
 /// Links without the parameters of their laws, one of the two ends, and estimates of the stiffness: links.cpp.
 extern const Section link, link_end, stiffness;
 
-/// Bars and dampers between two structures, whose ends are those of links: devices.cpp.
-extern const Section device, bar, damper;
 
 /// Keys of a link that has this law: those of `link`, and the parameters of the law in the order of its table.
 const Section& link_with(const laws::Entry& law);

@@ -1,3 +1,4 @@
+#include <pounding/input/words/devices.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/shared.hpp>
 #include <pounding/input/words/springs.hpp>
@@ -24,6 +25,11 @@ constexpr Word spring_word{
     .meaning = "Law by which the storeys yield, by its name with its numbers, instead of yield_force and hardening. The damping stays that "
                "of the initial stiffness.",
     .example = "{bouc_wen: {yield_force: 2 MN, hardening: 5 %}}"};
+
+constexpr Word devices_word{
+    .key = "devices", .form = Form::named, .inside = &own_device, .since = "0.2.0",
+    .meaning = "Braces and dampers inside the structure, by their names.",
+    .example = "{brace: {storey: 1, bilinear: {stiffness: 80 MN/m, yield_force: 600 kN, hardening: 0.02}}}"};
 
 constexpr Word structure_words[] = {
     damping_word,
@@ -67,6 +73,7 @@ constexpr Word oscillator_words[] = {
     yield_word,
     hardening_word,
     spring_word,
+    devices_word,
     damping_word,
     velocity_word,
     displacement_word};
@@ -87,6 +94,7 @@ constexpr Word shear_building_words[] = {
     yield_word,
     hardening_word,
     spring_word,
+    devices_word,
     damping_word,
     velocity_word,
     displacement_word};

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/input/words/devices.hpp>
 #include <pounding/input/words/hinges.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/springs.hpp>
@@ -33,7 +34,7 @@ constexpr const Section* without_laws[] = {
     &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
     &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,
     &node_displacements,
-    &spring,      &tie,             &hinge,     &report,           &link,         &link_end,   &stiffness, &device, &bar, &damper,
+    &spring,      &tie,             &hinge,     &report,           &link,         &link_end,   &stiffness, &device, &own_device, &bar, &damper,
     &analysis,    &checkpoint};
 
 }  // namespace
@@ -65,6 +66,7 @@ std::span<const Section* const> sections() noexcept {
       made.push_back(section);
       if (section == &storey_spring) std::ranges::copy(laws_of_springs(), std::back_inserter(made));
       if (section == &hinge) std::ranges::copy(laws_of_hinges(), std::back_inserter(made));
+      if (section == &own_device) std::ranges::copy(laws_of_devices(), std::back_inserter(made));
     }
     return made;
   }();

@@ -1,0 +1,126 @@
+#include <pounding/structures/device_spring.hpp>
+
+#include <array>
+#include <stdexcept>
+
+#include <pounding/structures/make_spring.hpp>
+
+namespace pounding {
+namespace {
+
+// Gauss-Legendre points in [0, 1] and their weights: exact for a linear damper in the motion that interpolate() gives.
+constexpr std::array<double, 5> gauss_points{0.046910077030668, 0.230765344947158453, 0.5, 0.769234655052841547, 0.953089922969332};
+constexpr std::array<double, 5> gauss_weights{0.118463442528094544, 0.239314335249683234, 0.284444444444444444, 0.239314335249683234,
+                                              0.118463442528094544};
+
+}  // namespace
+
+void DeviceParts::check() const {
+  if (!bar && !law && !damper) throw std::invalid_argument("a device needs a bar, a law of yielding or a damper");
+  if (bar && law) throw std::invalid_argument("a device has a bar or a law of yielding, not both");
+  if (bar) bar->check();
+  if (law) make_spring(*law);
+  if (damper) damper->check();
+}
+
+DeviceSpring::DeviceSpring(const DeviceParts& parts) : bar_(parts.bar), damper_(parts.damper) {
+  parts.check();
+  if (parts.law) yielding_ = make_spring(*parts.law);
+}
+
+laws::Response DeviceSpring::evaluate(const LinkMotion& motion) const noexcept {
+  laws::Response response;
+  if (bar_) {
+    response.force = bar_->force(motion.penetration);
+    response.by_penetration = bar_->stiffness;
+  } else if (yielding_) {
+    const double k = yielding_->stiffness();
+    response = yielding_->evaluate(motion);
+    response.force += k * motion.penetration;
+    response.by_penetration += k;
+  }
+  if (!damper_) return response;
+  if (damper_->has_stiffness()) {
+    const double stretch = damper_->stretch(motion.penetration - motion.slip, motion.lag);
+    response.force += damper_->stiffness * stretch;
+    response.by_penetration += damper_->stiffness * damper_->stretch_slope(stretch, motion.lag);
+  } else {
+    response.force += damper_->force(motion.rate);
+    response.by_rate = damper_->slope(motion.rate);
+  }
+  return response;
+}
+
+double DeviceSpring::first_slope() const noexcept { return bar_ ? bar_->stiffness : yielding_ ? yielding_->stiffness() : 0; }
+
+double DeviceSpring::slip_rate(const LinkMotion& motion) const noexcept {
+  return damper_->slip_rate(damper_->stretch(motion.penetration - motion.slip, motion.lag));
+}
+
+void DeviceSpring::start(const LinkMotion& motion) {
+  elongation_ = motion.penetration;
+  if (slips()) stretch_ = motion.penetration - motion.slip;
+  if (yielding_) yielding_->start(motion);
+}
+
+void DeviceSpring::accept(const LinkStep& step) {
+  elongation_ = step.motion_end.penetration;
+  if (slips()) stretch_ = step.motion_end.penetration - step.motion_end.slip;
+  if (yielding_) yielding_->accept(step);
+  damped_before_ = damped_;
+  damped_ += damper_work(step, 1);
+}
+
+// What the damper turns into heat.
+double DeviceSpring::damper_power(const LinkMotion& motion) const noexcept {
+  if (!damper_->has_stiffness()) return damper_->force(motion.rate) * motion.rate;
+  const double stretch = motion.penetration - motion.slip;
+  return damper_->stiffness * stretch * damper_->slip_rate(stretch);
+}
+
+// With the slip on the cubic through both ends.
+LinkMotion DeviceSpring::motion_inside(const LinkStep& step, double s) const noexcept {
+  LinkMotion motion = interpolate(step, s);
+  if (!slips()) return motion;
+  const double h = step.end - step.begin, w0 = step.motion_begin.slip, w1 = step.motion_end.slip;
+  const double r0 = h * slip_rate(step.motion_begin), r1 = h * slip_rate(step.motion_end), rise = w1 - w0;
+  motion.slip = w0 + s * (r0 + s * (3 * rise - 2 * r0 - r1 + s * (r0 + r1 - 2 * rise)));
+  return motion;
+}
+
+// Until this part of the step, from 0 to 1.
+double DeviceSpring::damper_work(const LinkStep& step, double until) const noexcept {
+  if (!damper_) return 0;
+  double power = 0;
+  for (std::size_t i = 0; i < gauss_points.size(); ++i) power += gauss_weights[i] * damper_power(motion_inside(step, until * gauss_points[i]));
+  return until * (step.end - step.begin) * power;
+}
+
+SpringInside::Answer DeviceSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {
+  LinkMotion motion = motion_inside(step, s);
+  motion.penetration = deformation;
+  SpringInside::Answer answer{evaluate(motion).force, damped_before_ + damper_work(step, s)};
+  if (const auto* exact = dynamic_cast<const SpringInside*>(yielding_.get())) {
+    // The law has gone on since: its answer in the step instead of that from the kept state.
+    const SpringInside::Answer yielded = exact->inside(step, s, deformation);
+    answer.force += yielded.force - yielding_->evaluate(motion).force;
+    answer.lost += yielded.lost;
+  }
+  return answer;
+}
+
+double DeviceSpring::stored_correction() const noexcept {
+  double energy = 0.5 * first_slope() * elongation_ * elongation_;
+  if (yielding_) energy += yielding_->stored_correction();
+  if (slips()) energy += 0.5 * damper_->stiffness * stretch_ * stretch_;
+  return energy;
+}
+
+void DeviceSpring::archive(Archive& archive) {
+  archive(elongation_);
+  archive(stretch_);
+  archive(damped_);
+  if (yielding_) yielding_->archive(archive);
+}
+
+}  // namespace pounding

@@ -1,0 +1,67 @@
+#pragma once
+/// A device as a spring between two points: a bar or what yields by a law, a damper, or both beside each other.
+
+#include <memory>
+#include <optional>
+
+#include <pounding/hysteresis/entry.hpp>
+#include <pounding/structures/bar_and_damper.hpp>
+#include <pounding/structures/spring.hpp>
+#include <pounding/structures/spring_inside.hpp>
+
+namespace pounding {
+
+/// What a device is made of; its parts stand beside each other.
+struct DeviceParts {
+  std::optional<Bar> bar{};
+  std::optional<hysteresis::Settings> law{};  ///< of yielding, with its stiffness; instead of a bar
+  std::optional<Damper> damper{};
+
+  /// Throws std::invalid_argument for nothing at all, for a bar beside a law, and for numbers that a part refuses.
+  void check() const;
+};
+
+/// Deformation and force are elongation and tension. No structure is assembled with its stiffness: the force is all of it.
+class DeviceSpring final : public Spring, public SpringInside {
+ public:
+  /// Undeformed. Throws as DeviceParts::check() does.
+  explicit DeviceSpring(const DeviceParts& parts);
+
+  laws::Response evaluate(const LinkMotion& motion) const noexcept override;
+  double first_slope() const noexcept override;
+  double slope_lost(double deformation) const noexcept override { return yielding_ ? yielding_->slope_lost(deformation) : 0; }
+  double yield_deformation() const noexcept override { return yielding_ ? yielding_->yield_deformation() : Spring::yield_deformation(); }
+  std::optional<double> corner(double deformation) const noexcept override {
+    return yielding_ ? yielding_->corner(deformation) : std::nullopt;
+  }
+  bool has_corners() const noexcept override { return yielding_ && yielding_->has_corners(); }
+  bool slips() const noexcept override { return damper_ && damper_->has_stiffness(); }
+  double slip_rate(const LinkMotion& motion) const noexcept override;
+  /// A damper in series with a spring has come to rest.
+  double first_slip(const LinkMotion& motion) const noexcept override { return motion.penetration; }
+  void start(const LinkMotion& motion) override;
+  void accept(const LinkStep& step) override;
+  /// The loss is that of yielding and of the damper.
+  SpringInside::Answer inside(const LinkStep& step, double s, double deformation) const noexcept override;
+  double lost() const noexcept override { return yielding_ ? yielding_->lost() : 0; }
+  double damped() const noexcept override { return damped_; }
+  /// All that it stores, for it has no k [J].
+  double stored_correction() const noexcept override;
+  void archive(Archive& archive) override;
+
+  /// Elongation at the last kept state [m].
+  double elongation() const noexcept { return elongation_; }
+
+ private:
+  double damper_power(const LinkMotion& motion) const noexcept;
+  LinkMotion motion_inside(const LinkStep& step, double s) const noexcept;
+  double damper_work(const LinkStep& step, double until) const noexcept;
+
+  std::optional<Bar> bar_;
+  std::optional<Damper> damper_;
+  std::unique_ptr<Spring> yielding_;  // its force on top of k d, with k of the law
+  double elongation_ = 0, stretch_ = 0, damped_ = 0;
+  double damped_before_ = 0;  // at the beginning of the last kept step, for inside()
+};
+
+}  // namespace pounding

@@ -1,0 +1,116 @@
+// Devices of the input: what they become, and where and how wrong ones are refused.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "support/models.hpp"
+
+namespace pounding {
+namespace {
+
+constexpr const char* building =
+    "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
+    "structures: {a: {shear_building: {storeys: 3, mass: 100 t, stiffness: 90 MN/m, damping: 5 %, devices: {brace: %s}}}}\n";
+
+std::string inside(const std::string& device) {
+  std::string text = building;
+  return text.replace(text.find("%s"), 2, device);
+}
+
+std::string in_frame(const std::string& device) {
+  return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
+         "structures: {a: {frame: {material: {E: 30 GPa}, damping: 5 %, grid: {storeys: 2, bays: 1, storey_height: 3 m, bay_width: 4 m, "
+         "columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 40 t}, devices: {brace: " +
+         device + "}}}}\n";
+}
+
+std::string between(const std::string& device) {
+  return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
+         "structures:\n  left: {oscillator: {mass: 100 t, period: 0.5, damping: 5 %}}\n"
+         "  right: {oscillator: {mass: 100 t, period: 0.7, damping: 5 %}}\ndevices: {tie: {between: [left, right], " +
+         device + "}}\n";
+}
+
+std::string refusal(const std::string& yaml) {
+  try {
+    test::model_of(yaml);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "was read";
+}
+
+TEST(DeviceInput, BecomesAPartThatYields) {
+  const Model model = test::model_of(inside("{between: [1, 3], bouc_wen: {stiffness: 80 MN/m, yield_force: 600 kN, hardening: 0.02}}"));
+  const Structure& s = model.structures[0];
+  ASSERT_EQ(s.yielding.size(), 1u);
+  const YieldingPart& part = s.yielding[0];
+  EXPECT_EQ(part.name, "brace");
+  EXPECT_EQ(part.law, "bouc_wen");
+  EXPECT_EQ(Eigen::Vector3d(part.deformation), Eigen::Vector3d(-1, 0, 1));
+  EXPECT_DOUBLE_EQ(part.spring->first_slope(), 80e6);
+  EXPECT_DOUBLE_EQ(part.spring->yield_deformation(), 600e3 / 80e6);
+  EXPECT_EQ(s.members_that_yield(), 0u);
+  EXPECT_NE(describe(model).find("     device brace: bouc_wen 80 MN/m, yields at 600 kN, between floor 1 and floor 3\n"), std::string::npos)
+      << describe(model);
+  // It carries the shear of the two storeys that it passes.
+  EXPECT_EQ(s.floors[0].storey_shear_by_yielding[0].sum(), 0);
+  EXPECT_EQ(s.floors[1].storey_shear_by_yielding[0].sum(), 1);
+  EXPECT_EQ(s.floors[2].storey_shear_by_yielding[0].sum(), 1);
+}
+
+TEST(DeviceInput, ActsAlongTheLineOfItsNodesOrAnAxis) {
+  const Model along = test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 80 MN/m, yield_force: 600 kN}}"));
+  const Structure& s = along.structures[0];
+  const Row sway = s.floors[0].motion[0];
+  // The line rises 3 m on 4 m.
+  double by_floor = 0;
+  for (Row::InnerIterator it(sway); it; ++it) by_floor += s.yielding[0].deformation.coeff(it.index());
+  const auto along_x = [](const Structure& of) {
+    const Eigen::VectorXd whole = of.supports[0].influence.col(0);
+    return of.yielding[0].deformation.dot(whole);
+  };
+  EXPECT_NEAR(along_x(s), 0.8, 1e-12);
+  EXPECT_NEAR(s.floors[0].storey_shear_by_yielding[0].coeff(0), 0.8, 1e-12);
+  EXPECT_EQ(s.floors[1].storey_shear_by_yielding[0].sum(), 0);
+  const Model level = test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], axis: x, damper: {coefficient: 200 kN s/m}}"));
+  EXPECT_NEAR(along_x(level.structures[0]), 1, 1e-12);
+  const Model grounded = test::model_of(in_frame("{between: [\"1.1\", ground], bar: {stiffness: 1 MN/m}}"));
+  EXPECT_NEAR(along_x(grounded.structures[0]), -1, 1e-12) << "it gets shorter where the node moves away along x";
+}
+
+TEST(DeviceInput, IsRefusedWhereItStands) {
+  const auto expect = [](const std::string& yaml, const std::string& text) {
+    EXPECT_NE(refusal(yaml).find(text), std::string::npos) << refusal(yaml) << "\nwas expected to contain\n" << text;
+  };
+  expect(inside("{storey: 1}"), "brace: is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}");
+  expect(inside("{bar: {stiffness: 1 MN/m}}"), "type storey: 1, or between: [ground, 2]");
+  expect(inside("{storey: 4, bar: {stiffness: 1 MN/m}}"), "storey: a has floors 1 to 3; 4 was given");
+  expect(inside("{storey: 1, between: [1, 2], bar: {stiffness: 1 MN/m}}"), "keep one of storey and between");
+  expect(inside("{between: [2, 2], bar: {stiffness: 1 MN/m}}"), "floor 2 and floor 2 of a do not move against each other along x");
+  expect(inside("{storey: 1, axis: y, bar: {stiffness: 1 MN/m}}"), "do not move against each other along y");
+  expect(inside("{storey: 1, axis: along, bar: {stiffness: 1 MN/m}}"), "along is the line between two nodes; name two, or type axis: x");
+  expect(inside("{storey: 1, bilinear: {yield_force: 600 kN}}"), "stiffness is missing");
+  expect(inside("{storey: 1, bilinear: {stiffness: 1 MN/m, yield_force: 0 kN}}"), "yield_force must be positive");
+  expect(inside("{storey: 1, bouc_wen: {stiffness: 1 MN/m, yield_force: 1 kN, gamma_share: 2}}"), "bouc_wen");
+  expect(inside("{storey: 1, bar: {stiffness: 1 MN/m}, bilinear: {stiffness: 1 MN/m, yield_force: 1 kN}}"),
+         "a device has a bar or a law of yielding, and a bar is given too");
+  expect(inside("{storey: 1, bouc_wen: {stiffness: 1 MN/m, yield_force: 1 kN}, bilinear: {stiffness: 1 MN/m, yield_force: 1 kN}}"),
+         "a device follows one law");
+  expect(inside("{storey: 1, damper: {coefficient: 2e5, exponent: 1.5, stiffness: 40 MN/m}}"),
+         "the exponent of a damper with a stiffness lies in [0.2, 1]; 1.5 was given");
+  expect(inside("{storey: 1, damper: {coefficient: 2e5, exponent: 0.5, stiffness: 40 MN/m, rounding_velocity: 1 mm/s}}"),
+         "rounding_velocity rounds a damper without a stiffness");
+  expect(inside("{storey: 1, damper: {coefficient: 2e5, stiffness: 0}}"), "stiffness");
+  expect(in_frame("{storey: 1, bar: {stiffness: 1 MN/m}}"), "in a frame name two nodes");
+  expect(in_frame("{between: [\"0.0\", \"9.9\"], bar: {stiffness: 1 MN/m}}"), "9.9");
+  expect(in_frame("{between: [\"0.0\", \"0.1\"], bar: {stiffness: 1 MN/m}}"), "node 0.0 and node 0.1 of a do not move against each other along x");
+  expect(between("bilinear: {stiffness: 1 MN/m}"), "yield_force is missing");
+  expect(between("bilinear: {stiffness: 1 MN/m, yield_force: 1 kN, hardening: 1.2}"), "hardening");
+}
+
+}  // namespace
+}  // namespace pounding
