@@ -346,7 +346,7 @@ analysis: {duration: 2, tolerance: 1e-8, output_step: 10 ms}
         refused("damper: {coefficient: 1e5, rounding_velocity: 1 mm/s}", "rounds a power of the velocity")
         refused("dampr: {coefficient: 1e5}", 'Did you mean "damper"?')
         self.write(oscillators("").replace(", }}", "}}"))
-        self.refused(2, "devices.tie: is neither a bar nor a damper; type bar: {stiffness: 50 MN/m}", "check", "model.yaml")
+        self.refused(2, "devices.tie: is neither a bar nor a damper, and follows no law of yielding; type bar: {stiffness: 50 MN/m}", "check", "model.yaml")
         self.write(oscillators("bar: {stiffness: 1e6}").replace("[left, right]", "[left.2, right]"))
         self.refused(2, '"left.2" names no floor of left', "check", "model.yaml")
         self.write(oscillators("bar: {stiffness: 1e6}").replace("[left, right]", "[left, left]"))

@@ -125,7 +125,7 @@ void refuse_idle_components(const GroundComponents& ground, int dimension, int s
                           of_one ? "the structure does not move" : "no structure moves"));
 }
 
-// What stretches a device is the motion of the unknowns alone.
+// A device is stretched by the motion of the unknowns alone.
 void require_devices_on_one_ground(const Model& model) {
   for (const Structure& s : model.structures)
     if (s.supports.size() > 1)

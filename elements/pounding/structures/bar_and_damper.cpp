@@ -54,7 +54,7 @@ double Damper::stretch(double length, double lag) const noexcept {
 double Damper::stretch_slope(double stretch, double lag) const noexcept {
   if (std::isinf(lag)) return 0;
   const double s = std::abs(stretch);
-  // Of a power of the stretch, from 1 on.
+  // The rate is a power of the stretch, from 1 on.
   const double slope = is_linear() ? stiffness / coefficient : s == 0 ? 0 : slip_rate(s) / (exponent * s);
   return 1 / (1 + lag * slope);
 }

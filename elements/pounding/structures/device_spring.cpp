@@ -71,7 +71,7 @@ void DeviceSpring::accept(const LinkStep& step) {
   damped_ += damper_work(step, 1);
 }
 
-// What the damper turns into heat.
+// Power that the damper turns into heat.
 double DeviceSpring::damper_power(const LinkMotion& motion) const noexcept {
   if (!damper_->has_stiffness()) return damper_->force(motion.rate) * motion.rate;
   const double stretch = motion.penetration - motion.slip;

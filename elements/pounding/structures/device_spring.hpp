@@ -11,7 +11,7 @@
 
 namespace pounding {
 
-/// What a device is made of; its parts stand beside each other.
+/// The parts of a device, which stand beside each other.
 struct DeviceParts {
   std::optional<Bar> bar{};
   std::optional<hysteresis::Settings> law{};  ///< of yielding, with its stiffness; instead of a bar
