@@ -38,7 +38,9 @@ bool mpi_runs() {
   return begun && !over;
 }
 
-bool has_others() { return mpi_runs() && petsc::Ranks(MPI_COMM_WORLD).size() > 1; }
+bool alone = false;
+
+bool has_others() { return !alone && mpi_runs() && petsc::Ranks(MPI_COMM_WORLD).size() > 1; }
 
 // Ends in end_petsc(), not with the process: MPI must end before the libraries that it uses.
 struct Session {
@@ -106,6 +108,14 @@ void end_petsc(bool failed) {
   session.reset();
 }
 
+void run_alone() {
+  if (alone) return;
+  if (session && has_others()) throw std::logic_error("PETSc runs already for all processes together");
+  alone = true;
+  // Before its start PETSc takes another communicator than that of all processes.
+  if (!session && mpi_runs()) PETSC_COMM_WORLD = MPI_COMM_SELF;
+}
+
 void leave_the_others() { others_wait = true; }
 
 PetscForThisThread::PetscForThisThread() {
@@ -118,6 +128,8 @@ PetscForThisThread::PetscForThisThread() {
   }
   petsc_is_mine = true;
 }
+
+bool PetscForThisThread::holds() { return petsc_is_mine; }
 
 PetscForThisThread::~PetscForThisThread() {
   petsc_is_mine = false;

@@ -15,6 +15,10 @@ void start_petsc();
 /// process has `failed` and the others do not end soon too, it aborts them.
 void end_petsc(bool failed);
 
+/// Makes this process run its models by itself, also where MPI has started others beside it, as the workers of a study are. Throws
+/// std::logic_error when PETSc runs already for all of them.
+void run_alone();
+
 /// Notes that this process failed alone in the middle of a run, where the others wait for it: it runs no other model, and its
 /// end aborts the others.
 void leave_the_others();
@@ -27,6 +31,8 @@ class PetscForThisThread {
   /// thread that has PETSc already, which would wait for itself.
   PetscForThisThread();
   ~PetscForThisThread();
+  /// Whether this thread has PETSc.
+  static bool holds();
   PetscForThisThread(const PetscForThisThread&) = delete;
   PetscForThisThread& operator=(const PetscForThisThread&) = delete;
 };

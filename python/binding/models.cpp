@@ -1,12 +1,15 @@
 /// Models from their text: reading, checking, modes, runs.
 
 #include <array>
+#include <charconv>
 #include <exception>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -16,6 +19,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/units.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/input/pushover_input.hpp>
@@ -151,7 +155,9 @@ struct Listener {
 
 /// Result of a run that was completed or not.
 struct Ran {
-  std::vector<std::byte> image;  ///< of the results file
+  std::shared_ptr<const Results> results;  ///< in memory, of a run in this process alone; else null
+  std::vector<std::byte> image;            ///< of the results file, where `results` are not there
+  std::string summary;                     ///< the object that --json prints
   std::string warning;
   std::vector<std::string> implausible;  ///< warnings of what the model and the run hold
   std::string failure;     ///< empty for a run that came to its end
@@ -159,19 +165,24 @@ struct Ran {
 };
 
 // The bytes of the results file on all processes; only the first one has whole histories.
-std::vector<std::byte> image_for_all(const Results& results) {
-  const petsc::Ranks ranks(PETSC_COMM_WORLD);
+std::vector<std::byte> image_for_all(const petsc::Ranks& ranks, const Results& results) {
   return ranks.gather(ranks.is_root() ? results_image(results) : std::vector<std::byte>{}).front();
 }
 
-Ran ran(const Model& model, const Outcome& outcome, std::string failure) {
+Ran ran(const Model& model, Outcome outcome, std::string failure) {
   // The last one may be of energies, which is a warning of its own here.
   std::vector<std::string> doubts = outcome.summary.warnings;
   std::string of_energies = warning(outcome.summary, model.analysis.tolerance);
   std::erase(doubts, of_energies);
   if (!failure.empty()) of_energies.clear();
-  return {.image = image_for_all(outcome.results), .warning = std::move(of_energies), .implausible = std::move(doubts),
-          .failure = failure, .resumable = outcome.resumable};
+  Ran ran{.results = nullptr, .image = {}, .summary = outcome.results.summary_json, .warning = std::move(of_energies),
+          .implausible = std::move(doubts), .failure = std::move(failure), .resumable = outcome.resumable};
+  // Many processes make the image together, and now; one makes it when somebody asks for a history.
+  if (const petsc::Ranks ranks(PETSC_COMM_WORLD); ranks.size() > 1)
+    ran.image = image_for_all(ranks, outcome.results);
+  else
+    ran.results = std::make_shared<const Results>(std::move(outcome.results));
+  return ran;
 }
 
 Ran run_alike(const Model& model, const RunOptions& options) {
@@ -217,17 +228,44 @@ void refuse(const std::string& text) {
 
 /// A run as Python gets it.
 struct RunOutcome {
-  py::bytes image;  ///< of the results file
+  std::shared_ptr<const Results> results;
+  std::vector<std::byte> bytes;
+  std::string summary;  ///< the object that --json prints
   std::string warning, failure;
   std::vector<std::string> implausible;
   bool resumable = false;
   py::object raised;  ///< by a signal handler or `progress`; None
+
+  /// Bytes of the results file.
+  py::bytes image() const {
+    std::vector<std::byte> made;
+    if (results) {
+      const py::gil_scoped_release free;
+      // HDF5 works for one thread at a time; a function that shows the progress of another run has the right already.
+      std::optional<PetscForThisThread> mine;
+      if (!PetscForThisThread::holds()) mine.emplace();
+      made = results_image(*results);
+    }
+    const std::vector<std::byte>& whole = results ? made : bytes;
+    return {reinterpret_cast<const char*>(whole.data()), whole.size()};
+  }
 };
 
-RunOutcome for_python(const Ran& ran, const Listener& listener) {
-  const auto* image = reinterpret_cast<const char*>(ran.image.data());
-  return {.image = py::bytes(image, ran.image.size()), .warning = ran.warning, .failure = ran.failure,
-          .implausible = ran.implausible, .resumable = ran.resumable, .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
+RunOutcome for_python(Ran ran, const Listener& listener) {
+  return {.results = std::move(ran.results), .bytes = std::move(ran.image), .summary = std::move(ran.summary), .warning = ran.warning,
+          .failure = ran.failure, .implausible = ran.implausible, .resumable = ran.resumable,
+          .raised = listener.raised ? py::object(listener.raised->value()) : py::none()};
+}
+
+/// Value in SI of a number with or without a unit, and its SI unit; no unit for a bare number.
+std::pair<double, std::string> si_value(const std::string& text) {
+  const char* const end = text.data() + text.size();
+  const char* begin = text.data();
+  while (begin != end && (*begin == ' ' || *begin == '+')) ++begin;
+  double number = 0;
+  const char* const rest = std::from_chars(begin, end, number).ptr;
+  const Unit unit = rest == begin ? Unit{} : parse_unit({rest, end});
+  return {parse_quantity(text, unit.dimension), unit_text(unit.dimension)};
 }
 
 RunOptions run_options(const std::string& output, const std::string& command, Listener& listener) {
@@ -242,7 +280,7 @@ RunOutcome run_read(const std::string& name, const std::string& output, std::vec
                     const std::string& command, const std::string& resumed, const py::object& progress,
                     const std::function<Input(std::vector<std::string>& words, std::optional<OptionsOfRun>& given)>& read_input) {
   Listener listener{progress};
-  const Ran ran = with_petsc([&] {
+  Ran ran = with_petsc([&] {
     const petsc::Ranks ranks(PETSC_COMM_WORLD);
     std::optional<OptionsOfRun> given;
     std::optional<Model> model;
@@ -252,7 +290,7 @@ RunOutcome run_read(const std::string& name, const std::string& output, std::vec
     options.resume = resumed;
     return run_together(*model, options, listener);
   });
-  return for_python(ran, listener);
+  return for_python(std::move(ran), listener);
 }
 
 RunOutcome run_source(const Source& source, const std::string& output, const std::vector<std::string>& options,
@@ -293,7 +331,8 @@ void bind_models(py::module_& module) {
       .def_readonly("members", &StructureModes::members)
       .def_readonly("node_shapes", &StructureModes::node_shapes);
   py::class_<RunOutcome>(module, "RunOutcome")
-      .def_readonly("image", &RunOutcome::image)
+      .def_property_readonly("image", &RunOutcome::image)
+      .def_readonly("summary", &RunOutcome::summary)
       .def_readonly("warning", &RunOutcome::warning)
       .def_readonly("failure", &RunOutcome::failure)
       .def_readonly("implausible", &RunOutcome::implausible)
@@ -312,6 +351,8 @@ void bind_models(py::module_& module) {
       "source"_a, "structure"_a, "load"_a, "direction"_a, "to"_a, "cyclic"_a, "output"_a);
   module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
+  module.def("si_value", &si_value, "text"_a);
+  module.def("run_alone", &run_alone);
   module.def("refuse", &refuse, "text"_a);
   module.def("end_petsc", &end_petsc, "failed"_a);
 }

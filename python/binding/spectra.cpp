@@ -41,6 +41,13 @@ void bind_spectra(py::module_& module) {
         return py::make_tuple(record.summary(), displacements(scaled(record, 1), periods, damping));
       },
       "file"_a, "units"_a, "channel"_a, "periods"_a, "damping"_a);
+  module.def(
+      "record_measures",
+      [](const std::string& file, const std::string& units, const std::string& channel) {
+        const Record record = read_record(find_record(file, {}), {.units = units, .channel = channel});
+        return py::make_tuple(record.points(), record.step(), record.samples.times.back(), record.measures.pga);
+      },
+      "file"_a, "units"_a, "channel"_a);
 }
 
 }  // namespace pounding::python

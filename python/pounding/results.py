@@ -170,12 +170,12 @@ class RunData(told.Told, lines=told.run):
     solver: dict[str, float]  #: steps, rejected, events, iterations, wall seconds
     model_yaml: str  #: the input as given
     resolved_yaml: str  #: with every default and calibrated parameter
-    source: Path | bytes = b""  #: the file that was read, or its bytes
+    source: Path | bytes = field(default_factory=bytes)  #: the file that was read, or its bytes
     #: Extremes of every structure over all steps; empty in files of version 0.1.
     envelopes: dict[str, StructureEnvelope] = field(default_factory=dict)
     devices: dict[str, Device] = field(default_factory=dict)  #: bars and dampers in the order of the input
     #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without it.
-    no_pounding: RunData | None = None
+    no_pounding: RunData | None = field(default_factory=lambda: None)
 
     @classmethod
     def read(cls: type[Data], path: str | PathLike[str], *, checked: bool = True) -> Data:

@@ -21,7 +21,8 @@ File = str | PathLike[str]
 
 def run(model: Model | File, *, tolerance: float | None = None, output: File | None = None,
         options: Mapping[str, Any] | None = None, progress: Progress | bool | None = None) -> Run:
-    """Runs a model, or an input file, and returns its results. Other threads run meanwhile; models run one after another.
+    """Runs a model, or an input file, and returns its results. No file is written or read unless `output` names one: histories become
+    arrays when they are first asked for. Other threads run meanwhile; models run one after another.
 
     `tolerance` replaces that of the model [-]. `output` is a results file, rewritten while the run goes on. `options` are
     PETSc's, without their prefix -pounding_: {"ts_max_steps": 100}; True stands for an option without a value. Progress is
@@ -91,7 +92,7 @@ def _words(options: Mapping[str, Any] | None) -> list[str]:
 
 def _results(ran: core.RunOutcome, output: str) -> Run:
     """The results; raises what ended the run, with the results so far."""
-    results = Run.from_image(ran.image)
+    results = Run._of_outcome(ran)
     raised, text = ran.raised, ran.failure
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised

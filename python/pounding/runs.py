@@ -4,8 +4,9 @@ matplotlib, tables pandas or xarray."""
 from __future__ import annotations
 
 import importlib
+import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -18,12 +19,43 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
+    from pounding._native import core
     from pounding.animation import Film
 
 
 @dataclass(frozen=True, repr=False)
 class Run(RunData):
-    """Results of a run: what its file holds, and pictures and tables of it."""
+    """Results of a run: what its file holds, and pictures and tables of it. Those of `pounding.run` lie in memory: `summary` is
+    there at once, and the histories become arrays when the first of them is asked for."""
+
+    @classmethod
+    def _of_outcome(cls, ran: core.RunOutcome) -> Run:
+        """The results of a run that has just ended."""
+        results = cls.__new__(cls)
+        results.__dict__["_ran"] = ran
+        return results
+
+    def __getattr__(self, name: str) -> Any:
+        # Called for names that the object does not hold yet.
+        ran = self.__dict__.get("_ran")
+        if ran is None or name not in _FIELDS:
+            raise AttributeError(f"a run has no {name!r}")
+        if name == "summary":
+            self.__dict__["summary"] = json.loads(ran.summary or "{}")
+        else:
+            self._load()
+        return self.__dict__[name]
+
+    def _load(self) -> None:
+        """Makes all arrays. A summary that was given away stays the same object."""
+        ran = self.__dict__.get("_ran")
+        if ran is not None:
+            self.__dict__.update({**vars(Run.from_image(ran.image)), **self.__dict__})
+            self.__dict__.pop("_ran", None)
+
+    def __getstate__(self) -> dict[str, Any]:
+        self._load()
+        return self.__dict__
 
     def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None, *,
              compare: bool | None = None) -> Figure:
@@ -75,6 +107,9 @@ class Run(RunData):
 
     def _repr_html_(self) -> str:
         return run_html(self.title, self.status, self.summary)
+
+
+_FIELDS = frozenset(each.name for each in fields(Run))
 
 
 def read(path: str | PathLike[str], *, checked: bool = True) -> Run:

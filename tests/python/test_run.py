@@ -86,6 +86,29 @@ class SameAsTheProgram(RunTest):
         np.testing.assert_array_equal(results.structures["left"].displacement, read.structures["left"].displacement)
         self.assertEqual((results.status, len(results.impacts), repr(results)), ("done", 5, repr(read)))
 
+    def test_a_run_is_in_memory_until_a_history_is_asked_for(self):
+        with mock.patch("pounding.results.require_whole_image", side_effect=AssertionError("an image was read")):
+            results = pounding.run(two_oscillators())
+            self.assertEqual((results.summary["status"], results.summary["links"][0]["impacts"]), ("done", 5))
+        summary = results.summary
+        self.assertEqual(len(results.impacts), 5)
+        self.assertIs(results.summary, summary)
+        self.assertIsNone(results.no_pounding)
+        with self.assertRaisesRegex(AttributeError, "a run has no 'force'"):
+            results.force
+
+    def test_a_run_in_memory_is_copied_whole(self):
+        results = pounding.run(two_oscillators())
+        for other in (copy.copy(results), pickle.loads(pickle.dumps(results)), copy.deepcopy(pounding.run(two_oscillators()))):
+            np.testing.assert_array_equal(other.time, results.time)
+            self.assertEqual(without_times(dict(other.summary, solver=dict(other.summary["solver"]))),
+                             without_times(dict(results.summary, solver=dict(results.summary["solver"]))))
+
+    def test_arrays_may_be_made_while_another_run_shows_its_progress(self):
+        results, seen = pounding.run(two_oscillators()), []
+        pounding.run(long_model(5), progress=lambda *now: seen.append(results.time.size))
+        self.assertEqual(set(seen), {results.time.size})
+
     def test_names_are_text(self):
         model = two_oscillators()
         model.structures = {"Büro 1": model.structures["left"], "right": model.structures["right"]}
