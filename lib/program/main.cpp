@@ -104,6 +104,7 @@ int serve(int argc, char** argv) {
   add_modes(app);
   add_pushover(app);
   add_sensitivity(app);
+  add_study(app);
   add_words(app);
   add_laws(app);
   add_calibrate(app);

@@ -36,9 +36,15 @@ std::string module_path() {
   return std::filesystem::is_directory(installed, unknown) ? installed.lexically_normal().string() : POUNDING_PYTHON_PATH;
 }
 
+/// The Python directory with the compiled part of the package: beside the program in a build tree, else as module_path().
+std::string whole_package_path() {
+  std::error_code unknown;
+  const std::filesystem::path built = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "python";
+  return std::filesystem::is_directory(built / "pounding", unknown) ? built.string() : module_path();
+}
+
 /// This process's environment with our Python directory first on the module path.
-std::vector<std::string> environment_with_module_path() {
-  std::string path = module_path();
+std::vector<std::string> environment_with(std::string path) {
   if (const char* given = std::getenv("PYTHONPATH"); given != nullptr && *given != '\0') path.append(":").append(given);
   std::vector<std::string> variables{"PYTHONPATH=" + path};
   for (char** variable = environ; *variable != nullptr; ++variable)
@@ -63,7 +69,7 @@ struct Outcome {
 };
 
 Outcome run_process(std::vector<std::string> arguments, bool with_terminal, bool prints) {
-  std::vector<std::string> environment = environment_with_module_path();
+  std::vector<std::string> environment = environment_with(module_path());
   Outcome outcome;
   // A number above the descriptors that the child opens, so that none of them overwrites it.
   const int terminal = with_terminal ? fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 10) : -1;
@@ -141,6 +147,15 @@ void run_python(const PythonTask& task, const std::vector<std::string>& options,
   if (message.empty())
     throw InputError(failure + python + " ended with code " + std::to_string(outcome.exit_code) + " and without a message");
   throw InputError(failure + message);
+}
+
+void become_python(const std::string& module, const std::vector<std::string>& words) {
+  const std::string python = find_python();
+  std::vector<std::string> arguments{python, "-m", "pounding." + module};
+  arguments.insert(arguments.end(), words.begin(), words.end());
+  std::vector<std::string> environment = environment_with(whole_package_path());
+  execvpe(python.c_str(), pointers(arguments).data(), pointers(environment).data());
+  throw InputError("\"" + python + "\" cannot be started: " + std::strerror(errno) + ". " + what_to_install);
 }
 
 }  // namespace pounding::program

@@ -18,4 +18,8 @@ struct PythonTask {
 /// with the packages to install when they or Python are missing.
 void run_python(const PythonTask& task, const std::vector<std::string>& options, const std::vector<std::string>& files);
 
+/// Becomes `python3 -m pounding.MODULE WORDS`, with this terminal. The Python has to have the compiled part of the package. Throws
+/// InputError where Python cannot be started.
+[[noreturn]] void become_python(const std::string& module, const std::vector<std::string>& words);
+
 }  // namespace pounding::program

@@ -36,13 +36,14 @@ if TYPE_CHECKING:
     from pounding.running import resume, run
     from pounding.runs import Run, read
     from pounding.spectra import Spectrum, record_spectrum
+    from pounding.studies.study import Study, study, sweep
     from pounding.yielding import Loop, YieldingLaw, hysteresis
 
     __version__: str
 
 __all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", "Interrupted", "Law", "Loop", "Mode", "Model", "Modes",
-           "Pushover", "Response", "Run", "SolverError", "Spectrum", "YieldingLaw", "calibrate", "check", "from_opensees", "hysteresis", "laws",
-           "modes", "pushover", "read", "read_pushover", "record", "record_spectrum", "resume", "run"]
+           "Pushover", "Response", "Run", "SolverError", "Spectrum", "Study", "YieldingLaw", "calibrate", "check", "from_opensees", "hysteresis", "laws",
+           "modes", "pushover", "read", "read_pushover", "record", "record_spectrum", "resume", "run", "study", "sweep"]
 
 #: Modules that are public themselves: `pounding.opensees.link`.
 _PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "results")
@@ -59,6 +60,7 @@ _MODULES = {
     "running": ("resume", "run"),
     "runs": ("Run", "read"),
     "spectra": ("Spectrum", "record_spectrum"),
+    "studies.study": ("Study", "study", "sweep"),
     "yielding": ("Loop", "YieldingLaw", "hysteresis"),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}

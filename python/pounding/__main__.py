@@ -11,12 +11,16 @@ from pathlib import Path
 #: The program, as the wheel and the build tree hold it.
 PROGRAM = Path(__file__).parent / "bin/pounding"
 MODULES = {"plot": "plots", "animate": "animation", "export": "export"}
+#: Commands that this Python does itself, also as a worker under mpi4py.futures.
+STUDIES = ("study", "separation")
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Becomes the program with these words, those of the command line unless given. Without a program hands them to one module.
     Returns its code, or 2 after a message."""
     arguments = sys.argv[1:] if arguments is None else arguments
+    if arguments and arguments[0] in STUDIES:
+        return int(importlib.import_module("pounding.studies.command").main(arguments))
     if PROGRAM.is_file():
         # Pictures are drawn by this Python, which has the package.
         os.environ.setdefault("POUNDING_PYTHON", sys.executable)

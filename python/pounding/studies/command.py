@@ -1,0 +1,225 @@
+"""`pounding study` and `pounding separation`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pounding.errors import InputError, SolverError
+from pounding.studies.engines import STATUSES, engine_for, run_batch
+from pounding.studies.execution import available_cores, batch_of
+from pounding.studies.plan import Plan, read_plan
+from pounding.studies.progress import duration_text
+from pounding.studies.study import Study, records_folder, run_plan
+from pounding.studies.table import Table
+
+VERBS = ("run", "check", "show", "merge", "plot", "export")
+#: Rows that `check` times.
+TIMED = 20
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """The command line, with the name of the command first. Returns 0, 2 after wrong input, 3 after failed rows or a full disk."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    name, rest = (given[0], given[1:]) if given else ("study", [])
+    try:
+        return _separation(rest) if name == "separation" else _study(rest)
+    except (InputError, ImportError) as error:
+        print(f"pounding: {error}", file=sys.stderr)
+        return 2
+    except SolverError as error:
+        print(f"pounding: {error}", file=sys.stderr)
+        return 3
+    except OSError as error:
+        print(f"pounding: {error}. Rows that were finished are kept; make room and type the same command again to go on", file=sys.stderr)
+        return 3
+    except KeyboardInterrupt:
+        print("pounding: stopped; rows that were finished are kept. Type the same command again to go on", file=sys.stderr)
+        return 130
+
+
+def _study(words: list[str]) -> int:
+    verb, rest = (words[0], words[1:]) if words and words[0] in VERBS else ("run", words)
+    verbs = {"run": _run, "check": _check, "show": _show, "merge": _merge, "plot": _plot, "export": _export}
+    return verbs[verb](rest)
+
+
+def _parser(verb: str, meaning: str) -> argparse.ArgumentParser:
+    return argparse.ArgumentParser(prog=f"pounding study{'' if verb == 'run' else ' ' + verb}", description=meaning)
+
+
+def _run(words: list[str]) -> int:
+    parser = _parser("run", "Run all rows of a study. The same command goes on with one that was stopped. Other verbs: "
+                     + ", ".join(f"pounding study {verb}" for verb in VERBS[1:]))
+    parser.add_argument("study", help="study file")
+    parser.add_argument("-o", "--output", help="table to write (default: the study's name with .h5, in the current folder)")
+    parser.add_argument("-j", "--workers", type=int, help="processes (default: one a core); 0 runs in this one")
+    parser.add_argument("--executor", choices=("mpi",), help="mpi: the processes of mpirun -n N python3 -m mpi4py.futures -m pounding study ...")
+    parser.add_argument("--shard", type=_shard, default=(1, 1), metavar="K/N", help="only the K-th of N equal parts; put them together with merge")
+    parser.add_argument("--chunk", type=int, help="rows of a chunk (default: half a second)")
+    parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
+    options = parser.parse_args(words)
+    output = Path(options.output or Path(options.study).with_suffix(".h5").name)
+    plan = read_plan(options.study, records_folder(output))
+    _warn(plan)
+    if options.shard != (1, 1):
+        output = output.with_name(f"{output.stem}.{options.shard[0]}-of-{options.shard[1]}{output.suffix}")
+    executor: Any = None
+    if options.executor:
+        from mpi4py.futures import MPIPoolExecutor
+
+        executor = MPIPoolExecutor()
+    begin = time.monotonic()
+    try:
+        done = run_plan(plan, output, workers=options.workers, executor=executor, chunk=options.chunk, progress=False if options.quiet else None,
+                        shard=options.shard)
+    finally:
+        if executor is not None:
+            executor.shutdown()
+    if not options.quiet:
+        print(_told(done), f"{duration_text(time.monotonic() - begin)}; {output}", sep="\n")
+    return 0
+
+
+def _check(words: list[str]) -> int:
+    parser = _parser("check", "Read a study, count its rows, and say how long it takes.")
+    parser.add_argument("study", help="study file")
+    parser.add_argument("-j", "--workers", type=int, help="processes of the study (default: one a core)")
+    options = parser.parse_args(words)
+    plan = read_plan(options.study, records_folder(Path(Path(options.study).with_suffix(".h5").name)))
+    _warn(plan)
+    records, points, levels = plan.shape
+    print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels; engine: {engine_for(plan.template).name}")
+    for factor in plan.points.factors:
+        values = f"{len(factor.values)} values" if factor.values is not None else f"{factor.distribution.kind if factor.distribution else ''}"
+        print(f"  {factor.name}: {values}, {', '.join(factor.of)}{f' = {factor.name} times {factor.times}' if factor.times else ''}")
+    rows = np.unique(np.linspace(0, plan.count - 1, min(TIMED, plan.count)).astype(np.int64))
+    done = run_batch(batch_of(plan, rows))
+    for row, reason in list(done.reasons.items())[:3]:
+        print(f"row {row}: {reason}")
+    workers = options.workers or available_cores()
+    seconds = float(np.mean(done.seconds))
+    print(f"{len(rows)} rows took {1e3 * seconds:.3g} ms each; all of them take about {duration_text(seconds * plan.count / workers)} on {workers} processes")
+    print(f"table: {plan.count * (8 * len(plan.units()) + 10) / 1e6:.3g} MB; columns {', '.join(plan.units())}")
+    return 0
+
+
+def _show(words: list[str]) -> int:
+    parser = _parser("show", "What a table holds; of a row, its numbers and its model, which pounding run takes.")
+    parser.add_argument("table", help="table of a study")
+    parser.add_argument("--row", type=int, help="number of a row, from 0: prints its model")
+    options = parser.parse_args(words)
+    done = Study.open(options.table)
+    if options.row is None:
+        print(_told(done))
+        return 0
+    if not 0 <= options.row < len(done):
+        raise InputError(f"there is no row {options.row}; they count from 0 to {len(done) - 1}")
+    for name, values in done.columns.items():
+        value = values[options.row]
+        told = {"status": STATUSES, "engine": [*done.engines, "none"], "record": done.records["name"]}.get(name)
+        print(f"# {name}: {f'{value:.10g}' if told is None else told[value]} {done.units.get(name, '')}".rstrip())
+    if options.row in done.reasons:
+        print(f"# {done.reasons[options.row]}")
+    print(done.model_of(options.row), end="")
+    return 0
+
+
+def _merge(words: list[str]) -> int:
+    parser = _parser("merge", "Put the tables of shards together.")
+    parser.add_argument("study", help="study file")
+    parser.add_argument("tables", nargs="+", help="tables of the shards")
+    parser.add_argument("-o", "--output", required=True, help="table to write")
+    options = parser.parse_args(words)
+    plan = read_plan(options.study, records_folder(Path(options.output)))
+    table = Table(plan, options.output)
+    for one in options.tables:
+        table.merge(Path(one))
+    table.write()
+    left = len(table.missing())
+    print(_told(Study.of(table)) + (f"\n{left} rows are in none of the tables; type pounding study {options.study} -o {options.output} to run them" if left else ""))
+    return 0
+
+
+def _plot(words: list[str]) -> int:
+    from pounding.pictures.style import write_picture
+
+    parser = _parser("plot", "Draw a table.")
+    parser.add_argument("table", help="table of a study")
+    parser.add_argument("--picture", required=True, choices=("fragility", "ida", "gap", "map", "tornado"))
+    parser.add_argument("--column", help="column to draw")
+    parser.add_argument("--limit", type=float, help="of a fragility, in the unit of the column")
+    parser.add_argument("--across", help="of a map: factor along its horizontal axis")
+    parser.add_argument("--along", help="of a map: factor along its vertical axis")
+    parser.add_argument("-o", "--output", help="picture: .png, .pdf or .svg (default: TABLE-PICTURE.png in the current folder)")
+    options = parser.parse_args(words)
+    chosen = {key: value for key in ("limit", "across", "along") if (value := getattr(options, key)) is not None}
+    needed = {"fragility": ("limit",), "map": ("across", "along")}.get(options.picture, ())
+    for key in needed:
+        if key not in chosen:
+            raise InputError(f"--picture {options.picture} needs --{key}")
+    figure = Study.open(options.table).plot(options.picture, options.column, **chosen)
+    return write_picture(figure, options.output or f"{Path(options.table).stem}-{options.picture}.png")
+
+
+def _export(words: list[str]) -> int:
+    parser = _parser("export", "Write a table for other programs.")
+    parser.add_argument("table", help="table of a study")
+    parser.add_argument("-o", "--output", required=True, help=".csv or .parquet")
+    options = parser.parse_args(words)
+    ways = {".csv": Study.to_csv, ".parquet": Study.to_parquet}
+    if (suffix := Path(options.output).suffix) not in ways:
+        raise InputError(f'{options.output}: writes .csv or .parquet, not "{suffix}"')
+    ways[suffix](Study.open(options.table), options.output)
+    return 0
+
+
+def _separation(words: list[str]) -> int:
+    from pounding.studies.separation import separation, table_of
+
+    parser = argparse.ArgumentParser(prog="pounding separation", description="The gap that a model needs, by its records and by rules.")
+    parser.add_argument("model", help="model file, with or without study: {records: ...}")
+    parser.add_argument("--records", nargs="+", help="files of records, or a folder, instead of the model's motion")
+    parser.add_argument("-j", "--workers", type=int, help="processes (default: one a core)")
+    parser.add_argument("--json", action="store_true", help="print one JSON object")
+    options = parser.parse_args(words)
+    found = separation(options.model, options.records, options.workers)
+    print(json.dumps(found) if options.json else table_of(found))
+    return 0
+
+
+def _shard(text: str) -> tuple[int, int]:
+    number, _, count = text.partition("/")
+    if not (number.isdigit() and count.isdigit() and 1 <= int(number) <= int(count)):
+        raise argparse.ArgumentTypeError(f'"{text}" should be a part of several, as in 3/16')
+    return int(number), int(count)
+
+
+def _warn(plan: Plan) -> None:
+    for doubt in plan.warnings:
+        print(f"warning: {doubt}", file=sys.stderr)
+
+
+def _told(done: Study) -> str:
+    status = done["status"]
+    lines = [", ".join(f"{count} {word}" for i, word in enumerate(STATUSES) if (count := int((status == i).sum())))]
+    reasons: dict[str, list[int]] = {}
+    for row, why in done.failed.items():
+        reasons.setdefault(why, []).append(row)
+    lines += [f"  rows {_few(rows)}: {why}" for why, rows in list(reasons.items())[:5]]
+    return "\n".join(lines)
+
+
+def _few(rows: Sequence[int]) -> str:
+    return ", ".join(map(str, rows[:5])) + (f" and {len(rows) - 5} more" if len(rows) > 5 else "")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,131 @@
+"""Distributions of factors, by scipy.stats, which is imported where it is used: workers do without it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pounding.errors import InputError
+from pounding.studies import words
+
+#: Words of a distribution, each with its parameters.
+KINDS = {"uniform": ("from", "to"), "normal": ("mean", "sd", "cov"), "lognormal": ("median", "cov", "beta"), "triangular": ("from", "mode", "to"),
+         "discrete": ("values", "probabilities"), "scipy": ("name",)}
+EXAMPLES = {"uniform": "{from: 10 mm, to: 40 mm}", "normal": "{mean: 5 %, sd: 1 %}", "lognormal": "{median: 2.75e9, cov: 0.3}",
+            "triangular": "{from: 10 mm, mode: 20 mm, to: 40 mm}", "discrete": "{values: [10 mm, 20 mm], probabilities: [0.3, 0.7]}",
+            "scipy": "{name: gamma, a: 2, scale: 0.01}"}
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """A kind with its parameters in SI; the values of `discrete` in `values`."""
+
+    kind: str
+    parameters: tuple[tuple[str, float], ...] = ()
+    values: tuple[float, ...] = ()
+    truncate: tuple[float, float] | None = None
+    name: str = ""  #: in scipy.stats, for the kind "scipy"
+
+    def ppf(self, probability: np.ndarray) -> np.ndarray:
+        """Values that are not exceeded with these probabilities."""
+        if self.kind == "discrete":
+            steps = np.cumsum([value for _, value in self.parameters])
+            return np.asarray(self.values)[np.minimum(np.searchsorted(steps, probability, side="right"), len(self.values) - 1)]
+        frozen = self._frozen()
+        if self.truncate is not None:
+            low, high = frozen.cdf(self.truncate)
+            probability = low + probability * (high - low)
+        return np.asarray(frozen.ppf(probability), dtype=float)
+
+    def _frozen(self) -> Any:
+        from scipy import stats
+
+        p = dict(self.parameters)
+        if self.kind == "uniform":
+            return stats.uniform(p["from"], p["to"] - p["from"])
+        if self.kind == "normal":
+            return stats.norm(p["mean"], p["sd"])
+        if self.kind == "lognormal":
+            return stats.lognorm(p["beta"], scale=p["median"])
+        if self.kind == "triangular":
+            return stats.triang((p["mode"] - p["from"]) / (p["to"] - p["from"]), p["from"], p["to"] - p["from"])
+        named: Any = getattr(stats, self.name)
+        return named(**p)
+
+
+def read_distribution(kind: str, given: Any, truncate: Any, place: str) -> tuple[Distribution, str]:
+    """A distribution and the SI unit of its values. Raises InputError."""
+    where = f"{place}.{kind}"
+    if kind == "scipy":
+        return _named(given, truncate, where)
+    one = words.only(given, KINDS[kind], where)
+    if kind == "discrete":
+        return _discrete(one, where)
+    pure = [key for key in ("cov", "beta") if key in one]
+    sized = [key for key in one if key not in pure]
+    if not sized or len(one) != (3 if kind == "triangular" else 2):
+        raise InputError(f"{where}: takes {EXAMPLES[kind]}; {', '.join(one) or 'nothing'} was read")
+    values, unit = words.quantities([one[key] for key in sized], f"{where}: [{', '.join(sized)}]")
+    p = dict(zip(sized, values))
+    for key in pure:
+        p[key] = words.quantity(one[key], f"{where}.{key}")[0]
+    _complete(kind, p, where)
+    bounds = _bounds(truncate, unit, where)
+    return Distribution(kind, tuple(sorted(p.items())), truncate=bounds), unit
+
+
+def _complete(kind: str, p: dict[str, float], place: str) -> None:
+    """Turns coefficients of variation into the parameters of scipy, and refuses values that no distribution has."""
+    if kind == "normal" and "cov" in p and "mean" in p:
+        p["sd"] = abs(p["mean"]) * p.pop("cov")
+    if kind == "lognormal" and "cov" in p:
+        p["beta"] = math.sqrt(math.log1p(p.pop("cov") ** 2))
+    needed = {"uniform": ("from", "to"), "normal": ("mean", "sd"), "lognormal": ("median", "beta"), "triangular": ("from", "mode", "to")}[kind]
+    if set(p) != set(needed):
+        raise InputError(f"{place}: takes {EXAMPLES[kind]}")
+    tests: dict[str, Callable[[], bool]] = {
+        "uniform": lambda: p["from"] >= p["to"],
+        "normal": lambda: p["sd"] <= 0,
+        "lognormal": lambda: min(p["median"], p["beta"]) <= 0,
+        "triangular": lambda: not p["from"] <= p["mode"] <= p["to"] or p["from"] == p["to"]}
+    if tests[kind]():
+        raise InputError(f"{place}: no such distribution; positive spreads and rising limits as in {EXAMPLES[kind]} are needed")
+
+
+def _discrete(one: dict[str, Any], place: str) -> tuple[Distribution, str]:
+    values, unit = words.quantities(one.get("values"), f"{place}.values")
+    shares = [words.quantity(share, f"{place}.probabilities")[0] for share in one.get("probabilities", [1 / len(values)] * len(values))]
+    if len(shares) != len(values) or min(shares) < 0 or abs(sum(shares) - 1) > 1e-9:
+        raise InputError(f"{place}.probabilities: takes one a value, not negative, with the sum 1")
+    return Distribution("discrete", tuple((str(i), share) for i, share in enumerate(shares)), tuple(values)), unit
+
+
+def _named(given: Any, truncate: Any, place: str) -> tuple[Distribution, str]:
+    from scipy import stats
+
+    name = given.get("name") if isinstance(given, dict) else None
+    if not isinstance(getattr(stats, str(name), None), stats.rv_continuous):
+        raise InputError(f"{place}: takes the name of a continuous distribution of scipy.stats, as in {EXAMPLES['scipy']}; {name!r} was read")
+    p = {key: words.quantity(value, f"{place}.{key}")[0] for key, value in given.items() if key != "name"}
+    made = Distribution("scipy", tuple(sorted(p.items())), truncate=_bounds(truncate, "", place), name=str(name))
+    try:
+        middle = made.ppf(np.array([0.5]))
+    except TypeError as error:
+        raise InputError(f"{place}: {error}") from None
+    if not np.isfinite(middle).all():
+        raise InputError(f"{place}: {name} has no median with these parameters")
+    return made, ""
+
+
+def _bounds(truncate: Any, unit: str, place: str) -> tuple[float, float] | None:
+    if truncate is None:
+        return None
+    (low, high), own = words.quantities(truncate, f"{place}: truncate")
+    words.same_unit(own, unit, f"{place}: truncate", "20 mm")
+    if low >= high:
+        raise InputError(f"{place}: truncate takes a lower and an upper limit")
+    return low, high

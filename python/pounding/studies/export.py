@@ -1,0 +1,73 @@
+"""Tables of a study for other programs."""
+
+from __future__ import annotations
+
+import csv
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pounding.studies.engines import STATUSES
+
+if TYPE_CHECKING:
+    import xarray
+
+    from pounding.studies.rows import Rows
+
+
+def readable(study: Rows) -> dict[str, np.ndarray]:
+    """The columns with words instead of numbers of records, states, engines and labels."""
+    found = dict(study.columns)
+    for factor in study.description["factors"]:
+        if factor["labels"]:
+            found[factor["name"]] = np.array(factor["labels"])[found[factor["name"]].astype(int)]
+    found["record"] = np.asarray(study.records["name"], dtype=str)[found["record"]]
+    found["status"] = np.array(STATUSES)[found["status"]]
+    found["engine"] = np.array([*study.engines, ""])[found["engine"]]
+    return found
+
+
+def to_csv(study: Rows, path: str | PathLike[str]) -> None:
+    """One line a row; numbers with all their digits. Raises OSError."""
+    columns = readable(study)
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow([f"{name} [{study.units[name]}]" if study.units.get(name) else name for name in columns])
+        writer.writerows(zip(*(values.tolist() for values in columns.values())))
+
+
+def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
+    """One file with units beside the names. Raises ImportError without pyarrow, OSError."""
+    try:
+        import pyarrow
+        from pyarrow import parquet
+    except ModuleNotFoundError as error:
+        raise ImportError("this needs pyarrow: type python3 -m pip install pyarrow") from error
+    columns = {name: pyarrow.array(values.tolist() if values.dtype.kind == "U" else values) for name, values in readable(study).items()}
+    fields = [pyarrow.field(name, column.type, metadata={"units": study.units.get(name, "")}) for name, column in columns.items()]
+    parquet.write_table(pyarrow.Table.from_arrays(list(columns.values()), schema=pyarrow.schema(fields)), path)
+
+
+def to_xarray(study: Rows) -> xarray.Dataset:
+    """Dimensions: record, one for each factor of the grid, sample where factors are distributed, level where there are levels."""
+    import xarray
+
+    factors = study.description["factors"]
+    dims: list[str] = ["record"]
+    sizes = [len(study.records["name"])]
+    coordinates: dict[str, Any] = {"record": study.records["name"]}
+    for factor in factors:
+        if factor["values"] is not None:
+            dims.append(factor["name"])
+            sizes.append(len(factor["values"]))
+            coordinates[factor["name"]] = factor["labels"] or factor["values"]
+    intensity = study.description["intensity"]
+    levels = intensity["levels"] if intensity else []
+    dims += ["sample", "level"]
+    sizes += [study.description["sampling"]["count"], max(1, len(levels))]
+    if levels:
+        coordinates["level"] = levels
+    held = {name: (dims, values.reshape(sizes), {"units": study.units.get(name, "")}) for name, values in study.columns.items()
+            if name not in coordinates}
+    return xarray.Dataset(held, coords=coordinates)

@@ -1,0 +1,184 @@
+"""Factors: what a study varies, where it stands in the model, and the values that it takes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pounding.errors import InputError
+from pounding.studies import words
+from pounding.studies.distributions import KINDS, Distribution, read_distribution
+
+_WORDS = ("of", "times", "list", "from", "to", "count", "spacing", "truncate", "at", *KINDS)
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A name, the places in the model that take its value, and the values: a list, or a distribution.
+
+    With `times` the factor is a ratio: the places take it times the number that stands at that path."""
+
+    name: str
+    of: tuple[str, ...]
+    times: str | None
+    unit: str  #: SI unit of the values; "" for bare numbers and ratios
+    values: tuple[float, ...] | None  #: [value] in SI; numbers of `labels` where there are any; None for a distribution
+    distribution: Distribution | None = None
+    labels: tuple[str, ...] = ()  #: words, such as names of laws, that the places take instead of numbers
+
+    def word(self, value: float) -> str:
+        """The text that the model takes for a value."""
+        return self.labels[int(value)] if self.labels else repr(float(value))
+
+
+def read_factors(given: Any, model: Mapping[str, Any]) -> list[Factor]:
+    """The factors of a study file. Raises InputError for a path that meets nothing in the model, for units that do not fit, and for
+    words that are not known."""
+    if given is None:
+        return []
+    if not isinstance(given, Mapping):
+        raise InputError(f"study.factors: takes a map of names, as in {words.STUDY_WORDS['factors']}")
+    factors = [_read(str(name), one, model) for name, one in given.items()]
+    places: dict[tuple[str | int, ...], str] = {}
+    for factor in factors:
+        for keys in (keys for path in factor.of for keys in find(model, path, "")):
+            if keys in places:
+                raise InputError(f"study.factors.{factor.name}.of: {dotted(keys)} is set by {places[keys]} already; give each place one factor")
+            places[keys] = factor.name
+    return factors
+
+
+def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
+    place = f"study.factors.{name}"
+    if not name.isidentifier():
+        raise InputError(f'{place}: a factor\'s name is a column of the table: letters, digits and _; "{name}" was read')
+    one = words.only(given, _WORDS, place)
+    if "of" not in one:
+        raise InputError(f"{place}: say what it is, as in of: links.*.gap")
+    paths = [one["of"]] if isinstance(one["of"], str) else list(one["of"])
+    places = [keys for path in paths for keys in find(model, path, f"{place}.of")]
+    times = one.get("times")
+    if times is not None and len(find(model, times, f"{place}.times")) != 1:
+        raise InputError(f"{place}.times: {times} meets several places of the model; name one")
+    ways = [kind for kind in ("list", "from", *KINDS) if kind in one]
+    if len(ways) != 1:
+        raise InputError(f"{place}: give its values in one way: a list, from, to and count, or a distribution ({', '.join(KINDS)}); "
+                         f"{' and '.join(ways) or 'none'} was read")
+    distribution, values = None, None
+    labels: tuple[str, ...] = ()
+    if ways[0] == "list" and _are_labels(one["list"]):
+        labels = tuple(map(str, one["list"]))
+        values, unit = [float(i) for i in range(len(labels))], ""
+    elif ways[0] == "list":
+        values, unit = words.quantities(one["list"], f"{place}.list")
+    elif ways[0] == "from":
+        values, unit = _range(one, place)
+    else:
+        distribution, unit = read_distribution(ways[0], one[ways[0]], one.get("truncate"), place)
+    if times is not None and unit:
+        raise InputError(f"{place}: with times it is a ratio, without a unit; its values are in {unit}")
+    if times is None and not labels:
+        _check_units(model, places, unit, place)
+    return Factor(name, tuple(paths), times, unit, None if values is None else tuple(values), distribution, labels)
+
+
+def _are_labels(values: Any) -> bool:
+    return isinstance(values, Sequence) and not isinstance(values, str) and bool(values) and all(
+        isinstance(value, str) and value[:1].isalpha() for value in values)
+
+
+def _range(one: Mapping[str, Any], place: str) -> tuple[list[float], str]:
+    for key in ("to", "count"):
+        if key not in one:
+            raise InputError(f"{place}: a range is from: 0.3, to: 1.5, count: 25; {key} is missing")
+    (begin, end), unit = words.quantities([one["from"], one["to"]], f"{place}: [from, to]")
+    count = words.whole(one["count"], f"{place}.count", 2)
+    spacing = one.get("spacing", "even")
+    if spacing not in ("even", "log") or spacing == "log" and min(begin, end) <= 0:
+        raise InputError(f"{place}.spacing: takes even, or log between positive values; {spacing!r} was read")
+    made = np.geomspace(begin, end, count) if spacing == "log" else np.linspace(begin, end, count)
+    return [float(value) for value in made], unit
+
+
+def _check_units(model: Mapping[str, Any], places: list[tuple[str | int, ...]], unit: str, place: str) -> None:
+    """A factor's unit is that of the model's own value, where both have one."""
+    for keys in places:
+        held = at(model, keys)
+        if isinstance(held, (Mapping, list)):
+            raise InputError(f"{place}.of: {dotted(keys)} is no single value; it holds {', '.join(map(str, held))}")
+        try:
+            _, own = words.quantity(held, "")
+        except InputError:
+            continue
+        if unit and own and unit != own:
+            raise InputError(f"{place}: its values are in {unit}, and {dotted(keys)} of the model is {held}, in {own}")
+
+
+def find(model: Mapping[str, Any], path: str, place: str) -> list[tuple[str | int, ...]]:
+    """All places that a path such as `links.*.gap` meets, as keys from the top. Links are found by name, "left-right", or number.
+    Raises InputError where there is none."""
+    found: list[tuple[str | int, ...]] = [()]
+    for step in str(path).split("."):
+        further = [(*keys, key) for keys in found for key in _keys(at(model, keys), step)]
+        if not further:
+            known = list(dict.fromkeys(name for keys in found for name in _names(at(model, keys))))
+            whole = ".".join([dotted(found[0]), step]) if found[0] else step
+            held = f"there is {', '.join(known)}" if known else "there is nothing"
+            raise InputError(f"{place}: {path} meets nothing in the model: {whole} is not there; {held}.{words.meant(step, known)} A key that the "
+                             "model leaves to its default must stand in the model")
+        found = further
+    return found
+
+
+def _names(part: Any) -> list[str]:
+    if isinstance(part, Mapping):
+        return [str(key) for key in part]
+    return [link_name(one, i) for i, one in enumerate(part)] if isinstance(part, list) else []
+
+
+def _keys(part: Any, step: str) -> list[str | int]:
+    if isinstance(part, Mapping):
+        return list(part) if step == "*" else [step] if step in part else []
+    if isinstance(part, list):
+        return [i for i, one in enumerate(part) if step in ("*", str(i), link_name(one, i))]
+    return []
+
+
+def link_name(link: Any, i: int) -> str:
+    """The name of a link of the input, by which a path calls it."""
+    if isinstance(link, Mapping):
+        ends = link.get("between")
+        return str(link.get("name") or ("-".join(map(str, ends)) if isinstance(ends, list) else i))
+    return str(i)
+
+
+def at(model: Any, keys: Sequence[str | int]) -> Any:
+    """The value at these keys."""
+    for key in keys:
+        model = model[key]
+    return model
+
+
+def put(model: Any, keys: Sequence[str | int], value: Any) -> None:
+    """Replaces what stands at these keys."""
+    at(model, keys[:-1])[keys[-1]] = value
+
+
+def dotted(keys: Sequence[str | int]) -> str:
+    """The keys as a path."""
+    return ".".join(map(str, keys))
+
+
+def apply(model: dict[str, Any], factors: Sequence[Factor], values: Sequence[float]) -> None:
+    """Writes the values of the factors into the model: first those that stand alone, then the ratios."""
+    for factor, value in sorted(zip(factors, values), key=lambda pair: pair[0].times is not None):
+        written = factor.word(value)
+        if factor.times is not None:
+            base, _ = words.quantity(at(model, find(model, factor.times, factor.name)[0]), factor.times)
+            written = repr(float(value) * base)
+        for path in factor.of:
+            for keys in find(model, path, factor.name):
+                put(model, keys, written)

@@ -1,0 +1,68 @@
+"""The gap that is enough: its distribution over records, and rules that estimate it from the displacements alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy.stats import beta
+
+from pounding.errors import InputError
+
+
+@dataclass(frozen=True)
+class GapCurve:
+    """The share of rows that a gap is not enough for."""
+
+    gap: np.ndarray  #: [row] rising [m]
+    rules: dict[str, np.ndarray] = field(default_factory=dict)  #: abs, srss, ddc -> [row] in the order of the rows [m]
+    required: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [row] in the order of the rows [m]
+
+    @classmethod
+    def of(cls, required: np.ndarray, rules: Mapping[str, np.ndarray]) -> GapCurve:
+        """The curve of some rows. Raises InputError without any."""
+        known = ~np.isnan(required)
+        if not known.any():
+            raise InputError("no row has a required gap; write keep: [required_gap]")
+        return cls(np.sort(required[known]), {name: values[known] for name, values in rules.items()}, required[known])
+
+    def exceedance(self, gap: float) -> float:
+        """Share of rows that need more than this gap [m]."""
+        return float(np.mean(self.gap > gap))
+
+    def band(self, gap: float, confidence: float = 0.9) -> tuple[float, float]:
+        """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), for independent rows."""
+        return clopper_pearson(int((self.gap > gap).sum()), len(self.gap), confidence)
+
+    def percentile(self, percent: float, confidence: float = 0.9) -> tuple[float, float, float]:
+        """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows are too few [m]."""
+        n = len(self.gap)
+        rank = max(1, math.ceil(percent / 100 * n - 1e-9))
+        from scipy.stats import binom
+
+        tail = (1 - confidence) / 2
+        low = int(binom.ppf(tail, n, percent / 100))
+        high = int(binom.ppf(1 - tail, n, percent / 100)) + 1
+        return (float(self.gap[rank - 1]), float(self.gap[low - 1]) if low >= 1 else 0.0, float(self.gap[high - 1]) if high <= n else math.inf)
+
+    def ratio(self, rule: str) -> np.ndarray:
+        """[row] The gap of a rule over the one that is needed; above 1 the rule is safe."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return self.rules[rule] / self.required
+
+
+def clopper_pearson(exceeded: int, count: int, confidence: float = 0.9) -> tuple[float, float]:
+    """The exact band of a probability after `exceeded` of `count` trials."""
+    tail = (1 - confidence) / 2
+    low = 0.0 if exceeded == 0 else float(beta.ppf(tail, exceeded, count - exceeded + 1))
+    high = 1.0 if exceeded == count else float(beta.ppf(1 - tail, exceeded + 1, count - exceeded))
+    return low, high
+
+
+def double_difference(period_a: float, damping_a: float, period_b: float, damping_b: float) -> float:
+    """Correlation rho of two oscillators under white noise (Jeng, Kasai and Maison 1992): the gap is sqrt(uA^2 + uB^2 - 2 rho uA uB)."""
+    r = period_a / period_b
+    above = 8 * math.sqrt(damping_a * damping_b) * (damping_a + r * damping_b) * r**1.5
+    return above / ((1 - r * r)**2 + 4 * damping_a * damping_b * r * (1 + r * r) + 4 * (damping_a**2 + damping_b**2) * r * r)

@@ -1,0 +1,138 @@
+"""Ground motions of a study: their intensity, and how they are scaled."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pounding._native import core
+from pounding.errors import InputError
+from pounding.studies import words
+
+#: Largest factor on a record that passes without a warning.
+PLAUSIBLE_SCALE = 4.0
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One ground motion as the table lists it."""
+
+    name: str
+    words: dict[str, Any]  #: `ground_motion` of the model; without it the model's own
+    event: str  #: motions of one event are no independent samples
+    component: str = ""
+    points: int = 0
+    step: float = 0.0  #: [s]; 0 where it varies
+    duration: float = 0.0  #: [s]
+    pga: float = float("nan")  #: [m/s^2]
+    intensity: float = float("nan")  #: by the measure of the study [m/s^2]
+    digest: str = ""  #: SHA-256 of the file's bytes
+
+    def scaled(self, scale: float) -> dict[str, Any]:
+        """`ground_motion` of the model with all accelerations times `scale`."""
+        if "record" in self.words:
+            return {**self.words, "scale": repr(float(scale))}
+        inner = dict(self.words["synthetic"])
+        inner["pga"] = repr(float(self.pga * scale))
+        return {"synthetic": inner}
+
+
+@dataclass(frozen=True)
+class Intensity:
+    """How strong a motion is: pga, sa (pseudo-acceleration at a period) or avg_sa (geometric mean over a range of periods)."""
+
+    measure: str = "pga"
+    period: tuple[float, float] = (0.0, 0.0)  #: [s]; both the same for sa
+    damping: float = 0.05
+    levels: tuple[float, ...] = ()  #: [m/s^2]; none for motions as they are
+
+    def of(self, motion: Motion) -> float:
+        """The intensity of an unscaled motion [m/s^2]. Raises InputError for a measure that the motion does not have."""
+        if self.measure == "pga":
+            return motion.pga
+        if "record" not in motion.words:
+            raise InputError(f"study.intensity.measure: {self.measure} is known of records; with artificial earthquakes or the model's own motion "
+                             "type measure: pga")
+        periods = np.geomspace(*self.period, 20) if self.measure == "avg_sa" else np.array(self.period[:1])
+        given = motion.words
+        _, sd = core.record_spectrum(str(given["record"]), str(given.get("units", "")), str(given.get("channel", "")), periods.tolist(), self.damping)
+        return float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
+
+
+def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:
+    """The measure and levels of a study; `periods` are the first ones of the structures [s]. Raises InputError."""
+    if given is None:
+        return None
+    one = words.only(given, ("measure", "period", "periods", "damping", "levels"), "study.intensity")
+    measure = one.get("measure")
+    if measure not in ("pga", "sa", "avg_sa"):
+        asked = "levels need the measure that they are of" if measure is None else f"{measure!r} was read"
+        raise InputError(f"study.intensity: {asked}; type measure: pga, measure: sa with period: 1 s, or measure: avg_sa")
+    damping = words.quantity(one.get("damping", 0.05), "study.intensity.damping")[0]
+    levels: list[float] = []
+    if "levels" in one:
+        levels, unit = words.quantities(one["levels"], "study.intensity.levels")
+        words.same_unit(unit, "m/s^2", "study.intensity.levels", "0.2 g")
+        if min(levels) <= 0:
+            raise InputError("study.intensity.levels: takes positive accelerations such as 0.2 g")
+    for key, wanted in (("period", "sa"), ("periods", "avg_sa")):
+        if key in one and measure != wanted:
+            raise InputError(f"study.intensity.{key}: belongs to measure: {wanted}, not to {measure}")
+    span = (0.0, 0.0)
+    if measure == "sa":
+        if "period" not in one:
+            raise InputError("study.intensity: sa needs its period, as in period: 1 s; for two structures measure: avg_sa serves both")
+        value, unit = words.quantity(one["period"], "study.intensity.period")
+        words.same_unit(unit, "s", "study.intensity.period", "1 s")
+        span = (value, value)
+    elif measure == "avg_sa":
+        span = _range(one, periods)
+    return Intensity(str(measure), span, damping, tuple(levels))
+
+
+def _range(one: Mapping[str, Any], periods: Sequence[float]) -> tuple[float, float]:
+    if "periods" in one:
+        both, unit = words.quantities(one["periods"], "study.intensity.periods")
+        words.same_unit(unit, "s", "study.intensity.periods", "1 s")
+        if len(both) != 2 or not 0 < both[0] < both[1]:
+            raise InputError("study.intensity.periods: takes the shortest and the longest period, as in [0.2 s, 2 s]")
+        return both[0], both[1]
+    known = [period for period in periods if np.isfinite(period) and period > 0]
+    if not known:
+        raise InputError("study.intensity: the structures have no period; type periods: [0.2 s, 2 s]")
+    return 0.2 * min(known), 1.5 * max(known)
+
+
+def read_file(name: str, options: Mapping[str, str], event: str = "", component: str = "") -> Motion:
+    """The motion of one file. Raises InputError where it is no record."""
+    points, step, duration, pga = core.record_measures(name, options.get("units", ""), options.get("channel", ""))
+    digest = hashlib.sha256(Path(name).read_bytes()).hexdigest()
+    return Motion(Path(name).name, {"record": name, **options}, event or Path(name).stem, component, points, step, duration, pga, digest=digest)
+
+
+def measured(motions: Sequence[Motion], intensity: Intensity | None) -> list[Motion]:
+    """The motions with their intensity. Raises InputError where levels ask for motions that cannot be scaled."""
+    if intensity is None:
+        return list(motions)
+    for motion in motions:
+        if not motion.words:
+            raise InputError("study.intensity: the motion of the model cannot be scaled; name records, as in records: {files: records/*.AT2}, or give the "
+                             "model an artificial earthquake (synthetic)")
+    return [replace(motion, intensity=intensity.of(motion)) for motion in motions]
+
+
+def doubts(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:
+    """Warnings of records that are scaled far."""
+    if intensity is None or not intensity.levels:
+        return []
+    scales = [max(intensity.levels) / motion.intensity for motion in motions if motion.digest]
+    if not scales or max(scales) <= PLAUSIBLE_SCALE:
+        return []
+    far = sum(scale > PLAUSIBLE_SCALE for scale in scales)
+    return [f"{far} of {len(motions)} records are scaled by more than {PLAUSIBLE_SCALE:g} at the highest level, at most by {max(scales):.3g}; such motions "
+            "are milder in their shape than strong ones recorded, and curves from them are biased"]

@@ -1,0 +1,109 @@
+"""Pictures of a study, from its table alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pounding.errors import InputError
+from pounding.studies.indices import swings
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from pounding.studies.rows import Rows
+
+GRAVITY = 9.80665  #: [m/s^2]
+PICTURES = ("fragility", "ida", "gap", "map", "tornado")
+
+
+def study_figure(study: Rows, picture: str, column: str | None = None, *, size: tuple[float, float] = (5.0, 3.4), **options: Any) -> Figure:
+    """One picture. Options are those of the reading: limit for a fragility, across and along for a map, values of factors for all but
+    map and tornado. Raises InputError."""
+    if picture not in PICTURES:
+        raise InputError(f'there is no picture "{picture}"; there is {", ".join(PICTURES)}')
+    if column is None and picture != "gap":
+        raise InputError(f"say of which column; there is {', '.join(study.columns)}")
+    from matplotlib import rc_context
+
+    from pounding.pictures.style import STYLE, Picture
+
+    ways: dict[str, Callable[..., None]] = {"fragility": _fragility, "ida": _ida, "gap": _gap, "map": _map, "tornado": _tornado}
+    with rc_context(STYLE):
+        figure: Figure = Picture(figsize=size, layout="constrained")
+        ways[picture](figure.subplots(), study, column or "", **options)
+        return figure
+
+
+def _label(study: Rows, column: str) -> str:
+    return f"{column} [{study.units[column]}]" if study.units.get(column) else column
+
+
+def _im_label(study: Rows) -> str:
+    intensity = study.description["intensity"]
+    if intensity["measure"] == "sa":
+        return f"Sa({intensity['period'][0]:g} s) [g]"
+    return "PGA [g]" if intensity["measure"] == "pga" else "average Sa [g]"
+
+
+def _fragility(axes: Axes, study: Rows, column: str, limit: float, **values: Any) -> None:
+    curve = study.fragility(column, limit, **values)
+    share = curve.exceeded / curve.count
+    axes.plot(curve.im / GRAVITY, share, "o", color="black", markersize=4, label=f"share of rows, {column} > {limit:g} {study.units.get(column, '')}")
+    if curve.is_finite:
+        im = np.linspace(1e-3, 1.2 * curve.im.max(), 300)
+        axes.plot(im / GRAVITY, curve.probability(im), label=f"theta {curve.theta / GRAVITY:.3g} g, beta {curve.beta:.3g}")
+        if curve.boot is not None and len(curve.boot):
+            axes.fill_between(im / GRAVITY, *curve.band(im), alpha=0.2, label="5 to 95 %, records drawn again")
+    else:
+        axes.set_title(curve.problem, fontsize=7, wrap=True)
+    axes.set(xlabel=_im_label(study), ylabel="probability", ylim=(-0.02, 1.02))
+    axes.set_xlim(left=0)
+    axes.legend(fontsize=7)
+
+
+def _ida(axes: Axes, study: Rows, column: str, **values: Any) -> None:
+    chosen = study.choose(**values)
+    for record in np.unique(study["record"][chosen]):
+        rows = chosen & (study["record"] == record)
+        order = np.argsort(study["im"][rows])
+        axes.plot(study[column][rows][order], study["im"][rows][order] / GRAVITY, color="0.75", linewidth=0.6)
+    found = study.percentiles(column, **values)
+    for percent, curve, style in zip(found.percent, found.values, ("--", "-", "--")):
+        finite = np.isfinite(curve)
+        axes.plot(curve[finite], found.im[finite] / GRAVITY, style, color="black", label=f"{percent:g} %")
+    axes.set(xlabel=_label(study, column), ylabel=_im_label(study))
+    axes.set_xlim(left=0)
+    axes.set_ylim(bottom=0)
+    axes.legend()
+
+
+def _gap(axes: Axes, study: Rows, column: str, **values: Any) -> None:
+    curve = study.gaps(**values)
+    gap = np.linspace(0, 1.1 * curve.gap[-1], 200)
+    axes.plot(1e3 * gap, [curve.exceedance(one) for one in gap], color="black", label="share of rows that need more")
+    low, high = np.array([curve.band(one) for one in gap]).T
+    axes.fill_between(1e3 * gap, low, high, alpha=0.2, label="90 % (Clopper and Pearson)")
+    for name, style in zip(curve.rules, ("--", "-.", ":")):
+        axes.axvline(1e3 * float(np.median(curve.rules[name])), linestyle=style, color="tab:red", linewidth=1, label=f"{name.upper()}, median")
+    axes.set(xlabel="gap [mm]", ylabel="probability of contact", ylim=(0, 1))
+    axes.set_xlim(left=0)
+    axes.legend(fontsize=7)
+
+
+def _map(axes: Axes, study: Rows, column: str, across: str, along: str, percent: float = 50) -> None:
+    found = study.map(column, across, along, percent)
+    mesh = axes.pcolormesh(found.across, found.along, np.ma.masked_invalid(found.values), shading="nearest")
+    axes.figure.colorbar(mesh, ax=axes, label=f"{_label(study, column)}, {percent:g} %")
+    axes.set(xlabel=_label(study, across), ylabel=_label(study, along))
+
+
+def _tornado(axes: Axes, study: Rows, column: str) -> None:
+    found = swings(study, column)
+    for i, (_, low, high) in enumerate(reversed(found)):
+        axes.barh(i, high - low, left=low, height=0.6, color="tab:blue" if high > low else "tab:orange")
+    axes.set_yticks(range(len(found)), [name for name, _, _ in reversed(found)])
+    axes.set_xlabel(f"median of {_label(study, column)}, lowest against highest tenth of each factor")

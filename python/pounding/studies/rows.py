@@ -1,0 +1,124 @@
+"""The table of a study as its readers see it: columns, and readings that run nothing."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from pounding.errors import InputError
+from pounding.studies import fragility, gaps
+from pounding.studies import percentiles as curves
+from pounding.studies.engines import DONE, EXCEEDED, NOT_RUN, STATUSES
+from pounding.studies.table import open_study
+from pounding.texts import text, texts
+
+Table = TypeVar("Table", bound="Rows")
+
+
+class Rows:
+    """A table of rows and its readings, which never run anything."""
+
+    def __init__(self, columns: Mapping[str, np.ndarray], units: Mapping[str, str], records: Mapping[str, Any], reasons: Mapping[int, str],
+                 description: Mapping[str, Any], engines: Sequence[str], path: Path | None = None) -> None:
+        self.columns = dict(columns)  #: name -> [row] in SI
+        self.units = dict(units)  #: name -> SI unit
+        self.records = dict(records)  #: name, event, component, points, step, duration, pga, intensity -> [record]
+        self.reasons = dict(reasons)  #: row -> why it has no numbers
+        self.description = dict(description)  #: the plan: model, factors, sampling, records, intensity
+        self.engines = list(engines)  #: names of those in the column `engine`
+        self.path = path
+
+    @classmethod
+    def open(cls: type[Table], path: str | PathLike[str]) -> Table:
+        """The table in a file, also of a study that was killed once. Raises InputError, OSError."""
+        with open_study(Path(path)) as file:
+            columns = {name: data[:] for name, data in file["rows"].items()}
+            units = {name: text(data.attrs["units"]) for name, data in file["rows"].items()}
+            records = {name: texts(data[:]) if data.dtype.kind in "OS" else data[:] for name, data in file["records"].items()}
+            reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
+            description = json.loads(text(file["study/plan"][()]))["plan"]
+            return cls(columns, units, records, reasons, description, texts(file["study/engines"][:]), path=Path(path))
+
+    def __len__(self) -> int:
+        return len(self.columns["status"])
+
+    def __repr__(self) -> str:
+        status = self.columns["status"]
+        told = ", ".join(f"{count} {STATUSES[i]}" for i in range(len(STATUSES)) if (count := int((status == i).sum())))
+        return f"<pounding.Study of {len(self)} rows: {told}; columns {', '.join(self.columns)}>"
+
+    def __getitem__(self, column: str) -> np.ndarray:
+        """One column. Raises InputError for a name that is not there."""
+        if column not in self.columns:
+            raise InputError(f'there is no column "{column}"; there is {", ".join(self.columns)}')
+        return self.columns[column]
+
+    @property
+    def table(self) -> np.ndarray:
+        """All columns as one structured array, a row a row."""
+        made = np.empty(len(self), dtype=[(name, values.dtype) for name, values in self.columns.items()])
+        for name, values in self.columns.items():
+            made[name] = values
+        return made
+
+    @property
+    def factors(self) -> list[str]:
+        """Names of the factors."""
+        return [factor["name"] for factor in self.description["factors"]]
+
+    @property
+    def finished(self) -> np.ndarray:
+        """[row] True where the row has numbers: done, or beyond a limit."""
+        return np.isin(self.columns["status"], (DONE, EXCEEDED))
+
+    @property
+    def failed(self) -> dict[int, str]:
+        """Row -> why it has no numbers. Failed rows are neither survivors nor collapses: readings leave them out and say how many."""
+        return dict(sorted(self.reasons.items()))
+
+    def choose(self, **values: float) -> np.ndarray:
+        """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError where there is none."""
+        chosen = self.finished.copy()
+        for name, value in values.items():
+            chosen &= np.isclose(self[name], value, rtol=1e-9, atol=0)
+        if not chosen.any():
+            known = "; ".join(f"{name} is {', '.join(f'{value:g}' for value in np.unique(self[name])[:12])}" for name in values)
+            raise InputError(f"no finished row has these values{': ' + known if known else ''}")
+        return chosen
+
+    def fragility(self, column: str, limit: float, *, bootstrap: int = 1000, seed: int = 1, **values: float) -> fragility.Fragility:
+        """The lognormal curve of the probability that `column` is above `limit` (SI), over the intensity; the band comes from records drawn
+        again, since rows of one event are not independent. `values` choose factors. See `pounding.studies.fragility.fit`."""
+        chosen = self.choose(**values)
+        exceeded = (self[column][chosen] > limit) | ((self["status"][chosen] == EXCEEDED) & np.isnan(self[column][chosen]))
+        return fragility.of_rows(self._im()[chosen], exceeded, self._events()[chosen], bootstrap=bootstrap, seed=seed,
+                                 failed=int((~self.finished & (self["status"] != NOT_RUN)).sum()))
+
+    def percentiles(self, column: str, percent: Sequence[float] = (16, 50, 84), **values: float) -> curves.Percentiles:
+        """Percentiles of a column at every level, by order statistics; rows beyond a limit count as infinite."""
+        chosen = self.choose(**values)
+        beyond = self["status"][chosen] == EXCEEDED if self.description["kept"]["limits"] else np.zeros(int(chosen.sum()), bool)
+        return curves.at_levels(self._im()[chosen], np.where(beyond, np.inf, self[column][chosen]), percent)
+
+    def gaps(self, **values: float) -> gaps.GapCurve:
+        """The probability that a gap is not enough, over the gap, with its band, beside the rules. Needs keep: [required_gap]."""
+        chosen = self.choose(**values)
+        rules = {name: self[f"gap_{name}"][chosen] for name in ("abs", "srss", "ddc") if f"gap_{name}" in self.columns}
+        return gaps.GapCurve.of(self["required_gap"][chosen], rules)
+
+    def map(self, column: str, across: str, along: str, percent: float = 50) -> curves.Map:
+        """A percentile of a column over two factors, of all other rows together."""
+        return curves.over_two(self[across], self[along], self[column], self.finished, percent, (across, along))
+
+    def _im(self) -> np.ndarray:
+        if not np.isfinite(self["im"]).any():
+            raise InputError("this study has no measure of intensity; write intensity: {measure: pga} beside its records")
+        return self["im"]
+
+    def _events(self) -> np.ndarray:
+        return np.asarray(self.records["event"], dtype=str)[self["record"]]

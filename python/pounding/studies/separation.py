@@ -1,0 +1,82 @@
+"""`pounding separation`: the gap that one project needs, from its records, beside the rules of codes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pounding._native import core
+from pounding.errors import InputError, SolverError
+from pounding.models import as_model
+from pounding.studies.gaps import GapCurve
+from pounding.studies.plan import make_plan
+from pounding.studies.study import Study, is_study_file, run_plan
+
+#: Rule, clause, and what it makes of the sum (abs) or the root of the sum of squares (srss) of the largest displacements; the second
+#: factor counts where the floors of both structures align. Displacements are those of the model under the records, not reduced by a
+#: behaviour factor.
+CODES = (("ASCE 7-16 and 7-22", "12.12.3", "srss", 1.0, 1.0), ("Eurocode 8 (EN 1998-1)", "4.4.2.7", "srss", 1.0, 0.7),
+         ("IS 1893-1", "7.11.3", "abs", 1.0, 0.5), ("NZS 1170.5, inside a site", "-", "abs", 1.0, 1.0))
+
+
+def separation(model: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None, workers: int | None = None) -> dict[str, Any]:
+    """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. Raises InputError, and
+    SolverError where a record fails."""
+    path = Path(model)
+    if records:
+        found = as_model(path)
+        words: dict[str, Any] = {"records": {"files": [fspath(Path(one).resolve()) for one in records]}}
+    elif is_study_file(path):
+        parts = core.parse(core.Source(core.read_file(str(path)), str(path)))
+        inner = parts.get("model")
+        if inner is None:
+            raise InputError(f"{path}: name the model of the study by model: FILE.yaml, or name records: pounding separation MODEL.yaml --records *.AT2")
+        found, words = as_model(path.parent / str(inner)), {"records": (parts["study"] or {}).get("records")}
+        words = {key: value for key, value in words.items() if value is not None}
+    else:
+        found, words = as_model(path), {}
+    if not found.links:
+        raise InputError(f"{path}: a separation needs a link, which says what may touch; its law is not used")
+    plan = make_plan(found, {**words, "keep": ["required_gap", "gap_abs", "gap_srss", "gap_ddc"], "stop_after": "100 %"}, path.parent)
+    done = run_plan(plan, None, workers=0 if plan.count < 4 and workers is None else workers, progress=None)
+    if done.failed:
+        raise SolverError(next(iter(done.failed.values())))
+    return _found(done, _floors_align(found.links))
+
+
+def _floors_align(links: Sequence[Mapping[str, Any]]) -> bool:
+    return all(str(link.get("floors", "")) == "all" for link in links)
+
+
+def _found(done: Study, align: bool) -> dict[str, Any]:
+    names = done.records["name"]
+    per_record = [{"record": names[record], "required": float(need), "abs": float(a), "srss": float(s), "ddc": float(d)}
+                  for record, need, a, s, d in zip(done["record"], done["required_gap"], done["gap_abs"], done["gap_srss"], done["gap_ddc"])]
+    mean = {rule: float(np.mean(done[f"gap_{rule}"])) for rule in ("abs", "srss", "ddc")}
+    curve = GapCurve.of(done["required_gap"], {})
+    needed = {f"{percent} %": dict(zip(("gap", "low", "high"), (_finite(value) for value in curve.percentile(percent)))) for percent in (50, 84)}
+    codes = [{"code": code, "clause": clause, "gap": mean[rule] * (aligned if align else apart)} for code, clause, rule, apart, aligned in CODES]
+    return {"records": per_record, "required": needed, "mean": mean, "floors_align": align, "codes": codes}
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None
+
+
+def table_of(found: Mapping[str, Any]) -> str:
+    """The printed table, in mm."""
+    def mm(value: float | None) -> str:
+        return "-" if value is None else f"{1e3 * value:9.1f}"
+
+    lines = [f"{'record':<28} needed (mm)       ABS      SRSS       DDC"]
+    lines += [f"{one['record'][:28]:<28}   {mm(one['required'])} {mm(one['abs'])} {mm(one['srss'])} {mm(one['ddc'])}" for one in found["records"]]
+    lines.append(f"{'mean of the rules':<28}   {'':>9} {mm(found['mean']['abs'])} {mm(found['mean']['srss'])} {mm(found['mean']['ddc'])}")
+    for percent, one in found["required"].items():
+        lines.append(f"{f'enough for {percent} of records':<28}   {mm(one['gap'])}   (90 % band {mm(one['low']).strip()} to {mm(one['high']).strip()})")
+    lines.append(f"\n{'rule of a code, from the mean':<36} {'clause':<9} gap (mm)" + ("; floors align" if found["floors_align"] else ""))
+    lines += [f"{one['code']:<36} {one['clause']:<9} {mm(one['gap'])}" for one in found["codes"]]
+    return "\n".join([*lines, "Displacements are those of the model, without a behaviour factor. Read the clause before you design by it."])

@@ -1,0 +1,187 @@
+"""`pounding.study` and `pounding.sweep`, and the object that both return."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pounding import yaml_text
+from pounding.errors import InputError
+from pounding.models import Model, as_model
+from pounding.studies.engines import run_batch
+from pounding.studies.execution import Progress, batch_of, run_rows
+from pounding.studies.factors import Factor
+from pounding.studies.motions import Motion
+from pounding.studies.plan import Plan, make_plan, read_plan
+from pounding.studies.progress import Shown
+from pounding.studies.quantities import Kept
+from pounding.studies.rows import Rows
+from pounding.studies.table import Table
+from pounding.studies.template import Template
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.figure import Figure
+
+    from pounding.studies.indices import Indices
+
+File = str | PathLike[str]
+
+
+class Study(Rows):
+    """A table of rows, with its pictures and files. Readings never run anything; `evaluate` does."""
+
+    #: The plan; None where the table was opened from a file.
+    plan: Plan | None = None
+
+    @classmethod
+    def of(cls, table: Table) -> Study:
+        """The study of a table in memory."""
+        plan = table.plan
+        columns = {**plan.columns(np.arange(plan.count)), **dict(zip(plan.template.kept.columns, table.values.T)), "status": table.status,
+                   "engine": table.engine}
+        motions = plan.template.motions
+        records = {name: [getattr(motion, name) for motion in motions] if name in ("name", "event", "component") else
+                   np.array([getattr(motion, name) for motion in motions])
+                   for name in ("name", "event", "component", "points", "step", "duration", "pga", "intensity")}
+        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(plan.description())), table.engines, table.path)
+        found.plan = plan
+        return found
+
+    def indices(self, column: str) -> Indices:
+        """Sobol indices of the factors of a study with sampling: {saltelli: n}. Needs SALib. See `pounding.studies.indices`."""
+        from pounding.studies.indices import sobol_indices
+
+        return sobol_indices(self, column)
+
+    def plot(self, picture: str, column: str | None = None, **options: Any) -> Figure:
+        """A picture from the table alone: "fragility", "ida", "gap", "map" or "tornado". Raises InputError, ImportError without
+        matplotlib."""
+        from pounding.studies.pictures import study_figure
+
+        return study_figure(self, picture, column, **options)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """All rows, a column a column; names of records, labels and states as words."""
+        import pandas
+
+        from pounding.studies.export import readable
+
+        return pandas.DataFrame(readable(self), index=pandas.RangeIndex(len(self), name="row"))
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The columns over the dimensions record, point and level, with units; factors of a grid are dimensions of their own."""
+        from pounding.studies.export import to_xarray
+
+        return to_xarray(self)
+
+    def to_csv(self, path: File) -> None:
+        """Writes all rows as text: a line a row, names with units above."""
+        from pounding.studies.export import to_csv
+
+        to_csv(self, path)
+
+    def to_parquet(self, path: File) -> None:
+        """Writes all rows as Parquet, with units. Needs pyarrow."""
+        from pounding.studies.export import to_parquet
+
+        to_parquet(self, path)
+
+    def model_of(self, row: int) -> str:
+        """The input file of one row, which `pounding run` takes."""
+        given = self.description
+        factors = tuple(Factor(one["name"], tuple(one["of"]), one["times"], one["unit"], None, labels=tuple(one["labels"])) for one in given["factors"])
+        motions = tuple(Motion(one["name"], one["words"], one["event"], pga=one["pga"]) for one in given["records"])
+        template = Template(given["model"], "", factors, motions, Kept(()))
+        values = [float(self[factor.name][row]) for factor in factors]
+        return yaml_text.emit(template.case(values, int(self["record"][row]), float(self["scale"][row])))
+
+    def evaluate(self, factors: Mapping[str, float]) -> dict[str, np.ndarray]:
+        """Runs all records and levels for one set of factors (SI) in this process: column -> [record times level]. A plain function for
+        scipy.optimize, pymoo or optuna. Raises InputError for a row that fails."""
+        if self.plan is None:
+            raise InputError("a table from a file cannot run; make the study with pounding.study(...)")
+        missing = [name for name in self.factors if name not in factors]
+        if missing or set(factors) - set(self.factors):
+            raise InputError(f"evaluate takes a value for each of {', '.join(self.factors)}")
+        records, points, levels = self.plan.shape
+        rows = (np.arange(records)[:, None] * points * levels + np.arange(levels)).ravel()
+        batch = batch_of(self.plan, rows)
+        batch.values[:] = [factors[name] for name in self.factors]
+        done = run_batch(batch)
+        if done.reasons:
+            raise InputError(next(iter(done.reasons.values())))
+        return dict(zip(self.plan.template.kept.columns, done.values.T))
+
+
+def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, records: Any = None, intensity: Mapping[str, Any] | None = None,
+          keep: Sequence[str] | None = None, sampling: Any = None, without_links: bool = False, limits: Mapping[str, Any] | None = None,
+          seed: int = 1, stop_after: float | str = "5 %", output: File | None = None, workers: int | None = None, executor: Executor | None = None,
+          chunk: int | None = None, progress: Progress | bool | None = None) -> Study:
+    """Runs a study: of a study file, or of a model with the words of `study:` as arguments (guide, "Studies").
+
+    `output` is the table, an HDF5 file that a killed study goes on from; without it the table is in memory. `workers` processes run
+    the rows, one a core unless given, and 0 runs them here; in a script the call stands under `if __name__ == "__main__":`. `executor`
+    is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's Client.get_executor().
+
+    Raises InputError for a wrong plan, before anything runs; OSError when the table cannot be written, and SolverError when more than
+    `stop_after` of the rows fail: finished chunks are kept in both cases."""
+    words = {"factors": factors, "records": records, "intensity": intensity, "keep": keep, "sampling": sampling, "limits": limits}
+    given = {name: value for name, value in words.items() if value is not None}
+    path = None if output is None else Path(output)
+    if isinstance(model, (str, PathLike)) and is_study_file(model):
+        if given or without_links:
+            raise InputError(f"{fspath(model)} is a study with its own words; write {', '.join(given) or 'without_links'} there")
+        plan = read_plan(model, records_folder(path or Path(model)))
+    else:
+        plan = make_plan(as_model(model), {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
+                         store=records_folder(path or Path("study")))
+    return run_plan(plan, path, workers=workers, executor=executor, chunk=chunk, progress=progress)
+
+
+def sweep(model: Model | File, factors: Mapping[str, Sequence[Any]], *, records: Sequence[File] | None = None, keep: Sequence[str] | None = None,
+          workers: int = 0) -> Study:
+    """All combinations of some values: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`, for every record. Runs in this process unless
+    `workers` is given. Columns are called by the last word of their path, with its number where two are alike."""
+    named: dict[str, dict[str, Any]] = {}
+    for path, values in factors.items():
+        last = path.rpartition(".")[2]
+        name = last if last not in named else f"{last}_{1 + sum(each.split('_')[0] == last for each in named)}"
+        named[name] = {"of": path, "list": list(values)}
+    return study(model, named, records=None if records is None else {"files": [fspath(one) for one in records]}, keep=keep, workers=workers,
+                 progress=False)
+
+
+def run_plan(plan: Plan, path: Path | None, *, workers: int | None = None, executor: Executor | None = None, chunk: int | None = None,
+             progress: Progress | bool | None = None, shard: tuple[int, int] = (1, 1)) -> Study:
+    """Runs the rows of a plan that `path` does not hold yet; of shard (k, n) only the k-th of n equal parts."""
+    table = Table(plan, path)
+    rows = table.missing()
+    number, count = shard
+    rows = rows[(rows >= (number - 1) * plan.count // count) & (rows < number * plan.count // count)]
+    try:
+        with Shown(progress) as shown:
+            run_rows(plan, table, rows, workers, executor, chunk, shown.report)
+    finally:
+        table.write()
+    return Study.of(table)
+
+
+def is_study_file(path: File) -> bool:
+    """Whether a file has a line `study:`."""
+    try:
+        return any(line.startswith("study:") for line in Path(path).read_text(encoding="utf-8", errors="replace").splitlines())
+    except OSError:
+        return False
+
+
+def records_folder(path: Path) -> Path:
+    """The folder for records of packages, beside the table."""
+    return path.with_name(path.name + ".records")

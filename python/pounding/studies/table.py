@@ -1,0 +1,189 @@
+"""The table of a study: one HDF5 file, and while the study runs finished chunks as small files beside it.
+
+A finished chunk is written under another name and moved into place, so a study that is killed at any moment loses only the chunks
+under way. The table itself is written the same way, from all chunks, when the study ends or stops."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from pounding.checked_file import NotResults
+from pounding.errors import InputError
+from pounding.studies.engines import NOT_RUN, STATUSES, Done
+from pounding.studies.plan import Plan
+from pounding.texts import text
+
+FORMAT = "study of pounding 1"
+
+
+class Table:
+    """The columns that have been filled so far, in memory, and their files where there are any."""
+
+    def __init__(self, plan: Plan, path: str | os.PathLike[str] | None = None) -> None:
+        """An empty table, or what an earlier run of this plan has left at `path`. Raises InputError when another plan has."""
+        self.plan = plan
+        self.path = None if path is None else Path(path)
+        self.values = np.full((plan.count, len(plan.template.kept.columns)), np.nan)
+        self.status = np.zeros(plan.count, np.int8)
+        self.engine = np.full(plan.count, -1, np.int8)
+        self.seconds = np.zeros(plan.count)
+        self.engines: list[str] = []
+        self.reasons: dict[int, str] = {}
+        if self.path is not None:
+            self._take_up(self.path)
+
+    @property
+    def parts(self) -> Path | None:
+        """The folder of finished chunks."""
+        return None if self.path is None else self.path.with_name(self.path.name + ".parts")
+
+    def missing(self) -> np.ndarray:
+        """Numbers of the rows that have not run."""
+        return np.flatnonzero(self.status == NOT_RUN)
+
+    def add(self, done: Done) -> None:
+        """Takes finished rows, and writes their chunk. Raises OSError when it cannot be written."""
+        if self.parts is not None:
+            name = f"{int(done.rows[0]):012d}-{len(done.rows)}.npz"
+            told = json.dumps({"engine": done.engine, "reasons": {str(row): why for row, why in done.reasons.items()}})
+            with _moved(self.parts / name) as temporary, open(temporary, "wb") as file:
+                np.savez(file, rows=done.rows, values=done.values, status=done.status, seconds=done.seconds, told=np.array(told))
+        self._fill(done)
+
+    def write(self) -> None:
+        """Writes the whole table and removes the chunks, which it holds now. Raises OSError."""
+        if self.path is None:
+            return
+        with _moved(self.path) as temporary:
+            _write(temporary, self)
+        if self.parts is not None:
+            shutil.rmtree(self.parts, ignore_errors=True)
+
+    def merge(self, other: Path) -> None:
+        """Takes the rows of the table of another shard. Raises InputError for another plan."""
+        self._read_table(other)
+
+    def _fill(self, done: Done) -> None:
+        self.values[done.rows] = done.values
+        self.status[done.rows] = done.status
+        if done.engine not in self.engines:
+            self.engines.append(done.engine)
+        self.engine[done.rows] = self.engines.index(done.engine)
+        self.seconds[done.rows] = done.seconds
+        self.reasons.update(done.reasons)
+
+    def _take_up(self, path: Path) -> None:
+        parts = self.parts
+        assert parts is not None
+        if path.is_file():
+            self._read_table(path)
+        if (parts / "plan.json").is_file():
+            _require_same(json.loads((parts / "plan.json").read_text()), self.plan, path)
+            for name in sorted(parts.glob("*.npz")):
+                self._fill(_read_part(name))
+        parts.mkdir(parents=True, exist_ok=True)
+        with _moved(parts / "plan.json") as temporary:
+            temporary.write_text(json.dumps({"digest": self.plan.digest(), "plan": self.plan.description()}))
+
+    def _read_table(self, path: Path) -> None:
+        with open_study(path) as file:
+            _require_same(json.loads(text(file["study/plan"][()])), self.plan, path)
+            status = file["rows/status"][:]
+            rows = np.flatnonzero(status != NOT_RUN)
+            columns = self.plan.template.kept.columns
+            values = np.column_stack([file[f"rows/{column}"][:] for column in columns]) if columns else np.empty((len(status), 0))
+            engines = [text(name) for name in file["study/engines"][:]]
+            reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
+            for number, engine in enumerate(engines):
+                chosen = rows[file["rows/engine"][:][rows] == number]
+                self._fill(Done(chosen, values[chosen], status[chosen], engine, file["timing/seconds"][:][chosen], {}))
+            self.reasons.update(reasons)
+
+
+class _moved:
+    """A file that is written beside its place and moved there when it is whole."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._temporary = path.with_name(f".{path.name}.{os.getpid()}")
+
+    def __enter__(self) -> Path:
+        return self._temporary
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        if kind is None:
+            os.replace(self._temporary, self._path)
+        else:
+            self._temporary.unlink(missing_ok=True)
+
+
+def open_study(path: Path) -> h5py.File:
+    """The table at `path`. Raises InputError where there is none."""
+    if not path.is_file():
+        raise InputError(f"there is no study {path}; type pounding study STUDY.yaml -o {path}")
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        raise NotResults(f"{path} is no table of a study: {error}") from None
+    if text(file.attrs.get("format", "")) != FORMAT:
+        file.close()
+        raise NotResults(f"{path} is no table of a study, such as pounding study STUDY.yaml -o {path} writes")
+    return file
+
+
+def _read_part(path: Path) -> Done:
+    with np.load(path, allow_pickle=False) as part:
+        told = json.loads(str(part["told"]))
+        return Done(part["rows"], part["values"], part["status"], told["engine"], part["seconds"],
+                    {int(row): why for row, why in told["reasons"].items()})
+
+
+def _require_same(kept: dict[str, Any], plan: Plan, path: Path) -> None:
+    if kept["digest"] == plan.digest():
+        return
+    now = json.loads(json.dumps(plan.description()))
+    different = [name for name in now if now[name] != kept["plan"].get(name)]
+    raise InputError(f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
+                     f"{path} and {path.name}.parts to begin again")
+
+
+def _write(path: Path, table: Table) -> None:
+    plan = table.plan
+    with h5py.File(path, "w") as file:
+        file.attrs["format"] = FORMAT
+        rows = file.create_group("rows", track_order=True)
+        units = plan.units()
+        given = plan.columns(np.arange(plan.count))
+        computed = dict(zip(plan.template.kept.columns, table.values.T))
+        for name, values in {**given, **computed, "status": table.status, "engine": table.engine}.items():
+            data = rows.create_dataset(name, data=values)
+            data.attrs["units"] = units.get(name, "")
+        for factor in plan.points.factors:
+            if factor.labels:
+                rows[factor.name].attrs["labels"] = list(factor.labels)
+        rows["status"].attrs["labels"] = list(STATUSES)
+        reasons = sorted(table.reasons.items())
+        file["reasons/row"] = np.array([row for row, _ in reasons], np.int64)
+        file.create_dataset("reasons/text", data=[why for _, why in reasons], dtype=h5py.string_dtype(), shape=(len(reasons),))
+        file["study/plan"] = json.dumps({"digest": plan.digest(), "plan": plan.description()})
+        file["study/text"] = plan.text
+        file.create_dataset("study/engines", data=table.engines, dtype=h5py.string_dtype(), shape=(len(table.engines),))
+        _write_records(file, plan)
+        file["timing/seconds"] = table.seconds
+        file["timing/seconds"].attrs["units"] = "s"
+
+
+def _write_records(file: h5py.File, plan: Plan) -> None:
+    group = file.create_group("records")
+    motions = plan.template.motions
+    for name in ("name", "event", "component", "digest"):
+        group.create_dataset(name, data=[getattr(motion, name) for motion in motions], dtype=h5py.string_dtype())
+    for name, unit in (("points", ""), ("step", "s"), ("duration", "s"), ("pga", "m/s^2"), ("intensity", "m/s^2")):
+        group.create_dataset(name, data=[getattr(motion, name) for motion in motions]).attrs["units"] = unit

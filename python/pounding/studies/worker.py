@@ -1,0 +1,27 @@
+"""Functions that run in a worker process. It imports neither h5py nor scipy, so that workers start soon."""
+
+from __future__ import annotations
+
+import os
+import signal
+
+from pounding._native import core
+from pounding.studies.engines import Batch, Done, run_batch
+
+
+def begin_worker() -> None:
+    """Prepares a new process: Ctrl-C is for the one that drives the study, and BLAS stays at one thread."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
+
+
+def say_hello() -> str:
+    """Shows that a worker has started, with the package in it."""
+    return str(core.version)
+
+
+def run_alone(batch: Batch) -> Done:
+    """As run_batch, in a worker that MPI may have started beside others."""
+    core.run_alone()
+    return run_batch(batch)

@@ -1,0 +1,156 @@
+"""Plans of studies: the rows that words ask for, and wrong words that end with what to type."""
+
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from scipy import stats
+
+import pounding
+from pounding.errors import InputError
+from pounding.studies.distributions import read_distribution
+from pounding.studies.plan import make_plan, read_plan
+from study_samples import FACTORS, WORDS, pair
+
+
+def plan_of(model=None, **words):
+    return make_plan(model or pair(), words, Path())
+
+
+class Plans(unittest.TestCase):
+    def test_rows_are_records_times_points_times_levels(self):
+        plan = plan_of(factors=FACTORS, **WORDS)
+        self.assertEqual((plan.shape, plan.count), ((3, 6, 2), 36))
+        columns = plan.columns(np.arange(36))
+        self.assertEqual(columns["record"].tolist(), sorted(columns["record"].tolist()))
+        self.assertEqual(columns["im"][:4].tolist(), [.2 * 9.80665, .4 * 9.80665] * 2)
+        np.testing.assert_allclose(columns["gap"][:6], [1e-3, 1e-3, 3e-3, 3e-3, 9e-3, 9e-3], rtol=1e-15)
+
+    def test_a_row_depends_on_no_other_row(self):
+        plan = plan_of(factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}}}, sampling={"sobol": 8}, **WORDS)
+        whole = plan.columns(np.arange(plan.count))
+        for row in (0, 5, 47):
+            one = plan.columns(np.array([row]))
+            for name, values in one.items():
+                self.assertEqual(values[0], whole[name][row])
+        self.assertEqual(plan.digest(), plan_of(factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}}},
+                                                sampling={"sobol": 8}, **WORDS).digest())
+        self.assertNotEqual(plan.digest(), plan_of(factors={"gap": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9.1 mm"}}},
+                                                   sampling={"sobol": 8}, **WORDS).digest())
+
+    def test_ratios_follow_the_value_that_another_factor_sets(self):
+        plan = plan_of(factors={"ratio": FACTORS["ratio"], "T": {"of": "structures.left.oscillator.period", "list": ["1 s"]}})
+        self.assertEqual(float(plan.case(1)["structures"]["right"]["oscillator"]["period"]), 0.8)
+        self.assertEqual(plan.case(1)["structures"]["left"]["oscillator"]["period"], "1.0")
+
+    def test_words_are_values_too(self):
+        plan = plan_of(factors={"law": {"of": "links.left-right.law", "list": ["hertz_damped", "jankowski"]}})
+        self.assertEqual([plan.case(row)["links"][0]["law"] for row in (0, 1)], ["hertz_damped", "jankowski"])
+
+    def test_samples_of_different_grid_points_are_common(self):
+        plan = plan_of(factors={"gap": FACTORS["gap"], "k": {"of": "links.*.stiffness", "lognormal": {"median": 2.75e9, "cov": 0.3}}},
+                       sampling={"latin_hypercube": 5})
+        k = plan.columns(np.arange(15))["k"].reshape(3, 5)
+        self.assertTrue((k == k[0]).all())
+        self.assertEqual(len(set(k[0])), 5)
+
+    def test_distributions_have_the_moments_of_their_words(self):
+        at = (np.arange(200000) + .5) / 200000
+        for kind, words, mean, sd in (("uniform", {"from": "10 mm", "to": "40 mm"}, .025, .03 / math.sqrt(12)),
+                                      ("normal", {"mean": "5 %", "cov": 0.2}, .05, .01),
+                                      ("lognormal", {"median": 2.0, "cov": 0.3}, 2 * math.sqrt(1.09), .3 * 2 * math.sqrt(1.09)),
+                                      ("triangular", {"from": 0, "mode": 1, "to": 3}, 4 / 3, math.sqrt((0 + 1 + 9 - 0 - 0 - 3) / 18)),
+                                      ("discrete", {"values": ["10 mm", "20 mm"], "probabilities": [.25, .75]}, .0175, .01 * math.sqrt(.1875)),
+                                      ("scipy", {"name": "gamma", "a": 2, "scale": .01}, .02, .01 * math.sqrt(2))):
+            values = read_distribution(kind, words, None, "")[0].ppf(at)
+            np.testing.assert_allclose([values.mean(), values.std()], [mean, sd], rtol=2e-3, err_msg=kind)
+        cut = read_distribution("normal", {"mean": 0, "sd": 1}, [-1, 2], "")[0].ppf(at)
+        self.assertTrue(-1 <= cut.min() and cut.max() <= 2)
+        self.assertAlmostEqual(cut.mean(), stats.truncnorm(-1, 2).mean(), places=5)
+
+    def test_sa_is_that_of_the_record(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        t = np.arange(0, 4, .01)
+        np.savetxt(Path(folder.name) / "a.csv", np.column_stack([t, np.sin(5 * t)]), delimiter=",", header="time,acc (m/s^2)", comments="")
+        plan = plan_of(records={"files": [str(Path(folder.name) / "a.csv")]}, intensity={"measure": "sa", "period": "0.5 s", "levels": ["0.1 g"]})
+        own = pounding.record_spectrum(Path(folder.name) / "a.csv", periods=[.5]).psa[0]
+        self.assertEqual(plan.columns(np.array([0]))["scale"][0], .1 * 9.80665 / own)
+        self.assertEqual(float(plan.case(0)["ground_motion"]["scale"]), .1 * 9.80665 / own)
+        both = plan_of(records={"files": folder.name}, intensity={"measure": "avg_sa"}).intensity
+        np.testing.assert_allclose(both.period, (.2 * .4, 1.5 * .8), rtol=1e-12)
+
+
+class Wrong(unittest.TestCase):
+    """Each message says where, what was read, and what to type."""
+
+    def refused(self, text, model=None, **words):
+        with self.assertRaises(InputError) as caught:
+            plan_of(model, **words)
+        for part in (text,) if isinstance(text, str) else text:
+            self.assertIn(part, str(caught.exception))
+
+    def test_a_path_that_meets_nothing(self):
+        self.refused(("study.factors.g.of: links.*.gapp meets nothing in the model", 'Did you mean "gap"?'),
+                     factors={"g": {"of": "links.*.gapp", "list": [1]}})
+        self.refused('Did you mean "left-right"?', factors={"g": {"of": "links.left-rigth.gap", "list": [1]}})
+
+    def test_mixed_units(self):
+        self.refused(("study.factors.g.list[1]", '"5" is a bare number, which is in SI, and "2 mm" is in m'),
+                     factors={"g": {"of": "links.*.gap", "list": ["2 mm", 5]}})
+        self.refused("its values are in s, and links.0.gap of the model is 1 mm, in m", factors={"g": {"of": "links.*.gap", "list": ["2 s"]}})
+        self.refused("takes a quantity in m/s^2", intensity={"measure": "pga", "levels": ["20 mm"]})
+
+    def test_levels_without_a_measure(self):
+        self.refused("levels need the measure that they are of; type measure: pga, measure: sa with period: 1 s", intensity={"levels": ["0.1 g"]})
+        self.refused("sa needs its period", intensity={"measure": "sa", "levels": ["0.1 g"]})
+
+    def test_a_power_of_two_that_is_missing(self):
+        self.refused("type 64 or 128 instead of 100", factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "2 mm"}}},
+                     sampling={"sobol": 100})
+
+    def test_a_distribution_without_samples_and_samples_without_a_distribution(self):
+        self.refused("say how many samples, as in sampling: {sobol: 128}", factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "2 mm"}}})
+        self.refused("no factor has a distribution", factors=FACTORS, sampling={"sobol": 8})
+
+    def test_an_unreadable_record_among_22(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        place = Path(folder.name)
+        for i in range(22):
+            (place / f"r{i:02d}.csv").write_text("time,acc (g)\n" + "".join(f"{j * .01},{math.sin(j * (i + 1))}\n" for j in range(30)))
+        (place / "r07.csv").write_text("nothing to read\n")
+        self.refused(("1 of 22 records cannot be read", "r07.csv", "skip: [r07.csv]"), records={"files": folder.name})
+        self.assertEqual(plan_of(records={"files": folder.name, "skip": ["r07.csv"]}).count, 21)
+        self.refused('Did you mean "r07.csv"?', records={"files": folder.name, "skip": ["r07.cvs"]})
+
+    def test_words_that_are_not_known(self):
+        self.refused('study: unknown key "factor". Did you mean "factors"?', factor={})
+        self.refused('there is no quantity "displacment". Did you mean "displacement"?', keep=["displacment"])
+        self.refused('there is no structure "rigth" that moves; there is left, right', keep=["drift.rigth"])
+        self.refused("study.factors.force: the table has a column of this name", factors={"force": FACTORS["gap"]})
+        self.refused("instead of 5 %", limits={"drift": "5 %"})
+        self.refused("is set by gap already", factors={"gap": FACTORS["gap"], "g": {"of": "links.left-right.gap", "list": [1]}})
+        self.refused("there is no file nowhere/*.AT2", records={"files": "nowhere/*.AT2"})
+
+    def test_a_wrong_bound_in_the_first_row_is_told_by_the_plan(self):
+        self.refused("restitution", factors={"g": {"of": "links.*.restitution", "list": [7]}})
+
+    def test_records_that_are_scaled_far_are_told(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        (Path(folder.name) / "a.csv").write_text("time,acc (g)\n0,0\n0.01,0.05\n0.02,0\n")
+        plan = plan_of(records={"files": folder.name}, intensity={"measure": "pga", "levels": ["0.1 g", "0.5 g"]})
+        self.assertIn("1 of 1 records are scaled by more than 4 at the highest level, at most by 10", plan.warnings[0])
+
+    def test_a_model_is_no_study(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "pair.yaml").write_text(pair().to_yaml())
+            with self.assertRaisesRegex(InputError, "has no study:, so it is one model; type pounding run"):
+                read_plan(Path(folder) / "pair.yaml")
+
+
+if __name__ == "__main__":
+    unittest.main()

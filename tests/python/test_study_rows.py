@@ -1,0 +1,231 @@
+"""Rows of studies: the numbers of single runs, the same bits however they are run, and failures that cost one row each."""
+
+import dataclasses
+import os
+import random
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import pounding
+from pounding.errors import InputError, SolverError
+from pounding.studies.engines import DIED, DONE, EXCEEDED, FAILED
+from pounding.studies.execution import run_rows
+from pounding.studies.plan import make_plan
+from pounding.studies.study import run_plan
+from pounding.studies.table import Table
+from study_samples import FACTORS, WORDS, Deadly, pair
+
+#: Kills of the long form; the fast form has one.
+KILLS = int(os.environ.get("POUNDING_STUDY_KILLS", "2"))
+
+
+def plan_of(**changes):
+    return make_plan(pair(), {"factors": FACTORS, **WORDS, **changes}, Path())
+
+
+def bits(path):
+    """All columns of a table, their bytes."""
+    with h5py.File(path) as file:
+        return {name: data[:].tobytes() for name, data in file["rows"].items()}
+
+
+class Rows(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write_study(self):
+        (self.folder / "pair.yaml").write_text(pair().to_yaml())
+        words = pounding.yaml_text.plain({"factors": FACTORS, **WORDS})
+        (self.folder / "study.yaml").write_text(pounding.yaml_text.emit({"model": "pair.yaml", "study": words}))
+        return self.folder / "study.yaml"
+
+    def command(self, *words, **options):
+        return subprocess.run([sys.executable, "-m", "pounding", "study", *map(str, words)], cwd=self.folder, capture_output=True, text=True,
+                              timeout=300, **options)
+
+    def test_a_row_is_a_run_of_its_model(self):
+        study = run_plan(plan_of(without_links="yes", keep=["displacement", "acceleration", "drift", "force", "penetration", "impacts", "impulse",
+                                                            "energy_lost", "required_gap", "gap_abs", "gap_srss"]), None, workers=0)
+        self.assertEqual((len(study), set(study["status"])), (36, {DONE}))
+        self.assertGreater(study["impacts"].sum(), 20)
+        for row in (0, 17, 35):
+            run = pounding.run(pounding.Model.from_yaml(study.model_of(row)))
+            self.assertEqual(study.model_of(row), study.plan.yaml(row))
+            link, right = run.summary["links"][0], run.summary["structures"]["right"]
+            alone = run.summary["no_pounding"]
+            for column, value in (("force", link["peak_force"]), ("impacts", link["impacts"]), ("impulse", link["impulse"]),
+                                  ("energy_lost", link["energy_lost"]), ("displacement.right", right["peak_displacement"][0]),
+                                  ("displacement.right.ratio", alone["amplification"]["right"][0]),
+                                  ("required_gap", alone["separations"][0]["enough"]), ("gap_srss", alone["separations"][0]["srss"])):
+                self.assertEqual(study[column][row], value, (row, column))
+        # By hand: row 23 is record 1, ratio 0.8, gap 9 mm, level 0.4 g, of 3 x 2 x 3 x 2.
+        np.testing.assert_allclose([study[name][23] for name in ("record", "ratio", "gap", "im")], [1, 0.8, 9e-3, 0.4 * 9.80665], rtol=1e-15)
+        self.assertAlmostEqual(study["scale"][23], 4 / 3, places=15)
+
+    def test_a_gap_that_is_just_enough_is_the_required_one(self):
+        study = run_plan(plan_of(keep=["required_gap"]), None, workers=0)
+        for row in (1, 13):
+            need = study["required_gap"][row]
+            for gap, impacts in ((need * (1 + 1e-4), 0), (need * (1 - 1e-4), 1)):
+                model = pounding.Model.from_yaml(study.model_of(row))
+                model.links[0]["gap"] = repr(float(gap))
+                model.analysis = {**model.analysis, "tolerance": "1e-7"}
+                self.assertEqual(min(1, len(pounding.run(model).impacts)), impacts)
+
+    def test_workers_chunks_and_shards_give_the_same_bits(self):
+        plan = plan_of()
+        run_plan(plan, self.folder / "one.h5", workers=0, chunk=1)
+        expected = bits(self.folder / "one.h5")
+        for name, options in (("chunks", {"workers": 0, "chunk": 7}), ("whole", {"workers": 0, "chunk": 5000}), ("two", {"workers": 2}),
+                              ("seven", {"workers": 7, "chunk": 2})):
+            run_plan(plan, self.folder / f"{name}.h5", **options)
+            self.assertEqual(bits(self.folder / f"{name}.h5"), expected, name)
+            self.assertFalse((self.folder / f"{name}.h5.parts").exists())
+        shards = []
+        for k in (1, 2, 3):
+            shards.append(self.folder / f"shard{k}.h5")
+            self.assertEqual((run_plan(plan, shards[-1], workers=0, shard=(k, 3))["status"] == DONE).sum(), 12)
+        table = Table(plan, self.folder / "merged.h5")
+        for shard in shards:
+            table.merge(shard)
+        table.write()
+        self.assertEqual(bits(self.folder / "merged.h5"), expected)
+
+    def test_an_executor_of_somebody_else_runs_the_rows(self):
+        plan = plan_of()
+        with ThreadPoolExecutor(2) as threads:
+            given = run_plan(plan, None, executor=threads)
+        np.testing.assert_array_equal(given.table, run_plan(plan, None, workers=0).table)
+
+    def test_a_killed_study_goes_on_to_the_same_bits(self):
+        study = self.write_study()
+        self.assertEqual(self.command(study, "-o", "whole.h5", "-j", "0", "-q").returncode, 0)
+        generator = random.Random(1)
+        for kill in range(KILLS):
+            output = self.folder / f"killed{kill}.h5"
+            parts = output.with_name(output.name + ".parts")
+            process = subprocess.Popen([sys.executable, "-m", "pounding", "study", str(study), "-o", str(output), "-j", "0", "-q", "--chunk", "2"],
+                                       start_new_session=True)
+            # Somewhere among its 18 chunks.
+            wanted, end = generator.randrange(1, 17), time.monotonic() + 60
+            while len(list(parts.glob("*.npz"))) < wanted and process.poll() is None and time.monotonic() < end:
+                time.sleep(0.002)
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+            kept = len(list(parts.glob("*.npz")))
+            if kept:
+                self.assertFalse(output.exists())
+            again = self.command(study, "-o", output, "-j", "0", "-q")
+            self.assertEqual(again.returncode, 0, again.stderr)
+            self.assertEqual(bits(output), bits(self.folder / "whole.h5"))
+
+    def test_finished_rows_do_not_run_again(self):
+        plan = plan_of()
+        table = Table(plan, self.folder / "s.h5")
+        run_rows(plan, table, np.arange(20), workers=0, chunk=5)
+        seen = []
+        run_plan(plan, self.folder / "s.h5", workers=0, chunk=4, progress=lambda done, failed, count: seen.append((done, count)))
+        self.assertEqual(seen, [(4, 16), (8, 16), (12, 16), (16, 16)])
+
+    def test_another_plan_is_refused_with_what_is_not_the_same(self):
+        run_plan(plan_of(), self.folder / "s.h5", workers=0)
+        with self.assertRaisesRegex(InputError, "another plan: records, seed is not the same. Name another output"):
+            run_plan(plan_of(seed=2), self.folder / "s.h5", workers=0)
+
+    def test_a_full_disk_loses_nothing_that_was_computed(self):
+        study = self.write_study()
+        done = self.command(study, "-o", "full.h5", "-j", "0", "-q", "--chunk", "2",
+                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (12000, 12000)))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("make room and type the same command again", done.stderr)
+        kept = len(list((self.folder / "full.h5.parts").glob("*.npz")))
+        self.assertEqual(kept, 18)
+        self.command(study, "-o", "whole.h5", "-j", "0", "-q")
+        self.assertEqual(self.command(study, "-o", "full.h5", "-j", "0", "-q").returncode, 0)
+        self.assertEqual(bits(self.folder / "full.h5"), bits(self.folder / "whole.h5"))
+
+    def test_a_worker_that_dies_costs_its_row(self):
+        plan = plan_of(records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.3 g"}}, stop_after="100 %")
+        whole = run_plan(plan, None, workers=0)
+        deadly = dataclasses.replace(plan, template=Deadly(**vars(plan.template)))
+        begin = time.monotonic()
+        study = run_plan(deadly, None, workers=2, chunk=3)
+        dead = np.isclose(study["gap"], Deadly.gap)
+        self.assertEqual(set(study["status"][dead]), {DIED})
+        self.assertEqual(set(study.failed.values()), {"worker died: signal 6"})
+        np.testing.assert_array_equal(study.table[~dead], whole.table[~dead])
+        self.assertTrue(np.isnan(study["force"][dead]).all())
+        self.assertLess(time.monotonic() - begin, 60 + 10 * dead.sum())
+
+    def test_failures_are_rows_with_reasons(self):
+        factors = {"k": {"of": "links.*.stiffness", "list": [2.75e9, 1e300]}}
+        study = run_plan(make_plan(pair(), {"factors": factors, "stop_after": "100 %"}, Path()), None, workers=0)
+        self.assertEqual(study["status"].tolist(), [DONE, FAILED])
+        self.assertEqual(list(study.failed), [1])
+        self.assertIn("at time", study.failed[1].replace("at t =", "at time"))
+        self.assertEqual(study.choose().tolist(), [True, False])
+
+    def test_a_limit_makes_exceeded_rows(self):
+        study = run_plan(plan_of(limits={"force": "1 N"}), None, workers=0)
+        np.testing.assert_array_equal(study["status"] == EXCEEDED, study["force"] > 1)
+        self.assertEqual(set(study["status"]), {DONE, EXCEEDED})
+
+    def test_too_many_failures_stop_the_study_and_keep_its_rows(self):
+        factors = {"k": {"of": "links.*.stiffness", "list": [1e300 * (1 + i) for i in range(40)]}}
+        plan = make_plan(pair(), {"factors": factors}, Path())
+        with self.assertRaisesRegex(SolverError, "20 of 20 rows have failed, more than stop_after .5 %."):
+            run_plan(plan, self.folder / "s.h5", workers=0, chunk=10)
+        self.assertEqual((pounding.Study.open(self.folder / "s.h5")["status"] == FAILED).sum(), 20)
+
+    def test_a_script_without_a_guard_is_told_what_to_write(self):
+        (self.folder / "script.py").write_text("import sys\nsys.path.insert(0, %r)\nfrom study_samples import *\n"
+                                               "pounding.study(pair(), FACTORS, workers=1)\n" % str(Path(__file__).parent))
+        done = subprocess.run([sys.executable, self.folder / "script.py"], capture_output=True, text=True, timeout=120)
+        self.assertIn('put the call under `if __name__ == "__main__":`', done.stderr)
+
+    def test_sweep_and_evaluate_are_plain_functions(self):
+        study = pounding.sweep(pair(), {"links.*.gap": ["1 mm", "3 mm"], "structures.left.oscillator.period": ["0.8 s"]}, keep=["force"])
+        self.assertEqual(study.factors, ["gap", "period"])
+        np.testing.assert_array_equal(study.evaluate({"gap": 3e-3, "period": 0.8})["force"], study["force"][1:])
+        with self.assertRaisesRegex(InputError, "a value for each of gap, period"):
+            study.evaluate({"gap": 1e-3})
+
+    def test_tables_for_other_programs_hold_all_digits(self):
+        study = run_plan(plan_of(), self.folder / "s.h5", workers=0)
+        opened = pounding.Study.open(self.folder / "s.h5")
+        np.testing.assert_array_equal(opened.table, study.table)
+        opened.to_csv(self.folder / "s.csv")
+        import pandas
+
+        read = pandas.read_csv(self.folder / "s.csv", float_precision="round_trip")
+        np.testing.assert_array_equal(read["force [N]"], study["force"])
+        self.assertEqual(set(read["status"]), {"done"})
+        grid = opened.to_xarray()
+        self.assertEqual(grid["force"].sizes, {"record": 3, "ratio": 2, "gap": 3, "sample": 1, "level": 2})
+        self.assertEqual(float(grid["force"].isel(record=1, ratio=1, gap=2, sample=0, level=1)), study["force"][23])
+        self.assertEqual(opened.to_pandas().shape, (36, len(study.columns)))
+
+    def test_pictures_are_drawn_from_the_table(self):
+        run_plan(plan_of(keep=["force", "impacts", "required_gap", "gap_srss"]), self.folder / "s.h5", workers=0)
+        study = pounding.Study.open(self.folder / "s.h5")
+        for picture, column, options in (("fragility", "impacts", {"limit": 0.5}), ("ida", "force", {"gap": 1e-3}), ("gap", None, {}),
+                                         ("map", "force", {"across": "ratio", "along": "gap"}), ("tornado", "force", {})):
+            study.plot(picture, column, **options).savefig(self.folder / f"{picture}.svg")
+        with self.assertRaisesRegex(InputError, "there is no picture"):
+            study.plot("fragilty", "force")
+
+
+if __name__ == "__main__":
+    unittest.main()
