@@ -86,12 +86,12 @@ PND_API void pnd_destroy(pnd_law *law);
  * doubles, so that a host may keep it among its own state variables; a copy of it takes a step back. */
 typedef struct pnd_contact {
   double touching;            /* 1 while an impact lasts, else 0 */
-  double indentation;         /* what komodromos and elastoplastic have added to the gap; taken off every penetration [m] */
+  double indentation;         /* what komodromos, elastoplastic and backfill have added to the gap; taken off every penetration [m] */
   double closing_speed;       /* of this impact, or the fixed design velocity [m/s] */
   double damping;             /* the law's coefficient for this impact, in the law's own unit */
   double largest_penetration; /* so far in this impact [m] */
   double slip;                /* plastic slip of bilinear_hertz [m] */
-  double crushed;             /* deepest penetration of the impacts before, of elastoplastic [m] */
+  double crushed;             /* deepest penetration of the impacts before, of elastoplastic and backfill [m] */
   double reserved[1];         /* zero */
 } pnd_contact;
 #define PND_CONTACT_DOUBLES 8
@@ -113,12 +113,12 @@ PND_API int pnd_respond(const pnd_law *law, const pnd_contact *contact, double p
                         pnd_response *response);
 
 /* A state was kept. Bodies that overlap and were apart begin an impact, whose closing speed is this rate (0 where the
- * rate is negative); an impact goes on; bodies that no longer overlap end it, as do komodromos and elastoplastic at the state
- * where their force has come down to zero. `contact->touching` tells what happened. */
+ * rate is negative); an impact goes on; bodies that no longer overlap end it, as do komodromos, elastoplastic and backfill at the
+ * state where their force has come down to zero. `contact->touching` tells what happened. */
 PND_API int pnd_accept(const pnd_law *law, double penetration, double rate, pnd_contact *contact);
 
 /* The impact ends here. For a host that locates the separation; the others leave it to pnd_accept. With komodromos the
- * penetration that is left is added to the indentation, with elastoplastic what was crushed. PND_BAD_ARGUMENT: also while
+ * penetration that is left is added to the indentation, with the others what was crushed. PND_BAD_ARGUMENT: also while
  * no impact lasts. */
 PND_API int pnd_separate(const pnd_law *law, double penetration, pnd_contact *contact);
 

@@ -62,6 +62,14 @@ TEST(ContactInput, TakesAContactThatCrushes) {
           "5:99: links[0].indentation_ratio: indentation_ratio is 1, but must be in [0, 1)");
 }
 
+TEST(ContactInput, TakesAWallWithBackfill) {
+  const std::string law = "gap: 1 mm, law: backfill, stiffness: 250 MN/m, failure_ratio: 0.75, strength: 6 MN";
+  EXPECT_EQ(parameter(model_of(link(law + ", unloading: 500 MN/m")), "strength"), 6e6);
+  refused(link(law), "5:46: links[0].law: backfill needs unloading (stiffness of unloading and reloading K_ur); type unloading: 5e+08 N/m");
+  refused(link(law + ", unloading: 200 MN/m"),
+          "5:132: links[0].unloading: unloading is 2e+08, but must be finite and at least stiffness, 2.5e+08: flatter unloading would create energy");
+}
+
 TEST(ContactInput, TakesZeroRestitutionWhereTheBodiesStick) {
   EXPECT_EQ(model_of(link("gap: 1 mm, law: stereomechanical, restitution: 0")).links[0].contact->restitution(), 0);
   EXPECT_EQ(parameter(model_of(link("gap: 1 mm, law: kelvin_voigt, stiffness: 90 MN/m, restitution: 0 %")), "damping_ratio"), 1);

@@ -39,7 +39,7 @@ TEST(LawsByName, EveryLawOfTheDesignIsThere) {
   const std::set<std::string_view> expected{
       "linear_spring", "kelvin_voigt", "kelvin_voigt_no_tension", "komodromos", "modified_linear_viscoelastic", "modified_kelvin",
       "hertz", "hertz_damped", "jankowski", "bilinear_hertz", "viscous_hertz", "kuwabara_kono", "adams_impact", "limited_damper",
-      "stereomechanical", "elastoplastic"};
+      "stereomechanical", "elastoplastic", "backfill"};
   std::set<std::string_view> found;
   for (const Entry& entry : catalogue()) found.insert(entry.name);
   EXPECT_EQ(found, expected);
@@ -272,7 +272,7 @@ TEST(LawsByName, LawsThatNeedTheMassRefuseNone) {
 TEST(LawsByName, TraitsAreThoseOfTheLaws) {
   for (const Entry& entry : catalogue()) {
     EXPECT_EQ(entry.may_pull, entry.name == "kelvin_voigt");
-    EXPECT_EQ(entry.leaves_indentation, entry.name == "komodromos" || entry.name == "elastoplastic");
+    EXPECT_EQ(entry.leaves_indentation, entry.name == "komodromos" || entry.name == "elastoplastic" || entry.name == "backfill");
     EXPECT_EQ(entry.sticks_at_zero, entry.name == "stereomechanical" || entry.name == "kelvin_voigt");
     EXPECT_EQ(entry.instantaneous, entry.name == "stereomechanical");
   }

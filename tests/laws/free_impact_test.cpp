@@ -251,6 +251,43 @@ TEST(FreeImpact, ElastoplasticLawWithALinearSpringIsThatOfWaltonAndBraun) {
   book.near("elastoplastic, n = 1: indentation [m]", law.indentation(impact), deepest * (1 - k1 / k2), 1e-16);
 }
 
+// Loading takes K/c [x - log(1 + c x)/c] with c = K Rf/Fu, unloading gives back F^2/(2 K_ur): both in closed form, the depth by bisection.
+TEST(FreeImpact, BackfillLosesWhatItsHyperbolaTakes) {
+  test::Book book("Wall with backfill", "closed form of the area below the hyperbola less F^2/(2 K_ur)", "what the integration promises");
+  const Backfill law{.stiffness = 250e6, .unloading = 500e6, .failure_ratio = 0.75, .strength = 6e6};
+  const double m = 250e3, c = 250e6 * 0.75 / 6e6;
+  for (const double v : {0.05, 0.5, 1.5}) {
+    const auto taken = [&](double x) { return 250e6 / c * (x - std::log1p(c * x) / c); };
+    double low = 0, high = 1;
+    while (high - low > 1e-16) (taken(0.5 * (low + high)) < 0.5 * m * v * v ? low : high) = 0.5 * (low + high);
+    const double force = high / (1 / 250e6 + 0.75 * high / 6e6), back = force * force / (2 * 500e6);
+    const FreeImpact found = free_impact(law, m, v);
+    book.near("backfill: largest penetration [m]", found.peak_penetration, high, 1e-9 * high);
+    book.near("backfill: peak force [N]", found.peak_force, force, 1e-9 * force);
+    book.near("backfill: restitution [-]", found.restitution, std::sqrt(back / (0.5 * m * v * v)), 1e-8);
+  }
+}
+
+// The path law of hysteresis/ and the contact law say the same of two impacts, the second of which presses deeper.
+TEST(FreeImpact, BackfillReloadsAlongItsUnloadingUpToTheDeepest) {
+  const Backfill law{.stiffness = 250e6, .unloading = 500e6, .failure_ratio = 0.75, .strength = 6e6};
+  const Hyperbola soil = law.soil();
+  Impact impact = touch(law, 1);
+  keep(law, 0.03, 0, impact);
+  const double top = soil.force(0.03), left = 0.03 - top / 500e6;
+  EXPECT_DOUBLE_EQ(law.contact(0.03, -1, impact).force, top);
+  EXPECT_NEAR(law.contact(0.5 * (0.03 + left), -1, impact).force, 0.5 * top, 1e-9 * top);
+  EXPECT_EQ(law.respond(left * 0.999, -1, impact).force, 0);
+  EXPECT_DOUBLE_EQ(law.indentation(impact), left);
+  Impact second{.closing_speed = 1, .crushed = law.crushed(impact)};
+  keep(law, 0.5 * (0.03 - left), 0, second);
+  EXPECT_EQ(law.indentation(second), 0) << "no deeper than before";
+  EXPECT_NEAR(law.contact(0.5 * (0.03 - left), 1, second).force, 0.5 * top, 1e-9 * top);
+  EXPECT_NEAR(law.contact(0.04 - left, 1, second).force, soil.force(0.04), 1e-9 * top);
+  keep(law, 0.04 - left, 0, second);
+  EXPECT_NEAR(law.indentation(second), 0.04 - soil.force(0.04) / 500e6 - left, 1e-15);
+}
+
 TEST(FreeImpact, CrushedSurfacesUnloadAndReloadAlongTheSameCurve) {
   const Elastoplastic law{.stiffness = 2e9, .restitution = 0.6};
   Impact impact = touch(law, 1);

@@ -116,7 +116,7 @@ class Forces(unittest.TestCase):
             law = typical(name)
             in_order = law.force(penetration, rate, 0.5, in_order=True)
             alone = law.force(penetration, rate, 0.5)
-            if name not in ("bilinear_hertz", "elastoplastic"):
+            if name not in ("bilinear_hertz", "elastoplastic", "backfill"):
                 np.testing.assert_array_equal(in_order, alone, name)
                 continue
             self.assertAlmostEqual(np.trapezoid(alone, penetration) / np.trapezoid(alone[:200], penetration[:200]), 0, delta=1e-3)

@@ -29,6 +29,7 @@ inline constexpr const char* every_law[] = {
     "limited_damper, stiffness: 2.75e9, restitution: 0.65",
     "stereomechanical, restitution: 0.65",
     "elastoplastic, stiffness: 2.75e9, restitution: 0.65",
+    "backfill, stiffness: 250 MN/m, unloading: 500 MN/m, failure_ratio: 0.75, strength: 6 MN",
 };
 
 /// The name of a law that stands as after "law: ".

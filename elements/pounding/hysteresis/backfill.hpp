@@ -1,13 +1,13 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string_view>
 
 #include <pounding/hysteresis/law.hpp>
 #include <pounding/hysteresis/table.hpp>
 #include <pounding/laws/checks.hpp>
+#include <pounding/laws/hyperbola.hpp>
 
 namespace pounding::hysteresis {
 
@@ -51,22 +51,20 @@ struct Backfill {
       StateValue<Backfill>{{"deepest", "m", "deepest x so far"}, [](const State& kept) { return kept.deepest; }}};
 
   void check() const {
-    laws::require_positive("stiffness", initial_stiffness);
-    if (!(std::isfinite(unloading) && unloading >= initial_stiffness))
-      laws::refuse("unloading", unloading, "finite and at least stiffness, " + laws::number_text(initial_stiffness) + ": flatter unloading would create energy");
-    if (!(failure_ratio > 0 && failure_ratio <= 1)) laws::refuse("failure_ratio", failure_ratio, "in (0, 1]");
-    laws::require_positive("strength", strength);
+    soil().check();
     laws::require_not_negative("gap", gap);
   }
+  /// Its curves.
+  laws::Hyperbola soil() const noexcept { return {initial_stiffness, unloading, failure_ratio, strength}; }
   double stiffness() const noexcept { return initial_stiffness; }
   /// At which the soil has half the stiffness of the start.
-  double yield_deformation() const noexcept { return (std::sqrt(2.0) - 1) * strength / (failure_ratio * initial_stiffness); }
+  double yield_deformation() const noexcept { return soil().half_stiffness(); }
   /// Depth that stays pressed in: it opens the gap [m].
-  double pressed_in(const State& kept) const noexcept { return kept.deepest - curve(kept.deepest) / unloading; }
+  double pressed_in(const State& kept) const noexcept { return soil().left(kept.deepest); }
 
   Answer respond(const State& kept, double d) const noexcept {
     const double x = d - gap;
-    if (x > kept.deepest || (x == kept.deepest && d > kept.deformation)) return {curve(x), curve_slope(x)};
+    if (x > kept.deepest || (x == kept.deepest && d > kept.deformation)) return {soil().force(x), soil().slope(x)};
     const double spring = x - pressed_in(kept);
     // At the end of contact the slope is that before it.
     const bool is_pressed = spring > 0 || (spring == 0 && d < kept.deformation);
@@ -81,8 +79,8 @@ struct Backfill {
   double lost(const State& kept, double d) const noexcept {
     const double before = kept.deepest, after = std::max(before, d - gap);
     if (after == before) return 0;
-    const double spring = 0.5 * (curve(after) - curve(before)) * (curve(after) + curve(before)) / unloading;
-    return std::max(0.0, curve_area(before, after) - spring);
+    const double f0 = soil().force(before), f1 = soil().force(after);
+    return std::max(0.0, soil().area(before, after) - 0.5 * (f1 - f0) * (f1 + f0) / unloading);
   }
   std::optional<double> corner(const State& kept, double d) const noexcept {
     const double touch = gap + pressed_in(kept), deepest = gap + kept.deepest;
@@ -93,24 +91,7 @@ struct Backfill {
   }
 
  private:
-  double curve(double x) const noexcept { return x > 0 ? x / (1 / initial_stiffness + failure_ratio * x / strength) : 0; }
-  double curve_slope(double x) const noexcept {
-    const double part = 1 + initial_stiffness * failure_ratio / strength * x;
-    return initial_stiffness / (part * part);
-  }
-  /// The integral of the hyperbola. In c = K Rf/Fu: K [x/c - log(1 + c x)/c^2], as its series where that would lose digits.
-  double curve_area(double from, double to) const noexcept {
-    const double c = initial_stiffness * failure_ratio / strength, part = c * (to - from) / (1 + c * from);
-    const double way = to - from;
-    if (part > 1e-3) return initial_stiffness / c * (way - std::log1p(part) / c);
-    // way - log1p(part)/c = way (c from)/(1 + c from) + (part^2/2 - part^3/3 + ...)/c.
-    const double rest = part * part * (0.5 - part * (1.0 / 3 - part * (0.25 - part * (0.2 - part / 6))));
-    return initial_stiffness / c * (way * c * from / (1 + c * from) + rest / c);
-  }
-  double stored_at(const State& kept, double x) const noexcept {
-    const double spring = std::max(0.0, x - pressed_in(kept));
-    return 0.5 * unloading * spring * spring;
-  }
+  double stored_at(const State& kept, double x) const noexcept { return soil().stored(kept.deepest, x); }
   // A soil that was never pressed has one corner where both are.
   bool slope_jumps(double x, const State& kept, bool) const noexcept { return kept.deepest > 0 || x == gap; }
 };

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include <pounding/laws/adams_impact.hpp>
+#include <pounding/laws/backfill.hpp>
 #include <pounding/laws/bilinear_hertz.hpp>
 #include <pounding/laws/by_name.hpp>
 #include <pounding/laws/elastoplastic.hpp>
@@ -44,7 +45,8 @@ using AnyLaw = std::variant<LinearSpring,
                             AdamsImpact,
                             LimitedDamper,
                             Stereomechanical,
-                            Elastoplastic>;
+                            Elastoplastic,
+                            Backfill>;
 
 /// Every law with its tables, in the order of AnyLaw.
 inline std::span<const Entry> catalogue() noexcept { return by_name::List<AnyLaw>::entries; }
