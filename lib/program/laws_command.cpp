@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -135,7 +136,7 @@ void add_laws(CLI::App& app) {
   CLI::App* command = app.add_subcommand("laws", "Contact laws and laws of yielding: their formulas, parameters, restitutions and loops");
   command->add_option("NAME", words->name, "One law in detail");
   command->add_flag("--json", words->json, "Print JSON");
-  command->add_flag("--yielding", words->yielding, "With --json and no NAME: the laws of yielding");
+  command->add_flag("--yielding", words->yielding, "With --json and no NAME: the laws of yielding; with a NAME that a contact law has too: that of yielding");
   command->add_option("--path", words->path, "Loop of a law of yielding with typical parameters: turning points in yield deformations");
   command->add_option("--points", words->points, "Points on each way of the loop, 1 for the turning points alone")->check(CLI::Range(1, 100000));
   command->callback([words] {
@@ -151,6 +152,8 @@ void add_laws(CLI::App& app) {
     }
     for (const hysteresis::Entry& entry : hysteresis::catalogue()) {
       if (entry.name != words->name) continue;
+      const bool is_contact_law_too = std::ranges::find(laws::catalogue(), entry.name, &laws::Entry::name) != laws::catalogue().end();
+      if (is_contact_law_too && !words->yielding && words->path.empty()) break;
       if (!words->path.empty()) return print_loop(entry, read_path(words->path), words->points, words->json);
       return words->json ? fmt::print("{}\n", law_json(entry).dump(2)) : print_law(entry);
     }

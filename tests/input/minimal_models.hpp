@@ -9,6 +9,7 @@
 
 #include <pounding/input/words/devices.hpp>
 #include <pounding/input/words/hinges.hpp>
+#include <pounding/input/words/isolators.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/springs.hpp>
 
@@ -72,6 +73,11 @@ inline std::string yielding(const std::string& spring) {
   return shaken + pair + "  a: {shear_building: {storeys: 2, mass: 1 t, stiffness: 10 MN/m, damping: 5 %, spring: " + spring + "}}";
 }
 
+/// The bent in space on one isolator.
+inline std::string isolated(const std::string& isolator) {
+  return in_space({{"supports", "{a: {isolator: " + isolator + "}, d: fixed}"}, {"gravity", "true"}});
+}
+
 /// A model around one section, whose keys stand at the @.
 inline std::string around(const Section& s) {
   Keys with_floor = bent;
@@ -120,6 +126,7 @@ inline std::string around(const Section& s) {
       {&words::support_springs, in_space({{"supports", "{a: {springs: @}, d: fixed}"}})},
       {&words::support_dashpots, in_space({{"supports", "{a: {dashpots: @}, d: fixed}"},
                                             {"masses", "{a: {rx: 1 t m^2, ry: 1 t m^2, rz: 1 t m^2}, b: 10 t, c: 10 t}"}})},
+      {&words::isolator, isolated("@")},
       {&words::floor, in_frame({{"floors", "[@]"}})},
       {&words::node_masses, in_space({{"masses", "{b: @, c: 10 t}"}})},
       {&words::node_loads, in_space({{"loads", "{b: @}"}})},
@@ -141,6 +148,8 @@ inline std::string around(const Section& s) {
     if (law == &s) return shaken + pair + fmt::format("devices: {{tie: {{between: [left, right], {}: @}}}}", law->name.substr(7));
   for (const Section* law : words::laws_of_hinges())  // they are called hinge_LAW
     if (law == &s) return in_frame({{"hinges", fmt::format("{{b1: {{at: both, {}: @}}}}", law->name.substr(6))}});
+  for (const Section* law : words::laws_of_isolators())  // they are called isolator_LAW
+    if (law == &s) return isolated(fmt::format("{{coupled: false, {}: @}}", law->name.substr(9)));
   return models.at(&s);
 }
 
@@ -163,6 +172,7 @@ inline const std::map<const Section*, Keys> beside = {
     {&words::cross_section, {{"rectangle", "[0.4 m, 0.6 m]"}}},
     {&words::member, {{"between", "[a, b]"}, {"section", rectangle}}},
     {&words::hinge, {{"yield_moment", "210 kN m"}}},
+    {&words::isolator, {{"coupled", "false"}}},
     {&words::support, {{"fix", "[uz]"}, {"springs", "{ux: 20 MN/m}"}}},
     {&words::support_springs, {{"uz", "20 MN/m"}, {"ux", "20 MN/m"}}},
     {&words::link, {{"law", "hertz_damped"}, {"stiffness", "2.75e9"}, {"restitution", "0.65"}}}};
@@ -179,6 +189,21 @@ inline const std::map<std::string, Keys> beside_word = {
     {"hinge_peak_oriented.yield_rotation", {{"cracking_moment", "50 kN m"}}},
     {"device_peak_oriented.cracking_force", {{"yield_deformation", "30 mm"}}},
     {"device_peak_oriented.yield_deformation", {{"cracking_force", "50 kN"}}},
+    {"supports.isolator", {{"springs", ""}, {"fix", ""}}},
+    {"isolator_lead_rubber.strength", {{"post_yield_stiffness", "3.5 MN/m"}}},
+    {"isolator_lead_rubber.yield_displacement", {{"post_yield_stiffness", "3.5 MN/m"}}},
+    {"isolator_lead_rubber.shear_modulus", {{"area", "1.75 m^2"}, {"rubber_thickness", "0.2 m"}}},
+    {"isolator_lead_rubber.area", {{"shear_modulus", "0.4 MPa"}, {"rubber_thickness", "0.2 m"}}},
+    {"isolator_lead_rubber.rubber_thickness", {{"shear_modulus", "0.4 MPa"}, {"area", "1.75 m^2"}}},
+    {"isolator_elastomeric.strength", {{"post_yield_stiffness", "3.5 MN/m"}}},
+    {"isolator_elastomeric.yield_displacement", {{"post_yield_stiffness", "3.5 MN/m"}}},
+    {"isolator_elastomeric.exponent", {{"post_yield_stiffness", "3.5 MN/m"}}},
+    {"isolator_elastomeric.shear_modulus", {{"area", "1.75 m^2"}, {"rubber_thickness", "0.2 m"}}},
+    {"isolator_elastomeric.area", {{"shear_modulus", "0.4 MPa"}, {"rubber_thickness", "0.2 m"}}},
+    {"isolator_elastomeric.rubber_thickness", {{"shear_modulus", "0.4 MPa"}, {"area", "1.75 m^2"}}},
+    {"isolator_friction_pendulum.rate", {{"friction", "[4 %, 8 %]"}}},
+    {"isolator_peak_oriented.cracking_force", {{"yield_deformation", "30 mm"}}},
+    {"isolator_peak_oriented.yield_deformation", {{"cracking_force", "50 kN"}}},
     {"members.truss", {{"section", ""}}},
     {"bar.E", {{"area", "20 cm^2"}}},
     {"bar.area", {{"E", "210 GPa"}, {"stiffness", ""}}},

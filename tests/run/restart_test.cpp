@@ -221,6 +221,23 @@ TEST(ResumeWithDevices, GivesTheSameBits) {
   }
 }
 
+// Isolators by two laws, friction that depends on the velocity, and walls whose backfill stays pressed in.
+constexpr const char* isolated =
+    "ground_motion: {harmonic: {amplitude: 4 m/s^2, period: 1.2, duration: 4}}\n"
+    "structures:\n"
+    "  west: {wall: {}}\n"
+    "  a: {shear_building: {storeys: 3, mass: 250 t, stiffness: 3e5 kN/m, isolator: {friction_pendulum: {radius: 2 m, friction: [4 %, 8 %], rate: 60 s/m}}}, damping: 2 %}\n"
+    "  b: {shear_building: {storeys: 3, mass: 250 t, stiffness: 3e5 kN/m, isolator: {lead_rubber: {strength: 300 kN, yield_displacement: 10 mm, post_yield_stiffness: 3 MN/m}}}, damping: 2 %}\n"
+    "links:\n"
+    "  - {between: [west, a.1], gap: 40 mm, law: backfill, stiffness: 100 MN/m, unloading: 300 MN/m, failure_ratio: 0.75, strength: 3 MN}\n"
+    "  - {between: [a.1, b.1], gap: 30 mm, law: backfill, stiffness: 100 MN/m, unloading: 300 MN/m, failure_ratio: 0.75, strength: 3 MN}\n"
+    "analysis: {duration: 4, tolerance: 1e-4, output_step: 1e-2}\n";
+
+TEST(ResumeOfIsolatedBuildings, GivesTheSameBits) {
+  expect_to_go_on(isolated, apart);
+  expect_to_go_on(isolated, touched);
+}
+
 // Extremes of members are followed over several steps; the column of the left frame is hit between its ends.
 constexpr const char* frames =
     "ground_motion: {synthetic: {seed: 7, duration: 2 s, pga: 0.6 g}}\n"

@@ -8,6 +8,7 @@
 
 #include <pounding/frames/frame.hpp>
 #include <pounding/ground/components.hpp>
+#include <pounding/structures/isolators.hpp>
 
 namespace pounding {
 
@@ -27,6 +28,13 @@ struct FrameSupport {
   std::optional<GroundComponents> motion{};  ///< of its own instead of the model's
 };
 
+/// An isolator between the ground and a node, along one horizontal axis. Its other displacements are held as by any support.
+struct FrameIsolator {
+  int node = 0;
+  Dof along = Dof::ux;  ///< ux, or uy in space
+  IsolatorOptions options{};
+};
+
 /// How the displacements of a frame change its stiffness.
 enum class FrameGeometry {
   linear,       ///< not at all
@@ -41,6 +49,7 @@ struct FrameModel {
   /// Supports with a delay or a motion of their own. All other nodes that the ground holds, by a fixed displacement or a spring,
   /// move together; they may be given here too, without a name, as the first.
   std::vector<FrameSupport> supports{};
+  std::vector<FrameIsolator> isolators{};
   std::optional<std::vector<int>> reported_nodes{};  ///< all of a frame of at most 100 nodes where nothing is said
   std::vector<int> reported_members{};
   FrameGeometry geometry = FrameGeometry::linear;

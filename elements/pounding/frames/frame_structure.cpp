@@ -12,6 +12,7 @@
 #include <pounding/frames/frame_completion.hpp>
 #include <pounding/frames/frame_floors.hpp>
 #include <pounding/frames/frame_hinges.hpp>
+#include <pounding/frames/frame_isolators.hpp>
 #include <pounding/frames/frame_surface.hpp>
 
 namespace pounding {
@@ -210,6 +211,7 @@ Geometry make_geometry(const FrameModel& model) {
 Structure make_structure(FrameModel given) {
   complete(given);
   given.check_geometry();
+  place_isolators(given);
   if (given.geometry == FrameGeometry::p_delta) given.frame.add_p_delta(given.has_gravity());
   const auto model = std::make_shared<const FrameModel>(std::move(given));
   const auto frame = std::make_shared<AssembledFrame>(model->frame.assemble(model->has_gravity()));
@@ -246,14 +248,15 @@ Structure make_structure(FrameModel given) {
   s.supports = make_supports(*model, *frame, model->supports, s.forces, reactions);
   if (turning) let_turn(model, turning, reactions, s);
   let_hinges_yield(*model, *frame, reactions, model->is_free ? std::vector<std::vector<bool>>() : storey_cuts(*model), s);
+  let_isolators_yield(*model, *frame, reactions, s);
   if (!model->is_free) s.supports_along = [model, frame, forces = s.forces, reactions](const Vector3d& direction) {
     const std::vector<FrameSupport> apart = apart_along(*model, direction);
     if (turns(*model) && apart.size() > 1)
       throw std::invalid_argument("a wave moves the supports of a frame one after the other, and with geometry: corotational all move "
                                   "alike; type geometry: p_delta");
-    if (!model->frame.hinges().empty() && apart.size() > 1)
-      throw std::invalid_argument("a wave moves the supports of a frame one after the other, and in a frame with hinges all move alike; "
-                                  "leave the wave or the hinges out");
+    if (!(model->frame.hinges().empty() && model->isolators.empty()) && apart.size() > 1)
+      throw std::invalid_argument("a wave moves the supports of a frame one after the other, and in a frame with hinges or isolators all move "
+                                  "alike; leave the wave or these out");
     return make_supports(*model, *frame, apart, forces, reactions);
   };
   s.geometry = make_geometry(*model);

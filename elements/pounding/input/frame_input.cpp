@@ -118,6 +118,13 @@ class Reader {
         for (const auto& [dof, stiffness] : wish.springs) model_.frame.add_spring(node, dof, stiffness);
         for (const auto& [dof, damping] : wish.dashpots) model_.frame.add_dashpot(node, dof, damping);
       });
+    if (wish.isolator)
+      for (const int node : nodes)
+        for (const Dof dof : dofs_of(parts_.dimension()))
+          if (dof == Dof::ux || dof == Dof::uy) {
+            model_.isolators.push_back({node, dof, *wish.isolator});
+            parts_.frame.isolator_places.push_back(place.at("isolator"));
+          }
     if (wish.delay > 0 || wish.motion) model_.supports.push_back({name, nodes, wish.delay, wish.motion});
     else common_.insert(common_.end(), nodes.begin(), nodes.end());
   }
@@ -251,11 +258,15 @@ class Reader {
   std::vector<FloorPlace> floor_places_;
 };
 
-// At the place of the hinge, node or member that the refusal begins with, else at the frame.
+// At the place of the hinge, isolator, node or member that the refusal begins with, else at the frame.
 [[noreturn]] void fail_at_part(const std::string& refusal, const FrameInput& from, const Input& body) {
   const Frame& frame = from.model.frame;
   for (std::size_t hinge = 0; hinge < from.hinge_places.size(); ++hinge)
     if (refusal.starts_with(fmt::format("hinge {}: ", frame.hinge_name(static_cast<int>(hinge))))) from.hinge_places[hinge].fail(refusal);
+  for (std::size_t i = 0; i < from.isolator_places.size(); ++i) {
+    const std::string name = "isolator " + frame.node_name(from.model.isolators[i].node);
+    if (refusal.starts_with(name + ": ") || refusal.starts_with(name + " ")) from.isolator_places[i].fail(refusal);
+  }
   for (int node = 0; node < frame.nodes(); ++node)
     if (refusal.starts_with(fmt::format("node {}: ", frame.node_name(node)))) from.node_places[node].fail(refusal);
   for (int member = 0; member < frame.members(); ++member)

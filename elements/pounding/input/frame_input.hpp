@@ -10,10 +10,10 @@
 
 namespace pounding {
 
-/// A frame as it was read, and where its nodes, members and hinges stand in the file.
+/// A frame as it was read, and where its nodes, members, hinges and isolators stand in the file.
 struct FrameInput {
   FrameModel model;
-  std::vector<Input> node_places, member_places, hinge_places;
+  std::vector<Input> node_places, member_places, hinge_places, isolator_places;
 };
 
 /// Reads and checks everything that needs no matrices. Throws InputError at the place of what is wrong.

@@ -7,6 +7,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/input/ground_input.hpp>
+#include <pounding/input/isolator_input.hpp>
 
 namespace pounding {
 namespace {
@@ -93,6 +94,25 @@ GroundComponents FrameParser::ground(const Input& node) const {
   return ground.components;
 }
 
+// Along which axes it acts, and what is held beside them.
+void FrameParser::read_isolator(const Input& support, const Input& isolator, SupportWish& wish) const {
+  wish.isolator = read_isolator_law(isolator);
+  if (const auto coupled = isolator.find("coupled")) {
+    if (dimension_ == 2) coupled->fail_at_key("is for frames in space; a plane one moves along x only, so leave it out");
+    wish.isolator->is_coupled = coupled->as_bool();
+  }
+  if (dimension_ == 3 && wish.isolator->is_coupled)
+    isolator.fail("moves along x and y at once in space, and no law couples the two yet; type coupled: false for each axis by itself, which "
+                  "carries up to 1.41 times too much along a diagonal");
+  const auto acts = [&](Dof dof) { return dof == Dof::ux || dof == Dof::uy; };
+  if (const auto fix = support.find("fix")) {
+    if (std::ranges::any_of(wish.fixed, acts)) fix->fail("holds what the isolator lets go; type fix: [uz, ry], or leave fix out");
+    return;
+  }
+  for (const Dof dof : dofs_of(dimension_))
+    if (!acts(dof)) wish.fixed.push_back(dof);
+}
+
 SupportWish FrameParser::support(const Input& node) const {
   SupportWish wish;
   if (node.is_scalar()) {
@@ -101,6 +121,7 @@ SupportWish FrameParser::support(const Input& node) const {
   }
   node.only_keys();
   if (const auto fix = node.find("fix")) wish.fixed = fix->is_scalar() ? fixed_by(*fix) : dofs(*fix);
+  if (const auto isolator = node.find("isolator")) read_isolator(node, *isolator, wish);
   const auto pairs = [&](std::string_view key, auto& into) {
     const auto given = node.find(key);
     if (!given) return;

@@ -11,6 +11,7 @@
 #include <pounding/frames/frame.hpp>
 #include <pounding/ground/components.hpp>
 #include <pounding/input/input.hpp>
+#include <pounding/structures/isolators.hpp>
 #include <pounding/core/units.hpp>
 
 namespace pounding {
@@ -23,6 +24,7 @@ const Dimension& of_dashpot(Dof dof);
 struct SupportWish {
   std::vector<Dof> fixed;
   std::vector<std::pair<Dof, double>> springs, dashpots;  ///< [N/m], [N m]; [N s/m], [N m s]
+  std::optional<IsolatorOptions> isolator;
   double delay = 0;                                       ///< [s]
   std::optional<GroundComponents> motion;
 };
@@ -50,6 +52,7 @@ class FrameParser {
  private:
   std::vector<Dof> fixed_by(const Input& word) const;
   GroundComponents ground(const Input& node) const;
+  void read_isolator(const Input& support, const Input& isolator, SupportWish& wish) const;
 
   int dimension_;
 };

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <pounding/hysteresis/all.hpp>
+#include <pounding/structures/isolators.hpp>
 
 namespace pounding {
 namespace {
@@ -31,11 +33,28 @@ std::vector<double> periods(const Structure& s) {
   return all;
 }
 
+// Each with its law, its numbers and its capacity.
+void emit_isolators(YAML::Emitter& out, const Structure& s) {
+  if (!is_isolated(s)) return;
+  out << YAML::Key << "isolators" << YAML::Value << YAML::BeginMap;
+  for (const YieldingPart& part : s.yielding) {
+    if (!isolates(part)) continue;
+    out << YAML::Key << part.name << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key << "law" << YAML::Value << part.law;
+    for (const YieldingPart::Parameter& parameter : part.parameters)
+      if (std::isfinite(parameter.value)) emit(out, parameter.name.c_str(), parameter.value);
+    emit(out, "stiffness", part.spring->stiffness());
+    out << YAML::EndMap;
+  }
+  out << YAML::EndMap;
+  if (const double period = isolated_period(s); std::isfinite(period)) emit(out, "isolated_period", period);
+}
+
 // Each with its law, its numbers and the moment that gravity and loads give it at rest.
-void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& hinges) {
+void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
+  if (std::ranges::all_of(parts, isolates)) return;
   out << YAML::Key << "hinges" << YAML::Value << YAML::BeginMap;
-  for (const YieldingPart& hinge : hinges) {
-    if (hinge.is_device()) continue;
+  for (const YieldingPart& hinge : parts) {
+    if (isolates(hinge) || hinge.is_device()) continue;
     out << YAML::Key << hinge.name << YAML::Value << YAML::Flow << YAML::BeginMap;
     out << YAML::Key << "law" << YAML::Value << hinge.law;
     for (const YieldingPart::Parameter& parameter : hinge.parameters) emit(out, parameter.name.c_str(), parameter.value);
@@ -65,11 +84,12 @@ void emit_frame(YAML::Emitter& out, const Structure& s) {
     for (const Support& support : s.supports) out << support.name;
     out << YAML::EndSeq;
   }
-  if (s.members_that_yield() > 0) emit_hinges(out, s.yielding);
+  emit_hinges(out, s.yielding);
+  emit_isolators(out, s);
 }
 
 // The law of the storeys with its numbers, storey by storey; a bilinear one as in its own keys where these say all.
-void emit_springs(YAML::Emitter& out, const std::vector<YieldingPart>& storeys) {
+void emit_springs(YAML::Emitter& out, std::span<const YieldingPart> storeys) {
   const YieldingPart& first = storeys.front();
   const bool plain = first.law == "bilinear" && first.parameters.size() == 2;
   if (!plain)
@@ -94,7 +114,9 @@ void emit_storeys(YAML::Emitter& out, const Structure& s) {
   emit_list(out, "mass", {masses.begin(), masses.end()});
   if (!s.storey_stiffness.empty()) {
     emit_list(out, "stiffness", s.storey_stiffness);
-    if (s.members_that_yield() > 0) emit_springs(out, s.yielding);
+    const std::span storeys = std::span(s.yielding).first(s.members_that_yield()).subspan(is_isolated(s) ? 1 : 0);
+    if (!storeys.empty()) emit_springs(out, storeys);
+    emit_isolators(out, s);
     emit_list(out, "periods", periods(s));
     const Eigen::MatrixXd damping = s.whole_damping();
     if (s.size() <= max_shown_matrix) emit_list(out, "damping_matrix", {damping.data(), damping.data() + damping.size()});

@@ -51,7 +51,7 @@ Input place_of(const std::string& refusal, const Input& law, const hysteresis::E
   return law;
 }
 
-SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness) {
+SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness, int first_storey) {
   const hysteresis::Entry& entry = law_of(spring);
   const Input law = spring.at(entry.name);
   law.only_keys();
@@ -69,7 +69,7 @@ SpringOptions read_storey_spring(const Input& spring, const std::vector<double>&
       make_spring(options.of_storey(i, stiffness));
     } catch (const std::invalid_argument& error) {
       const Input place = place_of(error.what(), law, entry);
-      place.fail(place.is_list() ? fmt::format("storey {}: {}", i + 1, error.what()) : error.what());
+      place.fail(place.is_list() ? fmt::format("storey {}: {}", first_storey + i, error.what()) : error.what());
     }
   return options;
 }

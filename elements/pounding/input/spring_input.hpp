@@ -16,8 +16,9 @@ const hysteresis::Entry* law_among_keys(const Input& map, const char* what);
 /// The key of the law that a refusal begins with, or the law itself.
 Input place_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry);
 
-/// Reads the section `spring`, for storeys with these stiffnesses [N/m]. Throws InputError at the place of what is missing, unknown or out
+/// Reads the section `spring`, for storeys with these stiffnesses [N/m], the first of which has this number. Throws InputError at the place
+/// of what is missing, unknown or out
 /// of range.
-SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness);
+SpringOptions read_storey_spring(const Input& spring, const std::vector<double>& stiffness, int first_storey = 1);
 
 }  // namespace pounding

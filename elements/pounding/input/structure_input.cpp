@@ -13,6 +13,7 @@
 #include <pounding/input/force_input.hpp>
 #include <pounding/input/frame_input.hpp>
 #include <pounding/input/ground_input.hpp>
+#include <pounding/input/isolator_input.hpp>
 #include <pounding/input/spring_input.hpp>
 #include <pounding/structures/oscillators.hpp>
 
@@ -29,12 +30,13 @@ void read_yielding(const Input& body, Structure& s) {
   if (const auto spring = body.find("spring")) {
     for (const auto& beside : {force, hardening})
       if (beside) beside->fail_at_key("belongs to a bilinear storey, and a spring is given too; keep one of the two");
-    return let_storeys_yield(s, read_storey_spring(*spring, s.storey_stiffness));
+    const std::vector<double> stiffness = stiffness_of_storeys(s);
+    return let_storeys_yield(s, read_storey_spring(*spring, stiffness, s.size() - static_cast<int>(stiffness.size()) + 1));
   }
   if (hardening && !force)
     hardening->fail_at_key("belongs to storeys that yield; type yield_force: 2 MN beside it, or leave it out");
   if (!force) return;
-  const int storeys = s.size();
+  const int storeys = static_cast<int>(stiffness_of_storeys(s).size());
   const auto forces = force->as_quantities(storeys);
   const auto ratios = hardening ? hardening->as_quantities(storeys)
                                 : std::vector<double>(storeys, 0.0);
@@ -57,12 +59,31 @@ Structure read_oscillator(const Input& body) {
   return s;
 }
 
+IsolatorOptions read_building_isolator(const Input& isolator) {
+  IsolatorOptions options = read_isolator_law(isolator);
+  if (const auto coupled = isolator.find("coupled")) coupled->fail_at_key("is for frames in space; a shear building moves along x only, so leave it out");
+  return options;
+}
+
+// That of the storeys above the isolators, where there are any.
+std::vector<double> read_stiffness(const Input& node, int storeys, bool is_isolated) {
+  if (is_isolated && node.is_list() && static_cast<int>(node.items().size()) != storeys)
+    node.fail(fmt::format("takes one value, or a list of {}, of the storeys above the isolators, whose law has their stiffness; a list of {} was read",
+                          storeys, node.items().size()));
+  return node.as_quantities(storeys);
+}
+
 Structure read_shear_building(const Input& body) {
   body.only_keys();
   ShearBuildingOptions options{.storeys = static_cast<int>(body.at("storeys").as_integer())};
   const int storeys = options.storeys;
   options.mass = body.at("mass").as_quantities(storeys);
-  options.stiffness = body.at("stiffness").as_quantities(storeys);
+  if (const auto isolator = body.find("isolator")) options.isolator = read_building_isolator(*isolator);
+  if (const int above = storeys - (options.isolator ? 1 : 0); above > 0) {
+    options.stiffness = read_stiffness(body.at("stiffness"), above, options.isolator.has_value());
+  } else if (const auto idle = body.find("stiffness")) {
+    idle->fail_at_key("is that of storeys above the isolators, and there are none; type storeys: 2, or leave it out");
+  }
   if (const auto height = body.find("height")) options.height = height->as_quantities(storeys);
   Structure s = make_shear_building(options);
   read_yielding(body, s);
@@ -138,6 +159,9 @@ Damping read_damping(const Input& node, const Structure& s) {
   const std::optional<Input> rayleigh = node.find("rayleigh"), modal = node.find("modal");
   if (rayleigh.has_value() == modal.has_value())
     node.fail("takes one of rayleigh and modal; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
+  if (rayleigh && is_isolated(s))
+    rayleigh->fail_at_key("would brake what the isolators do; type damping: 2 %, which is in proportion to the stiffness above them, or damping: {modal: "
+                          "{ratio: 2 %}}");
   if (rayleigh) return read_rayleigh(*rayleigh, s);
   modal->only_keys();
   return ModalDamping{modal->quantity("ratio")};

@@ -137,7 +137,8 @@ L make(const Settings& s) {
       law.restitution = s.restitution;
     }
   } else if (s.restitution) {
-    throw std::invalid_argument(law_name + " takes no restitution: it loses no energy");
+    throw std::invalid_argument(law_name + " takes no restitution: " +
+                                (leaves_indentation<L> ? "what it loses follows from its curves" : "it loses no energy"));
   }
 
   if (!s.formula.empty()) {

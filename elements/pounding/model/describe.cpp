@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/structures/isolators.hpp>
 
 namespace pounding {
 namespace {
@@ -23,19 +24,52 @@ std::string describe(const Structure& s) {
   return text + (s.frequencies.size() > 1 ? fmt::format(", first periods {} and {}", period(0), period(1)) : ", period " + period(0));
 }
 
+std::string range(const std::string& from, const std::string& to) { return from == to ? from : from + " to " + to; }
+
+// "     4 isolators, lead_rubber: stiffness 8.75 MN/m, yield displacement 13.2 mm at 115.8 kN, isolated period 3.096 s, capacity 300 mm"
+std::string describe_isolators(const Structure& s) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  struct Range {
+    double least = none, largest = 0;
+    void take(double value) { least = std::min(least, value), largest = std::max(largest, value); }
+    std::string text(const Dimension& dimension) const {
+      const auto shown = [&](double value) { return format_quantity(value, dimension, 4); };
+      return range(shown(least), shown(largest));
+    }
+  };
+  Range stiffness, yield, force, capacity;
+  int count = 0;
+  std::string laws;
+  for (const YieldingPart& part : s.yielding) {
+    if (!isolates(part)) continue;
+    ++count;
+    const double k = part.spring->stiffness(), d = part.spring->yield_deformation();
+    stiffness.take(k), yield.take(d), force.take(k * d);
+    if (const double limit = *capacity_of(part); std::isfinite(limit)) capacity.take(limit);
+    if (laws.find(part.law) == std::string::npos) laws += (laws.empty() ? "" : ", ") + part.law;
+  }
+  const double period = isolated_period(s);
+  std::string text = fmt::format("     {}, {}: stiffness {}, yield displacement {} at {}, ", s.dimension == 1 ? "isolators" : fmt::format("{} isolator{}", count, count == 1 ? "" : "s"),
+                                 laws, stiffness.text(dimension::stiffness), yield.text(dimension::length), force.text(dimension::force));
+  text += std::isfinite(period) ? fmt::format("isolated period {:.4g} s", period) : "no isolated period, nothing brings it back";
+  if (capacity.largest > 0) text += ", capacity " + capacity.text(dimension::length);
+  return text + '\n';
+}
+
 // "     8 hinges: yield moments 180 kN m to 250 kN m, yield rotations 0.000192 to 0.000208, at rest up to 31 % of them"
 std::string describe_hinges(const Structure& s) {
   double weakest = std::numeric_limits<double>::infinity(), strongest = 0, least = weakest, largest = 0, at_rest = 0;
+  int count = 0;
   for (const YieldingPart& part : s.yielding) {
-    if (part.is_device()) continue;
+    if (isolates(part) || part.is_device()) continue;
+    ++count;
     const double rotation = part.spring->yield_deformation(), moment = rotation * part.spring->stiffness();
     weakest = std::min(weakest, moment), strongest = std::max(strongest, moment);
     least = std::min(least, rotation), largest = std::max(largest, rotation);
     at_rest = std::max(at_rest, std::abs(part.at_rest) / rotation);
   }
-  const auto range = [](const std::string& from, const std::string& to) { return from == to ? from : from + " to " + to; };
   const auto moment = [](double value) { return fmt::format("{:.4g} kN m", value / 1e3); };
-  const std::size_t count = s.members_that_yield();
+  if (count == 0) return {};
   std::string text = fmt::format("     {} hinge{}: yield moment {}, yield rotation {}", count, count == 1 ? "" : "s", range(moment(weakest), moment(strongest)),
                                  range(fmt::format("{:.4g}", least), fmt::format("{:.4g}", largest)));
   if (at_rest > 0) text += fmt::format(", at rest up to {:.3g} % of it", 100 * at_rest);
@@ -55,7 +89,8 @@ std::string describe(const Model& model) {
   }
   for (const Structure& s : model.structures) {
     text += describe(s) + '\n';
-    if (s.dimension > 1 && s.members_that_yield() > 0) text += describe_hinges(s);
+    if (s.dimension > 1) text += describe_hinges(s);
+    if (is_isolated(s)) text += describe_isolators(s);
     for (const YieldingPart& part : s.yielding)
       if (part.is_device()) text += fmt::format("     device {}: {}\n", part.name, part.device);
     for (const AppliedForce& force : s.applied_forces) text += fmt::format("     force on {}: {}\n", force.place, force.history.source());

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/structures/isolators.hpp>
 #include <pounding/structures/structure.hpp>
 
 namespace pounding {
@@ -23,9 +24,9 @@ inline std::optional<double> yields_before(const Spring& spring, double deformat
   return corner ? std::optional(std::max(weaker, std::abs(*corner))) : std::nullopt;
 }
 
-/// A drift of a storey, "12 mm", or a rotation in a frame, "0.0012 rad".
-inline std::string deformation_text(const Structure& s, double deformation) {
-  return s.dimension == 1 ? format_quantity(deformation, dimension::length) : fmt::format("{:.4g} rad", deformation);
+/// A drift of a storey or an isolator, "12 mm", or a rotation in a frame, "0.0012 rad".
+inline std::string deformation_text(const Structure& s, const YieldingPart& part, double deformation) {
+  return s.dimension == 1 || isolates(part) ? format_quantity(deformation, dimension::length) : fmt::format("{:.4g} rad", deformation);
 }
 
 }  // namespace pounding

@@ -59,7 +59,7 @@ void refuse_initial_yield(const Structure& s) {
     if (const auto yield = yields_before(*part.spring, strained))
       throw ModelError(ModelOption::initial_displacement,
                        fmt::format("strains {} by {}, and it yields at {}; take less, or an initial_velocity", part.name,
-                                   deformation_text(s, strained), deformation_text(s, *yield)));
+                                   deformation_text(s, part, strained), deformation_text(s, part, *yield)));
   }
 }
 

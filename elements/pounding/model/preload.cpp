@@ -87,8 +87,8 @@ void refuse_yield(const Structure& s) {
     if (part.is_device()) continue;  // undeformed
     const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
     if (const auto yield = yields_before(*part.spring, strained))
-      refuse(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name, deformation_text(s, strained),
-                         deformation_text(s, *yield)));
+      refuse(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name, deformation_text(s, part, strained),
+                         deformation_text(s, part, *yield)));
   }
 }
 

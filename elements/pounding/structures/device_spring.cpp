@@ -96,13 +96,13 @@ double DeviceSpring::damper_work(const LinkStep& step, double until) const noexc
   return until * (step.end - step.begin) * power;
 }
 
-SpringInside::Answer DeviceSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {
+Spring::Instant DeviceSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {
   LinkMotion motion = motion_inside(step, s);
   motion.penetration = deformation;
-  SpringInside::Answer answer{evaluate(motion).force, damped_before_ + damper_work(step, s)};
-  if (const auto* exact = dynamic_cast<const SpringInside*>(yielding_.get())) {
+  Spring::Instant answer{evaluate(motion).force, damped_before_ + damper_work(step, s)};
+  if (yielding_) {
     // The law has gone on since: its answer in the step instead of that from the kept state.
-    const SpringInside::Answer yielded = exact->inside(step, s, deformation);
+    const Spring::Instant yielded = yielding_->inside(step, s, deformation);
     answer.force += yielded.force - yielding_->evaluate(motion).force;
     answer.lost += yielded.lost;
   }

@@ -7,7 +7,6 @@
 #include <pounding/hysteresis/entry.hpp>
 #include <pounding/structures/bar_and_damper.hpp>
 #include <pounding/structures/spring.hpp>
-#include <pounding/structures/spring_inside.hpp>
 
 namespace pounding {
 
@@ -22,7 +21,7 @@ struct DeviceParts {
 };
 
 /// Deformation and force are elongation and tension. No structure is assembled with its stiffness: the force is all of it.
-class DeviceSpring final : public Spring, public SpringInside {
+class DeviceSpring final : public Spring {
  public:
   /// Undeformed. Throws as DeviceParts::check() does.
   explicit DeviceSpring(const DeviceParts& parts);
@@ -42,7 +41,7 @@ class DeviceSpring final : public Spring, public SpringInside {
   void start(const LinkMotion& motion) override;
   void accept(const LinkStep& step) override;
   /// The loss is that of yielding and of the damper.
-  SpringInside::Answer inside(const LinkStep& step, double s, double deformation) const noexcept override;
+  Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
   double lost() const noexcept override { return yielding_ ? yielding_->lost() : 0; }
   double damped() const noexcept override { return damped_; }
   /// All that it stores, for it has no k [J].

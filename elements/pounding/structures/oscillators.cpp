@@ -1,12 +1,15 @@
 #include <pounding/structures/oscillators.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include <pounding/core/units.hpp>
 #include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/structure_damping.hpp>
 
@@ -129,46 +132,74 @@ Structure make_oscillator(const OscillatorOptions& options) {
   return s;
 }
 
+namespace {
+
+Row drift_of(int storey, int size) {
+  Row drift(size);
+  if (storey > 0) drift.insert(storey - 1) = -1;
+  drift.insert(storey) = 1;
+  return drift;
+}
+
+YieldingPart isolators_under(const std::vector<double>& masses, const IsolatorOptions& options) {
+  const double weight = standard_gravity * std::accumulate(masses.begin(), masses.end(), 0.0);
+  try {
+    return make_isolator("isolators", drift_of(0, static_cast<int>(masses.size())), options, weight);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("isolators: " + std::string(error.what()));
+  }
+}
+
+}  // namespace
+
 Structure make_shear_building(const ShearBuildingOptions& options) {
   if (options.storeys < 1) throw std::invalid_argument("storeys must be at least 1");
-  const std::vector<double> masses = options.mass.of_each(options.storeys, "mass"),
-                            stiffnesses = options.stiffness.of_each(options.storeys, "stiffness");
+  const std::vector<double> masses = options.mass.of_each(options.storeys, "mass");
   for (const double mass : masses) require_positive(mass, "mass");
+  std::optional<YieldingPart> isolators;
+  if (options.isolator) isolators = isolators_under(masses, *options.isolator);
+  const int above = options.storeys - (isolators ? 1 : 0);
+  std::vector<double> stiffnesses;
+  if (above > 0) stiffnesses = options.stiffness.of_each(above, isolators ? "stiffness of the storeys above the isolators" : "stiffness");
   for (const double stiffness : stiffnesses) require_positive(stiffness, "stiffness");
+  if (isolators) stiffnesses.insert(stiffnesses.begin(), isolators->spring->stiffness());
   std::vector<double> heights;
   if (!options.height.empty()) heights = options.height.of_each(options.storeys, "height");
   for (const double height : heights) require_positive(height, "height");
   Structure s = make_stick(masses, stiffnesses, heights);
   s.kind = "shear_building";
+  if (isolators) s.yielding.push_back(std::move(*isolators));
   if (options.spring && !(options.yield_force.empty() && options.hardening.empty())) throw std::invalid_argument(one_law);
   if (options.spring) let_storeys_yield(s, *options.spring);
   if (options.yield_force.empty() && !options.hardening.empty()) throw std::invalid_argument(needs_yielding);
   if (!options.yield_force.empty())
-    let_storeys_yield(s, options.yield_force.of_each(options.storeys, "yield_force"),
-                      options.hardening.empty() ? std::vector<double>(options.storeys, 0.0)
-                                                : options.hardening.of_each(options.storeys, "hardening"));
+    let_storeys_yield(s, options.yield_force.of_each(above, "yield_force"),
+                      options.hardening.empty() ? std::vector<double>(above, 0.0) : options.hardening.of_each(above, "hardening"));
   return s;
 }
 
+std::vector<double> stiffness_of_storeys(const Structure& s) {
+  return {s.storey_stiffness.begin() + (is_isolated(s) ? 1 : 0), s.storey_stiffness.end()};
+}
+
 void let_storeys_yield(Structure& s, const std::vector<double>& yield_forces, const std::vector<double>& hardening) {
-  const std::size_t storeys = s.storey_stiffness.size();
+  const std::size_t storeys = stiffness_of_storeys(s).size();
   if (yield_forces.size() != storeys || hardening.size() != storeys)
     throw std::invalid_argument("one yield force and one hardening a storey");
   let_storeys_yield(s, {.law = "bilinear", .values = {{"yield_force", yield_forces}, {"hardening", hardening}}});
 }
 
 void let_storeys_yield(Structure& s, const SpringOptions& spring) {
-  s.yielding.clear();
-  for (int i = 0; i < static_cast<int>(s.storey_stiffness.size()); ++i) {
-    const std::string name = "storey " + std::to_string(i + 1);
-    Row drift(s.size());
-    if (i > 0) drift.insert(i - 1) = -1;
-    drift.insert(i) = 1;
+  std::erase_if(s.yielding, [](const YieldingPart& part) { return !isolates(part); });
+  const std::vector<double> stiffness = stiffness_of_storeys(s);
+  const int first = static_cast<int>(s.storey_stiffness.size() - stiffness.size());
+  for (int i = 0; i < static_cast<int>(stiffness.size()); ++i) {
+    const std::string name = "storey " + std::to_string(first + i + 1);
     try {
-      const hysteresis::Settings settings = spring.of_storey(i, s.storey_stiffness);
-      s.yielding.emplace_back(name, std::move(drift), spring.law, parameters_of(settings), make_spring(settings));
+      const hysteresis::Settings settings = spring.of_storey(i, stiffness);
+      s.yielding.emplace_back(name, drift_of(first + i, s.size()), spring.law, parameters_of(settings), make_spring(settings));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(s.storey_stiffness.size() == 1 ? error.what() : name + ": " + error.what());
+      throw std::invalid_argument(stiffness.size() == 1 ? error.what() : name + ": " + error.what());
     }
   }
 }

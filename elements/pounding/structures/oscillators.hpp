@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <pounding/structures/isolators.hpp>
 #include <pounding/structures/one_or_each.hpp>
 #include <pounding/structures/structure.hpp>
 #include <pounding/structures/yielding_law.hpp>
@@ -36,10 +37,12 @@ Structure make_oscillator(const OscillatorOptions& options);
 /// m (2 pi/T)^2 [N/m].
 double stiffness_of_period(double mass, double period);
 
-/// Storeys on each other, each a mass on a spring. Every list goes from the ground up.
+/// Storeys on each other, each a mass on a spring. Every list goes from the ground up. Where the lowest storey is isolators, the lowest
+/// floor is the slab on them, and what is said of storeys, their stiffness and how they yield, is said of those above it.
 struct ShearBuildingOptions {
-  int storeys = 0;
+  int storeys = 0;                ///< the isolators included
   OneOrEach mass{}, stiffness{};  ///< [kg], [N/m]
+  std::optional<IsolatorOptions> isolator{};  ///< all isolators together, under the weight of all masses
   OneOrEach height{};             ///< of each storey [m]; may be left out
   OneOrEach yield_force{};        ///< [N]; the storeys stay elastic without one
   OneOrEach hardening{};          ///< of storeys that yield, 0 unless given, see let_storeys_yield
@@ -48,12 +51,15 @@ struct ShearBuildingOptions {
 /// No damping yet: it is given to Model::add. Throws std::invalid_argument for what is missing or out of range.
 Structure make_shear_building(const ShearBuildingOptions& options);
 
-/// Lets every storey of a structure yield bilinearly at the force given for it, from the ground up [N]; its stiffness after
+/// Stiffness of the storeys that may yield by let_storeys_yield, those above isolators, from the ground up [N/m].
+std::vector<double> stiffness_of_storeys(const Structure& structure);
+
+/// Lets every storey of a structure, above isolators where there are any, yield bilinearly at the force given for it, from the ground up [N]; its stiffness after
 /// that is `hardening` in [0, 1) times the initial one. The damping stays that of the initial stiffness.
 /// Throws std::invalid_argument when a number is out of range or the storeys are counted wrong.
 void let_storeys_yield(Structure& structure, const std::vector<double>& yield_forces, const std::vector<double>& hardening);
 
-/// Lets every storey of a structure yield by a law. The damping stays that of the initial stiffness. Throws std::invalid_argument, with the
+/// Lets these storeys of a structure yield by a law. The damping stays that of the initial stiffness. Throws std::invalid_argument, with the
 /// storey, for what the law refuses.
 void let_storeys_yield(Structure& structure, const SpringOptions& spring);
 

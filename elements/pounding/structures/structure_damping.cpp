@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/structures/isolators.hpp>
 #include <pounding/structures/massless.hpp>
 
 namespace pounding {
@@ -45,8 +46,22 @@ void use_rayleigh(Structure& s, double ratio, const TwoFrequencies& points) {
   s.damping_note = fmt::format("Rayleigh, {:.4g} % in {}", 100 * ratio, points.note);
 }
 
-void damp(Structure& s, double ratio, const ModeSolver&) {
+// b K without the part of the isolators, with the ratio in the first mode on a fixed base: forces of the mass would brake the isolators.
+void damp_above_isolators(Structure& s, double ratio, const ModeSolver& solver) {
+  s.damping_note = "none";
+  if (ratio == 0) return;
+  const SparseMatrix base = motions_on_fixed_base(s);
+  const SparseMatrix mass = base.transpose() * s.mass * base, stiffness = base.transpose() * s.stiffness * base;
+  const double w = solver(mass, stiffness, 1).frequencies[0];
+  s.by_stiffness = 2 * ratio / w;
+  s.damping -= s.by_stiffness * stiffness_of_isolators(s);
+  s.damping_note = fmt::format("{:.4g} % in the first mode on a fixed base, period {:.6g} s, in proportion to the stiffness without the isolators",
+                               100 * ratio, 2 * M_PI / w);
+}
+
+void damp(Structure& s, double ratio, const ModeSolver& solver) {
   check_ratio(ratio);
+  if (is_isolated(s)) return damp_above_isolators(s, ratio, solver);
   if (s.rigid_motions > 0) {
     s.by_stiffness = 2 * ratio / s.frequencies[0];
     s.damping_note = fmt::format("{:.4g} % in the first mode that bends it, in proportion to the stiffness", 100 * ratio);
@@ -66,6 +81,9 @@ void damp(Structure& s, const RayleighDamping& rayleigh, const ModeSolver& solve
   if (s.rigid_motions > 0)
     throw std::invalid_argument("without supports Rayleigh damping would brake the motion as a rigid body; type damping: 5 %, or damping: "
                                 "{modal: {ratio: 5 %}}");
+  if (is_isolated(s))
+    throw std::invalid_argument("on isolators Rayleigh damping would brake what they do; type damping: 2 %, which is in proportion to the "
+                                "stiffness above them, or damping: {modal: {ratio: 2 %}}");
   use_rayleigh(s, rayleigh.ratio, points_of(rayleigh, s, solver));
 }
 
@@ -76,9 +94,10 @@ void damp(Structure& s, const ModalDamping& modal, const ModeSolver&) {
     throw std::invalid_argument(
         fmt::format("fills a matrix of {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}", count));
   // Unknowns without mass take no part in the dashpots, which M Phi shows.
-  const Eigenmodes all = dense_modes(s.mass, s.stiffness, count);
+  const bool isolated = is_isolated(s);
+  const Eigenmodes all = dense_modes(s.mass, isolated ? SparseMatrix(s.stiffness - stiffness_of_isolators(s)) : s.stiffness, count);
   s.damping += SparseMatrix(modal_damping(Eigen::MatrixXd(s.mass), all, modal.ratio).sparseView());
-  s.damping_note = fmt::format("modal, {:.4g} % in every mode", 100 * modal.ratio);
+  s.damping_note = fmt::format("modal, {:.4g} % in every mode{}", 100 * modal.ratio, isolated ? " of the structure without its isolators" : "");
 }
 
 }  // namespace

@@ -1,10 +1,16 @@
 #pragma once
-/// Warnings of numbers in the answers of a run that are far from those of buildings.
+/// Warnings of numbers in the answers of a run that are far from those of buildings, or beyond what parts can bear.
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
 #include <pounding/model/plausible.hpp>
+#include <pounding/structures/isolators.hpp>
 #include <pounding/results/summary.hpp>
 
 namespace pounding {
@@ -12,8 +18,25 @@ namespace pounding {
 /// One line each, of a run of this model; none of those that the model accepts.
 inline std::vector<std::string> implausible(const Model& model, const Summary& summary) {
   std::vector<double> penetrations;
-  for (const LinkSummary& link : summary.links) penetrations.push_back(link.peak_penetration);
+  // Soil is pressed further than bodies overlap.
+  for (std::size_t i = 0; i < summary.links.size(); ++i)
+    penetrations.push_back(model.links[i].law == "backfill" ? 0 : summary.links[i].peak_penetration);
   return implausible(model, penetrations);
+}
+
+/// One line for each isolator that moved further than it can.
+inline std::vector<std::string> beyond_capacity(const Model& model, const Summary& summary) {
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < summary.structures.size(); ++k)
+    for (std::size_t i = 0; i < summary.structures[k].springs.size(); ++i) {
+      const YieldingPart& part = model.structures[k].yielding[i];
+      const SpringSummary& moved = summary.structures[k].springs[i];
+      if (const double capacity = capacity_of(part).value_or(std::numeric_limits<double>::infinity()); std::abs(moved.peak) > capacity)
+        texts.push_back(fmt::format("structure {}, {}: {} at {:.4g} s, beyond the capacity of {}; what happens there is not in the model",
+                                    model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4), moved.peak_time,
+                                    format_quantity(capacity, dimension::length)));
+    }
+  return texts;
 }
 
 }  // namespace pounding

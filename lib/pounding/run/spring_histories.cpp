@@ -7,6 +7,7 @@
 
 #include <pounding/model/storey_heights.hpp>
 #include <pounding/run/histories.hpp>
+#include <pounding/structures/sliding_spring.hpp>
 
 namespace pounding {
 namespace {
@@ -52,6 +53,25 @@ double first_beyond(const LinkStep& step, double limit) {
   double low = 0, high = beyond;
   while (high - low > 1e-12) (std::abs(between.at(0.5 * (low + high))) > limit ? high : low) = 0.5 * (low + high);
   return high;
+}
+
+// Up to this r |v| friction changes with the velocity.
+constexpr double saturated = 10;
+
+// The friction of a slider bends sharply where it comes to rest: the parabola through three points of a step would miss its peak there.
+void update_slider(const SlidingSpring& slider, const LinkStep& step, double stiffness, std::size_t part, Extremes& forces) {
+  constexpr int pieces = 16;
+  const double h = (step.end - step.begin) / pieces;
+  const auto force = [&](double s) {
+    const double d = interpolate(step, s).penetration;
+    return stiffness * d + slider.inside(step, s, d).force;
+  };
+  double last = force(0);
+  for (int j = 0; j < pieces; ++j) {
+    const double next = force((j + 1.0) / pieces);
+    forces.update(part, step.begin + j * h, h, last, force((j + 0.5) / pieces), next);
+    last = next;
+  }
 }
 
 // A part comes straight to a deformation, where its force on top of k d is this.
@@ -112,8 +132,12 @@ void SpringHistories::step_part(int k, std::size_t i) {
   const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
   history.deformations.update(i, step.begin, h, begin.penetration, begin.rate, end.penetration, end.rate);
   const auto force = [&](const LinkMotion& motion, double on_top) { return stiffness * motion.penetration + on_top; };
-  history.forces.update(i, step.begin, h, force(begin, step.force_begin), force(step.motion_middle, step.force_middle),
-                        force(end, step.force_end));
+  const auto* slider = dynamic_cast<const SlidingSpring*>(model_.structures[k].yielding[i].spring.get());
+  if (slider && slider->law().rate * std::min(std::abs(begin.rate), std::abs(end.rate)) < saturated)
+    update_slider(*slider, step, stiffness, i, history.forces);
+  else
+    history.forces.update(i, step.begin, h, force(begin, step.force_begin), force(step.motion_middle, step.force_middle),
+                          force(end, step.force_end));
   if (begin.rate * end.rate < 0) {
     const CubicPenetration between(begin, end, h);
     if (const double s = between.turn(); s > 0 && s < 1)
@@ -128,15 +152,15 @@ void SpringHistories::step_part(int k, std::size_t i) {
 
 // Velocities are nearly straight in a step; where they turn, the cubic through both ends says how far they go.
 void SpringHistories::step_damping(const StoreyDamping& damping) {
-  const int floors = static_cast<int>(damping.yield_force.size());
+  const int floors = static_cast<int>(damping.by_velocity.cols()), storeys = static_cast<int>(damping.yield_force.size());
   const OutputQuantities &begin = stepper_.outputs_begin(), &end = stepper_.outputs_end_minus();
   const auto shears = [&](const OutputQuantities& at, int column) -> Eigen::VectorXd {
     return damping.by_velocity * at.motion.col(column).segment(damping.first_row, floors);
   };
   const Eigen::VectorXd f0 = shears(begin, 1), r0 = shears(begin, 2), f1 = shears(end, 1), r1 = shears(end, 2);
-  Extremes extremes(floors);
+  Extremes extremes(storeys);
   std::vector<double>& largest = histories_[damping.structure].springs.damping_shear;
-  for (int i = 0; i < floors; ++i) {
+  for (int i = 0; i < storeys; ++i) {
     extremes.update(i, begin.time, end.time - begin.time, f0[i], r0[i], f1[i], r1[i]);
     largest[i] = std::max(largest[i], extremes.peak(i) / damping.yield_force[i]);
   }

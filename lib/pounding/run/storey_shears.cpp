@@ -36,7 +36,7 @@ void StoreyShears::begin(const Eigen::MatrixXd& floors) {
       const int at = first_row_[k] + static_cast<int>(i);
       const double drift = floors(at, 0) - (i > 0 ? floors(at - 1, 0) : 0);
       double force = s.storey_stiffness[i] * drift;
-      if (s.members_that_yield() > 0) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
+      if (i < s.members_that_yield()) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
       force += by_devices(k, i, [&](std::size_t part) { return stepper_.link_forces()[static_cast<int>(first_spring_[k] + part)]; });
       results_.structures[k].envelope.storey_shear.update(i, stepper_.time(), force);
     }
@@ -58,7 +58,8 @@ void StoreyShears::step(int k, int row, const StepMotion& step) {
     };
     const double k_i = s.storey_stiffness[i], d0 = drift(step.begin, 0), d1 = drift(step.end_minus, 0);
     const double v0 = drift(step.begin, 1), v1 = drift(step.end_minus, 1);
-    if (s.yielding.empty()) {  // nor is there a device
+    const bool yields = i < s.members_that_yield(), has_device = s.floors[i].storey_shear_by_yielding.size() > 0;
+    if (!yields && !has_device) {
       shear.update(i, step.begin_time, step.h, k_i * d0, k_i * v0, k_i * d1, k_i * v1);
       continue;
     }

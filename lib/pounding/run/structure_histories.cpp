@@ -86,7 +86,7 @@ void StructureHistories::sample_floors(int k, const OutputInstant& at) {
       history.drift.push_back(drift);
       if (s.storey_stiffness.empty()) continue;
       double shear = s.storey_stiffness[i] * drift;
-      if (s.members_that_yield() > 0) {
+      if (i < static_cast<int>(s.members_that_yield())) {
         const LinkStep& step = stepper_.link_steps()[first_spring_[k] + i];
         const Spring& spring = *s.yielding[i].spring;
         shear += at.inside ? spring_force(spring, step, at.time, drift) : spring.evaluate({.penetration = drift}).force;

@@ -1,6 +1,8 @@
-"""Loops of the parts that yield: force over deformation of storeys and hinges."""
+"""Loops of the parts that yield: force over deformation of storeys, hinges and isolators."""
 
 from __future__ import annotations
+
+import re
 
 import numpy as np
 from matplotlib import rc_context
@@ -18,6 +20,8 @@ from pounding.springs import Springs
 SHOWN = 6
 #: Two loops stand beside each other from this width of a figure on, and a loop needs this height [in].
 LEAST_OF_TWO, LEAST_HEIGHT = 3.2, 1.6
+#: How names of hinges end.
+HINGE = re.compile(r" (start|end)( [yz])?$")
 #: Forces and moments have the same sizes.
 MOMENT_UNITS = tuple((size, f"{name} m") for size, name in FORCE_UNITS)
 
@@ -59,8 +63,9 @@ def most_energy(run: RunData) -> list[tuple[int, Structure, int]]:
 def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
     """The loop of one part."""
     springs = _springs(structure)
-    is_device = springs.is_device(part)
-    turns = structure.geometry is not None and not is_device
+    name, is_device = springs.names[part], springs.is_device(part)
+    turns = structure.geometry is not None and HINGE.search(name) is not None
+    isolates = not turns and name.startswith("isolator")
     deformation, force = MM * springs.deformation[:, part], springs.force[:, part]
     size, unit = engineering(largest([force]), MOMENT_UNITS if turns else FORCE_UNITS)
     for sign in (-1, 1) if np.isfinite(springs.yield_deformation[part]) else ():
@@ -70,9 +75,11 @@ def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
     if deformation.size:
         axes.plot(deformation[-1], force[-1] / size, marker="o", markersize=4, color="black", linestyle="none", zorder=4)
     lost_size, lost_unit = engineering(springs.largest["hysteretic"][part], ENERGY_UNITS)
-    axes.set_title(f"{structure.name}, {springs.names[part]}")
-    axes.set_ylabel(f"{'Moment' if turns else 'Tension' if is_device else 'Shear'} [{unit}]")
-    axes.set_xlabel(f"{'Rotation [mrad]' if turns else 'Elongation [mm]' if is_device else 'Drift [mm]'}\nductility {springs.largest['ductility'][part]:.3g}, "
+    sense, way = (("Moment", "Rotation [mrad]") if turns else ("Tension", "Elongation [mm]") if is_device else
+                  ("Force", "Deformation [mm]") if isolates else ("Shear", "Drift [mm]"))
+    axes.set_title(f"{structure.name}, {name}")
+    axes.set_ylabel(f"{sense} [{unit}]")
+    axes.set_xlabel(f"{way}\nductility {springs.largest['ductility'][part]:.3g}, "
                     f"{springs.largest['hysteretic'][part] / lost_size:.3g} {lost_unit} lost")
     axes.xaxis.set_major_locator(MaxNLocator(4))
     axes.yaxis.set_major_locator(MaxNLocator(4))

@@ -1,5 +1,6 @@
 #include <array>
 
+#include <pounding/input/words/isolators.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/shared.hpp>
 
@@ -31,8 +32,11 @@ constexpr auto dashpots = by_displacement(dimension::damping, turning_damping, b
 
 constexpr Word support_words[] = {
     {.key = "fix", .takes = Takes::choice, .form = Form::one_or_list, .choices = displacements, .instead = supports,
-     .noun = "support", .otherwise = "nothing is fixed",
+     .noun = "support", .otherwise = "nothing; beside an isolator all but ux, and uy in space",
      .meaning = "Displacements that are fixed: a list, or fixed, pinned or roller.", .example = "[uz, ry]"},
+    {.key = "isolator", .inside = &isolator, .otherwise = "none", .since = "0.2.0",
+     .meaning = "An isolator along ux, in space also along uy. It lets the foot neither lift nor turn unless fix says what is held.",
+     .example = "{friction_pendulum: {radius: 2 m, friction: 6 %, weight: 500 kN}}"},
     {.key = "springs", .inside = &support_springs, .meaning = "Springs to the ground, by their displacements.",
      .example = "{ux: 20 MN/m, ry: 100 MN m}"},
     {.key = "dashpots", .inside = &support_dashpots, .meaning = "Dashpots to the ground, by their displacements.",

@@ -1,4 +1,5 @@
 #include <pounding/input/words/devices.hpp>
+#include <pounding/input/words/isolators.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/shared.hpp>
 #include <pounding/input/words/springs.hpp>
@@ -86,8 +87,11 @@ constexpr Word shear_building_words[] = {
     {.key = "stiffness", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::stiffness,
      .bounds = bounds::positive, .need = Need::required,
      .meaning = "Shear stiffness of a storey: one for all storeys, or a list from the ground up. The first one is between the "
-                "ground and floor 1.",
+                "ground and floor 1; beside isolator it is between the slab and floor 2, and so are those of yield_force and spring.",
      .example = "350 MN/m"},
+    {.key = "isolator", .inside = &isolator, .otherwise = "none", .since = "0.2.0",
+     .meaning = "The lowest storey is isolators, all of them together, and floor 1 is the slab on them. The weight on sliders is that of all floors.",
+     .example = "{lead_rubber: {strength: 375 kN, yield_displacement: 12 mm, post_yield_stiffness: 3.5 MN/m}}"},
     {.key = "height", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::length,
      .bounds = bounds::positive, .otherwise = "floors without elevations, and no drifts",
      .meaning = "Height of a storey: one for all storeys, or a list from the ground up.", .example = "3.2 m"},

@@ -9,6 +9,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/input/words/devices.hpp>
 #include <pounding/input/words/hinges.hpp>
+#include <pounding/input/words/isolators.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/springs.hpp>
 
@@ -25,14 +26,14 @@ std::string Bounds::text() const {
 namespace words {
 namespace {
 
-// The laws of springs and of hinges follow behind the sections of these names.
+// The laws of springs, isolators and hinges follow behind the sections of these names.
 constexpr const Section* without_laws[] = {
     &model,       &ground_motion,   &components,       &motion,       &wave,       &harmonic, &sum_part, &pulse, &synthetic,
     &displacement, &moved_harmonic, &moved_part,
     &structure,   &body,            &oscillator,       &shear_building, &storey_spring, &wall, &damping,  &rayleigh, &modal,
     &force,       &force_harmonic,  &force_sum_part,   &force_pulse,  &step_force,
     &frame,       &material,        &cross_section,    &i_section,    &tube,       &grid,     &bay_width, &member,
-    &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &floor, &node_masses, &node_loads,
+    &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &isolator, &floor, &node_masses, &node_loads,
     &node_displacements,
     &spring,      &tie,             &hinge,     &report,           &link,         &link_end,   &stiffness, &device, &own_device, &bar, &damper,
     &analysis,    &checkpoint};
@@ -65,6 +66,7 @@ std::span<const Section* const> sections() noexcept {
     for (const Section* section : without_laws) {
       made.push_back(section);
       if (section == &storey_spring) std::ranges::copy(laws_of_springs(), std::back_inserter(made));
+      if (section == &isolator) std::ranges::copy(laws_of_isolators(), std::back_inserter(made));
       if (section == &hinge) std::ranges::copy(laws_of_hinges(), std::back_inserter(made));
       if (section == &own_device) std::ranges::copy(laws_of_devices(), std::back_inserter(made));
     }

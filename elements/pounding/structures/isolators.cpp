@@ -1,0 +1,141 @@
+#include <pounding/structures/isolators.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <pounding/hysteresis/all.hpp>
+#include <pounding/structures/make_spring.hpp>
+#include <pounding/structures/sliding_spring.hpp>
+#include <pounding/structures/yielding_law.hpp>
+
+namespace pounding {
+namespace {
+
+using Factors = std::map<int, double>;
+
+void add(const Factors& more, double times, Factors& sum) {
+  for (const auto& [unknown, factor] : more) sum[unknown] += times * factor;
+}
+
+// Replaces an unknown by what it is.
+void replace(int unknown, const Factors& by, Factors& in) {
+  const auto found = in.find(unknown);
+  if (found == in.end()) return;
+  const double times = found->second;
+  in.erase(found);
+  add(by, times, in);
+}
+
+// The numbers of the law, and those of the velocity.
+SlidingFriction sliding(const IsolatorOptions::Velocity& velocity, const std::vector<YieldingPart::Parameter>& law) {
+  const auto number = [&](const char* name) {
+    const auto found = std::ranges::find(law, name, &YieldingPart::Parameter::name);
+    if (found == law.end()) throw std::invalid_argument("friction that depends on the velocity belongs to a friction_pendulum");
+    return found->value;
+  };
+  return {.weight = number("weight"), .radius = number("radius"), .slow = velocity.slow_friction, .fast = number("friction"), .rate = velocity.rate,
+          .sliding_deformation = number("yield_displacement")};
+}
+
+}  // namespace
+
+bool needs_weight(const IsolatorOptions& isolator) {
+  if (isolator.law.values.contains("weight")) return false;
+  const auto all = hysteresis::catalogue();
+  const auto law = std::ranges::find(all, isolator.law.law, &hysteresis::Entry::name);
+  return law != all.end() && std::ranges::find(law->parameters, "weight", &hysteresis::ParameterInfo::name) != law->parameters.end();
+}
+
+YieldingPart make_isolator(std::string name, Row deformation, const IsolatorOptions& isolator, double weight) {
+  if (isolator.capacity && !(*isolator.capacity > 0 && std::isfinite(*isolator.capacity)))
+    throw std::invalid_argument("capacity must be positive and finite");
+  hysteresis::Settings law = isolator.law;
+  if (needs_weight(isolator)) law.values.emplace("weight", weight);
+  std::vector<YieldingPart::Parameter> parameters = parameters_of(law);
+  std::unique_ptr<Spring> spring = make_spring(law);
+  if (isolator.velocity) {
+    spring = std::make_unique<SlidingSpring>(sliding(*isolator.velocity, parameters));
+    parameters.push_back({"slow_friction", isolator.velocity->slow_friction});
+    parameters.push_back({"rate", isolator.velocity->rate});
+  }
+  YieldingPart part(std::move(name), std::move(deformation), law.law, std::move(parameters), std::move(spring));
+  part.parameters.push_back({"capacity", isolator.capacity.value_or(std::numeric_limits<double>::infinity())});
+  return part;
+}
+
+std::optional<double> capacity_of(const YieldingPart& part) {
+  const auto found = std::ranges::find(part.parameters, "capacity", &YieldingPart::Parameter::name);
+  return found == part.parameters.end() ? std::nullopt : std::optional(found->value);
+}
+
+bool is_isolated(const Structure& s) { return std::ranges::any_of(s.yielding, isolates); }
+
+SparseMatrix stiffness_of_isolators(const Structure& s) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const YieldingPart& part : s.yielding) {
+    if (!isolates(part)) continue;
+    for (Row::InnerIterator i(part.deformation); i; ++i)
+      for (Row::InnerIterator j(part.deformation); j; ++j)
+        entries.emplace_back(static_cast<int>(i.index()), static_cast<int>(j.index()), part.spring->stiffness() * i.value() * j.value());
+  }
+  SparseMatrix all(s.size(), s.size());
+  all.setFromTriplets(entries.begin(), entries.end());
+  return all;
+}
+
+SparseMatrix motions_on_fixed_base(const Structure& s) {
+  constexpr double rounding = 1e-12;
+  std::map<int, Factors> given;  // unknowns that the others determine
+  for (const YieldingPart& part : s.yielding) {
+    if (!isolates(part)) continue;
+    Factors row;
+    for (Row::InnerIterator it(part.deformation); it; ++it) row[static_cast<int>(it.index())] = it.value();
+    for (const auto& [unknown, by] : given) replace(unknown, by, row);
+    const auto largest = std::ranges::max_element(row, {}, [](const auto& entry) { return std::abs(entry.second); });
+    if (largest == row.end() || std::abs(largest->second) < rounding) continue;  // tied to one that is held already
+    const int unknown = largest->first;
+    const double factor = largest->second;
+    row.erase(largest);
+    Factors by;
+    add(row, -1 / factor, by);
+    for (auto& [other, of_other] : given) replace(unknown, by, of_other);
+    given.emplace(unknown, std::move(by));
+  }
+  std::vector<int> column(s.size(), -1);
+  int count = 0;
+  for (int i = 0; i < s.size(); ++i)
+    if (!given.contains(i)) column[i] = count++;
+  if (count == 0) throw std::invalid_argument("nothing but its isolators deforms, so there is nothing to damp; type damping: 0");
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < s.size(); ++i)
+    if (column[i] >= 0) entries.emplace_back(i, column[i], 1);
+  for (const auto& [unknown, by] : given)
+    for (const auto& [other, factor] : by)
+      if (factor != 0) entries.emplace_back(unknown, column[other], factor);
+  SparseMatrix motions(s.size(), count);
+  motions.setFromTriplets(entries.begin(), entries.end());
+  return motions;
+}
+
+double isolated_period(const Structure& s) {
+  constexpr double far = 1e6;  // yield deformations
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(s.size());
+  for (const Support& support : s.supports) along += support.influence.col(0);
+  double stiffness = 0;
+  for (const YieldingPart& part : s.yielding) {
+    if (!isolates(part)) continue;
+    const double unit = part.deformation.dot(along);
+    const laws::Response answer = part.spring->evaluate({far * part.spring->yield_deformation(), 0});
+    stiffness += (part.spring->stiffness() + answer.by_penetration) * unit * unit;
+  }
+  const double mass = s.total_mass()[0];
+  return stiffness > 1e-9 * mass ? 2 * M_PI * std::sqrt(mass / stiffness) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace pounding

@@ -1,0 +1,63 @@
+#pragma once
+/// A slider in a dish whose friction depends on the velocity.
+
+#include <optional>
+
+#include <pounding/structures/spring.hpp>
+
+namespace pounding {
+
+/// f = W d/R + q, |q| <= mu(v) W behind a spring k0 = mu_fast W/u_y; mu = mu_fast - (mu_fast - mu_slow) exp(-r |v|).
+///
+/// v is the rate of d. Constantinou, Mokha & Reinhorn 1990, J. Struct. Eng. 116:455. The weight stays that at rest.
+struct SlidingFriction {
+  double weight = 0;         ///< W > 0 [N]
+  double radius = 0;         ///< R > 0 [m]
+  double slow = 0, fast = 0; ///< mu_slow in (0, mu_fast], mu_fast [-]
+  double rate = 0;           ///< r > 0 [s/m]
+  double sliding_deformation = 0.5e-3;  ///< u_y > 0 [m]
+
+  /// Throws std::invalid_argument for a number out of its range.
+  void check() const;
+  double coefficient(double velocity) const noexcept;        ///< mu [-]
+  double slope_of_coefficient(double velocity) const noexcept;  ///< d mu/d v [s/m]
+  double dish() const noexcept { return weight / radius; }   ///< W/R [N/m]
+  double stick() const noexcept { return fast * weight / sliding_deformation; }  ///< k0 [N/m]
+};
+
+/// The slider as a spring. Its k is W/R + k0. At the turns of the deformation it slides at mu_slow. Its corner is where it would slide at the
+/// velocity of the kept state, which a few steps bring to where it does. Its deformation must be one of unknowns with mass.
+class SlidingSpring final : public Spring {
+ public:
+  /// Undeformed. Throws std::invalid_argument as check().
+  explicit SlidingSpring(const SlidingFriction& friction) : law_(friction) { law_.check(); }
+
+  laws::Response evaluate(const LinkMotion& motion) const noexcept override;
+  double stiffness() const noexcept override { return law_.dish() + law_.stick(); }
+  double yield_deformation() const noexcept override { return law_.sliding_deformation; }
+  std::optional<double> corner(double deformation) const noexcept override;
+  void start(const LinkMotion& motion) override;
+  void accept(const LinkStep& step) override;
+  Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
+  double lost() const noexcept override { return kept_.lost; }
+  double stored_correction() const noexcept override;
+  void archive(Archive& archive) override { archive(kept_); }
+
+  /// With its numbers.
+  const SlidingFriction& law() const noexcept { return law_; }
+
+ private:
+  // The last kept state; by itself undeformed.
+  struct State {
+    double deformation = 0, rate = 0, slip = 0, lost = 0;  // [m], [m/s], [m], [J]
+  };
+
+  double friction(const State& state, const LinkMotion& motion) const noexcept;
+  State slid(State state, const LinkMotion& motion) const noexcept;
+  State follow(State state, const LinkStep& step, double from, double to) const noexcept;
+
+  SlidingFriction law_;
+  State kept_{}, before_{};  // and that at the beginning of the last kept step
+};
+
+}  // namespace pounding

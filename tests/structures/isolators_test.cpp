@@ -1,0 +1,189 @@
+// Buildings on isolators: their matrices, their damping, their periods.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <pounding/structures/damping.hpp>
+#include <pounding/structures/isolators.hpp>
+#include <pounding/structures/oscillators.hpp>
+#include <pounding/structures/sliding_spring.hpp>
+#include <pounding/structures/structure_damping.hpp>
+
+namespace pounding {
+namespace {
+
+const hysteresis::Settings lead_rubber{.law = "lead_rubber",
+                                       .values = {{"strength", 300e3}, {"post_yield_stiffness", 3e6}, {"yield_displacement", 0.01}}};
+const hysteresis::Settings slider{.law = "friction_pendulum", .values = {{"radius", 2}, {"friction", 0.06}}};
+
+Structure building(const hysteresis::Settings& law, std::optional<double> capacity = {}) {
+  return make_shear_building(
+      {.storeys = 3, .mass = {250e3, 200e3, 150e3}, .stiffness = {300e6, 200e6}, .isolator = IsolatorOptions{.law = law, .capacity = capacity}});
+}
+
+std::string refusal_of(const auto& make) {
+  try {
+    make();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(Isolators, AreTheLowestStorey) {
+  const Structure s = building(lead_rubber, 0.3);
+  Eigen::Matrix3d stiffness;
+  const double k = 33e6;  // k2 + Q/u_y
+  stiffness << k + 300e6, -300e6, 0, -300e6, 500e6, -200e6, 0, -200e6, 200e6;
+  EXPECT_LT((Eigen::MatrixXd(s.stiffness) - stiffness).cwiseAbs().maxCoeff(), 1e-7);
+  ASSERT_EQ(s.yielding.size(), 1u);
+  EXPECT_EQ(s.yielding[0].name, "isolators");
+  EXPECT_EQ(s.yielding[0].deformation.coeff(0), 1);
+  EXPECT_EQ(s.yielding[0].deformation.nonZeros(), 1);
+  EXPECT_EQ(capacity_of(s.yielding[0]), 0.3);
+  EXPECT_EQ(capacity_of(building(lead_rubber).yielding[0]), std::numeric_limits<double>::infinity());
+}
+
+TEST(Isolators, CarryTheWeightOfAllFloors) {
+  const double weight = 600e3 * 9.80665;
+  EXPECT_NEAR(building(slider).yielding[0].spring->stiffness(), weight / 2 + 0.06 * weight / 0.5e-3, 1e-3);
+  hysteresis::Settings light = slider;
+  light.values["weight"] = 1e6;
+  EXPECT_NEAR(building(light).yielding[0].spring->stiffness(), 0.5e6 + 0.06e6 / 0.5e-3, 1e-6);
+}
+
+TEST(Isolators, LetTheStoreysAboveThemYieldToo) {
+  Structure s = building(lead_rubber);
+  let_storeys_yield(s, {2e6, 1e6}, {0.05, 0.05});
+  ASSERT_EQ(s.yielding.size(), 3u);
+  EXPECT_EQ(s.yielding[1].name, "storey 2");
+  EXPECT_EQ(s.yielding[1].deformation.coeff(0), -1);
+  EXPECT_EQ(s.yielding[1].deformation.coeff(1), 1);
+  EXPECT_NEAR(s.yielding[2].spring->yield_deformation(), 1e6 / 200e6, 1e-15);
+  EXPECT_FALSE(isolates(s.yielding[1]));
+  EXPECT_THROW(let_storeys_yield(s, {2e6, 1e6, 1e6}, {0, 0, 0}), std::invalid_argument);
+}
+
+// One floor on a slab: on a fixed base an oscillator.
+TEST(Isolators, TakeNoPartInTheDamping) {
+  Structure s = make_shear_building({.storeys = 2, .mass = {200e3, 300e3}, .stiffness = 75e6, .isolator = IsolatorOptions{.law = slider}});
+  set_frequencies(s);
+  set_damping(s, 0.02);
+  const double c = 2 * 0.02 * std::sqrt(75e6 * 300e3);
+  Eigen::Matrix2d expected;
+  expected << c, -c, -c, c;
+  EXPECT_LT((Eigen::MatrixXd(s.whole_damping()) - expected).cwiseAbs().maxCoeff(), 1e-9 * c);
+  EXPECT_EQ(s.damping_note, "2 % in the first mode on a fixed base, period 0.397384 s, in proportion to the stiffness without the isolators");
+}
+
+TEST(Isolators, AreNotBrakedByModalDamping) {
+  Structure s = building(lead_rubber);
+  set_frequencies(s);
+  set_damping(s, ModalDamping{0.05});
+  const Eigen::MatrixXd damping = s.whole_damping();
+  EXPECT_GT(damping(2, 2), 1e5);
+  EXPECT_LT((damping * Eigen::Vector3d::Ones()).cwiseAbs().maxCoeff(), 1e-6 * damping(2, 2));
+  // 5 % of the first mode that bends the building while nothing holds it.
+  const Eigenmodes free = dense_modes(s.mass, s.stiffness - stiffness_of_isolators(s), 3);
+  EXPECT_NEAR(free.shapes.col(1).dot(damping * free.shapes.col(1)), 2 * 0.05 * free.frequencies[1], 1e-9 * free.frequencies[1]);
+}
+
+TEST(Isolators, RefuseDampingThatWouldBrakeThem) {
+  Structure s = building(lead_rubber);
+  set_frequencies(s);
+  EXPECT_EQ(refusal_of([&] { set_damping(s, RayleighDamping{.ratio = 0.05}); }),
+            "on isolators Rayleigh damping would brake what they do; type damping: 2 %, which is in proportion to the stiffness above them, or "
+            "damping: {modal: {ratio: 2 %}}");
+  Structure block = make_shear_building({.storeys = 1, .mass = 200e3, .isolator = IsolatorOptions{.law = slider}});
+  set_frequencies(block);
+  EXPECT_EQ(refusal_of([&] { set_damping(block, 0.02); }), "nothing but its isolators deforms, so there is nothing to damp; type damping: 0");
+  set_damping(block, 0);
+  EXPECT_EQ(block.damping_note, "none");
+}
+
+TEST(Isolators, HaveThePeriodOfTheBuildingAsOneBody) {
+  EXPECT_NEAR(isolated_period(building(lead_rubber)), 2 * M_PI * std::sqrt(600e3 / 3e6), 1e-12);
+  EXPECT_NEAR(isolated_period(building(slider)), 2 * M_PI * std::sqrt(2 / 9.80665), 1e-9) << "a pendulum of the radius of the dish";
+  const hysteresis::Settings flat{.law = "bilinear", .values = {{"stiffness", 30e6}, {"yield_force", 300e3}, {"hardening", 0}}};
+  EXPECT_EQ(isolated_period(building(flat)), std::numeric_limits<double>::infinity());
+}
+
+// Held isolators leave the motions of the floors above, and a slab whose isolators are tied by the same unknowns is held once.
+TEST(Isolators, LeaveTheMotionsOnAFixedBase) {
+  Structure s = building(lead_rubber);
+  const Eigen::MatrixXd motions = motions_on_fixed_base(s);
+  Eigen::MatrixXd expected(3, 2);
+  expected << 0, 0, 1, 0, 0, 1;
+  EXPECT_EQ(motions, expected);
+  Row other(3), same(3);
+  other.insert(0) = 2;
+  other.insert(2) = -1;
+  same.insert(0) = 1;
+  s.yielding.push_back(make_isolator("isolator b", std::move(other), {.law = lead_rubber}, 0));
+  s.yielding.push_back(make_isolator("isolator c", std::move(same), {.law = lead_rubber}, 0));
+  const Eigen::MatrixXd fewer = motions_on_fixed_base(s);
+  ASSERT_EQ(fewer.cols(), 1);
+  for (const YieldingPart& part : s.yielding) EXPECT_LT((Eigen::VectorXd(part.deformation).transpose() * fewer).cwiseAbs().maxCoeff(), 1e-15) << part.name;
+  EXPECT_EQ(fewer(1, 0), 1);
+}
+
+TEST(Isolators, RefuseWhatCannotBe) {
+  EXPECT_EQ(refusal_of([] { building(lead_rubber, -0.1); }), "isolators: capacity must be positive and finite");
+  hysteresis::Settings rough = slider;
+  rough.values["friction"] = -0.06;
+  EXPECT_EQ(refusal_of([&] { building(rough); }), "isolators: friction is -0.06, but must be finite and positive");
+}
+
+// Pulled at a constant velocity it sticks over u_y mu(v)/mu_fast and then slides at mu(v) W; what it loses is that force times the slip.
+TEST(SlidingSpring, SlidesAtTheFrictionOfItsVelocity) {
+  const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
+  const double k0 = 0.08 * 5e6 / 0.5e-3, v = 0.02, mu = 0.08 - 0.04 * std::exp(-60 * v), until = mu * 5e6 / k0;
+  SlidingSpring spring(law);
+  EXPECT_EQ(spring.stiffness(), 5e6 / 2 + k0);
+  const auto force = [&](double d) { return spring.stiffness() * d + spring.evaluate({d, v}).force; };
+  EXPECT_NEAR(force(0.9 * until), (2.5e6 + k0) * 0.9 * until, 1e-3);
+  EXPECT_NEAR(force(0.01), 2.5e6 * 0.01 + mu * 5e6, 1e-3);
+  EXPECT_EQ(spring.evaluate({0.01, v}).by_penetration, -k0);
+  const double h = 1e-5;
+  EXPECT_NEAR(spring.evaluate({0.01, v}).by_rate, (spring.evaluate({0.01, v + h}).force - spring.evaluate({0.01, v - h}).force) / (2 * h), 1);
+  EXPECT_NEAR(spring.evaluate({-0.01, -v}).by_rate, spring.evaluate({0.01, v}).by_rate, 1e-9) << "the force is odd in the motion";
+  spring.accept({.begin = 0, .end = 0.01 / v, .motion_begin = {0, v}, .motion_middle = {0.005, v}, .motion_end = {0.01, v}});
+  EXPECT_NEAR(spring.lost(), mu * 5e6 * (0.01 - until), 1e-9 * mu * 5e6);
+  EXPECT_NEAR(spring.stored_correction() + 0.5 * spring.stiffness() * 1e-4, 0.5 * 2.5e6 * 1e-4 + 0.5 * k0 * until * until, 1e-6);
+}
+
+// There and back: at the turn it slides at mu_slow, and sticks over twice the way of its spring.
+TEST(SlidingSpring, TurnsAtTheFrictionOfRest) {
+  const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
+  const double k0 = 0.08 * 5e6 / 0.5e-3;
+  SlidingSpring spring(law);
+  // d = 0.1 sin t from t = 0 to pi: one step that turns in its middle would be too coarse, so thousand of them.
+  const int steps = 1000;
+  const auto at = [](double t) { return LinkMotion{0.1 * std::sin(t), 0.1 * std::cos(t)}; };
+  for (int i = 0; i < steps; ++i) {
+    const double t0 = M_PI * i / steps, t1 = M_PI * (i + 1) / steps;
+    spring.accept({.begin = t0, .end = t1, .motion_begin = at(t0), .motion_middle = at(0.5 * (t0 + t1)), .motion_end = at(t1),
+                   .acceleration_begin = -0.1 * std::sin(t0), .acceleration_end = -0.1 * std::sin(t1)});
+    if (i == steps / 2 - 1) {
+      EXPECT_NEAR(spring.evaluate(at(t1)).force + k0 * 0.1, 0.04 * 5e6, 1) << "at the turn";
+    }
+  }
+  EXPECT_NEAR(spring.evaluate(at(M_PI)).force, -(0.08 - 0.04 * std::exp(-6)) * 5e6, 1e-3);
+  // Slides twice over 0.1 m less what it sticks, at mu(v): by Simpson's rule over the velocity.
+  EXPECT_GT(spring.lost(), 0.04 * 5e6 * 0.19);
+  EXPECT_LT(spring.lost(), 0.08 * 5e6 * 0.2);
+}
+
+TEST(SlidingSpring, RefusesWhatCannotBe) {
+  const auto spring = [](SlidingFriction law) { return refusal_of([&] { SlidingSpring{law}; }); };
+  EXPECT_EQ(spring({.weight = 5e6, .radius = 2, .slow = 0.09, .fast = 0.08, .rate = 60}),
+            "friction is 0.09, but must be positive and, the first of two, at most the second, 0.08");
+  EXPECT_EQ(spring({.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08}), "rate is 0, but must be finite and positive");
+}
+
+}  // namespace
+}  // namespace pounding
