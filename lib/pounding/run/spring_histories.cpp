@@ -74,9 +74,10 @@ void update_slider(const SlidingSpring& slider, const LinkStep& step, double sti
   }
 }
 
-// A part comes straight to a deformation, where its force on top of k d is this.
-void reach(SpringHistory& history, std::size_t i, double deformation, double on_top) {
-  history.plastic[i] = std::max(history.plastic[i], std::abs(on_top / history.stiffness[i]));
+// A part comes straight to a deformation, where its force on top of what K has of it is this. A damper alone has no stiffness.
+void reach(SpringHistory& history, std::size_t i, double assembled, double deformation, double on_top) {
+  const double k = history.stiffness[i];
+  if (k > 0) history.plastic[i] = std::max(history.plastic[i], std::abs((on_top - (k - assembled) * deformation) / k));
   history.cycles.follow(i, deformation, history.yield_deformation[i]);
 }
 
@@ -116,7 +117,7 @@ void SpringHistories::begin() {
     history.deformations.update(i, time, d);
     history.forces.update(i, time, assembled(k, i) * d + stepper_.link_forces()[link]);
     if (std::abs(d) > history.yield_deformation[i]) history.first_yield[i] = time;
-    reach(history, i, d, stepper_.link_forces()[link]);
+    reach(history, i, assembled(k, i), d, stepper_.link_forces()[link]);
   });
 }
 
@@ -141,9 +142,9 @@ void SpringHistories::step_part(int k, std::size_t i) {
   if (begin.rate * end.rate < 0) {
     const CubicPenetration between(begin, end, h);
     if (const double s = between.turn(); s > 0 && s < 1)
-      reach(history, i, between.at(s), model_.structures[k].yielding[i].spring->inside(step, s, between.at(s)).force);
+      reach(history, i, stiffness, between.at(s), model_.structures[k].yielding[i].spring->inside(step, s, between.at(s)).force);
   }
-  reach(history, i, end.penetration, step.force_end);
+  reach(history, i, stiffness, end.penetration, step.force_end);
   history.last[i] = end.penetration;
   history.lost[i] = lost_by(*model_.structures[k].yielding[i].spring);
   if (std::isnan(history.first_yield[i]))
