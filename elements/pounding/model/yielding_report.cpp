@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -147,15 +148,18 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
   for (const Floor& floor : s.floors) carried += floor.mass;
   for (std::size_t i = 0; i < s.yielding.size(); ++i) {
     const YieldingPart& part = s.yielding[i];
-    YieldingFacts facts{.name = part.name, .law = part.law, .stiffness = part.spring->stiffness()};
+    YieldingFacts facts{.name = part.name, .law = part.law, .stiffness = part.spring->stiffness() + part.spring->first_slope()};
+    if (facts.stiffness == 0) continue;  // a damper
     facts.is_hinge = !std::isnan(given(part, "yield_moment"));
     if (!std::isnan(given(part, "member_stiffness"))) facts.law = "rigid-plastic";
     facts.deformation = part.spring->yield_deformation();
     facts.force = facts.stiffness * facts.deformation;
     constexpr double far_behind = 1000;
-    facts.hardening = 1 + part.spring->evaluate({far_behind * facts.deformation, 0}).by_penetration / facts.stiffness;
+    LinkMotion far{far_behind * facts.deformation, 0};
+    far.lag = std::numeric_limits<double>::infinity();  // without a damper beside it
+    facts.hardening = (part.is_device() ? 0 : 1) + part.spring->evaluate(far).by_penetration / facts.stiffness;
     facts.at_rest = std::abs(part.at_rest) / facts.deformation;
-    if (storeys) {
+    if (storeys && !part.is_device()) {
       facts.over_weight = facts.force / (carried * standard_gravity);
       carried -= s.floors[i].mass;
     }
