@@ -12,6 +12,7 @@
 #include <pounding/laws/compiled.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/links/contact_state.hpp>
+#include <pounding/links/force_sign.hpp>
 #include <pounding/links/impact_log.hpp>
 
 namespace pounding {
@@ -74,8 +75,9 @@ class GapLink final : public Contact {
   }
 
   double force_event_noise(const LinkMotion& motion, const LinkMotion& rounding) const noexcept override {
-    const laws::Response r = law_.contact(at_least_a_trace(motion), motion.rate, state_.impact);
-    const double all = terms(r, motion);
+    const double d = at_least_a_trace(motion.penetration, state_.impact);
+    const laws::Response r = law_.contact(d, motion.rate, state_.impact);
+    const double all = sum_of_terms(r, d, motion.rate);
     return all > 0 ? (std::abs(r.by_penetration) * rounding.penetration + std::abs(r.by_rate) * rounding.rate) / all : 0;
   }
 
@@ -126,21 +128,10 @@ class GapLink final : public Contact {
   }
 
  private:
-  // The law's force, negative where it would pull, over the sum of the magnitudes of its terms: near the separation all terms
-  // vanish, but the sign of this ratio stays as sharp as elsewhere. Infinite for a law that may pull. It is evaluated at no
-  // less than a trace of the peak penetration: so a release shortly before the separation is not missed, and a law whose
-  // formula continues to negative penetrations does not seem to press again.
+  // Infinite for a law that may pull.
   double signed_force(const LinkMotion& motion) const noexcept {
     if constexpr (laws::may_pull<Law>) return std::numeric_limits<double>::infinity();
-    const laws::Response r = law_.contact(at_least_a_trace(motion), motion.rate, state_.impact);
-    const double all = terms(r, motion);
-    return all > 0 ? r.force / all : 0;
-  }
-  double at_least_a_trace(const LinkMotion& motion) const noexcept {
-    return std::max(motion.penetration, 1e-9 * state_.impact.largest_penetration);
-  }
-  double terms(const laws::Response& r, const LinkMotion& motion) const noexcept {
-    return std::abs(r.by_penetration * at_least_a_trace(motion)) + std::abs(r.by_rate * motion.rate);
+    return pounding::signed_force(law_, motion.penetration, motion.rate, state_.impact);
   }
 
   // A force that rises at the beginning of a step and falls at its end has its peak inside. It is sought along the polynomial

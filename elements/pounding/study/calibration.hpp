@@ -1,0 +1,57 @@
+#pragma once
+/// Calibrations of a law that are found once and not again at every touch: some of them integrate impacts for milliseconds.
+
+#include <array>
+
+#include <pounding/laws/table.hpp>
+
+namespace pounding::study {
+
+/// The last calibration of one formula on this thread. The formula is a pure function, so the bits are those of the formula itself.
+struct LastCalibration {
+  laws::DampingFormula formula = nullptr;
+  laws::CalibrationTarget target{};
+  double number = 0;
+  bool known = false;
+
+  double number_for(const laws::CalibrationTarget& asked) {
+    if (!known || !same(asked, target)) number = formula(asked), target = asked, known = true;
+    return number;
+  }
+
+ private:
+  static bool same(const laws::CalibrationTarget& a, const laws::CalibrationTarget& b) {
+    const auto numbers = [](const laws::CalibrationTarget& target) {
+      const auto& [e, v, k, n, m, depth, yield] = target;
+      return std::array{e, v, k, n, m, depth, yield};
+    };
+    return numbers(a) == numbers(b);
+  }
+};
+
+/// Of each law.
+template <class Law>
+LastCalibration& last_calibration() {
+  thread_local LastCalibration last;
+  return last;
+}
+
+/// Whether laws have the same formula, or none has any.
+template <class Law>
+bool same_formula(const Law& a, const Law& b) {
+  if constexpr (requires { a.formula == b.formula; }) return a.formula == b.formula;
+  return true;
+}
+
+/// The law, with a formula that remembers its last answer on this thread. A number that depends on the closing speed is found at every touch as before.
+template <class Law>
+Law remembering(Law law) {
+  if constexpr (requires { law.formula = laws::DampingFormula{}; }) {
+    LastCalibration& last = last_calibration<Law>();
+    if (law.formula != last.formula) last = {.formula = law.formula, .target = {}, .number = 0, .known = false};
+    law.formula = [](const laws::CalibrationTarget& asked) { return last_calibration<Law>().number_for(asked); };
+  }
+  return law;
+}
+
+}  // namespace pounding::study

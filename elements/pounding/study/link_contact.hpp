@@ -1,0 +1,145 @@
+#pragma once
+/// One link in a history of the kernel: its law inlined, its phase, its peaks.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <pounding/laws/law.hpp>
+#include <pounding/links/contact_state.hpp>
+#include <pounding/links/force_sign.hpp>
+#include <pounding/study/kernel.hpp>
+
+namespace pounding::study {
+
+/// An event that ends the present phase of a link.
+enum class LinkEvent { none, touch, turn, release, engage, separation };
+
+/// The p for which a law's force is smooth in (t - touch)^(1/p): 1, 2 or 4, from the exponents of its spring and of its dashpot at the touch, which are
+/// measured on the law itself. 4 serves exponents that are no multiples of a quarter as well as can be.
+template <class Law>
+int clock_root(const Law& law, const laws::Impact& impact) {
+  constexpr double d = 1e-9;
+  // The dashpot of some laws acts in the approach only, which any rate is.
+  constexpr double rate = 1e-300;
+  const laws::Response near = law.contact(d, rate, impact), far = law.contact(2 * d, rate, impact);
+  const auto whole = [](double at_far, double at_near, int p) {
+    if (!(at_near > 0 && at_far > 0)) return true;
+    const double exponent = p * std::log2(at_far / at_near);
+    return std::abs(exponent - std::round(exponent)) < 1e-4;
+  };
+  for (const int p : {1, 2})
+    if (whole(far.force, near.force, p) && whole(far.by_rate, near.by_rate, p)) return p;
+  return 4;
+}
+
+/// Whether the answer of a law depends on where exactly the rate changes its sign: it remembers, or has a dashpot in one direction only.
+template <class Law>
+bool turn_matters(const Law& law, const laws::Impact& impact) {
+  if constexpr (laws::crushes<Law> || requires(laws::Impact i) { law.keep(0.0, 0.0, i); }) return true;
+  constexpr double d = 1e-4, rate = 1e-12;
+  return law.contact(d, rate, impact).by_rate != law.contact(d, -rate, impact).by_rate;
+}
+
+template <class Law>
+class LinkContact {
+ public:
+  LinkContact(Law law, double gap) : law_(std::move(law)), state_{.gap = gap} {}
+
+  bool closed() const noexcept { return state_.phase != ContactPhase::open; }
+  bool pressed() const noexcept { return state_.phase == ContactPhase::approach || state_.phase == ContactPhase::restitution; }
+  double gap() const noexcept { return state_.gap; }
+  /// See clock_root(); known once the link has touched.
+  int root() const noexcept { return root_; }
+  const LinkPeaks& peaks() const noexcept { return peaks_; }
+
+  /// Force and slopes while the link presses, uncut as inside a step of the solver; zeros otherwise.
+  laws::Response force(double penetration, double rate) const noexcept {
+    return pressed() ? law_.contact(penetration, rate, state_.impact) : laws::Response{};
+  }
+  /// The law's formula, whatever the phase.
+  laws::Response uncut(double penetration, double rate) const noexcept { return law_.contact(penetration, rate, state_.impact); }
+  /// Force between bodies that have come slowly to this penetration [N].
+  double slow_force(double penetration) const noexcept { return law_.contact(penetration, 0, state_.impact).force; }
+  double signed_force(double penetration, double rate) const noexcept {
+    return pounding::signed_force(law_, penetration, rate, state_.impact);
+  }
+
+  /// Positive while the present phase lasts, negative behind its end by this event; infinite for an event that cannot end it. A touch is looked
+  /// for elsewhere.
+  double margin(LinkEvent event, double penetration, double rate) const noexcept {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const bool slack = state_.phase == ContactPhase::slack;
+    switch (event) {
+      case LinkEvent::separation: return penetration;
+      case LinkEvent::turn: return !located_turn_ || slack ? never : state_.phase == ContactPhase::approach ? rate : -rate;
+      case LinkEvent::release: return laws::may_pull<Law> || slack ? never : signed_force(penetration, rate);
+      case LinkEvent::engage: return slack ? -signed_force(penetration, rate) : never;
+      case LinkEvent::touch:
+      case LinkEvent::none: break;
+    }
+    return never;
+  }
+
+  /// True where no margin is negative, asked first: most steps end so. `force` is that of the state [N].
+  bool goes_on(double penetration, double rate, double force) const noexcept {
+    if (!pressed() || !(penetration > at_least_a_trace(0, state_.impact))) return false;
+    return (laws::may_pull<Law> || force > 0) && !(located_turn_ && (state_.phase == ContactPhase::approach) != (rate >= 0));
+  }
+
+  /// A state inside the contact was kept.
+  void keep(double penetration, double rate, double force) noexcept {
+    state_.keep(law_, penetration, rate);
+    peaks_.peak_penetration = std::max(peaks_.peak_penetration, penetration);
+    record(force);
+    if (!located_turn_ && pressed()) state_.phase = rate > 0 ? ContactPhase::approach : ContactPhase::restitution;
+  }
+  void record(double force) noexcept { peaks_.peak_force = std::max(peaks_.peak_force, force); }
+  void record_depth(double penetration) noexcept { peaks_.peak_penetration = std::max(peaks_.peak_penetration, penetration); }
+  /// Adds an impulse [N s] and work done on the link [J].
+  void push(double impulse, double work) noexcept {
+    peaks_.impulse += impulse;
+    peaks_.energy_lost += work;
+  }
+
+  /// An event at a kept state, with the rate [m/s] and the penetration [m] there.
+  void apply(LinkEvent event, double penetration, double rate) {
+    switch (event) {
+      case LinkEvent::touch:
+        state_.begin(law_, rate);
+        ++peaks_.impacts;
+        if (root_ == 0) {
+          root_ = clock_root(law_, state_.impact);
+          located_turn_ = turn_matters(law_, state_.impact);
+        }
+        return;
+      case LinkEvent::turn:
+        state_.phase = state_.phase == ContactPhase::approach ? ContactPhase::restitution : ContactPhase::approach;
+        return;
+      case LinkEvent::release:
+        if constexpr (laws::leaves_indentation<Law>)
+          state_.end(law_, std::max(0.0, penetration));
+        else
+          state_.phase = ContactPhase::slack;
+        return;
+      case LinkEvent::engage: state_.phase = rate > 0 ? ContactPhase::approach : ContactPhase::restitution; return;
+      case LinkEvent::separation: state_.end(law_, 0); return;
+      case LinkEvent::none: return;
+    }
+  }
+
+  /// The history is over in this state: what the contact can still give back is not lost.
+  void finish(double penetration) noexcept {
+    if (pressed()) peaks_.energy_lost -= laws::stored_energy(law_, penetration, state_.impact);
+  }
+
+ private:
+  Law law_;
+  ContactState state_;
+  LinkPeaks peaks_;
+  int root_ = 0;
+  bool located_turn_ = false;
+};
+
+}  // namespace pounding::study

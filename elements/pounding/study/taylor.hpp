@@ -1,0 +1,100 @@
+#pragma once
+/// Motion of one mode under straight ground acceleration as a polynomial of time, and roots of such polynomials.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace pounding::study {
+
+/// Terms up to t^14: pieces with omega t <= 1 and 2 zeta omega t <= 1 are right to 1e-12.
+inline constexpr int taylor_order = 14;
+
+/// sum of c[i] t^i.
+struct Polynomial {
+  std::array<double, taylor_order + 1> c{};
+
+  double value(double t) const noexcept {
+    double sum = c[taylor_order];
+    for (int i = taylor_order - 1; i >= 0; --i) sum = sum * t + c[static_cast<std::size_t>(i)];
+    return sum;
+  }
+  /// d/dt.
+  Polynomial slope() const noexcept {
+    Polynomial s;
+    for (std::size_t i = 1; i < c.size(); ++i) s.c[i - 1] = static_cast<double>(i) * c[i];
+    return s;
+  }
+  void add(double factor, const Polynomial& other) noexcept {
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] += factor * other.c[i];
+  }
+};
+
+/// q'' + damping q' + stiffness q = -load (ag + slope t), from q and v at t = 0.
+inline Polynomial motion(double stiffness, double damping, double q, double v, double forcing, double forcing_slope) noexcept {
+  Polynomial x;
+  x.c[0] = q;
+  x.c[1] = v;
+  double f[2] = {forcing, forcing_slope};
+  for (std::size_t i = 0; i + 2 < x.c.size(); ++i) {
+    const auto n = static_cast<double>(i);
+    const double pushed = i < 2 ? f[i] : 0;
+    x.c[i + 2] = (-damping * (n + 1) * x.c[i + 1] - stiffness * x.c[i] - pushed) / ((n + 1) * (n + 2));
+  }
+  return x;
+}
+
+/// A root of f between low and high, where its signs differ; f(t) has members value and slope. Newton's steps, bisection where they leave the bracket.
+template <class Function>
+double bracketed_root(const Function& f, double low, double high, bool rises) noexcept {
+  double t = 0.5 * (low + high);
+  for (int i = 0; i < 100; ++i) {
+    const auto [value, slope] = f(t);
+    if (value == 0) return t;
+    if ((value < 0) == rises)
+      low = t;
+    else
+      high = t;
+    double next = t - value / slope;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const double moved = std::abs(next - t);
+    t = next;
+    if (moved <= 1e-15 * std::abs(t) || high - low <= 1e-15 * high) return t;
+  }
+  return t;
+}
+
+/// A value and its slope.
+struct Graph {
+  double value, slope;
+};
+
+/// A root of p between low and high; `s` is its slope.
+inline double root_of(const Polynomial& p, const Polynomial& s, double low, double high, bool rises) noexcept {
+  return bracketed_root([&](double t) { return Graph{p.value(t), s.value(t)}; }, low, high, rises);
+}
+
+/// First time in [0, end] at which a gap closes, negative for none. A gap of zero at the start that opens is not closed yet. At most one turn of the gap is
+/// looked for.
+inline double first_closing(const Polynomial& gap, double end) noexcept {
+  const Polynomial rate = gap.slope();
+  const double at_end = gap.value(end), out = rate.value(end);
+  double low = 0;
+  bool opens = gap.c[1] > 0;
+  if (gap.c[1] == 0 || (gap.c[0] <= 0 && !opens)) {
+    opens = gap.value(1e-3 * end) > gap.c[0];
+    if (gap.c[0] <= 0 && !opens) return 0;
+  }
+  if (opens) {
+    if (out >= 0) return at_end > 0 || gap.c[0] <= 0 ? -1 : root_of(gap, rate, 0, end, false);
+    low = root_of(rate, rate.slope(), 0, end, false);
+    if (gap.value(low) <= 0) return low;
+    return at_end > 0 ? -1 : root_of(gap, rate, low, end, false);
+  }
+  if (at_end <= 0) return root_of(gap, rate, 0, end, false);
+  if (out <= 0) return -1;
+  const double turn = root_of(rate, rate.slope(), 0, end, true);
+  return gap.value(turn) > 0 ? -1 : root_of(gap, rate, 0, turn, false);
+}
+
+}  // namespace pounding::study

@@ -1,0 +1,225 @@
+// What the kernel promises whatever the law: exact flight, the gap that is enough, equal bits, refusals.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <pounding/ground/spectrum.hpp>
+#include <pounding/study/kernel.hpp>
+
+
+namespace pounding::study {
+namespace {
+
+/// Twenty seconds of ground that shakes at several frequencies, at 0.02 s.
+std::vector<double> shaking() {
+  std::vector<double> a;
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = 0.02 * i;
+    a.push_back(2 * std::sin(5.3 * t) + 1.5 * std::sin(9.1 * t + 1) + std::sin(21 * t + 2) * std::exp(-0.1 * t));
+  }
+  return a;
+}
+
+const std::vector<double> ground = shaking();
+const EvenRecord record{.accelerations = ground, .step = 0.02};
+
+laws::AnyLaw hertz() { return laws::HertzDamped{.stiffness = 2.75e9, .damping_factor = 0.8}; }
+
+/// Random pairs, the same on every machine.
+class Pairs {
+ public:
+  LinearModel next(double gap_to, const laws::AnyLaw& law) {
+    const auto u = [&] { return static_cast<double>(engine_()) / 4294967296.0; };
+    const double t1 = 0.2 * std::pow(10, u()), t2 = 0.2 * std::pow(10, u()), m2 = 1e5 * std::pow(4, u() - 0.5);
+    return pair_of({1e5, t1, 0.05}, {m2, t2, 0.05}, gap_to * u(), law, true);
+  }
+
+ private:
+  std::mt19937 engine_{20};
+};
+
+/// Peak absolute accelerations of a pair with a linear spring, by the classical method of Runge and Kutta at 0.05 ms.
+std::array<double, 2> fine_accelerations(const LinearModel& model, double stiffness, double duration) {
+  using State = std::array<double, 4>;
+  const auto& b = model.links[0].closing;
+  const auto ag = [](double t) {
+    const auto i = std::min(static_cast<std::size_t>(t / 0.02), ground.size() - 2);
+    return ground[i] + (ground[i + 1] - ground[i]) * (t / 0.02 - static_cast<double>(i));
+  };
+  const auto rate = [&](double t, const State& x) {
+    const double force = stiffness * std::max(0.0, b[0] * x[0] + b[1] * x[1] - model.links[0].gap);
+    State r{x[2], x[3], 0, 0};
+    for (std::size_t j = 0; j < 2; ++j)
+      r[2 + j] = -model.damping[j] * x[2 + j] - model.stiffness[j] * x[j] - model.load[j] * ag(t) - b[j] * force;
+    return r;
+  };
+  const auto moved = [](const State& x, double h, const State& r) {
+    State y = x;
+    for (std::size_t i = 0; i < 4; ++i) y[i] += h * r[i];
+    return y;
+  };
+  State x{};
+  std::array<double, 2> peaks{};
+  const double h = 5e-5;
+  for (int n = 0; n < duration / h; ++n) {
+    const double t = n * h;
+    const State r1 = rate(t, x), r2 = rate(t + h / 2, moved(x, h / 2, r1)), r3 = rate(t + h / 2, moved(x, h / 2, r2)), r4 = rate(t + h, moved(x, h, r3));
+    for (std::size_t j = 0; j < 2; ++j) peaks[j] = std::max(peaks[j], std::abs(r1[2 + j] * model.outputs[2 + j].factors[j] + ag(t)));
+    for (std::size_t i = 0; i < 4; ++i) x[i] += h / 6 * (r1[i] + 2 * r2[i] + 2 * r3[i] + r4[i]);
+  }
+  return peaks;
+}
+
+TEST(AFlight, HasThePeakOfTheElasticSpectrum) {
+  const std::vector<double> periods{0.01, 0.05, 0.2, 0.7, 2.0};
+  std::vector<double> times;
+  for (std::size_t i = 0; i < ground.size(); ++i) times.push_back(0.02 * static_cast<double>(i));
+  const auto spectrum = response_spectrum(GroundMotion(Samples{times, ground, true}), periods, 0.02);
+  for (std::size_t i = 0; i < periods.size(); ++i) {
+    LinearModel model;
+    const double w = 2 * M_PI / periods[i];
+    model.stiffness = {w * w}, model.damping = {0.04 * w}, model.load = {1};
+    model.outputs = {{.kind = Output::Kind::displacement, .factors = {1}}};
+    // The spectrum goes on after the record.
+    const Peaks found = run(model, record, {.duration = 20 + 3 * periods[i]});
+    // The spectrum finds its peaks on cubics.
+    EXPECT_NEAR(found.outputs[0], spectrum[i].sd, 1e-6 * spectrum[i].sd) << periods[i];
+  }
+}
+
+TEST(TheGapThatIsEnough, IsMetFromBothSides) {
+  Pairs pairs;
+  for (int i = 0; i < 100; ++i) {
+    LinearModel model = pairs.next(0, hertz());
+    const double enough = run(without_links(model), record).outputs[0];
+    ASSERT_GT(enough, 1e-4);
+    model.links[0].gap = enough * (1 + 1e-6);
+    EXPECT_EQ(run(model, record).links[0].impacts, 0) << i;
+    model.links[0].gap = enough * (1 - 1e-6);
+    EXPECT_GE(run(model, record).links[0].impacts, 1) << i;
+  }
+}
+
+TEST(OscillatorsOfOnePeriodAndDamping, NeverTouch) {
+  const LinearModel model = pair_of({1e5, 0.5, 0.05}, {3e5, 0.5, 0.05}, 1e-6, hertz());
+  const Peaks found = run(model, record);
+  EXPECT_EQ(found.links[0].impacts, 0);
+  EXPECT_EQ(found.links[0].peak_force, 0);
+}
+
+TEST(AWall, IsThePlaneOfSymmetryOfTwoMirroredOscillators) {
+  // Two oscillators that the ground moves apart and together, and one of them before a wall at half the gap, of twice the stiffness.
+  LinearModel both = pair_of({1e5, 0.6, 0.05}, {1e5, 0.6, 0.05}, 0.04, laws::Hertz{.stiffness = 1e9});
+  both.load[1] *= -1;
+  LinearModel one;
+  one.stiffness = {both.stiffness[0]}, one.damping = {both.damping[0]}, one.load = {both.load[0]};
+  one.links.push_back({.gap = 0.02, .closing = {both.links[0].closing[0]}, .law = laws::Hertz{.stiffness = 1e9 * std::pow(2, 1.5)}});
+  one.outputs = {{.kind = Output::Kind::displacement, .factors = {both.links[0].closing[0]}}};
+  const Peaks pair = run(both, record, {.tolerance = 1e-8}), wall = run(one, record, {.tolerance = 1e-8});
+  EXPECT_GT(wall.links[0].impacts, 3);
+  EXPECT_EQ(wall.links[0].impacts, pair.links[0].impacts);
+  EXPECT_NEAR(wall.outputs[0], pair.outputs[0], 1e-5 * pair.outputs[0]);
+  EXPECT_NEAR(wall.links[0].peak_force, pair.links[0].peak_force, 1e-5 * pair.links[0].peak_force);
+  EXPECT_NEAR(2 * wall.links[0].peak_penetration, pair.links[0].peak_penetration, 1e-5 * pair.links[0].peak_penetration);
+}
+
+TEST(TheBitsOfARow, DependOnNothingButTheRow) {
+  Pairs pairs;
+  std::vector<LinearModel> models;
+  for (int i = 0; i < 40; ++i) models.push_back(pairs.next(0.04, hertz()));
+  std::vector<Peaks> forth, back;
+  for (const LinearModel& model : models) forth.push_back(run(model, record));
+  for (std::size_t i = models.size(); i-- > 0;) back.push_back(run(models[i], record));
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const Peaks& a = forth[i];
+    const Peaks& b = back[models.size() - 1 - i];
+    EXPECT_EQ(a.outputs, b.outputs);
+    EXPECT_EQ(a.links[0].peak_force, b.links[0].peak_force);
+    EXPECT_EQ(a.links[0].impulse, b.links[0].impulse);
+    EXPECT_EQ(a.links[0].energy_lost, b.links[0].energy_lost);
+    EXPECT_EQ(a.steps, b.steps);
+  }
+}
+
+TEST(ThePeakOfAnAcceleration, IsThatOfAFineIntegrationWithContactsThatLast) {
+  // Soft contacts that reach over many samples.
+  Pairs pairs;
+  for (int i = 0; i < 6; ++i) {
+    const double k = 4e6;
+    const LinearModel model = pairs.next(0.03, laws::LinearSpring{.stiffness = k});
+    const Peaks found = run(model, record, {.duration = 10, .tolerance = 1e-8});
+    EXPECT_GT(found.links[0].impacts, 1);
+    const std::array<double, 2> expected = fine_accelerations(model, k, 10);
+    for (std::size_t j = 0; j < 2; ++j) EXPECT_NEAR(found.outputs[2 + j], expected[j], 1e-4 * expected[j]) << i;
+  }
+}
+
+TEST(AThirdStructureFarAway, ChangesNothingBesideIt) {
+  // The same pair by the code for any number of modes and links.
+  Pairs pairs;
+  for (int i = 0; i < 20; ++i) {
+    const LinearModel pair = pairs.next(0.04, hertz());
+    LinearModel row = pair;
+    row.stiffness.push_back(100), row.damping.push_back(1), row.load.push_back(300);
+    for (Output& output : row.outputs) output.factors.push_back(0);
+    row.links[0].closing.push_back(0);
+    row.links.push_back({.gap = 5, .closing = {0, row.links[0].closing[1], -1.0 / 300}, .law = hertz()});
+    const Peaks a = run(pair, record, {.tolerance = 1e-7}), b = run(row, record, {.tolerance = 1e-7});
+    EXPECT_EQ(b.links[1].impacts, 0);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(b.outputs[k], a.outputs[k], 2e-5 * a.outputs[k]) << i;
+    EXPECT_NEAR(b.links[0].peak_force, a.links[0].peak_force, 2e-5 * a.links[0].peak_force) << i;
+  }
+}
+
+TEST(ATouchAtRest, WithoutAGapIsTakenByEveryLaw) {
+  for (const laws::Entry& entry : laws::catalogue()) {
+    if (entry.instantaneous) continue;
+    const laws::AnyLaw law = laws::make_law(laws::typical_settings(entry));
+    const Peaks found = run(pair_of({1e5, 0.5, 0.05}, {1.5e5, 0.3, 0.05}, 0, law), record);
+    EXPECT_GT(found.links[0].impacts, 5) << entry.name;
+    EXPECT_TRUE(std::isfinite(found.links[0].peak_force)) << entry.name;
+    EXPECT_GT(found.links[0].energy_lost, -1e-6) << entry.name;
+  }
+}
+
+TEST(TheKernel, RefusesWhatItCannotRun) {
+  const LinearModel good = pair_of({1e5, 0.5, 0.05}, {1e5, 0.3, 0.05}, 0.01, hertz());
+  const auto text = [&](const LinearModel& model, const EvenRecord& r, const Settings& s) -> std::string {
+    try {
+      run(model, r, s);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(text(good, record, {}), "");
+  LinearModel bad = good;
+  bad.links[0].gap = -0.01;
+  EXPECT_EQ(text(bad, record, {}), "gap must be finite and not negative");
+  bad = good;
+  bad.links[0].law = laws::Stereomechanical{.restitution = 0.6};
+  EXPECT_EQ(text(bad, record, {}), "stereomechanical: a jump of the velocity is not a force; the kernel takes penalty laws");
+  bad = good;
+  bad.load.pop_back();
+  EXPECT_EQ(text(bad, record, {}), "load: 1 numbers for 2 modes");
+  bad = good;
+  bad.links.push_back({.gap = 1, .closing = {0, 0}, .law = laws::Hertz{.stiffness = 1e9}});
+  EXPECT_EQ(text(bad, record, {}), "the links of a study share one law");
+  bad = good;
+  bad.displacement = {20, 0};
+  EXPECT_EQ(text(bad, record, {}), "a link overlaps at the start");
+  EXPECT_EQ(text(good, {.accelerations = ground, .step = 0}, {}), "the step of the record must be finite and positive");
+  EXPECT_EQ(text(good, record, {.tolerance = 1}), "tolerance must be in [1e-13, 1e-2]");
+  const std::vector<double> broken{0, std::nan("")};
+  EXPECT_EQ(text(good, {.accelerations = broken, .step = 0.01}, {}), "a sample of the record is not finite");
+}
+
+}  // namespace
+}  // namespace pounding::study
