@@ -10,5 +10,6 @@ void bind_hysteresis(pybind11::module_& module);
 void bind_laws(pybind11::module_& module);
 void bind_models(pybind11::module_& module);
 void bind_spectra(pybind11::module_& module);
+void bind_studies(pybind11::module_& module);
 
 }  // namespace pounding::python

@@ -36,4 +36,5 @@ PYBIND11_MODULE(_core, module) {
   pounding::python::bind_laws(module);
   pounding::python::bind_models(module);
   pounding::python::bind_spectra(module);
+  pounding::python::bind_studies(module);
 }
