@@ -1,4 +1,4 @@
-// What the kernel promises whatever the law: exact flight, the gap that is enough, equal bits, refusals.
+// Promises of the kernel whatever the law: exact flight, the gap that is enough, equal bits, refusals.
 
 #include <gtest/gtest.h>
 
@@ -162,7 +162,7 @@ TEST(ThePeakOfAnAcceleration, IsThatOfAFineIntegrationWithContactsThatLast) {
 }
 
 TEST(AThirdStructureFarAway, ChangesNothingBesideIt) {
-  // The same pair by the code for any number of modes and links.
+  // A pair by the code for any number of modes and links.
   Pairs pairs;
   for (int i = 0; i < 20; ++i) {
     const LinearModel pair = pairs.next(0.04, hertz());

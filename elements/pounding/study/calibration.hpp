@@ -29,7 +29,7 @@ struct LastCalibration {
   }
 };
 
-/// Of each law.
+/// One for each law.
 template <class Law>
 LastCalibration& last_calibration() {
   thread_local LastCalibration last;

@@ -15,6 +15,7 @@
 #include <pounding/study/contact_step.hpp>
 #include <pounding/study/flight.hpp>
 #include <pounding/study/output_peaks.hpp>
+#include <pounding/study/step_events.hpp>
 
 namespace pounding::study {
 
@@ -70,13 +71,6 @@ class History {
   struct Closing {
     double gap = 0, rate = 0;
   };
-  struct Found {
-    LinkEvent event = LinkEvent::none;
-    std::size_t link = 0;
-    double part = 2;  // of the step
-  };
-  static constexpr LinkEvent endings[] = {LinkEvent::turn, LinkEvent::release, LinkEvent::engage, LinkEvent::separation};
-
   // Polynomials of the flight want omega h <= 1.
   static int pieces(const LinearModel& model, const EvenRecord& record) {
     double fastest = 0;
@@ -237,7 +231,7 @@ class History {
         continue;
       }
       const double wanted = ds * std::min(5.0, growth(std::max(error, 1e-6)));
-      const Found found = first_event();
+      const Found found = first_event(links_, begin_, end_);
       if (found.event == LinkEvent::none) {
         // A step that the interval has cut says little about the next.
         ds_ = ends ? std::max(ds_, wanted) : wanted;
@@ -250,7 +244,7 @@ class History {
     }
   }
 
-  // Of a step with this error, nearly error^-0.2: roots are rounded alike on every machine, powers are not.
+  // Growth of the next step by the error of this one, nearly error^-0.2: roots are rounded alike on every machine, powers are not.
   static double growth(double error) noexcept {
     const double eighth = std::sqrt(std::sqrt(std::sqrt(error)));
     return 0.9 / (eighth * std::sqrt(eighth));
@@ -274,137 +268,27 @@ class History {
     return middle_;
   }
 
-  Quintic path(std::size_t l) const noexcept {
-    const LinkMoment &b = begin_.links[l], &e = end_.links[l];
-    return Quintic({b.d, b.rate, b.acceleration}, {e.d, e.rate, e.acceleration}, end_.time - begin_.time);
-  }
-
   // The step is kept, and the next one begins at its end.
   void keep(const Ground& ground, double reading) {
     const double h = end_.time - begin_.time;
+    // Before the laws' memories move: what lies inside the step belongs to those at its beginning.
+    outputs_.pressed(begin_, end_, h, [&](double part) -> const Moment<M, L>& { return inside(ground, part); });
     for (std::size_t l = 0; l < s_.links(); ++l) {
       LinkContact<Law>& link = links_[l];
       if (!link.closed()) continue;
       const LinkMoment &b = begin_.links[l], &e = end_.links[l];
       if (link.pressed()) {
         step_.push(l, link);
-        if (b.force_rate > 0 && e.force_rate < 0) record_top(link, path(l), h, b, e);
+        if (b.force_rate > 0 && e.force_rate < 0) record_top(link, b, e, h);
       }
-      if (b.rate > 0 && e.rate < 0) link.record_depth(path(l).at(path(l).turn(false)).x);
+      if (b.rate > 0 && e.rate < 0) link.record_depth(path(b, e, h).at(path(b, e, h).turn(false)).x);
       link.keep(e.d, e.rate, e.force.force);
       speed_ = std::max(speed_, std::abs(e.rate));
       fastest_ = std::max(fastest_, std::abs(e.rate));
     }
-    outputs_.pressed(begin_, end_, h, [&](double part) -> const Moment<M, L>& { return inside(ground, part); });
     std::swap(begin_, end_);
     reading_ = reading;
     ++steps_;
-  }
-
-  // Peak of a force that rises at the beginning of a step and falls at its end: where its slope is zero on the path of the link.
-  void record_top(LinkContact<Law>& link, const Quintic& path, double h, const LinkMoment& b, const LinkMoment& e) {
-    const double p0 = h * b.force_rate, p1 = h * e.force_rate;
-    // Tangents at both ends are above the force.
-    const double part = (e.force.force - p1 - b.force.force) / (p0 - p1);
-    if (b.force.force + p0 * std::clamp(part, 0.0, 1.0) <= link.peaks().peak_force) return;
-    double low = 0, high = 1, s = OutputPeaks<M, L>::top_of_cubic(b.force.force, p0, e.force.force, p1);
-    double at_low = p0, at_high = p1;
-    for (int i = 0; i < 8; ++i) {
-      const Jet jet = path.at(s);
-      const laws::Response f = link.force(jet.x, jet.v);
-      link.record(f.force);
-      const double rises = h * (f.by_penetration * jet.v + f.by_rate * jet.a);
-      if (rises > 0)
-        low = s, at_low = rises;
-      else
-        high = s, at_high = rises;
-      // The force is flat there: what is left of the way squared is its error.
-      const double next = low + (high - low) * at_low / (at_low - at_high);
-      if (std::abs(next - s) < 1e-4) return;
-      s = next;
-    }
-  }
-
-  // The first event of the last step.
-  Found first_event() const noexcept {
-    Found first;
-    for (std::size_t l = 0; l < s_.links(); ++l) {
-      const LinkContact<Law>& link = links_[l];
-      const LinkMoment &b = begin_.links[l], &e = end_.links[l];
-      if (!link.closed()) {
-        if (const double part = touch_inside(l); part < first.part) first = {LinkEvent::touch, l, part};
-        continue;
-      }
-      if (link.goes_on(e.d, e.rate, e.force.force)) continue;
-      for (const LinkEvent event : endings)
-        if (link.margin(event, e.d, e.rate) < 0)
-          if (const double part = crossing(l, event, b); part < first.part) first = {event, l, part};
-    }
-    return first;
-  }
-
-  // Part of the step after which an open link touches; 2 for none.
-  double touch_inside(std::size_t l) const noexcept {
-    const LinkMoment &b = begin_.links[l], &e = end_.links[l];
-    const double h = end_.time - begin_.time;
-    if (e.d < 0 && !may_dip(std::max(-b.d, 0.0), b.rate, -e.d, e.rate, h)) return 2;
-    const Quintic way = path(l);
-    double low = 0, high = 1;
-    if (e.d < 0) {
-      high = way.turn(false);
-      if (way.at(high).x < 0) return 2;
-    } else if (b.rate < 0 && e.rate > 0) {
-      low = way.turn(true);
-    }
-    if (way.at(low).x >= 0) return low;
-    return bracketed_root([&](double s) { return Graph{way.at(s).x, way.at(s).v * h}; }, low, high, true);
-  }
-
-  // Part of the step after which a closed link meets an event whose margin is negative at the end.
-  double crossing(std::size_t l, LinkEvent event, const LinkMoment& b) const noexcept {
-    const LinkContact<Law>& link = links_[l];
-    const Quintic way = path(l);
-    const auto margin = [&](double s) {
-      const Jet jet = way.at(s);
-      return link.margin(event, jet.x, jet.v);
-    };
-    double low = 0, at_low = link.margin(event, b.d, b.rate), high = 1, at_high = margin(1);
-    // Bodies that have just touched close first, however slowly.
-    if (event == LinkEvent::separation && b.rate > 0 && end_.links[l].rate < 0) low = way.turn(false), at_low = margin(low);
-    // A margin that grows from zero is positive a little later.
-    for (double s = 0.5; !(at_low > 0) && s > 1e-3; s *= 0.5)
-      if (const double m = margin(s); m > 0)
-        low = s, at_low = m;
-      else
-        high = s, at_high = m;
-    if (!(at_low > 0)) return 0;
-    if (!(at_high < 0)) return 1;
-    // Regula falsi, Illinois.
-    for (int i = 0; i < 40 && high - low > 1e-9; ++i) {
-      const double s = (low * at_high - high * at_low) / (at_high - at_low), m = margin(s);
-      if (std::abs(m) < 1e-13 * (std::abs(at_low) + std::abs(at_high))) return s;
-      if (m > 0) {
-        if (i > 0 && moved_low_) at_high *= 0.5;
-        low = s, at_low = m, moved_low_ = true;
-      } else {
-        if (i > 0 && !moved_low_) at_low *= 0.5;
-        high = s, at_high = m, moved_low_ = false;
-      }
-    }
-    return 0.5 * (low + high);
-  }
-
-  // Zero at an event, and how fast it falls there.
-  Graph way_to(const Found& found, const LinkMoment& m) const noexcept {
-    switch (found.event) {
-      case LinkEvent::touch:
-      case LinkEvent::separation: return {m.d, m.rate};
-      case LinkEvent::turn: return {m.rate, m.acceleration};
-      default: {
-        const laws::Response f = links_[found.link].uncut(m.d, m.rate);
-        return {f.force, f.by_penetration * m.rate + f.by_rate * m.acceleration};
-      }
-    }
   }
 
   // Repeats the step so that it ends on an event, and applies it.
@@ -414,14 +298,14 @@ class History {
     for (int i = 0; i < 4 && t - begin_.time > shortest; ++i) {
       const double ds = clock_.reading(t) - reading_;
       take(ground, ds, t);
-      const Graph way = way_to(found, end_.links[found.link]);
+      const Graph way = way_to(links_[found.link], found.event, end_.links[found.link]);
       left = -way.value / way.slope;
       if (!(std::abs(left) < 0.5 * (t - begin_.time))) left = 0;
       if (std::abs(left) <= 1e-4 * (t - begin_.time)) break;
       if (i < 3) t = std::min(t + left, end_time), left = 0;
     }
     if (t - begin_.time > shortest) {
-      // What is left is a millionth of the step: two terms of its series.
+      // A ten-thousandth of the step is left: three terms of its series.
       for (std::size_t j = 0; j < s_.modes(); ++j) {
         end_.q[j] += left * (end_.v[j] + 0.5 * left * end_.a[j]);
         end_.v[j] += left * (end_.a[j] + 0.5 * left * end_.jerk[j]);
@@ -450,7 +334,6 @@ class History {
   ModalState<M> x_, next_;
   Moment<M, L> begin_, end_, middle_;
   bool closed_ = false;
-  mutable bool moved_low_ = false;
   double time_ = 0;      // of the present interval
   double fastest_ = 0;   // rate of any link so far
   Clock clock_;

@@ -1,0 +1,137 @@
+#pragma once
+/// Events of the links inside a step in contact, and the peak of a force there.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <pounding/study/contact_step.hpp>
+#include <pounding/study/flight.hpp>
+
+namespace pounding::study {
+
+/// The first event inside a step.
+struct Found {
+  LinkEvent event = LinkEvent::none;
+  std::size_t link = 0;
+  double part = 2;  ///< of the step
+};
+
+/// Motion of a link over a step of length h [s].
+inline Quintic path(const LinkMoment& begin, const LinkMoment& end, double h) noexcept {
+  return Quintic({begin.d, begin.rate, begin.acceleration}, {end.d, end.rate, end.acceleration}, h);
+}
+
+/// Part of the step after which an open link touches; 2 for none.
+inline double touch_inside(const LinkMoment& b, const LinkMoment& e, double h) noexcept {
+  if (e.d < 0 && !may_dip(std::max(-b.d, 0.0), b.rate, -e.d, e.rate, h)) return 2;
+  const Quintic way = path(b, e, h);
+  double low = 0, high = 1;
+  if (e.d < 0) {
+    high = way.turn(false);
+    if (way.at(high).x < 0) return 2;
+  } else if (b.rate < 0 && e.rate > 0) {
+    low = way.turn(true);
+  }
+  if (way.at(low).x >= 0) return low;
+  return bracketed_root([&](double s) { return Graph{way.at(s).x, way.at(s).v * h}; }, low, high, true);
+}
+
+/// Part of the step after which a closed link meets an event whose margin is negative at the end.
+template <class Law>
+double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h) noexcept {
+  const Quintic way = path(b, e, h);
+  const auto margin = [&](double s) {
+    const Jet jet = way.at(s);
+    return link.margin(event, jet.x, jet.v);
+  };
+  double low = 0, at_low = link.margin(event, b.d, b.rate), high = 1, at_high = margin(1);
+  // Bodies that have just touched close first, however slowly.
+  if (event == LinkEvent::separation && b.rate > 0 && e.rate < 0) low = way.turn(false), at_low = margin(low);
+  // A margin that grows from zero is positive a little later.
+  for (double s = 0.5; !(at_low > 0) && s > 1e-3; s *= 0.5)
+    if (const double m = margin(s); m > 0)
+      low = s, at_low = m;
+    else
+      high = s, at_high = m;
+  if (!(at_low > 0)) return 0;
+  if (!(at_high < 0)) return 1;
+  // Regula falsi; a side that stays twice weighs half (Illinois).
+  int side = 0;
+  for (int i = 0; i < 40 && high - low > 1e-9; ++i) {
+    const double s = (low * at_high - high * at_low) / (at_high - at_low), m = margin(s);
+    if (std::abs(m) < 1e-13 * (std::abs(at_low) + std::abs(at_high))) return s;
+    if (m > 0) {
+      if (side > 0) at_high *= 0.5;
+      low = s, at_low = m, side = 1;
+    } else {
+      if (side < 0) at_low *= 0.5;
+      high = s, at_high = m, side = -1;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+/// The first event of a step from `begin` to `end`; none where the phases of all links last.
+template <class Law, int M, int L>
+Found first_event(const std::vector<LinkContact<Law>>& links, const Moment<M, L>& begin, const Moment<M, L>& end) noexcept {
+  static constexpr LinkEvent endings[] = {LinkEvent::turn, LinkEvent::release, LinkEvent::engage, LinkEvent::separation};
+  const double h = end.time - begin.time;
+  Found first;
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    const LinkContact<Law>& link = links[l];
+    const LinkMoment &b = begin.links[l], &e = end.links[l];
+    if (!link.closed()) {
+      if (const double part = touch_inside(b, e, h); part < first.part) first = {LinkEvent::touch, l, part};
+      continue;
+    }
+    if (link.goes_on(e.d, e.rate, e.force.force)) continue;
+    for (const LinkEvent event : endings)
+      if (link.margin(event, e.d, e.rate) < 0)
+        if (const double part = crossing(link, event, b, e, h); part < first.part) first = {event, l, part};
+  }
+  return first;
+}
+
+/// A quantity that is zero at an event, and its rate.
+template <class Law>
+Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m) noexcept {
+  switch (event) {
+    case LinkEvent::touch:
+    case LinkEvent::separation: return {m.d, m.rate};
+    case LinkEvent::turn: return {m.rate, m.acceleration};
+    default: {
+      const laws::Response f = link.uncut(m.d, m.rate);
+      return {f.force, f.by_penetration * m.rate + f.by_rate * m.acceleration};
+    }
+  }
+}
+
+/// Records the peak of a force that rises at the beginning of a step and falls at its end: where its slope is zero on the path of the link.
+template <class Law>
+void record_top(LinkContact<Law>& link, const LinkMoment& b, const LinkMoment& e, double h) noexcept {
+  const double p0 = h * b.force_rate, p1 = h * e.force_rate;
+  // Tangents at both ends are above the force.
+  const double part = (e.force.force - p1 - b.force.force) / (p0 - p1);
+  if (b.force.force + p0 * std::clamp(part, 0.0, 1.0) <= link.peaks().peak_force) return;
+  const Quintic way = path(b, e, h);
+  double low = 0, high = 1, s = top_of_cubic(b.force.force, p0, e.force.force, p1);
+  double at_low = p0, at_high = p1;
+  for (int i = 0; i < 8; ++i) {
+    const Jet jet = way.at(s);
+    const laws::Response f = link.force(jet.x, jet.v);
+    link.record(f.force);
+    const double rises = h * (f.by_penetration * jet.v + f.by_rate * jet.a);
+    if (rises > 0)
+      low = s, at_low = rises;
+    else
+      high = s, at_high = rises;
+    // The force is flat there: its error is the square of what is left of the way.
+    const double next = low + (high - low) * at_low / (at_low - at_high);
+    if (std::abs(next - s) < 1e-4) return;
+    s = next;
+  }
+}
+
+}  // namespace pounding::study
