@@ -24,7 +24,8 @@ PAGE = ROOT / "tests/verification/README.md"
 CHAPTERS = {"tests/laws": "Contact laws and free impacts", "tests/verification": "Impacts of structures",
             "tests/frames": "Structures and frames", "tests/structures": "Structures and frames",
             "tests/stepping": "Time integration", "tests/linear": "Time integration", "tests/run": "Time integration",
-            "tests/ground": "Ground motions", "tests/reproduce": "The paper, recomputed", "tests/program": "The program"}
+            "tests/ground": "Ground motions", "tests/reproduce": "The paper, recomputed", "tests/program": "The program",
+            "tests/study": "Studies"}
 INTRODUCTION = """\
 # Verification book
 
