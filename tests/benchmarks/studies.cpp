@@ -1,0 +1,92 @@
+// Histories a second of the kernel of studies, one thread: one JSON object a line.
+//
+//   studies RECORD.txt [SECONDS]
+//
+// RECORD.txt: accelerations [m/s^2] at 0.02 s, one a line; El Centro 1940 from Chopra's book has 1560. 512 pairs of oscillators (periods 0.2 to 2 s, gaps to
+// 60 mm, mass ratios 0.5 to 2, 5 %) by every penalty law, and shear buildings of five and three storeys with three links, each for
+// some SECONDS (1) of processor time.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <pounding/elements.hpp>
+#include <pounding/laws/compiled.hpp>
+#include <pounding/study/kernel.hpp>
+#include <pounding/study/modal_form.hpp>
+
+namespace {
+
+using namespace pounding;
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Runs the models round after round until the time is over.
+nlohmann::json measured(const std::string& name, const std::vector<study::LinearModel>& models, const study::EvenRecord& record, double seconds) {
+  const double start = processor_seconds();
+  double histories = 0, steps = 0, impacts = 0, time = 0;
+  for (std::size_t i = 0; time < seconds || i < 16; ++i) {
+    const study::Peaks peaks = study::run(models[i % models.size()], record);
+    ++histories, steps += static_cast<double>(peaks.steps);
+    for (const study::LinkPeaks& link : peaks.links) impacts += link.impacts;
+    time = processor_seconds() - start;
+  }
+  return {{"case", name}, {"histories_per_second", histories / time}, {"impacts", impacts / histories}, {"steps_in_contact", steps / histories}};
+}
+
+std::vector<study::LinearModel> pairs(const laws::Entry& entry) {
+  std::mt19937 engine(7);
+  const auto u = [&] { return static_cast<double>(engine()) / 4294967296.0; };
+  std::vector<study::LinearModel> models;
+  for (int i = 0; i < 512; ++i) {
+    const double t1 = 0.2 * std::pow(10, u()), t2 = 0.2 * std::pow(10, u()), gap = 0.06 * u(), m1 = 1e5, m2 = 1e5 * std::pow(4, u() - 0.5);
+    laws::Settings settings = laws::typical_settings(entry);
+    settings.reduced_mass = m1 * m2 / (m1 + m2);
+    models.push_back(study::pair_of({m1, t1, 0.05}, {m2, t2, 0.05}, gap, laws::make_law(settings)));
+  }
+  return models;
+}
+
+study::LinearModel buildings(double gap, const Samples& samples) {
+  Model model;
+  const auto left = model.add("left", make_shear_building({.storeys = 5, .mass = 2e5, .stiffness = 3e8}), {.damping = ModalDamping{0.05}});
+  const auto right = model.add("right", make_shear_building({.storeys = 3, .mass = 3e5, .stiffness = 6e8}), {.damping = ModalDamping{0.05}});
+  model.link(left, right, {.gap = gap, .floors = FacingFloors::level}, laws::HertzDamped{.stiffness = 2.75e9, .damping_factor = 0.793});
+  model.ground = GroundMotion(samples);
+  model.complete();
+  return study::modal_form(model);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::cerr << "studies RECORD.txt [SECONDS]\n";
+    return 1;
+  }
+  Samples samples;
+  std::ifstream file(argv[1]);
+  for (double a = 0; file >> a;) samples.times.push_back(0.02 * static_cast<double>(samples.times.size())), samples.accelerations.push_back(a);
+  samples.uniform = true;
+  const double seconds = argc > 2 ? std::atof(argv[2]) : 1;
+  const study::EvenRecord record{.accelerations = samples.accelerations, .step = 0.02};
+  try {
+    for (const laws::Entry& entry : laws::catalogue())
+      if (!entry.instantaneous) std::cout << measured(std::string(entry.name), pairs(entry), record, seconds).dump() << std::endl;
+    std::vector<study::LinearModel> both;
+    for (int i = 0; i < 16; ++i) both.push_back(buildings(0.002 * i, samples));
+    std::cout << measured("shear buildings of 5 and 3 storeys", both, record, seconds).dump() << std::endl;
+  } catch (const std::exception& error) {
+    std::cerr << "studies: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
