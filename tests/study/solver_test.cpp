@@ -116,17 +116,18 @@ TEST(TheKernel, AgreesWithTheSolverOnRandomPairsByEveryPenaltyLaw) {
   std::cout << rows.size() << " rows\n";
   const auto displacement = show("displacement", [](const Row& r) { return r.displacement; });
   const auto force = show("force", [](const Row& r) { return r.force; });
-  show("impulse", [](const Row& r) { return r.impulse; });
+  const auto impulse = show("impulse", [](const Row& r) { return r.impulse; });
   const auto energy = show("energy", [](const Row& r) { return r.energy; });
   const auto acceleration = show("acceleration", [](const Row& r) { return r.acceleration; });
   for (const Row& row : rows)
     if (row.worst() > 1e-3)
       std::cout << fmt::format("{} {}: displacement {:.1e} force {:.1e} impulse {:.1e} energy {:.1e} acceleration {:.1e}, {} impacts, {} differ\n", row.law,
                                row.number, row.displacement, row.force, row.impulse, row.energy, row.acceleration, row.impacts, row.more_impacts);
-  // The solver's error at 1e-6, grown by the impacts; one row in some hundred hangs on a contact that just happens or just does not.
-  for (const auto& values : {displacement, force, energy, acceleration}) {
-    EXPECT_LT(quantile(values, 0.5), 2e-5);
-    EXPECT_LT(quantile(values, 0.9), 5e-4);
+  // The solver's error at 1e-6, grown by the impacts; one row in some hundred hangs on a contact that just happens or just does not, and the limited
+  // damper has a corner at its peak force.
+  for (const auto& values : {displacement, force, impulse, energy, acceleration}) {
+    EXPECT_LT(quantile(values, 0.5), 1e-5);
+    EXPECT_LT(quantile(values, 0.95), 1e-4);
   }
 }
 
