@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from pounding._native import core
 from pounding.errors import InputError, SolverError
 from pounding.studies.engines import STATUSES, engine_for, run_batch
 from pounding.studies.execution import available_cores, batch_of
@@ -67,6 +68,9 @@ def _run(words: list[str]) -> int:
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     options = parser.parse_args(words)
     output = Path(options.output or Path(options.study).with_suffix(".h5").name)
+    if options.executor:
+        # The start of PETSc would wait for the workers, which do something else.
+        core.run_alone()
     plan = read_plan(options.study, records_folder(output))
     _warn(plan)
     if options.shard != (1, 1):
