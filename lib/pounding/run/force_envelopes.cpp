@@ -30,10 +30,11 @@ ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const
     first_spring_.push_back(springs);
     springs += static_cast<int>(s.yielding.size());
     yields_ = yields_ || yields(s);
-    every_step_ = every_step_ || s.is_free || s.rigid_motions > 0 || yields(s);
+    every_step_ = every_step_ || s.is_free || s.rigid_motions > 0;
     turns_ = turns_ || s.forces.turned;
     if (s.dimension > 1) add_frame(k);
   }
+  every_step_ = every_step_ || (turns_ && yields_);
   if (!with_links && !model.links.empty()) {
     add_block(-1, false, approaches(model, plan));
     results_.approach = blocks_.back().extremes;
@@ -65,7 +66,7 @@ void ForceEnvelopes::add_frame(int k) {
   };
   if (!all_apart) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(apart), true));
   if (!all_apart && added.empty()) return;
-  add_block(k, true, internal_forces(model_, k, plan_, apart, false));
+  add_block(k, true, internal_forces(model_, k, plan_, apart, added.empty() && !s.forces.turned));
   const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
   for (const auto& [link, by_force] : added) {
     FixedEnds made{link, static_cast<int>(blocks_.size()) - 1, Eigen::SparseVector<double>(blocks_.back().quantities.size())};
@@ -89,23 +90,22 @@ void ForceEnvelopes::add_fixed_end_forces(const Block& block, Eigen::VectorXd& v
 // Forces of springs at one end of the last kept step, and their rates on its side.
 void ForceEnvelopes::take_springs(double time, double other_end) {
   if (!yields_) return;
+  spring_rates_.setZero(static_cast<Eigen::Index>(stepper_.system().springs.size()));
+  if (!acts_) {
+    springs_ = spring_rates_;
+    return;
+  }
   stepper_.interpolate_springs(time, springs_);
-  spring_rates_.setZero(springs_.size());
   const double way = spring_difference * (other_end - time);
   if (way == 0) return;
   stepper_.interpolate_springs(time + way, spring_rates_);
   spring_rates_ = (spring_rates_ - springs_) / way;
 }
 
-// Adds what the parts of a frame that yield give to its forces, or to their rates.
-void ForceEnvelopes::add_yielding(int k, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const {
-  const Structure& s = model_.structures[k];
-  const Eigen::VectorXd own = of_springs.segment(first_spring_[k], static_cast<Eigen::Index>(s.yielding.size()));
-  Eigen::Index row = 0;
-  for (const Floor& floor : s.floors)
-    for (std::size_t j = 0; j < floor.storey_shear.size(); ++j, ++row)
-      if (!floor.storey_shear_by_yielding.empty()) values[row] += floor.storey_shear_by_yielding[j].dot(own);
-  if (s.forces.by_yielding.size() > 0) values.tail(s.forces.by_yielding.rows()) += s.forces.by_yielding * own;
+// Adds what the parts of its frame that yield give to the forces of a block, or to their rates.
+void ForceEnvelopes::add_yielding(const Block& block, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const {
+  const auto parts = static_cast<Eigen::Index>(model_.structures[block.structure].yielding.size());
+  block.quantities.add_yielding(of_springs.segment(first_spring_[block.structure], parts), values);
 }
 
 // At the motion in u_ and v_.
@@ -117,8 +117,8 @@ void ForceEnvelopes::evaluate(const Block& block, double time, Eigen::VectorXd& 
   values = evaluated_once_.row(0);
   rates = evaluated_once_.row(1);
   if (block.structure >= 0 && yields(model_.structures[block.structure])) {
-    add_yielding(block.structure, springs_, values);
-    add_yielding(block.structure, spring_rates_, rates);
+    add_yielding(block, springs_, values);
+    add_yielding(block, spring_rates_, rates);
   }
   if (block.structure < 0 || !model_.structures[block.structure].forces.turned) return;
   const Structure& s = model_.structures[block.structure];
@@ -145,7 +145,7 @@ void ForceEnvelopes::begin() {
   if (blocks_.empty()) return;
   u_ = stepper_.state().u;
   v_ = stepper_.state().v;
-  if (yields_) take_springs(stepper_.time(), stepper_.time());
+  take_springs(stepper_.time(), stepper_.time());
   start_from(stepper_.instant_end_minus());
   for (Block& block : blocks_) {
     Eigen::VectorXd values = block.values;
@@ -158,12 +158,9 @@ void ForceEnvelopes::step(const StepMotion& step) {
   if (blocks_.empty()) return;
   const Instant &begin = stepper_.instant_begin(), &end = stepper_.instant_end_minus();
   const bool pressed = presses_on_members();
+  acts_ = yields_ && parts_act();
   if (every_step_) {
-    u_ = stepper_.begin().u;
-    v_ = stepper_.begin().v;
-    // Rates jump where a step ends at a corner: those of this step count.
-    if (yields_ && step.h > 0) stepper_.interpolate(begin.time, u_, v_);
-    take_springs(begin.time, end.time);
+    take_begin(step);
     start_from(begin);
   } else if (turns_) {
     if (!pressed && step.h > 0) {
@@ -172,22 +169,38 @@ void ForceEnvelopes::step(const StepMotion& step) {
       close(begin, middle, false);
     }
   } else {
-    const bool changes = pressed != pressed_;
+    const bool apart = pressed || acts_, changes = apart != apart_;
     if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) {
       stepper_.begin(u_, v_);
       wait(begin);
     }
     if (changes) follow();
-    pressed_ = pressed;
+    apart_ = apart;
     jumped_ = step.jumps;
-    if (!pressed) return;
+    if (!apart) return;
+    if (acts_) take_begin(step);
+    for (Block& block : blocks_)
+      if (acts_ && block.apart) evaluate(block, begin.time, block.values, block.rates);
   }
   if (every_step_) stepper_.end_minus();  // the whole state, with which the next step begins
   stepper_.end_minus(u_, v_);
   take_springs(end.time, begin.time);
   if (every_step_ || turns_) return close(end, end.time, pressed);
   for (Block& block : blocks_)
-    if (block.apart) follow(block, begin.time, end.time, true);
+    if (block.apart) follow(block, begin.time, end.time, pressed);
+}
+
+// The motion at the beginning of a step, and forces of springs. Rates jump where a step ends at a corner: those of this step count.
+void ForceEnvelopes::take_begin(const StepMotion& step) {
+  const double begin = stepper_.instant_begin().time;
+  if (every_step_) {
+    u_ = stepper_.begin().u;
+    v_ = stepper_.begin().v;
+  } else {
+    stepper_.begin(u_, v_);
+  }
+  if (acts_ && step.h > 0) stepper_.interpolate(begin, u_, v_);
+  take_springs(begin, stepper_.instant_end_minus().time);
 }
 
 void ForceEnvelopes::end() {
@@ -221,6 +234,18 @@ bool ForceEnvelopes::presses_on_members() const {
     const LinkStep& step = stepper_.link_steps()[ends.link];
     return step.force_begin != 0 || step.force_middle != 0 || step.force_end != 0;
   });
+}
+
+// Whether parts of frames add to the linear forces in the last kept step: none does before it yields.
+bool ForceEnvelopes::parts_act() const {
+  const int contacts = stepper_.system().contact_count();
+  for (std::size_t k = 0; k < first_spring_.size(); ++k) {
+    if (!yields(model_.structures[k])) continue;
+    const auto from = stepper_.link_steps().begin() + contacts + first_spring_[k];
+    const auto acts = [](const LinkStep& step) { return step.force_begin != 0 || step.force_middle != 0 || step.force_end != 0; };
+    if (std::any_of(from, from + static_cast<int>(model_.structures[k].yielding.size()), acts)) return true;
+  }
+  return false;
 }
 
 // At the motion in u_ and v_, to which the instant is the next.
@@ -266,7 +291,7 @@ void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bo
   }
 }
 
-// To the knots whose motions wait. While contacts press, blocks that are followed apart are further already.
+// To the knots whose motions wait. While contacts press or parts yield, blocks that are followed apart are further already.
 void ForceEnvelopes::follow() {
   if (times_.empty()) return;
   constexpr int batch = LinearQuantities::batch;
@@ -287,7 +312,7 @@ void ForceEnvelopes::follow() {
   times_.resize(batch, times_.back());
   const std::span<const double> times(times_.data(), count);
   for (Block& block : blocks_) {
-    if (block.apart && pressed_) continue;
+    if (block.apart && apart_) continue;
     block.quantities.evaluate<batch>(motions_, times_, plan_.motions, evaluated_);
     Extremes& extremes = block.extremes;
     for (int q = 0; q < block.quantities.size(); ++q) {
@@ -315,7 +340,7 @@ void ForceEnvelopes::archive(Archive& archive) {
   knots_.archive(archive);
   archive(followed_);
   archive(jumped_);
-  archive(pressed_);
+  archive(apart_);
   for (Block& block : blocks_) {
     archive(block.values);
     archive(block.rates);

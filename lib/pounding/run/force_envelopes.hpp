@@ -39,7 +39,7 @@ class ForceEnvelopes {
   struct Block {
     int structure;  // -1: links
     // Forces that are not linear between two knots: of members on which contacts may press between their ends, and of frames whose
-    // members turn. They are followed knot by knot, and step by step while a contact presses.
+    // members turn or yield. They are followed knot by knot, and step by step while a contact presses or something has yielded.
     bool apart;
     LinearQuantities quantities;
     Eigen::VectorXd values, rates;  // at the last knot that was followed
@@ -54,8 +54,10 @@ class ForceEnvelopes {
   void add_frame(int structure);
   void add_block(int structure, bool apart, LinearQuantities quantities);
   bool presses_on_members() const;
+  bool parts_act() const;
+  void take_begin(const StepMotion& step);
   void take_springs(double time, double other_end);
-  void add_yielding(int structure, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const;
+  void add_yielding(const Block& block, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const;
   void start_from(const Instant& instant);
   void close(const Instant& instant, double time, bool pressed);
   void wait(const Instant& instant);
@@ -73,12 +75,13 @@ class ForceEnvelopes {
   std::vector<int> first_spring_;          // by structure
   std::vector<Block> blocks_;
   std::vector<FixedEnds> fixed_ends_;
-  bool every_step_ = false;  // is a knot: contacts change velocities in no time, bodies have no strain to measure by, or parts yield
-  bool yields_ = false;      // parts of frames do, which add to forces directly
+  bool every_step_ = false;  // is a knot: contacts change velocities in no time, or bodies have no strain to measure by
+  bool yields_ = false;      // parts of frames may, which add to forces directly
   bool turns_ = false;       // members turn: their forces bend more than the displacements, and each step has a knot inside
   Knots knots_;
   bool jumped_ = false;        // something changed at the end of the last step
-  bool pressed_ = false;       // contacts pressed on members in it
+  bool acts_ = false;          // parts of frames that yield have forces in the present step
+  bool apart_ = false;         // so they had in the last one, or contacts pressed on members
   double followed_ = 0;        // knot up to which the extremes are known [s]
   std::vector<double> times_;  // knots after it whose motions wait [s]
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;

@@ -31,7 +31,7 @@ std::pair<std::vector<double>, bool> with_positive_front(const RowMajor& rows, i
 
 }  // namespace
 
-LinearQuantities::LinearQuantities(const RowMajor& rows, int first, const Eigen::VectorXd& at_rest, const Eigen::MatrixXd& by_ground,
+LinearQuantities::LinearQuantities(const RowMajor& rows, int unknowns, int first, const Eigen::VectorXd& at_rest, const Eigen::MatrixXd& by_ground,
                                    const Choice& chosen, bool merge)
     : first_(first) {
   std::map<std::vector<double>, Place> known;
@@ -53,16 +53,22 @@ LinearQuantities::LinearQuantities(const RowMajor& rows, int first, const Eigen:
     places_.push_back(next);
     kept.push_back(row);
   }
-  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Eigen::Triplet<double>> entries, by_yielding;
   at_rest_.resize(static_cast<int>(kept.size()));
   by_ground_.resize(at_rest_.size(), by_ground.cols());
   for (int i = 0; i < size(); ++i) {
-    for (RowMajor::InnerIterator it(rows, kept[i]); it; ++it) entries.emplace_back(i, static_cast<int>(it.col()), it.value());
+    for (RowMajor::InnerIterator it(rows, kept[i]); it; ++it) {
+      const int column = static_cast<int>(it.col());
+      if (column < unknowns) entries.emplace_back(i, column, it.value());
+      else by_yielding.emplace_back(i, column - unknowns, it.value());
+    }
     at_rest_[i] = at_rest[kept[i]];
     by_ground_.row(i) = by_ground.row(kept[i]);
   }
-  rows_.resize(size(), rows.cols());
+  rows_.resize(size(), unknowns);
   rows_.setFromTriplets(entries.begin(), entries.end());
+  by_yielding_.resize(size(), rows.cols() - unknowns);
+  by_yielding_.setFromTriplets(by_yielding.begin(), by_yielding.end());
   if (by_ground_.isZero(0)) by_ground_.resize(0, 0);
 }
 
@@ -89,6 +95,10 @@ void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<con
     }
 }
 
+void LinearQuantities::add_yielding(const Eigen::Ref<const Eigen::VectorXd>& forces, Eigen::VectorXd& values) const {
+  if (by_yielding_.nonZeros() > 0 && !forces.isZero(0)) values += by_yielding_ * forces;
+}
+
 template void LinearQuantities::evaluate<1>(const Instants<1>&, std::span<const double>, std::span<const GroundMotion>, Instants<1>&) const;
 template void LinearQuantities::evaluate<LinearQuantities::batch>(const Instants<batch>&, std::span<const double>,
                                                                   std::span<const GroundMotion>, Instants<batch>&) const;
@@ -99,22 +109,28 @@ LinearQuantities internal_forces(const Model& model, int structure, const Ground
   std::vector<Eigen::Triplet<double>> entries;
   int shears = 0;
   for (const Floor& floor : s.floors)
-    for (const Row& shear : floor.storey_shear) add_row(entries, shears++, shear, 1, 0);
+    for (std::size_t j = 0; j < floor.storey_shear.size(); ++j, ++shears) {
+      add_row(entries, shears, floor.storey_shear[j], 1, 0);
+      if (!floor.storey_shear_by_yielding.empty()) add_row(entries, shears, floor.storey_shear_by_yielding[j], 1, s.size());
+    }
   for (int row = 0; row < s.forces.rows.outerSize(); ++row)
     for (RowMajor::InnerIterator it(s.forces.rows, row); it; ++it)
       if (it.value() != 0) entries.emplace_back(shears + row, static_cast<int>(it.col()), it.value());
+  for (int row = 0; row < s.forces.by_yielding.outerSize(); ++row)
+    for (RowMajor::InnerIterator it(s.forces.by_yielding, row); it; ++it)
+      if (it.value() != 0) entries.emplace_back(shears + static_cast<int>(it.row()), s.size() + static_cast<int>(it.col()), it.value());
   const int count = shears + static_cast<int>(s.forces.rows.rows());
-  RowMajor rows(count, s.size());
+  RowMajor rows(count, s.size() + static_cast<int>(s.yielding.size()));
   rows.setFromTriplets(entries.begin(), entries.end());
   Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(count);
   at_rest.tail(s.forces.at_rest.size()) = s.forces.at_rest;
-  if (s.at_rest.size() > 0) at_rest += rows * s.at_rest;
+  if (s.at_rest.size() > 0) at_rest += rows.leftCols(s.size()) * s.at_rest;
 
   Eigen::MatrixXd by_ground = Eigen::MatrixXd::Zero(count, static_cast<int>(plan.motions.size()));
   if (s.supports.size() > 1) {
     std::vector<Eigen::MatrixX3d> influences;
     for (const Support& support : s.supports) {
-      Eigen::MatrixX3d influence = rows * support.influence;
+      Eigen::MatrixX3d influence = rows.leftCols(s.size()) * support.influence;
       influence.topRows(shears) += support.shears;
       influence.bottomRows(count - shears) += support.forces;
       influences.push_back(std::move(influence));
@@ -122,7 +138,7 @@ LinearQuantities internal_forces(const Model& model, int structure, const Ground
     for (int row = 0; row < count; ++row)
       plan.supports[structure].project([&](std::size_t q, int axis) { return influences[q](row, axis); }, by_ground.row(row));
   }
-  return {rows, offsets(model)[structure], at_rest, by_ground, chosen, merge};
+  return {rows, s.size(), offsets(model)[structure], at_rest, by_ground, chosen, merge};
 }
 
 LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
@@ -164,7 +180,7 @@ LinearQuantities approaches(const Model& model, const GroundPlan& plan) {
   }
   RowMajor rows(count, unknowns);
   rows.setFromTriplets(entries.begin(), entries.end());
-  return {rows, 0, at_rest, by_ground, [](int) { return true; }, false};
+  return {rows, unknowns, 0, at_rest, by_ground, [](int) { return true; }, false};
 }
 
 }  // namespace pounding

@@ -14,7 +14,7 @@
 
 namespace pounding {
 
-/// Quantities f = at_rest + rows * u + by_ground * displacements of the ground, and their rates.
+/// Quantities f = at_rest + rows * u + by_ground * displacements of the ground, and their rates; parts that yield may add to them.
 ///
 /// Many forces of a frame are the same but for the sign: axial and shear forces at the two ends of a member, reactions and the column
 /// that stands on them. Such quantities may be evaluated once.
@@ -35,9 +35,10 @@ class LinearQuantities {
   /// Whether a quantity belongs to these.
   using Choice = std::function<bool(int quantity)>;
 
-  /// `by_ground` has one column a motion of the plan; all zero where supports move alike. `first`: of the unknowns. With `merge`, equal
-  /// and opposite quantities are evaluated once.
-  LinearQuantities(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows, int first, const Eigen::VectorXd& at_rest,
+  /// The first `unknowns` columns of `rows` are those of unknowns, from `first` on; the others those of forces of parts that yield.
+  /// `by_ground` has one column a motion of the plan; all zero where supports move alike. With `merge`, equal and opposite quantities are
+  /// evaluated once.
+  LinearQuantities(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows, int unknowns, int first, const Eigen::VectorXd& at_rest,
                    const Eigen::MatrixXd& by_ground, const Choice& chosen, bool merge);
 
   /// Number of evaluated quantities.
@@ -49,16 +50,19 @@ class LinearQuantities {
   template <int instants>
   void evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
                 Instants<instants>& quantities) const;
+  /// Adds what forces of parts that yield give to the quantities, or their rates to the rates.
+  void add_yielding(const Eigen::Ref<const Eigen::VectorXd>& forces, Eigen::VectorXd& values) const;
 
  private:
-  Eigen::SparseMatrix<double, Eigen::RowMajor> rows_;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> rows_, by_yielding_;
   std::vector<Place> places_;
   int first_;
   Eigen::VectorXd at_rest_;
   Eigen::MatrixXd by_ground_;  // empty for none
 };
 
-/// Quantities of one frame: storey shears floor by floor, then InternalForces row by row. Without what members that turn add.
+/// Quantities of one frame: storey shears floor by floor, then InternalForces row by row. Without what members that turn add. Columns of
+/// `rows` after the unknowns are those of its parts that yield.
 LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan, const LinearQuantities::Choice& chosen,
                                  bool merge);
 

@@ -42,6 +42,9 @@ SpringHistory heading(const Structure& s) {
 // By yielding, and by the damper of a device.
 double lost_by(const Spring& spring) { return spring.lost() + spring.damped(); }
 
+// Whether one of these lies outside.
+bool exceeds(const Extremes& extremes, std::size_t i, double low, double high) { return low < extremes.min[i] || high > extremes.max[i]; }
+
 // The first part of a step, from 0 to 1, at which the size of the deformation exceeds a limit, on the cubic through its ends; 2 for none.
 double first_beyond(const LinkStep& step, double limit) {
   const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
@@ -131,14 +134,20 @@ void SpringHistories::step_part(int k, std::size_t i) {
   const LinkStep& step = stepper_.link_steps()[first_[k] + i];
   const double h = step.end - step.begin, stiffness = assembled(k, i);
   const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
-  history.deformations.update(i, step.begin, h, begin.penetration, begin.rate, end.penetration, end.rate);
-  const auto force = [&](const LinkMotion& motion, double on_top) { return stiffness * motion.penetration + on_top; };
+  // A cubic stays within a third of the step times the rates from its ends, a parabola within a quarter of the way. Most steps bring nothing
+  // new.
+  const double at_begin = h / 3 * std::abs(begin.rate), at_end = h / 3 * std::abs(end.rate);
+  const double low = std::min(begin.penetration - at_begin, end.penetration - at_end);
+  const double high = std::max(begin.penetration + at_begin, end.penetration + at_end);
+  if (exceeds(history.deformations, i, low, high))
+    history.deformations.update(i, step.begin, h, begin.penetration, begin.rate, end.penetration, end.rate);
+  const double f0 = stiffness * begin.penetration + step.force_begin, f1 = stiffness * end.penetration + step.force_end;
+  const double fm = stiffness * step.motion_middle.penetration + step.force_middle, away = 0.25 * std::abs(f1 - f0);
   const auto* slider = dynamic_cast<const SlidingSpring*>(model_.structures[k].yielding[i].spring.get());
   if (slider && slider->law().rate * std::min(std::abs(begin.rate), std::abs(end.rate)) < saturated)
     update_slider(*slider, step, stiffness, i, history.forces);
-  else
-    history.forces.update(i, step.begin, h, force(begin, step.force_begin), force(step.motion_middle, step.force_middle),
-                          force(end, step.force_end));
+  else if (exceeds(history.forces, i, std::min(fm, f1) - away, std::max(fm, f1) + away))
+    history.forces.update(i, step.begin, h, f0, fm, f1);
   if (begin.rate * end.rate < 0) {
     const CubicPenetration between(begin, end, h);
     if (const double s = between.turn(); s > 0 && s < 1)
@@ -147,7 +156,7 @@ void SpringHistories::step_part(int k, std::size_t i) {
   reach(history, i, stiffness, end.penetration, step.force_end);
   history.last[i] = end.penetration;
   history.lost[i] = lost_by(*model_.structures[k].yielding[i].spring);
-  if (std::isnan(history.first_yield[i]))
+  if (std::isnan(history.first_yield[i]) && std::max(-low, high) > history.yield_deformation[i])
     if (const double s = first_beyond(step, history.yield_deformation[i]); s <= 1) history.first_yield[i] = step.begin + s * h;
 }
 

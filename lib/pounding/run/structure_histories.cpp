@@ -182,7 +182,8 @@ void StructureHistories::sample_forces(int k, const Eigen::VectorXd& u, const Ou
   StructureHistory& history = histories_[k];
   Eigen::VectorXd turned = Eigen::VectorXd::Zero(of.rows.rows());
   if (of.turned) turned = of.turned(u);
-  if (of.by_yielding.size() > 0) turned += of.by_yielding * yielding_forces(k);
+  if (of.by_yielding.size() > 0)
+    if (const Eigen::VectorXd yielding = yielding_forces(k); !yielding.isZero(0)) turned += of.by_yielding * yielding;
   const auto force = [&](int row) {
     double sum = 0;
     for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(of.rows, row); it; ++it) sum += it.value() * u[it.index()];
