@@ -66,6 +66,7 @@ ModalSolver::ModalSolver(const System& system) : StructureSolver(system), unknow
       gap_jacobian_[i].push_back({block.coordinate, block.shapes.transpose() * part});
     }
   }
+  make_panels();
 }
 
 void ModalSolver::add_block(const System& system, const Group& group) {
@@ -232,17 +233,41 @@ void ModalSolver::add_response(double factor, std::span<const int> links, const 
   }
 }
 
+void ModalSolver::make_panels() {
+  const int links = static_cast<int>(gap_jacobian_.size());
+  for (int i = 0; i < links;) {
+    const auto fits = [&](int other) {
+      const std::vector<Part>&own = gap_jacobian_[i], &parts = gap_jacobian_[other];
+      return own.size() == 1 && parts.size() == 1 && own[0].first == parts[0].first && own[0].values.size() == parts[0].values.size();
+    };
+    if (i + 4 > links || !fits(i) || !fits(i + 1) || !fits(i + 2) || !fits(i + 3)) {
+      single_links_.push_back(i++);
+      continue;
+    }
+    Panel& panel = panels_.emplace_back(i, gap_jacobian_[i][0].first);
+    panel.values.resize(Eigen::NoChange, gap_jacobian_[i][0].values.size());
+    for (int row = 0; row < 4; ++row) panel.values.row(row) = gap_jacobian_[i++][0].values.transpose();
+  }
+}
+
 void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
   const Eigen::Index columns = x.cols();
   relative.resize(static_cast<Eigen::Index>(gap_jacobian_.size()), columns);
-  for (std::size_t i = 0; i < gap_jacobian_.size(); ++i)
+  // Sums in one order, whether four links at once or one.
+  for (const Panel& panel : panels_)
+    for (Eigen::Index j = 0; j < columns; ++j) {
+      Eigen::Array4d sum = Eigen::Array4d::Zero();
+      for (Eigen::Index k = 0; k < panel.values.cols(); ++k) sum += panel.values.col(k).array() * x(panel.first + k, j);
+      relative.col(j).segment<4>(panel.link) = sum;
+    }
+  for (const int i : single_links_)
     for (Eigen::Index j = 0; j < columns; ++j) {
       double sum = 0;
       for (const Part& part : gap_jacobian_[i]) {
         const Eigen::Index n = part.values.size();
         for (Eigen::Index k = 0; k < n; ++k) sum += part.values[k] * x(part.first + k, j);
       }
-      relative(static_cast<Eigen::Index>(i), j) = sum;
+      relative(i, j) = sum;
     }
 }
 

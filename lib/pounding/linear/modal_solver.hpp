@@ -59,6 +59,12 @@ class ModalSolver final : public StructureSolver {
     Eigen::VectorXd values;
   };
 
+  // Columns of B of four links in a row that act on the same modes, from `first` on.
+  struct Panel {
+    int link = 0, first = 0;
+    Eigen::Matrix<double, 4, Eigen::Dynamic> values;
+  };
+
   // Outputs of one group: values[rows[i]] += factors.row(i) * modes from `first` on.
   struct View {
     int first = 0;
@@ -67,11 +73,14 @@ class ModalSolver final : public StructureSolver {
   };
 
   void add_block(const System& system, const Group& group);
+  void make_panels();
   void add_view(const SparseMatrix& outputs, const Block& block);
 
   std::vector<Block> blocks_;
   Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
   std::vector<std::vector<Part>> gap_jacobian_;  // of each link
+  std::vector<Panel> panels_;                    // the same where it fits, and the other links
+  std::vector<int> single_links_;
   std::vector<View> views_;
   int outputs_ = 0;  // number of output quantities
   Eigen::VectorXd stiffness_, damping_;  // diagonals
