@@ -24,6 +24,15 @@ constexpr int max_corner_trials = 8;
 constexpr const char* lost_trial =
     "the link equations could not be solved while the instant of an impact was sought; try a smaller tolerance";
 
+// Whether a spring has no slope wherever the cubic between two motions may go, which is within a third of the step times the rates from its
+// ends. What lies between two elastic deformations is elastic.
+bool stays_elastic(const Spring& spring, const LinkMotion& begin, const LinkMotion& end, double h) {
+  const double third = h / 3 * std::max(std::abs(begin.rate), std::abs(end.rate));
+  const laws::Response low = spring.evaluate({std::min(begin.penetration, end.penetration) - third, 0});
+  const laws::Response high = spring.evaluate({std::max(begin.penetration, end.penetration) + third, 0});
+  return low.by_penetration == 0 && high.by_penetration == 0 && low.force == high.force;
+}
+
 // An event function that is negative at the end of the trial.
 struct EventBracket {
   EventId id;
@@ -103,6 +112,7 @@ void EventLocator::Search::look_for_inner_touch(int link) const {
 // Position in the trial, from 0 to 1, of the first corner of a spring's force well inside it: by the cubic through both ends.
 std::optional<double> EventLocator::Search::corner(int link, const LinkMotion& begin, const LinkMotion& end) const {
   const Spring& spring = links.spring(link);
+  if (stays_elastic(spring, begin, end, trial.h)) return std::nullopt;
   const CubicPenetration between(begin, end, trial.h);
   const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
   const double near = springs.any() ? std::max(corner_part, shortest_to_corner * functions.longest_step() / trial.h) : corner_part;
