@@ -15,9 +15,10 @@ double terms(const laws::Response& law, const LinkMotion& at) {
 }
 
 // A stiff bar leaves next to nothing of the free motion, whose round-off its force has still. Storeys that yield are softer than
-// their linear stiffness and have none of this.
-double terms(const laws::Response& law, const LinkMotion& at, const LinkMotion& free) {
-  return std::max(terms(law, at), std::max(law.by_penetration, 0.0) * std::abs(free.penetration) + law.by_rate * std::abs(free.rate));
+// their linear stiffness and have none of this, but theirs is the difference between two forces of the size of k d.
+double terms(const Spring& spring, const laws::Response& law, const LinkMotion& at, const LinkMotion& free) {
+  return std::max({terms(law, at), spring.stiffness() * std::abs(at.penetration),
+                   std::max(law.by_penetration, 0.0) * std::abs(free.penetration) + law.by_rate * std::abs(free.rate)});
 }
 
 // The motion that forces leave when they take these parts off.
@@ -67,7 +68,7 @@ bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, do
     const LinkMotion at = relieved(free, relief_u * trial, relief_v * trial);
     const laws::Response answer = links_.law(link, at);
     const double residual = answer.force - trial;
-    const double size = link < links_.contacts() ? terms(answer, at) : terms(answer, at, free);
+    const double size = link < links_.contacts() ? terms(answer, at) : terms(links_.spring(link), answer, at, free);
     if (std::abs(residual) <= solved * std::max({std::abs(trial), std::abs(answer.force), size})) {
       force = trial;
       return true;
@@ -154,7 +155,8 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
     at.penetration -= at_once;
     const laws::Response answer = links_.law(links.active[i], at);
     residual_[i] = answer.force - x[i];
-    terms_ = std::max(terms_, links.active[i] < links_.contacts() ? terms(answer, at) : terms(answer, at, links.free[i]));
+    const int link = links.active[i];
+    terms_ = std::max(terms_, link < links_.contacts() ? terms(answer, at) : terms(links_.spring(link), answer, at, links.free[i]));
     if (!with_slopes) continue;
     by_penetration_[i] = answer.by_penetration;
     by_rate_[i] = answer.by_rate;
