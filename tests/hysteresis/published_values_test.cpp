@@ -174,6 +174,20 @@ TEST(PublishedLoops, ASmallTurnLiftsTheForceOfSteel02AndNotThatOfNestedMemory) {
   }
 }
 
+// The force jumps with the first trace of a turn, so what follows is not a continuous function of the path.
+TEST(PublishedLoops, ATurnOfNoSizeLiftsTheForceOfSteel02) {
+  MenegottoPinto law{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.05};
+  for (const MenegottoPinto::Memory memory : {MenegottoPinto::Memory::nested, MenegottoPinto::Memory::last}) {
+    law.memory = memory;
+    MenegottoPinto::State kept;
+    for (const double d : {4.0, -4.0, -2.25}) kept = law.advance(kept, d);
+    for (const double size : {1e-3, 1e-6, 1e-9}) {
+      const double lift = law.respond(law.advance(kept, -2.25 - size), -1.35).force - law.respond(kept, -1.35).force;
+      EXPECT_NEAR(lift, memory == MenegottoPinto::Memory::last ? 0.2535 : 0.0, size < 1e-5 ? 1e-4 : 1e-3) << size;
+    }
+  }
+}
+
 // A hundred small turns, one inside the other and out again: more than are remembered.
 TEST(PublishedLoops, MoreTurnsThanAreRememberedForgetTheSmallestOnes) {
   const MenegottoPinto law{.initial_stiffness = 1, .yield_force = 1, .hardening = 0.01};
