@@ -1,0 +1,153 @@
+"""Frames with hinges through the program: what they cost where nothing yields, in space, on two processes, and resumed."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import unittest
+
+import h5py
+import numpy as np
+
+from support import PROGRAM, ProgramTest
+
+LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
+SURROUNDINGS = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OPENBLAS_NUM_THREADS": "1"}
+SHAKE = "ground_motion: {harmonic: {amplitude: 5.0, period: 0.5 s, duration: 1.5 s}}\n"
+MEMBERS = "columns: {rectangle: [0.4 m, 0.4 m]}, beams: {rectangle: [0.3 m, 0.5 m]}"
+ANALYSIS = "analysis: {duration: 2.0 s, tolerance: %s, output_step: 10 ms}\n"
+
+
+def hinges(beams, columns):
+    return f"      hinges:\n        beams: {{at: both, {beams}}}\n        columns: {{at: feet, {columns}}}\n"
+
+
+def rigid_plastic(strength=1.0):
+    return hinges(f"yield_moment: {180 * strength} kN m, hardening: 2 %", f"yield_moment: {250 * strength} kN m, hardening: 2 %")
+
+
+def by_law(law, more=""):
+    yields = lambda moment: f"{law}: {{yield_moment: {moment} kN m, hardening: 2 %, stiffness_factor: 10{more}}}"
+    return hinges(yields(180), yields(250))
+
+
+#: Laws whose memories differ.
+LAWS = {"rigid_plastic": rigid_plastic(), "nested": by_law("menegotto_pinto"), "last": by_law("menegotto_pinto", ", memory: last"),
+        "bouc_wen": by_law("bouc_wen"), "peak_oriented": by_law("peak_oriented", ", unloading: 0.5")}
+
+
+def pair(of_hinges, tolerance="1e-5"):
+    """Two frames that collide; the right one never yields."""
+    frame = lambda storeys, x, inner: f"""\
+    frame:
+      origin: [{x}, 0]
+      material: {{E: 30 GPa}}
+      grid: {{storeys: {storeys}, bays: 1, storey_height: 3.2 m, bay_width: 6 m, {MEMBERS}, floor_mass: 40 t}}
+{inner}    damping: 5 %
+"""
+    return (SHAKE + "structures:\n  left:\n" + frame(3, 0, of_hinges) + "  right:\n" + frame(2, 6.02, "") +
+            "links:\n  - {between: [left, right], floors: all, gap: 20 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.65}\n" +
+            ANALYSIS % tolerance)
+
+
+def single(dimension, of_hinges, bays="1", tolerance="1e-7"):
+    return f"""{SHAKE}structures:
+  left:
+    frame:
+      dimension: {dimension}
+      material: {{E: 30 GPa, poisson: 0.2}}
+      grid: {{storeys: 2, bays: {bays}, storey_height: 3.2 m, bay_width: 6 m, {MEMBERS}, floor_mass: {40 if dimension == 2 else 80} t, rigid_floors: true}}
+{of_hinges}    damping: {{modal: {{ratio: 5 %}}}}
+{ANALYSIS % tolerance}"""
+
+
+class Hinges(ProgramTest):
+    def results(self, model, name="out.h5", processes=1, words=()):
+        self.write(model)
+        launcher = [LAUNCHER, "-n", str(processes)] if processes > 1 else []
+        done = subprocess.run([*launcher, PROGRAM, "run", "model.yaml", "--json", "-o", name, *words], cwd=self.folder, capture_output=True,
+                              text=True, env=SURROUNDINGS, timeout=300)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return json.loads(done.stdout), self.folder / name
+
+    def numbers(self, path):
+        """Every dataset of numbers but times of the clock and the checkpoint."""
+        found = {}
+
+        def look(name, item):
+            if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" and not re.search("wall|checkpoint", name):
+                found[name] = item[()]
+
+        with h5py.File(path) as file:
+            file.visititems(look)
+        return found
+
+    def test_that_never_yield_leave_every_bit_as_it_is(self):
+        for integrator in ("esdirk4", "generalized_alpha"):
+            scheme = f", integrator: {integrator}}}"
+            strong, one = self.results(pair(rigid_plastic(1000), "1e-4").replace("10 ms}", "10 ms" + scheme), "strong.h5")
+            elastic, other = self.results(pair("", "1e-4").replace("10 ms}", "10 ms" + scheme), "elastic.h5")
+            self.assertEqual(strong["structures"]["left"]["yielding"]["yielded"], 0)
+            self.assertGreater(len(elastic["impacts"]), 0)
+            for key in ("steps", "rejected", "events"):
+                self.assertEqual(strong["solver"][key], elastic["solver"][key])
+            one, other = self.numbers(one), self.numbers(other)
+            self.assertTrue({"structures/left/displacement", "structures/left/storey_shear", "energy/strain"} <= other.keys())
+            for name, values in other.items():
+                with self.subTest(integrator=integrator, name=name):
+                    self.assertTrue(values.tobytes() == one[name].tobytes())
+
+    def test_in_space_are_those_in_the_plane(self):
+        # Two equal frames side by side under one floor: half of what shakes in space is one of them. Across their plane nothing moves. Steps end at
+        # corners that are found to a part of their length: the answers agree to the tolerance of the runs.
+        for law in ("rigid_plastic", "nested"):
+            flat, one = self.results(single(2, LAWS[law]))
+            self.assertGreater(flat["structures"]["left"]["yielding"]["yielded"], 4)
+            along = LAWS[law].replace("at: both", "axis: y, at: both").replace("at: feet", "axis: y, at: feet")
+            deep, two = self.results(single(3, along, "[1, 1]"), "space.h5")
+            with h5py.File(one) as plane, h5py.File(two) as space:
+                u, v = plane["structures/left/displacement"][:], space["structures/left/displacement"][:]
+                np.testing.assert_allclose(v[:, :, 0], u[:, :, 0], rtol=0, atol=1e-7 * np.abs(u).max())
+                np.testing.assert_allclose(v[:, :, 1:], 0, atol=1e-9 * np.abs(u).max())
+                # Between the ends of steps forces are interpolated.
+                shear, both = plane["structures/left/storey_shear"][:], space["structures/left/storey_shear"][:]
+                np.testing.assert_allclose(both.reshape(len(both), 2, 2)[:, :, 0], 2 * shear, rtol=0, atol=3e-5 * 2 * np.abs(shear).max())
+            ductility = lambda run: sorted({round(part["ductility"], 6) for part in run["structures"]["left"]["yielding"]["springs"]
+                                            if part["ductility"] > 1e-6})
+            np.testing.assert_allclose(ductility(deep), ductility(flat), rtol=1e-6)
+
+    @unittest.skipUnless(LAUNCHER, "needs MPI")
+    def test_are_alike_on_two_processes(self):
+        for law in ("rigid_plastic", "nested"):
+            summary, one = self.results(pair(LAWS[law]))
+            self.assertGreater(summary["structures"]["left"]["yielding"]["yielded"], 4)
+            _, two = self.results(pair(LAWS[law]), "two.h5", 2)
+            one, two = self.numbers(one), self.numbers(two)
+            for name in ("displacement", "storey_shear", "springs/deformation", "springs/force", "springs/hysteretic",
+                         "springs/summary/ductility", "springs/summary/residual"):
+                name = f"structures/left/{name}"
+                with self.subTest(law=law, name=name):
+                    np.testing.assert_allclose(two[name], one[name], rtol=1e-9, atol=1e-9 * np.abs(one[name]).max())
+
+    def test_go_on_to_the_bit(self):
+        for law, steps in zip(LAWS, (97, 211, 164, 283, 342)):
+            whole, path = self.results(pair(LAWS[law]))
+            self.assertGreater(whole["structures"]["left"]["yielding"]["yielded"], 4, law)
+            self.pounding("run", "model.yaml", "-q", "-o", "part.h5", "-pounding_ts_max_steps", str(steps))
+            done = self.pounding("run", "--resume", "part.h5", "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            again = json.loads(done.stdout)
+            for summary in (whole, again):
+                summary.pop("solver")
+            self.assertEqual(again, whole)
+            one, other = self.numbers(path), self.numbers(self.folder / "part.h5")
+            self.assertEqual(one.keys(), other.keys())
+            for name in one:
+                with self.subTest(law=law, name=name):
+                    self.assertTrue(one[name].tobytes() == other[name].tobytes())
+
+
+if __name__ == "__main__":
+    unittest.main()
