@@ -12,8 +12,9 @@ from pounding import told
 from pounding.texts import texts
 
 
-#: Names of storeys and hinges.
+#: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
 _OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
+_ISOLATORS = re.compile(r"isolators|isolator \S+( [xy])?")
 
 
 @dataclass(frozen=True, repr=False)
@@ -39,8 +40,12 @@ class Springs(told.Told, lines=told.springs):
         return len(self.names)
 
     def is_device(self, part: int) -> bool:
-        """Whether a part is a device: neither a storey nor an end of a member."""
-        return not _OF_MEMBERS.fullmatch(self.names[part])
+        """Whether a part is a device: no storey, no end of a member, no isolator."""
+        return not _OF_MEMBERS.fullmatch(self.names[part]) and not self.isolates(part)
+
+    def isolates(self, part: int) -> bool:
+        """Whether a part is an isolator."""
+        return _ISOLATORS.fullmatch(self.names[part]) is not None
 
     def number(self, name: str) -> int:
         """The place of a part by its name. Raises KeyError that lists the names."""

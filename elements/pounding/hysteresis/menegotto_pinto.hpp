@@ -36,7 +36,7 @@ struct MenegottoPinto {
   static constexpr std::string_view range = "0 <= b < 1, R0 (1 - c1) >= 1";
   static constexpr std::string_view beware =
       "with memory last, which is Steel02, a turn lifts the force by up to 0.25 Fy however small it is, and impacts make such turns all the "
-      "time: a tolerance is kept only where steps resolve every turn (two buildings that pound: 1.2e-3 off at 1e-3 to 1e-7, right at 1e-8); "
+      "time: a tolerance is kept only where steps resolve every turn (two buildings that pound: 1.2e-3 off at 1e-3 to 1e-5, 2.5e-4 at 1e-7, right at 1e-8); "
       "with nested, the default, no small turn lifts it. Branches up and down differ in R, so a path can give back more than straight unloading does, "
       "by up to 0.15 Fy dy; a cycle that repeats gives nothing";
   /// Energy that a path may give back beyond what stored() says, over Fy dy.

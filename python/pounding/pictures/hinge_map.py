@@ -126,10 +126,14 @@ def _points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:
     kind, _, number = part.partition(" ")
     if structure.geometry is None:
         model = scene.line_models[structure.name]
+        if part == "isolators":  # below the slab, which is the lowest floor
+            return nodes[model.members[0]]
         if kind != "storey" or not number.isdigit() or int(number) > len(model.members):
             return None
         return nodes[model.members[int(number) - 1]]
     words = part.split(" ")
+    if words[0] == "isolator" and words[1] in structure.geometry.node_names:
+        return nodes[structure.geometry.node_names.index(words[1])][None]
     off = OFF_NODE
     if words[-1] in ("y", "z"):
         off = OFF_NODE_Z if words.pop() == "z" else OFF_NODE

@@ -65,7 +65,7 @@ def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
     springs = _springs(structure)
     name, is_device = springs.names[part], springs.is_device(part)
     turns = structure.geometry is not None and HINGE.search(name) is not None
-    isolates = not turns and name.startswith("isolator")
+    isolates = springs.isolates(part)
     deformation, force = MM * springs.deformation[:, part], springs.force[:, part]
     size, unit = engineering(largest([force]), MOMENT_UNITS if turns else FORCE_UNITS)
     for sign in (-1, 1) if np.isfinite(springs.yield_deformation[part]) else ():

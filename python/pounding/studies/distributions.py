@@ -1,4 +1,4 @@
-"""Distributions of factors, by scipy.stats, which is imported where it is used: workers do without it."""
+"""Distributions of factors, by scipy.stats."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.studies import words
+from pounding.studies.scipy_stats import stats
 
 #: Words of a distribution, each with its parameters.
 KINDS = {"uniform": ("from", "to"), "normal": ("mean", "sd", "cov"), "lognormal": ("median", "cov", "beta"), "triangular": ("from", "mode", "to"),
@@ -42,18 +43,16 @@ class Distribution:
         return np.asarray(frozen.ppf(probability), dtype=float)
 
     def _frozen(self) -> Any:
-        from scipy import stats
-
         p = dict(self.parameters)
         if self.kind == "uniform":
-            return stats.uniform(p["from"], p["to"] - p["from"])
+            return stats().uniform(p["from"], p["to"] - p["from"])
         if self.kind == "normal":
-            return stats.norm(p["mean"], p["sd"])
+            return stats().norm(p["mean"], p["sd"])
         if self.kind == "lognormal":
-            return stats.lognorm(p["beta"], scale=p["median"])
+            return stats().lognorm(p["beta"], scale=p["median"])
         if self.kind == "triangular":
-            return stats.triang((p["mode"] - p["from"]) / (p["to"] - p["from"]), p["from"], p["to"] - p["from"])
-        named: Any = getattr(stats, self.name)
+            return stats().triang((p["mode"] - p["from"]) / (p["to"] - p["from"]), p["from"], p["to"] - p["from"])
+        named: Any = getattr(stats(), self.name)
         return named(**p)
 
 
@@ -105,10 +104,8 @@ def _discrete(one: dict[str, Any], place: str) -> tuple[Distribution, str]:
 
 
 def _named(given: Any, truncate: Any, place: str) -> tuple[Distribution, str]:
-    from scipy import stats
-
     name = given.get("name") if isinstance(given, dict) else None
-    if not isinstance(getattr(stats, str(name), None), stats.rv_continuous):
+    if not isinstance(getattr(stats(), str(name), None), stats().rv_continuous):
         raise InputError(f"{place}: takes the name of a continuous distribution of scipy.stats, as in {EXAMPLES['scipy']}; {name!r} was read")
     p = {key: words.quantity(value, f"{place}.{key}")[0] for key, value in given.items() if key != "name"}
     made = Distribution("scipy", tuple(sorted(p.items())), truncate=_bounds(truncate, "", place), name=str(name))

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import norm
 
 from pounding.errors import InputError
+from pounding.studies.scipy_stats import stats
 
 
 @dataclass(frozen=True)
@@ -37,14 +37,14 @@ class Fragility:
 
     def probability(self, im: np.ndarray | float) -> np.ndarray:
         """P(exceeded) at these intensities."""
-        return np.asarray(norm.cdf(np.log(np.asarray(im) / self.theta) / self.beta))
+        return np.asarray(stats().norm.cdf(np.log(np.asarray(im) / self.theta) / self.beta))
 
     def band(self, im: np.ndarray | float, percent: tuple[float, float] = (5, 95)) -> np.ndarray:
         """[2, im] the band of the curve, from records drawn again. Raises InputError without a bootstrap."""
         if self.boot is None or not len(self.boot):
             raise InputError("there is no band: the curve has no bootstrap over records")
         x = np.log(np.atleast_1d(np.asarray(im, dtype=float)))
-        curves = norm.cdf((x - np.log(self.boot[:, :1])) / self.boot[:, 1:])
+        curves = stats().norm.cdf((x - np.log(self.boot[:, :1])) / self.boot[:, 1:])
         return np.percentile(curves, percent, axis=0)
 
     def __str__(self) -> str:
@@ -99,16 +99,16 @@ def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, 
     shift, spread = z.mean(), z.std() or 1.0
     t = (z - shift) / spread
     design = np.column_stack([np.ones_like(t), t])
-    q = np.array([norm.ppf(k.sum() / n.sum()), 0.0])
+    q = np.array([stats().norm.ppf(k.sum() / n.sum()), 0.0])
 
     def likelihood(at: np.ndarray) -> float:
         eta = design @ at
-        return float(np.sum(k * norm.logcdf(eta) + (n - k) * norm.logcdf(-eta)))
+        return float(np.sum(k * stats().norm.logcdf(eta) + (n - k) * stats().norm.logcdf(-eta)))
 
     best = likelihood(q)
     for _ in range(200):
         eta = design @ q
-        up, down = np.exp(norm.logpdf(eta) - norm.logcdf(eta)), np.exp(norm.logpdf(eta) - norm.logcdf(-eta))
+        up, down = np.exp(stats().norm.logpdf(eta) - stats().norm.logcdf(eta)), np.exp(stats().norm.logpdf(eta) - stats().norm.logcdf(-eta))
         gradient = design.T @ (k * up - (n - k) * down)
         weight = k * up * (up + eta) + (n - k) * down * (down - eta)
         step = np.linalg.solve(design.T @ (weight[:, None] * design), gradient)
@@ -119,7 +119,7 @@ def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, 
         if np.abs(step).max() < 1e-12 * max(1.0, np.abs(q).max()):
             break
     eta = design @ q
-    information = n * np.exp(2 * norm.logpdf(eta) - norm.logcdf(eta) - norm.logcdf(-eta))
+    information = n * np.exp(2 * stats().norm.logpdf(eta) - stats().norm.logcdf(eta) - stats().norm.logcdf(-eta))
     back = np.array([[1, -shift / spread], [0, 1 / spread]])
     covariance = back @ np.linalg.inv(design.T @ (information[:, None] * design)) @ back.T
     return float(q[0] - q[1] * shift / spread), float(q[1] / spread), covariance

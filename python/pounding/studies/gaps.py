@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.stats import beta
 
 from pounding.errors import InputError
+from pounding.studies.scipy_stats import stats
 
 
 @dataclass(frozen=True)
@@ -40,8 +40,7 @@ class GapCurve:
         """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows are too few [m]."""
         n = len(self.gap)
         rank = max(1, math.ceil(percent / 100 * n - 1e-9))
-        from scipy.stats import binom
-
+        binom = stats().binom
         tail = (1 - confidence) / 2
         low = int(binom.ppf(tail, n, percent / 100))
         high = int(binom.ppf(1 - tail, n, percent / 100)) + 1
@@ -56,8 +55,8 @@ class GapCurve:
 def clopper_pearson(exceeded: int, count: int, confidence: float = 0.9) -> tuple[float, float]:
     """The exact band of a probability after `exceeded` of `count` trials."""
     tail = (1 - confidence) / 2
-    low = 0.0 if exceeded == 0 else float(beta.ppf(tail, exceeded, count - exceeded + 1))
-    high = 1.0 if exceeded == count else float(beta.ppf(1 - tail, exceeded + 1, count - exceeded))
+    low = 0.0 if exceeded == 0 else float(stats().beta.ppf(tail, exceeded, count - exceeded + 1))
+    high = 1.0 if exceeded == count else float(stats().beta.ppf(1 - tail, exceeded + 1, count - exceeded))
     return low, high
 
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.stats import qmc
 
 from pounding.errors import InputError
 from pounding.studies import words
 from pounding.studies.factors import Factor
+from pounding.studies.scipy_stats import stats
 
 _WAYS = ("sobol", "latin_hypercube", "random", "saltelli")
 
@@ -73,9 +73,9 @@ def read_points(factors: Sequence[Factor], given: Any, seed: int) -> Points:
 def _uniform(way: str, dimensions: int, count: int, seed: int) -> np.ndarray:
     generator = np.random.default_rng(seed)
     if way == "sobol":
-        return qmc.Sobol(dimensions, rng=generator).random(count)
+        return stats().qmc.Sobol(dimensions, rng=generator).random(count)
     if way == "latin_hypercube":
-        return qmc.LatinHypercube(dimensions, rng=generator).random(count)
+        return stats().qmc.LatinHypercube(dimensions, rng=generator).random(count)
     if way == "random":
         return generator.random((count, dimensions))
     try:
