@@ -63,7 +63,6 @@ void StoreyShears::step(int k, int row, const StepMotion& step) {
       shear.update(i, step.begin_time, step.h, k_i * d0, k_i * v0, k_i * d1, k_i * v1);
       continue;
     }
-    const bool yields = s.members_that_yield() > 0, has_device = s.floors[i].storey_shear_by_yielding.size() > 0;
     const LinkStep* spring = yields ? &stepper_.link_steps()[first_spring_[k] + i] : nullptr;
     const auto update = [&](double part, double d) {
       const double time = step.begin_time + part * step.h;
