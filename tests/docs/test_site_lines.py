@@ -232,7 +232,7 @@ class ProgramsInComments(Lines):
         code = re.search(r"(?ms)^ \*     pnd_law \*law.*?(?=^ \*     pnd_destroy)", text).group(0)
         self.run_c("#include <pounding.h>\n" + re.sub(r"(?m)^ \*(     )?|//.*$", "", code))
         code = re.search(r"(?ms)^ \*     const pnd_value steel.*?pnd_destroy_yielding\(storey\);$", text).group(0)
-        path = "size_t n = 3; double drift[] = {0.02, -0.02, 0}, force[3], tangent[3], lost[3]; pnd_law *law = NULL;\n"
+        path = "size_t n = 3; double drift[] = {0.02, -0.02, 0}, force[3], tangent[3], lost[3]; pnd_law *law = NULL; (void)penetration; (void)rate;\n"
         self.run_c("#include <pounding.h>\n" + path + re.sub(r"(?m)^ \*(     )?", "", code))
 
 
