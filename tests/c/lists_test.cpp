@@ -96,7 +96,7 @@ TEST(CInterfaceLists, WhatDoesNotExistIsRefused) {
   EXPECT_EQ(pnd_find_law("hertz_damp", &index), PND_BAD_ARGUMENT);
   EXPECT_STREQ(pnd_error_text(), R"(unknown law "hertz_damp". Did you mean "hertz_damped"?)");
   EXPECT_EQ(pnd_describe_law(99, &law), PND_BAD_ARGUMENT);
-  EXPECT_STREQ(pnd_error_text(), "there is no law 99; there are 16");
+  EXPECT_STREQ(pnd_error_text(), "there is no law 99; there are 17");
   EXPECT_EQ(pnd_describe_parameter(0, 9, &parameter), PND_BAD_ARGUMENT);
   EXPECT_STREQ(pnd_error_text(), "linear_spring has no parameter 9; it has 1");
   EXPECT_EQ(pnd_describe_formula(0, 0, &formula), PND_BAD_ARGUMENT);

@@ -92,7 +92,7 @@ TEST(Hinges, RefuseStructuresThatTheyCannotStandIn) {
           "hinge left start: in a frame with hinges all supports move alike; leave out their delay and ground_motion, or the hinges");
   const Structure alike = made(frame);
   refused([&] { alike.supports_along({1, 0, 0}); },
-          "a wave moves the supports of a frame one after the other, and in a frame with hinges all move alike; leave the wave or the hinges out");
+          "a wave moves the supports of a frame one after the other, and in a frame with hinges or isolators all move alike; leave the wave or these out");
 }
 
 TEST(Hinges, RefuseAContactBetweenTheEndsOfTheirMember) {

@@ -67,7 +67,7 @@ TEST(ContactInput, TakesAWallWithBackfill) {
   EXPECT_EQ(parameter(model_of(link(law + ", unloading: 500 MN/m")), "strength"), 6e6);
   refused(link(law), "5:46: links[0].law: backfill needs unloading (stiffness of unloading and reloading K_ur); type unloading: 5e+08 N/m");
   refused(link(law + ", unloading: 200 MN/m"),
-          "5:132: links[0].unloading: unloading is 2e+08, but must be finite and at least stiffness, 2.5e+08: flatter unloading would create energy");
+          "5:125: links[0].unloading: unloading is 2e+08, but must be finite and at least stiffness, 2.5e+08: flatter unloading would create energy");
 }
 
 TEST(ContactInput, TakesZeroRestitutionWhereTheBodiesStick) {

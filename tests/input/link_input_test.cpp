@@ -148,7 +148,7 @@ TEST(LawInput, IsKnownByName) {
           R"(5:47: links[0].law: unknown law "cushion". Allowed: linear_spring, kelvin_voigt, )"
           "kelvin_voigt_no_tension, komodromos, modified_linear_viscoelastic, modified_kelvin, hertz, "
           "hertz_damped, jankowski, bilinear_hertz, viscous_hertz, kuwabara_kono, adams_impact, limited_damper, "
-          "stereomechanical, elastoplastic.");
+          "stereomechanical, elastoplastic, backfill.");
 }
 
 TEST(LawInput, KnowsItsFormulas) {

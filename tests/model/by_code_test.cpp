@@ -36,6 +36,7 @@ laws::Settings settings_of(const laws::Entry& entry) {
   for (const laws::ParameterInfo& parameter : entry.parameters) {
     if (parameter.name == "stiffness") settings.values["stiffness"] = parameter.unit == "N/m" ? 9.35e7 : 2.75e9;
     if (parameter.name == "depth") settings.values["depth"] = 1e-3;
+    if (entry.name == laws::Backfill::name) settings.values[std::string(parameter.name)] = parameter.typical;
   }
   if (entry.takes_restitution) settings.restitution = 0.65;
   return settings;

@@ -36,7 +36,7 @@ class ExitCodes(ProgramTest):
 
     def test_two_for_words_that_are_none_of_ours(self):
         self.refused(2, "A subcommand is required")
-        self.refused(2, 'unknown command "walk". Allowed: run, check, modes, pushover, sensitivity, words, laws,', "walk")
+        self.refused(2, 'unknown command "walk". Allowed: run, check, modes, pushover, sensitivity, study, separation, words, laws,', "walk")
         self.refused(2, 'unknown command "chek". Did you mean "check"?', "chek", "model.yaml")
         self.refused(2, 'unknown command "Plot". Did you mean "plot"?', "Plot")
         self.refused(2, 'unknown command "record spectra". Did you mean "spectrum"?', "record", "spectra", "FILE")

@@ -111,9 +111,11 @@ class Hinges(ProgramTest):
                 u, v = plane["structures/left/displacement"][:], space["structures/left/displacement"][:]
                 np.testing.assert_allclose(v[:, :, 0], u[:, :, 0], rtol=0, atol=1e-7 * np.abs(u).max())
                 np.testing.assert_allclose(v[:, :, 1:], 0, atol=1e-9 * np.abs(u).max())
-                # Between the ends of steps forces are interpolated.
-                shear, both = plane["structures/left/storey_shear"][:], space["structures/left/storey_shear"][:]
-                np.testing.assert_allclose(both.reshape(len(both), 2, 2)[:, :, 0], 2 * shear, rtol=0, atol=3e-5 * 2 * np.abs(shear).max())
+                # Outputs inside steps are interpolated, and the steps of the two runs differ: the end of the run and the extremes are compared.
+                shear, both = plane["structures/left/storey_shear"][-1], space["structures/left/storey_shear"][-1].reshape(2, 2)[:, 0]
+                np.testing.assert_allclose(both, 2 * shear, rtol=1e-8)
+                least_and_largest = "envelopes/structures/left/storey_shear"
+                np.testing.assert_allclose(space[least_and_largest][:, 0], 2 * plane[least_and_largest][:, 0], rtol=1e-6)
             ductility = lambda run: sorted({round(part["ductility"], 6) for part in run["structures"]["left"]["yielding"]["springs"]
                                             if part["ductility"] > 1e-6})
             np.testing.assert_allclose(ductility(deep), ductility(flat), rtol=1e-6)
