@@ -104,7 +104,7 @@ class Film(told.Told, lines=told.film):
 
     def pictures(self) -> Iterator[Image.Image]:
         """One after the other, in RGB. Only what moves is drawn again: axes and legends would take most of the time."""
-        canvas = FigureCanvasAgg(self.figure)
+        canvas: Any = FigureCanvasAgg(self.figure)  # without types in matplotlib
         for artist in self.moving:
             artist.set_animated(True)
         canvas.draw()

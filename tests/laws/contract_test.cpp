@@ -186,7 +186,7 @@ TYPED_TEST(LawContract, StoredEnergyIsTheWorkOfSlowUnloading) {
         given += this->law.respond(d, 0, unloading).force * left * deep / steps;
         keep(this->law, d, -1e-9, unloading);
       }
-      // Of a force that ends before the penetration does, midpoints miss up to an eighth of its slope times the square of their distance.
+      // Where a force ends before the penetration does, midpoints miss up to an eighth of its slope times the square of their distance.
       const double way = left * deep / steps, corner = this->law.respond(left * deep, 0, impact).by_penetration * way * way / 8;
       EXPECT_NEAR(stored_energy(this->law, left * deep, impact), given, 1e-6 * given + corner) << deep << ' ' << left;
     }

@@ -40,7 +40,7 @@ struct YieldingPart {
   std::vector<std::byte> fresh;  ///< archive of the spring as it was given
   std::string device{};          ///< of a device: its parts and its ends, for reports; else empty
 
-  bool is_device() const noexcept { return !device.empty(); }
+  bool is_device() const noexcept { return !device.empty(); }  ///< whether it is one
 
   /// Takes a spring that has not been deformed.
   YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers, std::unique_ptr<Spring> undeformed);

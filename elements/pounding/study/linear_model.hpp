@@ -54,7 +54,7 @@ struct Oscillator {
 /// Throws std::invalid_argument as check() does.
 LinearModel pair_of(const Oscillator& left, const Oscillator& right, double gap, laws::AnyLaw law, bool accelerations = false);
 
-/// The same structures without their links. Outputs: how far each link would close, the gap that is enough to keep them apart [m].
+/// Structures of a model without their links. Outputs: how far each link would close, the gap that is enough to keep them apart [m].
 LinearModel without_links(const LinearModel& model);
 
 }  // namespace pounding::study

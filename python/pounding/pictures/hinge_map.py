@@ -160,9 +160,9 @@ def _draw_mark(axes: Axes, mark: Mark, view: str, norm: Normalize, share: float,
         return
     area = scale**2 * (ELASTIC if elastic else AREAS[0] + (AREAS[1] - AREAS[0]) * share)
     beyond = mark.state == "beyond ultimate"
-    axes.scatter(*points.T, s=area, facecolor=[face], edgecolor=edge, linewidth=0.5, zorder=4 if elastic else 5)
+    axes.scatter(points[:, 0], points[:, 1], s=area, facecolor=[face], edgecolor=edge, linewidth=0.5, zorder=4 if elastic else 5)
     if beyond:
-        axes.scatter(*points.T, s=area, marker="x", color="black", linewidth=1.0, zorder=5.5)
+        axes.scatter(points[:, 0], points[:, 1], s=area, marker="x", color="black", linewidth=1.0, zorder=5.5)
 
 
 def _draw_impacts(axes: Axes, scene: Scene, view: str, numbers: bool, scale: float) -> None:

@@ -1,4 +1,4 @@
-"""Where the ground motions of a study come from: files, sets of records in packages, artificial earthquakes, the model itself."""
+"""Sources of the ground motions of a study: files, sets of records in packages, artificial earthquakes, the model itself."""
 
 from __future__ import annotations
 
