@@ -47,39 +47,20 @@ struct OfDevices : YieldingWords {
   template <hysteresis::Law L>
   void add(const L& made) {
     std::vector<Word>& own = more_words();
-    std::string example;
+    Example example;
     for (const auto& parameter : L::parameters) {
-      own.push_back(word_of(parameter, made));
-      if (parameter.info.need == hysteresis::Need::required)
-        example += fmt::format("{}{}: {}", example.empty() ? "" : ", ", parameter.info.name, own.back().example);
+      Word& word = own.emplace_back(word_of(parameter, made));
+      if (parameter.info.unit == "N/m") word.example = kept(fmt::format("{:g} MN/m", parameter.info.typical / 1e6));
+      if (word.need == Need::required) example.add(word);
     }
     add_choices(made, own);
     const Section& section = add_section({.name = kept(fmt::format("device_{}", L::name)), .place = kept(fmt::format("devices.NAME.{}", L::name)),
                                           .meaning = kept(fmt::format("{}: {}. d is the elongation.", capital(L::summary), L::shape)), .words = own});
     const Word word{.key = L::name, .inside = &section, .need = Need::at_least_one, .since = "0.2.0",
                     .meaning = kept(fmt::format("It yields by this law, instead of a bar: {}. Gravity and preloads leave it undeformed.", L::summary)),
-                    .example = kept(fmt::format("{{{}}}", example))};
+                    .example = kept(example.text())};
     between.push_back(word);
     within.push_back(word);
-  }
-
- private:
-  // A number in the unit of its table; forces in kN, stiffnesses in MN/m.
-  static std::string shown(double value, std::string_view unit) {
-    if (unit == "N") return fmt::format("{:g} kN", value / 1e3);
-    if (unit == "N/m") return fmt::format("{:g} MN/m", value / 1e6);
-    return fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit);
-  }
-
-  template <class Parameter, class L>
-  Word word_of(const Parameter& parameter, const L& made) {
-    const hysteresis::ParameterInfo& info = parameter.info;
-    Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(info.unit), .unit = info.unit, .bounds = bounds::any,
-              .need = info.need == hysteresis::Need::required ? Need::required : Need::optional, .since = "0.2.0",
-              .meaning = kept(fmt::format("{}.", capital(info.meaning))), .example = kept(shown(info.typical, info.unit))};
-    if (word.need == Need::optional)
-      word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
-    return word;
   }
 };
 

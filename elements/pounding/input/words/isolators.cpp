@@ -28,11 +28,10 @@ struct OfIsolators : YieldingWords {
   template <hysteresis::Law L>
   void add(const L& made) {
     std::vector<Word>& of_law = more_words();
-    std::string example;
+    Example example;
     for (const auto& parameter : L::parameters) {
       of_law.push_back(word_of(parameter, made));
-      if (of_law.back().need == Need::required || parameter.info.need == hysteresis::Need::instead)
-        example += fmt::format("{}{}: {}", example.empty() ? "" : ", ", parameter.info.name, of_law.back().example);
+      if (of_law.back().need == Need::required || parameter.info.need == hysteresis::Need::instead) example.add(of_law.back());
     }
     if (L::name == "friction_pendulum") of_law.push_back(rate_word);
     add_choices(made, of_law);
@@ -40,30 +39,22 @@ struct OfIsolators : YieldingWords {
                                           .place = kept(fmt::format("structures.NAME.frame.supports.NODE.isolator.{}", L::name)),
                                           .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), .words = of_law});
     own.push_back({.key = L::name, .inside = &section, .need = Need::exactly_one, .since = "0.2.0",
-                   .meaning = kept(fmt::format("It follows this law: {}.", L::summary)), .example = kept(fmt::format("{{{}}}", example))});
+                   .meaning = kept(fmt::format("It follows this law: {}.", L::summary)), .example = kept(example.text())});
   }
 
  private:
-  static std::string shown(double value, std::string_view unit) {
-    if (unit == "N") return fmt::format("{:g} kN", value / 1e3);
-    return fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit);
-  }
-
   template <class Parameter, class L>
   Word word_of(const Parameter& parameter, const L& made) {
-    const hysteresis::ParameterInfo& info = parameter.info;
-    const bool is_weight = info.name == "weight";
-    Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(info.unit), .unit = info.unit, .bounds = bounds::any,
-              .need = info.need == hysteresis::Need::required && !is_weight ? Need::required : Need::optional, .since = "0.2.0",
-              .meaning = kept(fmt::format("{}.", capital(info.meaning))), .example = kept(shown(info.typical, info.unit))};
-    if (info.name == "friction") {
+    Word word = YieldingWords::word_of(parameter, made);
+    if (word.key == "friction") {
       word.form = Form::one_or_list;
       word.least = word.most = 2;
       word.meaning = "Coefficient of friction mu, or two, [slow, fast], with rate: mu = fast - (fast - slow) exp(-rate |v|).";
     }
-    if (is_weight) word.otherwise = "the load at rest";
-    else if (word.need == Need::optional)
-      word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
+    if (word.key == "weight") {
+      word.need = Need::optional;
+      word.otherwise = "the load at rest";
+    }
     return word;
   }
 };

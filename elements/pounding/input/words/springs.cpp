@@ -19,39 +19,20 @@ struct OfLaws : YieldingWords {
   template <hysteresis::Law L>
   void add(const L& made) {
     std::vector<Word>& own = more_words();
-    std::string example;
+    Example example;
     for (const auto& parameter : L::parameters) {
       if (parameter.info.name == "stiffness") continue;
-      own.push_back(word_of(parameter, made));
-      if (parameter.info.need == hysteresis::Need::required)
-        example += fmt::format("{}{}: {}", example.empty() ? "" : ", ", parameter.info.name, own.back().example);
+      Word& word = own.emplace_back(word_of(parameter, made));
+      word.form = Form::one_or_each;
+      word.meaning = kept(fmt::format("{}: one for all storeys, or a list from the ground up.", capital(parameter.info.meaning)));
+      if (word.need == Need::required) example.add(word);
     }
     add_choices(made, own);
     const Section& section = add_section({.name = L::name, .place = kept(fmt::format("structures.NAME.shear_building.spring.{}", L::name)),
                                           .meaning = kept(fmt::format("{}: {}.", capital(L::summary), L::shape)), .words = own});
     by_name.push_back({.key = L::name, .inside = &section, .need = Need::exactly_one, .since = "0.2.0",
                        .meaning = kept(fmt::format("The storeys follow this law: {}.", L::summary)),
-                       .example = kept(fmt::format("{{{}}}", example))});
-  }
-
- private:
-  // A number in the unit of its table; forces in kN.
-  static std::string shown(double value, std::string_view unit) {
-    if (unit == "N") return fmt::format("{:g} kN", value / 1e3);
-    return fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit);
-  }
-
-  template <class Parameter, class L>
-  Word word_of(const Parameter& parameter, const L& made) {
-    const hysteresis::ParameterInfo& info = parameter.info;
-    Word word{.key = info.name, .takes = Takes::quantity, .form = Form::one_or_each, .dimension = parse_unit_dimension(info.unit),
-              .unit = info.unit, .bounds = bounds::any,
-              .need = info.need == hysteresis::Need::required ? Need::required : Need::optional, .since = "0.2.0",
-              .meaning = kept(fmt::format("{}: one for all storeys, or a list from the ground up.", capital(info.meaning))),
-              .example = kept(shown(info.typical, info.unit))};
-    if (word.need == Need::optional)
-      word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
-    return word;
+                       .example = kept(example.text())});
   }
 };
 

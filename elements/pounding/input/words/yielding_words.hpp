@@ -1,5 +1,6 @@
 #pragma once
-/// The words by which inputs choose a law of yielding, whatever yields by it: storeys (springs.cpp), hinges (hinges.cpp).
+/// The words by which inputs choose a law of yielding, whatever yields by it: storeys (springs.cpp), hinges (hinges.cpp),
+/// devices (devices.cpp), isolators (isolators.cpp).
 
 #include <deque>
 #include <string>
@@ -38,6 +39,34 @@ class YieldingWords {
     if (!all.empty() && all[0] >= 'a' && all[0] <= 'z' && (all.size() < 2 || all[1] != ' ')) all[0] = static_cast<char>(all[0] - 'a' + 'A');
     return all;
   }
+
+  /// A number in the unit of a table; forces in kN.
+  static std::string shown(double value, std::string_view unit) {
+    if (unit == "N") return fmt::format("{:g} kN", value / 1e3);
+    return fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit);
+  }
+
+  /// A number of a law, with its typical value as the example and that of `made` where it may be left out.
+  template <class Parameter, class L>
+  Word word_of(const Parameter& parameter, const L& made) {
+    const hysteresis::ParameterInfo& info = parameter.info;
+    const bool is_required = info.need == hysteresis::Need::required;
+    Word word{.key = info.name, .takes = Takes::quantity, .dimension = parse_unit_dimension(info.unit), .unit = info.unit, .bounds = bounds::any,
+              .need = is_required ? Need::required : Need::optional, .since = "0.2.0", .meaning = kept(fmt::format("{}.", capital(info.meaning))),
+              .example = kept(shown(info.typical, info.unit))};
+    if (!is_required) word.otherwise = parameter.value ? kept(shown(made.*parameter.value, info.unit)) : std::string_view("none");
+    return word;
+  }
+
+  /// The map of a law in a line: "{stiffness: 50 MN/m, yield_force: 600 kN}".
+  class Example {
+   public:
+    void add(const Word& word) { text_ += fmt::format("{}{}: {}", text_.empty() ? "" : ", ", word.key, word.example); }
+    std::string text() const { return fmt::format("{{{}}}", text_); }
+
+   private:
+    std::string text_;
+  };
 
   /// The numbers of a law that are chosen by words.
   template <class L>
