@@ -25,6 +25,8 @@
 #include <cstdint>
 #include <optional>
 
+#include <pounding/laws/gauss.hpp>
+
 namespace pounding::laws {
 
 /// x where `kept`, else +0. A bit mask: on arrays of unordered states a mispredicted branch would cost more than most laws.
@@ -133,13 +135,10 @@ double stored_energy(const L& law, double penetration, const Impact& impact) noe
     return law.stored_energy(penetration, impact);
   } else {
     // Gauss's rule with five points in t, where x = penetration t^2.
-    constexpr double points[] = {0.0469100770306680, 0.2307653449471585, 0.5, 0.7692346550528415, 0.9530899229693320};
-    constexpr double weights[] = {0.1184634425280945, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832,
-                                  0.1184634425280945};
     double sum = 0;
     for (int i = 0; i < 5; ++i) {
-      const double t = points[i];
-      sum += weights[i] * t * no_tension(law.contact(penetration * t * t, 0, impact).force);
+      const double t = gauss_points[i];
+      sum += gauss_weights[i] * t * no_tension(law.contact(penetration * t * t, 0, impact).force);
     }
     return 2 * penetration * sum;
   }

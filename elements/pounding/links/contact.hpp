@@ -8,6 +8,7 @@
 #include <span>
 
 #include <pounding/core/archive.hpp>
+#include <pounding/core/quintic.hpp>
 #include <pounding/laws/law.hpp>
 #include <pounding/links/contact_state.hpp>
 #include <pounding/links/impact_row.hpp>
@@ -31,17 +32,16 @@ struct LinkStep {
   double acceleration_begin = 0, acceleration_end = 0;      ///< time derivative of the rate [m/s^2]
 };
 
-/// Motion inside a kept step, s from 0 to 1: the polynomial of degree five through motions and accelerations at its ends.
+/// Penetration inside a kept step, with its rate: the polynomial of degree five through motions and accelerations at its ends.
+constexpr Quintic path(const LinkStep& step) noexcept {
+  return {{step.motion_begin.penetration, step.motion_begin.rate, step.acceleration_begin},
+          {step.motion_end.penetration, step.motion_end.rate, step.acceleration_end}, step.end - step.begin};
+}
+
+/// Motion inside a kept step on that path, s from 0 to 1.
 constexpr LinkMotion interpolate(const LinkStep& step, double s) noexcept {
-  const double h = step.end - step.begin;
-  const double d0 = step.motion_begin.penetration, d1 = step.motion_end.penetration;
-  const double v0 = h * step.motion_begin.rate, v1 = h * step.motion_end.rate;
-  const double a0 = h * h * step.acceleration_begin, a1 = h * h * step.acceleration_end;
-  // In powers of s from the beginning.
-  const double rise = d1 - d0 - v0 - a0 / 2, slope = v1 - v0 - a0, bend = a1 - a0;
-  const double c3 = 10 * rise - 4 * slope + bend / 2, c4 = -15 * rise + 7 * slope - bend, c5 = 6 * rise - 3 * slope + bend / 2;
-  return {d0 + s * (v0 + s * (a0 / 2 + s * (c3 + s * (c4 + s * c5)))),
-          (v0 + s * (a0 + s * (3 * c3 + s * (4 * c4 + s * 5 * c5)))) / h};
+  const Jet at = path(step).at(s);
+  return {at.x, at.v};
 }
 
 /// Penetration inside a trial step, s from 0 to 1: the cubic polynomial through the motions at its ends.

@@ -1,20 +1,11 @@
 #include <pounding/structures/device_spring.hpp>
 
-#include <array>
 #include <stdexcept>
 
+#include <pounding/laws/gauss.hpp>
 #include <pounding/structures/make_spring.hpp>
 
 namespace pounding {
-namespace {
-
-// Gauss-Legendre points in [0, 1] and their weights: exact for a linear damper in the motion that interpolate() gives.
-constexpr std::array<double, 5> gauss_points{0.046910077030668, 0.230765344947158453, 0.5, 0.769234655052841547, 0.953089922969332};
-constexpr std::array<double, 5> gauss_weights{0.118463442528094544, 0.239314335249683234, 0.284444444444444444, 0.239314335249683234,
-                                              0.118463442528094544};
-
-}  // namespace
-
 void DeviceParts::check() const {
   if (!bar && !law && !damper) throw std::invalid_argument("a device needs a bar, a law of yielding or a damper");
   if (bar && law) throw std::invalid_argument("a device has a bar or a law of yielding, not both");
@@ -82,18 +73,16 @@ double DeviceSpring::damper_power(const LinkMotion& motion) const noexcept {
 LinkMotion DeviceSpring::motion_inside(const LinkStep& step, double s) const noexcept {
   LinkMotion motion = interpolate(step, s);
   if (!slips()) return motion;
-  const double h = step.end - step.begin, w0 = step.motion_begin.slip, w1 = step.motion_end.slip;
-  const double r0 = h * slip_rate(step.motion_begin), r1 = h * slip_rate(step.motion_end), rise = w1 - w0;
-  motion.slip = w0 + s * (r0 + s * (3 * rise - 2 * r0 - r1 + s * (r0 + r1 - 2 * rise)));
+  const LinkMotion begin{step.motion_begin.slip, slip_rate(step.motion_begin)}, end{step.motion_end.slip, slip_rate(step.motion_end)};
+  motion.slip = CubicPenetration(begin, end, step.end - step.begin).at(s);
   return motion;
 }
 
 // Until this part of the step, from 0 to 1.
 double DeviceSpring::damper_work(const LinkStep& step, double until) const noexcept {
   if (!damper_) return 0;
-  double power = 0;
-  for (std::size_t i = 0; i < gauss_points.size(); ++i) power += gauss_weights[i] * damper_power(motion_inside(step, until * gauss_points[i]));
-  return until * (step.end - step.begin) * power;
+  // Exact for a linear damper in the motion that interpolate() gives.
+  return (step.end - step.begin) * laws::gauss_integral([&](double s) { return damper_power(motion_inside(step, s)); }, 0, until);
 }
 
 Spring::Instant DeviceSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {

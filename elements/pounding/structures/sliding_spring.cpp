@@ -1,28 +1,18 @@
 #include <pounding/structures/sliding_spring.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <pounding/laws/checks.hpp>
+#include <pounding/laws/gauss.hpp>
 
 namespace pounding {
 namespace {
 
-// Gauss-Legendre points in [0, 1] and their weights.
-constexpr std::array<double, 5> gauss_points{0.046910077030668, 0.230765344947158453, 0.5, 0.769234655052841547, 0.953089922969332};
-constexpr std::array<double, 5> gauss_weights{0.118463442528094544, 0.239314335249683234, 0.284444444444444444, 0.239314335249683234,
-                                              0.118463442528094544};
-
 // Where the rate of a kept step changes its sign, from 0 to 1; 1 where it does not.
 double turn_of(const LinkStep& step) {
   if (!(step.motion_begin.rate * step.motion_end.rate < 0)) return 1;
-  double low = 0, high = 1;
-  while (high - low > 1e-14) {
-    const double middle = 0.5 * (low + high);
-    (interpolate(step, middle).rate * step.motion_begin.rate > 0 ? low : high) = middle;
-  }
-  return high;
+  return path(step).turn(step.motion_end.rate > 0);
 }
 
 }  // namespace
@@ -90,12 +80,11 @@ SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, do
     }
   }
   // Loss: work of q less what its spring takes.
-  const double span = (to - high) * (step.end - step.begin);
-  double work = 0;
-  for (std::size_t i = 0; i < gauss_points.size(); ++i) {
-    const LinkMotion at = interpolate(step, high + (to - high) * gauss_points[i]);
-    work += span * gauss_weights[i] * friction(state, at) * at.rate;
-  }
+  const auto power = [&](double s) {
+    const LinkMotion at = interpolate(step, s);
+    return friction(state, at) * at.rate;
+  };
+  const double work = (step.end - step.begin) * laws::gauss_integral(power, high, to);
   const double before = friction(state, interpolate(step, high)), after = friction(state, interpolate(step, to));
   State kept = end;
   kept.lost = state.lost + work - 0.5 * (after - before) * (after + before) / k0;
@@ -107,6 +96,12 @@ void SlidingSpring::accept(const LinkStep& step) {
   const double turn = turn_of(step);
   if (turn < 1) kept_ = follow(kept_, step, 0, turn);
   kept_ = follow(kept_, step, turn < 1 ? turn : 0, 1);
+}
+
+// Up to some r |v| friction changes with the velocity.
+bool SlidingSpring::bends_sharply(const LinkStep& step) const noexcept {
+  constexpr double saturated = 10;
+  return law_.rate * std::min(std::abs(step.motion_begin.rate), std::abs(step.motion_end.rate)) < saturated;
 }
 
 Spring::Instant SlidingSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {

@@ -39,12 +39,11 @@ class SlidingSpring final : public Spring {
   void start(const LinkMotion& motion) override;
   void accept(const LinkStep& step) override;
   Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
+  /// Where it comes to rest.
+  bool bends_sharply(const LinkStep& step) const noexcept override;
   double lost() const noexcept override { return kept_.lost; }
   double stored_correction() const noexcept override;
   void archive(Archive& archive) override { archive(kept_); }
-
-  /// With its numbers.
-  const SlidingFriction& law() const noexcept { return law_; }
 
  private:
   // The last kept state; by itself undeformed.

@@ -52,6 +52,8 @@ class Spring {
   virtual Instant inside(const LinkStep& step, double s, double deformation) const noexcept {
     return {evaluate({deformation, interpolate(step, s).rate}).force, lost()};
   }
+  /// Whether the force may bend so sharply inside this kept step that a parabola through its ends and its middle misses a peak.
+  virtual bool bends_sharply(const LinkStep& /*step*/) const noexcept { return false; }
   /// Energy that the spring has lost by yielding [J].
   virtual double lost() const noexcept = 0;
   /// Energy that it has lost by damping [J].

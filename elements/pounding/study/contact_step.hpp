@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include <pounding/core/quintic.hpp>
 #include <pounding/study/clock.hpp>
 #include <pounding/study/link_contact.hpp>
 #include <pounding/study/modal_state.hpp>
-#include <pounding/study/quintic.hpp>
 
 namespace pounding::study {
 

@@ -6,8 +6,9 @@
 #include <cstddef>
 #include <vector>
 
+#include <pounding/core/quintic.hpp>
+#include <pounding/study/cubic_top.hpp>
 #include <pounding/study/modal_state.hpp>
-#include <pounding/study/quintic.hpp>
 #include <pounding/study/taylor.hpp>
 
 namespace pounding::study {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <pounding/study/contact_step.hpp>
+#include <pounding/study/cubic_top.hpp>
 #include <pounding/study/flight.hpp>
 
 namespace pounding::study {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <pounding/core/bracketed_root.hpp>
+
 namespace pounding::study {
 
 /// Terms up to t^14: pieces with omega t <= 1 and 2 zeta omega t <= 1 are right to 1e-12.
@@ -43,31 +45,6 @@ inline Polynomial motion(double stiffness, double damping, double q, double v, d
   }
   return x;
 }
-
-/// A root of f between low and high, where its signs differ; f(t) has members value and slope. Newton's steps, bisection where they leave the bracket.
-template <class Function>
-double bracketed_root(const Function& f, double low, double high, bool rises) noexcept {
-  double t = 0.5 * (low + high);
-  for (int i = 0; i < 100; ++i) {
-    const auto [value, slope] = f(t);
-    if (value == 0) return t;
-    if ((value < 0) == rises)
-      low = t;
-    else
-      high = t;
-    double next = t - value / slope;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double moved = std::abs(next - t);
-    t = next;
-    if (moved <= 1e-15 * std::abs(t) || high - low <= 1e-15 * high) return t;
-  }
-  return t;
-}
-
-/// A value and its slope.
-struct Graph {
-  double value, slope;
-};
 
 /// A root of p between low and high; `s` is its slope.
 inline double root_of(const Polynomial& p, const Polynomial& s, double low, double high, bool rises) noexcept {

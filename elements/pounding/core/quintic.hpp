@@ -1,21 +1,19 @@
 #pragma once
-/// Motion inside a step of the integrator: the polynomial of degree five through position, velocity and acceleration at its ends.
+/// Motion inside a step of an integrator: the polynomial of degree five through position, velocity and acceleration at its ends.
 
-#include <algorithm>
-#include <cmath>
+#include <pounding/core/bracketed_root.hpp>
 
-#include <pounding/study/taylor.hpp>
+namespace pounding {
 
-namespace pounding::study {
-
-/// x, x' and x'' [m, m/s, m/s^2] at one end of a step.
+/// x, x' and x'' [m, m/s, m/s^2] at one instant.
 struct Jet {
   double x = 0, v = 0, a = 0;
 };
 
+/// The polynomial through two of them that are h apart.
 class Quintic {
  public:
-  Quintic(const Jet& begin, const Jet& end, double h) noexcept : h_(h) {
+  constexpr Quintic(const Jet& begin, const Jet& end, double h) noexcept : h_(h) {
     const double v0 = h * begin.v, v1 = h * end.v, a0 = h * h * begin.a, a1 = h * h * end.a;
     const double rise = end.x - begin.x - v0 - a0 / 2, slope = v1 - v0 - a0, bend = a1 - a0;
     c_[0] = begin.x, c_[1] = v0, c_[2] = a0 / 2;
@@ -23,7 +21,7 @@ class Quintic {
   }
 
   /// At a part s in [0, 1] of the step.
-  Jet at(double s) const noexcept {
+  constexpr Jet at(double s) const noexcept {
     const double x = c_[0] + s * (c_[1] + s * (c_[2] + s * (c_[3] + s * (c_[4] + s * c_[5]))));
     const double v = c_[1] + s * (2 * c_[2] + s * (3 * c_[3] + s * (4 * c_[4] + s * 5 * c_[5])));
     const double a = 2 * c_[2] + s * (6 * c_[3] + s * (12 * c_[4] + s * 20 * c_[5]));
@@ -40,13 +38,7 @@ class Quintic {
   }
 
  private:
-  double c_[6], h_;
+  double c_[6] = {}, h_;
 };
 
-/// Where the cubic through values and slopes (times the length) at 0 and 1 turns, for slopes of opposite sign.
-inline double top_of_cubic(double y0, double w0, double y1, double w1) noexcept {
-  const double a = 3 * (w0 + w1 - 2 * (y1 - y0)), b = 2 * (3 * (y1 - y0) - 2 * w0 - w1);
-  return 2 * w0 / (-b + std::copysign(std::sqrt(std::max(0.0, b * b - 4 * a * w0)), w0));
-}
-
-}  // namespace pounding::study
+}  // namespace pounding
