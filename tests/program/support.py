@@ -81,6 +81,13 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return json.loads(done.stdout)
 
+    def resumed(self, steps, name):
+        """Summary of the run of model.yaml that was cut after so many steps and went on in another process; its results file has this name."""
+        self.pounding("run", "model.yaml", "-q", "-o", name, "-pounding_ts_max_steps", str(steps))
+        done = self.pounding("run", "--resume", name, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
     def refused(self, code, message, *words):
         """Nothing but the message, on standard error, and this exit code."""
         done = self.pounding(*words)

@@ -197,10 +197,7 @@ class Yielding(ProgramTest):
     def test_resume_to_the_bit(self):
         whole, path = self.results(PAIR)
         self.write(PAIR)
-        self.pounding("run", "model.yaml", "-q", "-o", "part.h5", "-pounding_ts_max_steps", "300")
-        done = self.pounding("run", "--resume", "part.h5", "--json")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        again = json.loads(done.stdout)
+        again = self.resumed(300, "part.h5")
         for summary in (whole, again):
             summary.pop("solver")
         self.assertEqual(again, whole)
