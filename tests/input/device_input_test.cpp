@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include <pounding/input/resolved.hpp>
 #include "support/models.hpp"
 
 namespace pounding {
@@ -55,6 +56,12 @@ TEST(DeviceInput, BecomesAPartThatYields) {
   EXPECT_EQ(s.floors[0].storey_shear_by_yielding[0].sum(), 0);
   EXPECT_EQ(s.floors[1].storey_shear_by_yielding[0].sum(), 1);
   EXPECT_EQ(s.floors[2].storey_shear_by_yielding[0].sum(), 1);
+}
+
+TEST(DeviceInput, OfAFrameIsNoHinge) {
+  const std::string resolved = resolved_yaml(test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bar: {stiffness: 1 MN/m}}")));
+  EXPECT_NE(resolved.find("devices:"), std::string::npos) << resolved;
+  EXPECT_EQ(resolved.find("hinges:"), std::string::npos) << resolved;
 }
 
 TEST(DeviceInput, ActsAlongTheLineOfItsNodesOrAnAxis) {

@@ -48,7 +48,7 @@ TEST(IsolatorInput, IsTheLowestStoreyOfAShearBuilding) {
   ASSERT_EQ(s.yielding.size(), 1u);
   EXPECT_NEAR(s.storey_stiffness[0], 3.5e6 + 375e3 / 0.012, 1e-6);
   EXPECT_EQ(s.storey_stiffness[2], 300e6);
-  EXPECT_EQ(capacity_of(s.yielding[0]), 0.3);
+  EXPECT_EQ(s.yielding[0].parameter("capacity"), 0.3);
   const std::string text = describe(model);
   EXPECT_NE(text.find("     isolators, lead_rubber: stiffness 34.75 MN/m, yield displacement 12 mm at 417 kN, isolated period 2.601 s, capacity 300 mm\n"),
             std::string::npos)

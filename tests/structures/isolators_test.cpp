@@ -44,8 +44,8 @@ TEST(Isolators, AreTheLowestStorey) {
   EXPECT_EQ(s.yielding[0].name, "isolators");
   EXPECT_EQ(s.yielding[0].deformation.coeff(0), 1);
   EXPECT_EQ(s.yielding[0].deformation.nonZeros(), 1);
-  EXPECT_EQ(capacity_of(s.yielding[0]), 0.3);
-  EXPECT_EQ(capacity_of(building(lead_rubber).yielding[0]), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(s.yielding[0].parameter("capacity"), 0.3);
+  EXPECT_EQ(building(lead_rubber).yielding[0].parameter("capacity"), std::numeric_limits<double>::infinity());
 }
 
 TEST(Isolators, CarryTheWeightOfAllFloors) {

@@ -239,6 +239,7 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
     YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces.back()),
                                                  hinges[i].is_rigid_plastic() ? "hinge" : law.law, parameters_of(hinges[i], k),
                                                  make_hinge(law));
+    part.kind = YieldingPart::Kind::hinge;
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
     require_elastic_at_rest(part, forces.back());
   }

@@ -51,8 +51,7 @@ hysteresis::Settings read_law(const Input& node, const hysteresis::Entry& entry)
     if (parameter.need == hysteresis::Need::required) node.at(parameter.name);
     if (const auto value = node.find(parameter.name)) law.values.emplace(parameter.name, value->as_quantity());
   }
-  for (const hysteresis::ChoiceInfo& choice : entry.choices)
-    if (const auto word = node.find(choice.name)) law.words.emplace(choice.name, word->as_choice());
+  law.words = read_choices(node, entry);
   return law;
 }
 

@@ -163,10 +163,9 @@ class Reader {
       hinge.stiffness_factor = node.quantity("stiffness_factor");
     for (const hysteresis::ParameterInfo& parameter : law.parameters)
       if (parameter.name != "stiffness" && !parameter.name.ends_with("yield_force"))
-        if (const auto value = node.find(in_moments(std::string(parameter.name))))
-          hinge.law->values[in_moments(std::string(parameter.name))] = value->as_quantity();
-    for (const hysteresis::ChoiceInfo& choice : law.choices)
-      if (const auto word = node.find(choice.name)) hinge.law->words[std::string(choice.name)] = word->as_choice();
+        if (const std::string word = in_moments(std::string(parameter.name)); const auto value = node.find(word))
+          hinge.law->values[word] = value->as_quantity();
+    hinge.law->words = read_choices(node, law);
     return hinge;
   }
 

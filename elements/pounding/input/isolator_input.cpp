@@ -44,8 +44,7 @@ IsolatorOptions read_isolator_law(const Input& isolator) {
     if (law.knows("rate") && parameter.name == "friction") read_friction(*value, law.find("rate"), options);
     else options.law.values.emplace(parameter.name, value->as_quantity());
   }
-  for (const hysteresis::ChoiceInfo& choice : entry->choices)
-    if (const auto word = law.find(choice.name)) options.law.words.emplace(choice.name, word->as_choice());
+  options.law.words = read_choices(law, *entry);
   try {
     make_isolator("", Row(1), options, 1);
   } catch (const std::invalid_argument& error) {

@@ -51,10 +51,11 @@ void emit_isolators(YAML::Emitter& out, const Structure& s) {
 
 // Each with its law, its numbers and the moment that gravity and loads give it at rest.
 void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
-  if (std::ranges::all_of(parts, isolates)) return;
+  const auto is_hinge = [](const YieldingPart& part) { return part.kind == YieldingPart::Kind::hinge; };
+  if (std::ranges::none_of(parts, is_hinge)) return;
   out << YAML::Key << "hinges" << YAML::Value << YAML::BeginMap;
   for (const YieldingPart& hinge : parts) {
-    if (isolates(hinge) || hinge.is_device()) continue;
+    if (!is_hinge(hinge)) continue;
     out << YAML::Key << hinge.name << YAML::Value << YAML::Flow << YAML::BeginMap;
     out << YAML::Key << "law" << YAML::Value << hinge.law;
     for (const YieldingPart::Parameter& parameter : hinge.parameters) emit(out, parameter.name.c_str(), parameter.value);
@@ -102,8 +103,7 @@ void emit_springs(YAML::Emitter& out, std::span<const YieldingPart> storeys) {
       continue;
     }
     std::vector<double> values;
-    for (const YieldingPart& storey : storeys)
-      if (!storey.is_device()) values.push_back(storey.parameters[k].value);
+    for (const YieldingPart& storey : storeys) values.push_back(storey.parameters[k].value);
     emit_list(out, first.parameters[k].name, values);
   }
   if (!plain) out << YAML::EndMap << YAML::EndMap;

@@ -43,6 +43,13 @@ const hysteresis::Entry* law_among_keys(const Input& map, const char* what) {
   return chosen;
 }
 
+std::map<std::string, std::string, std::less<>> read_choices(const Input& law, const hysteresis::Entry& entry) {
+  std::map<std::string, std::string, std::less<>> words;
+  for (const hysteresis::ChoiceInfo& choice : entry.choices)
+    if (const auto word = law.find(choice.name)) words.emplace(choice.name, word->as_choice());
+  return words;
+}
+
 Input place_of(const std::string& refusal, const Input& law, const hysteresis::Entry& entry) {
   const std::string_view first = std::string_view(refusal).substr(0, refusal.find(' '));
   for (const hysteresis::ParameterInfo& parameter : entry.parameters)
@@ -62,8 +69,7 @@ SpringOptions read_storey_spring(const Input& spring, const std::vector<double>&
     if (parameter.need == hysteresis::Need::required) law.at(parameter.name);
     if (const auto value = law.find(parameter.name)) options.values.emplace(parameter.name, value->as_quantities(storeys));
   }
-  for (const hysteresis::ChoiceInfo& choice : entry.choices)
-    if (const auto word = law.find(choice.name)) options.words.emplace(choice.name, word->as_choice());
+  options.words = read_choices(law, entry);
   for (int i = 0; i < storeys; ++i)
     try {
       make_spring(options.of_storey(i, stiffness));

@@ -45,7 +45,7 @@ std::string describe_isolators(const Structure& s) {
     ++count;
     const double k = part.spring->stiffness(), d = part.spring->yield_deformation();
     stiffness.take(k), yield.take(d), force.take(k * d);
-    if (const double limit = *capacity_of(part); std::isfinite(limit)) capacity.take(limit);
+    if (const double limit = part.parameter("capacity"); std::isfinite(limit)) capacity.take(limit);
     if (laws.find(part.law) == std::string::npos) laws += (laws.empty() ? "" : ", ") + part.law;
   }
   const double period = isolated_period(s);
@@ -61,7 +61,7 @@ std::string describe_hinges(const Structure& s) {
   double weakest = std::numeric_limits<double>::infinity(), strongest = 0, least = weakest, largest = 0, at_rest = 0;
   int count = 0;
   for (const YieldingPart& part : s.yielding) {
-    if (isolates(part) || part.is_device()) continue;
+    if (part.kind != YieldingPart::Kind::hinge) continue;
     ++count;
     const double rotation = part.spring->yield_deformation(), moment = rotation * part.spring->stiffness();
     weakest = std::min(weakest, moment), strongest = std::max(strongest, moment);

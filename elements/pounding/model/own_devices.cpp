@@ -190,6 +190,7 @@ void Model::connect_within(const std::string& name, const StructureHandle& struc
   require_motion(row, a, b, direction, parts.damper.has_value(), s);
   const double strained = row.dot(s.initial_displacement);
   YieldingPart part(name, std::move(row), law_name(parts), numbers(parts), std::make_unique<DeviceSpring>(parts));
+  part.kind = YieldingPart::Kind::device;
   part.device = fmt::format("{}, between {} and {}", describe(parts), a.label, b.label);
   if (const auto yield = yields_before(*part.spring, strained))
     refuse(ModelOption::device, fmt::format("is strained by {} at the start, and yields at {}; displace {} less, or give it an initial_velocity",

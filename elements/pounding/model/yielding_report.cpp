@@ -19,12 +19,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// A number that the law of a part was made with; NaN for one that it does not have.
-double given(const YieldingPart& part, std::string_view name) {
-  const auto found = std::ranges::find(part.parameters, name, &YieldingPart::Parameter::name);
-  return found == part.parameters.end() ? none : found->value;
-}
-
 // One end of a column.
 struct ColumnEnd {
   std::string name;    // as that of a hinge there
@@ -53,8 +47,8 @@ ColumnEnd end_of(const Structure& s, int member, bool is_start) {
   ColumnEnd end{s.geometry.member_names[member] + (is_start ? " start" : " end"), none, none};
   const auto part = std::ranges::find(s.yielding, end.name, &YieldingPart::name);
   if (part != s.yielding.end()) {
-    end.sags = given(*part, "yield_moment");
-    const double hogging = given(*part, "hogging_moment"), negative = given(*part, "negative_yield_moment");
+    end.sags = part->parameter("yield_moment");
+    const double hogging = part->parameter("hogging_moment"), negative = part->parameter("negative_yield_moment");
     end.hogs = !std::isnan(hogging) ? hogging : !std::isnan(negative) ? negative : end.sags;
     return end;
   }
@@ -150,8 +144,8 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
     const YieldingPart& part = s.yielding[i];
     YieldingFacts facts{.name = part.name, .law = part.law, .stiffness = part.spring->stiffness() + part.spring->first_slope()};
     if (facts.stiffness == 0) continue;  // a damper
-    facts.is_hinge = !std::isnan(given(part, "yield_moment"));
-    if (!std::isnan(given(part, "member_stiffness"))) facts.law = "rigid-plastic";
+    facts.is_hinge = part.kind == YieldingPart::Kind::hinge;
+    if (!std::isnan(part.parameter("member_stiffness"))) facts.law = "rigid-plastic";
     facts.deformation = part.spring->yield_deformation();
     facts.force = facts.stiffness * facts.deformation;
     constexpr double far_behind = 1000;

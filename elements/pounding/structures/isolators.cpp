@@ -65,13 +65,9 @@ YieldingPart make_isolator(std::string name, Row deformation, const IsolatorOpti
     parameters.push_back({"rate", isolator.velocity->rate});
   }
   YieldingPart part(std::move(name), std::move(deformation), law.law, std::move(parameters), std::move(spring));
+  part.kind = YieldingPart::Kind::isolator;
   part.parameters.push_back({"capacity", isolator.capacity.value_or(std::numeric_limits<double>::infinity())});
   return part;
-}
-
-std::optional<double> capacity_of(const YieldingPart& part) {
-  const auto found = std::ranges::find(part.parameters, "capacity", &YieldingPart::Parameter::name);
-  return found == part.parameters.end() ? std::nullopt : std::optional(found->value);
 }
 
 bool is_isolated(const Structure& s) { return std::ranges::any_of(s.yielding, isolates); }

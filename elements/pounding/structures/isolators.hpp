@@ -31,11 +31,9 @@ bool needs_weight(const IsolatorOptions& isolator);
 /// law, for what make_spring() refuses, and for a capacity that is not positive.
 YieldingPart make_isolator(std::string name, Row deformation, const IsolatorOptions& isolator, double weight);
 
-/// The deformation that an isolator can bear [m], infinite where nothing is said of it; nothing for a part that is no isolator. It stands
-/// among the parameters of the part, as `capacity`.
-std::optional<double> capacity_of(const YieldingPart& part);
-/// Whether a part is an isolator: a length between the ground and a structure, which damping by ratios leaves out.
-inline bool isolates(const YieldingPart& part) { return capacity_of(part).has_value(); }
+/// Whether a part is an isolator: a length between the ground and a structure, which damping by ratios leaves out. Its parameter `capacity`
+/// is the deformation that it can bear [m], infinite where nothing is said of it.
+inline bool isolates(const YieldingPart& part) { return part.kind == YieldingPart::Kind::isolator; }
 
 /// Whether a structure stands on isolators.
 bool is_isolated(const Structure& s);

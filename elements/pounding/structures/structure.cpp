@@ -1,6 +1,7 @@
 #include <pounding/structures/structure.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -56,6 +57,11 @@ Eigen::Vector3d Structure::total_mass() const {
     for (const Support& support : supports)
       for (const Support& other : supports) sum[j] += support.influence.col(j).dot(other.load.col(j));
   return sum;
+}
+
+double YieldingPart::parameter(std::string_view parameter_name) const {
+  const auto found = std::ranges::find(parameters, parameter_name, &Parameter::name);
+  return found == parameters.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
 
 std::size_t Structure::members_that_yield() const {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <pounding/core/archive.hpp>
@@ -24,6 +25,8 @@ using Row = Eigen::SparseVector<double>;
 /// A part of a structure that yields, in parallel to the stiffness that K has for it: a storey, a hinge at the end of a member. Or a device
 /// between two of its points, which K has nothing of.
 struct YieldingPart {
+  /// A device adds to the stiffness, the others are in it.
+  enum class Kind { storey, hinge, isolator, device };
   /// A number that its law was made with, for reports.
   struct Parameter {
     std::string name;  ///< the word of the input: "yield_force"
@@ -38,9 +41,12 @@ struct YieldingPart {
   std::vector<Parameter> parameters;
   std::unique_ptr<Spring> spring;
   std::vector<std::byte> fresh;  ///< archive of the spring as it was given
-  std::string device{};          ///< of a device: its parts and its ends, for reports; else empty
+  Kind kind = Kind::storey;
+  std::string device{};          ///< of a device: its parts and its ends, for reports
 
-  bool is_device() const noexcept { return !device.empty(); }  ///< whether it is one
+  bool is_device() const noexcept { return kind == Kind::device; }  ///< whether it is one
+  /// The number of a parameter; NaN for one that it does not have.
+  double parameter(std::string_view parameter_name) const;
 
   /// Takes a spring that has not been deformed.
   YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers, std::unique_ptr<Spring> undeformed);
@@ -172,7 +178,8 @@ struct Structure {
   std::vector<Support> supports;         ///< one at least; displacements are relative to the ground at the first
   std::vector<Floor> floors;             ///< from the ground up
   std::vector<double> storey_stiffness;  ///< of a structure whose storeys are springs, from the ground up [N/m]
-  std::vector<YieldingPart> yielding;    ///< storeys that are springs, from the ground up, or hinges; then devices; empty when all stays elastic
+  /// Storeys that are springs, from the ground up, or hinges, then isolators of a frame; then devices. Empty when all stays elastic.
+  std::vector<YieldingPart> yielding;
   /// [part, part], symmetric: by how much the forces of the yielding parts shorten their deformations at once, on top of the unknowns
   /// without mass that give way to them, [m/N] or [rad/(N m)]. A hinge in series with a member gives way like this. Empty for none.
   SparseMatrix yielding_flexibility;
@@ -199,7 +206,7 @@ struct Structure {
   int size() const { return static_cast<int>(mass.rows()); }
   /// A wall: it moves with the ground.
   bool is_rigid() const { return size() == 0; }
-  /// Parts that yield without devices: all storeys that are springs, or none of them; hinges.
+  /// Number of parts that are no devices, which come first. Of a shear building its isolators, all storeys above them, or both, from the ground up.
   std::size_t members_that_yield() const;
   /// Whether drift and storey shear mean something.
   bool has_storeys() const { return !floors.empty() && !floors.front().storey_shear.empty(); }

@@ -193,12 +193,7 @@ void ForceEnvelopes::step(const StepMotion& step) {
 // The motion at the beginning of a step, and forces of springs. Rates jump where a step ends at a corner: those of this step count.
 void ForceEnvelopes::take_begin(const StepMotion& step) {
   const double begin = stepper_.instant_begin().time;
-  if (every_step_) {
-    u_ = stepper_.begin().u;
-    v_ = stepper_.begin().v;
-  } else {
-    stepper_.begin(u_, v_);
-  }
+  stepper_.begin(u_, v_);
   if (acts_ && step.h > 0) stepper_.interpolate(begin, u_, v_);
   take_springs(begin, stepper_.instant_end_minus().time);
 }

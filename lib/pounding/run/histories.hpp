@@ -24,6 +24,15 @@ inline double spring_force(const Spring& spring, const LinkStep& step, double ti
   return spring.inside(step, (time - step.begin) / (step.end - step.begin), deformation).force;
 }
 
+/// The part of the shear of a storey that is a spring which devices carry [N]; `force(part)` is that of a part that yields [N].
+template <class ForceOf>
+double shear_by_devices(const Floor& floor, const ForceOf& force) {
+  double sum = 0;
+  if (!floor.storey_shear_by_yielding.empty())
+    for (Row::InnerIterator it(floor.storey_shear_by_yielding.front()); it; ++it) sum += it.value() * force(static_cast<std::size_t>(it.index()));
+  return sum;
+}
+
 inline std::array<std::vector<double>*, 5> columns(LinkHistory& h) {
   return {&h.time, &h.penetration, &h.velocity, &h.force, &h.energy};
 }

@@ -2,7 +2,6 @@
 /// Warnings of numbers in the answers of a run that are far from those of buildings, or beyond what parts can bear.
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,7 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
     for (std::size_t i = 0; i < summary.structures[k].springs.size(); ++i) {
       const YieldingPart& part = model.structures[k].yielding[i];
       const SpringSummary& moved = summary.structures[k].springs[i];
-      if (const double capacity = capacity_of(part).value_or(std::numeric_limits<double>::infinity()); std::abs(moved.peak) > capacity)
+      if (const double capacity = part.parameter("capacity"); isolates(part) && std::abs(moved.peak) > capacity)
         texts.push_back(fmt::format("structure {}, {}: {} at {:.4g} s, beyond the capacity of {}; what happens there is not in the model",
                                     model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4), moved.peak_time,
                                     format_quantity(capacity, dimension::length)));

@@ -7,22 +7,15 @@
 
 #include <pounding/model/storey_heights.hpp>
 #include <pounding/run/histories.hpp>
-#include <pounding/structures/sliding_spring.hpp>
 
 namespace pounding {
 namespace {
 
-// A number that a part was given under a name; NaN for none.
-double given(const YieldingPart& part, const char* name) {
-  const auto found = std::ranges::find(part.parameters, name, &YieldingPart::Parameter::name);
-  return found == part.parameters.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
-}
-
 SpringHistory heading(const Structure& s) {
   SpringHistory history;
   for (const YieldingPart& part : s.yielding) {
-    history.hinges.push_back(!std::isnan(given(part, "yield_moment")));
-    history.ultimate.push_back(given(part, "ultimate_rotation"));
+    history.hinges.push_back(part.kind == YieldingPart::Kind::hinge);
+    history.ultimate.push_back(part.parameter("ultimate_rotation"));
     history.names.push_back(part.name);
     history.laws.push_back(part.law);
     history.stiffness.push_back(part.spring->stiffness() + part.spring->first_slope());
@@ -58,16 +51,13 @@ double first_beyond(const LinkStep& step, double limit) {
   return high;
 }
 
-// Up to this r |v| friction changes with the velocity.
-constexpr double saturated = 10;
-
-// The friction of a slider bends sharply where it comes to rest: the parabola through three points of a step would miss its peak there.
-void update_slider(const SlidingSpring& slider, const LinkStep& step, double stiffness, std::size_t part, Extremes& forces) {
+// The peaks of a force that bends sharply inside a step.
+void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffness, std::size_t part, Extremes& forces) {
   constexpr int pieces = 16;
   const double h = (step.end - step.begin) / pieces;
   const auto force = [&](double s) {
     const double d = interpolate(step, s).penetration;
-    return stiffness * d + slider.inside(step, s, d).force;
+    return stiffness * d + spring.inside(step, s, d).force;
   };
   double last = force(0);
   for (int j = 0; j < pieces; ++j) {
@@ -143,19 +133,19 @@ void SpringHistories::step_part(int k, std::size_t i) {
     history.deformations.update(i, step.begin, h, begin.penetration, begin.rate, end.penetration, end.rate);
   const double f0 = stiffness * begin.penetration + step.force_begin, f1 = stiffness * end.penetration + step.force_end;
   const double fm = stiffness * step.motion_middle.penetration + step.force_middle, away = 0.25 * std::abs(f1 - f0);
-  const auto* slider = dynamic_cast<const SlidingSpring*>(model_.structures[k].yielding[i].spring.get());
-  if (slider && slider->law().rate * std::min(std::abs(begin.rate), std::abs(end.rate)) < saturated)
-    update_slider(*slider, step, stiffness, i, history.forces);
+  const Spring& spring = *model_.structures[k].yielding[i].spring;
+  if (spring.bends_sharply(step))
+    update_by_pieces(spring, step, stiffness, i, history.forces);
   else if (exceeds(history.forces, i, std::min(fm, f1) - away, std::max(fm, f1) + away))
     history.forces.update(i, step.begin, h, f0, fm, f1);
   if (begin.rate * end.rate < 0) {
     const CubicPenetration between(begin, end, h);
     if (const double s = between.turn(); s > 0 && s < 1)
-      reach(history, i, stiffness, between.at(s), model_.structures[k].yielding[i].spring->inside(step, s, between.at(s)).force);
+      reach(history, i, stiffness, between.at(s), spring.inside(step, s, between.at(s)).force);
   }
   reach(history, i, stiffness, end.penetration, step.force_end);
   history.last[i] = end.penetration;
-  history.lost[i] = lost_by(*model_.structures[k].yielding[i].spring);
+  history.lost[i] = lost_by(spring);
   if (std::isnan(history.first_yield[i]) && std::max(-low, high) > history.yield_deformation[i])
     if (const double s = first_beyond(step, history.yield_deformation[i]); s <= 1) history.first_yield[i] = step.begin + s * h;
 }

@@ -19,25 +19,16 @@ StoreyShears::StoreyShears(const Model& model, const Stepper& stepper, Results& 
   }
 }
 
-// The part of a storey shear that devices carry, with the forces of parts.
-template <class ForceOf>
-double StoreyShears::by_devices(std::size_t k, std::size_t storey, const ForceOf& force) const {
-  const std::vector<Row>& rows = model_.structures[k].floors[storey].storey_shear_by_yielding;
-  double sum = 0;
-  if (!rows.empty())
-    for (Row::InnerIterator it(rows.front()); it; ++it) sum += it.value() * force(static_cast<std::size_t>(it.index()));
-  return sum;
-}
-
 void StoreyShears::begin(const Eigen::MatrixXd& floors) {
   for (std::size_t k = 0; k < model_.structures.size(); ++k) {
     const Structure& s = model_.structures[k];
+    const std::size_t yielding = s.members_that_yield();
     for (std::size_t i = 0; i < s.storey_stiffness.size(); ++i) {
       const int at = first_row_[k] + static_cast<int>(i);
       const double drift = floors(at, 0) - (i > 0 ? floors(at - 1, 0) : 0);
       double force = s.storey_stiffness[i] * drift;
-      if (i < s.members_that_yield()) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
-      force += by_devices(k, i, [&](std::size_t part) { return stepper_.link_forces()[static_cast<int>(first_spring_[k] + part)]; });
+      if (i < yielding) force += s.yielding[i].spring->evaluate({.penetration = drift}).force;
+      force += shear_by_devices(s.floors[i], [&](std::size_t part) { return stepper_.link_forces()[static_cast<int>(first_spring_[k] + part)]; });
       results_.structures[k].envelope.storey_shear.update(i, stepper_.time(), force);
     }
   }
@@ -51,6 +42,7 @@ void StoreyShears::step(const StepMotion& step) {
 void StoreyShears::step(int k, int row, const StepMotion& step) {
   const Structure& s = model_.structures[k];
   Extremes& shear = results_.structures[k].envelope.storey_shear;
+  const std::size_t yielding = s.members_that_yield();
   for (std::size_t i = 0; i < s.storey_stiffness.size(); ++i) {
     const int at = row + static_cast<int>(i);
     const auto drift = [&](const Eigen::MatrixXd& floors, int column) {
@@ -58,7 +50,7 @@ void StoreyShears::step(int k, int row, const StepMotion& step) {
     };
     const double k_i = s.storey_stiffness[i], d0 = drift(step.begin, 0), d1 = drift(step.end_minus, 0);
     const double v0 = drift(step.begin, 1), v1 = drift(step.end_minus, 1);
-    const bool yields = i < s.members_that_yield(), has_device = s.floors[i].storey_shear_by_yielding.size() > 0;
+    const bool yields = i < yielding, has_device = s.floors[i].storey_shear_by_yielding.size() > 0;
     if (!yields && !has_device) {
       shear.update(i, step.begin_time, step.h, k_i * d0, k_i * v0, k_i * d1, k_i * v1);
       continue;
@@ -67,7 +59,7 @@ void StoreyShears::step(int k, int row, const StepMotion& step) {
     const auto update = [&](double part, double d) {
       const double time = step.begin_time + part * step.h;
       double force = k_i * d + (yields ? spring_force(*s.yielding[i].spring, *spring, time, d) : 0);
-      force += by_devices(k, i, [&](std::size_t j) {
+      force += shear_by_devices(s.floors[i], [&](std::size_t j) {
         const LinkStep& device = stepper_.link_steps()[first_spring_[k] + j];
         return spring_force(*s.yielding[j].spring, device, time, interpolate(device, part).penetration);
       });

@@ -24,8 +24,6 @@ class StoreyShears {
 
  private:
   void step(int structure, int row, const StepMotion& step);
-  template <class ForceOf>
-  double by_devices(std::size_t structure, std::size_t storey, const ForceOf& force) const;
 
   const Model& model_;
   const Stepper& stepper_;

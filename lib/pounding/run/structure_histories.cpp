@@ -74,7 +74,7 @@ void StructureHistories::sample(const OutputInstant& at) {
 void StructureHistories::sample_floors(int k, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   StructureHistory& history = histories_[k];
-  const int directions = response_.directions(k);
+  const int directions = response_.directions(k), yielding = static_cast<int>(s.members_that_yield());
   for (int i = 0; i < static_cast<int>(s.floors.size()); ++i)
     for (int j = 0; j < directions; ++j) {
       const int row = response_.row(k, i, j);
@@ -86,30 +86,23 @@ void StructureHistories::sample_floors(int k, const OutputInstant& at) {
       history.drift.push_back(drift);
       if (s.storey_stiffness.empty()) continue;
       double shear = s.storey_stiffness[i] * drift;
-      if (i < static_cast<int>(s.members_that_yield())) {
+      if (i < yielding) {
         const LinkStep& step = stepper_.link_steps()[first_spring_[k] + i];
         const Spring& spring = *s.yielding[i].spring;
         shear += at.inside ? spring_force(spring, step, at.time, drift) : spring.evaluate({.penetration = drift}).force;
       }
-      if (!s.floors[i].storey_shear_by_yielding.empty()) shear += shear_by_devices(k, s.floors[i].storey_shear_by_yielding.front(), at);
+      shear += shear_by_devices(s.floors[i], [&](std::size_t part) { return device_force(k, part, at); });
       history.storey_shear.push_back(shear);
     }
 }
 
-// The part of the storey shear of a shear building that devices carry.
-double StructureHistories::shear_by_devices(int k, const Row& factors, const OutputInstant& at) const {
-  double sum = 0;
-  for (Row::InnerIterator it(factors); it; ++it) {
-    const std::size_t link = first_spring_[k] + it.index();
-    const LinkStep& step = stepper_.link_steps()[link];
-    double force = stepper_.link_forces()[static_cast<int>(link)];
-    if (at.inside) {
-      const double d = interpolate(step, (at.time - step.begin) / (step.end - step.begin)).penetration;
-      force = spring_force(*model_.structures[k].yielding[it.index()].spring, step, at.time, d);
-    }
-    sum += it.value() * force;
-  }
-  return sum;
+// Force of a device inside a structure.
+double StructureHistories::device_force(int k, std::size_t part, const OutputInstant& at) const {
+  const std::size_t link = first_spring_[k] + part;
+  if (!at.inside) return stepper_.link_forces()[static_cast<int>(link)];
+  const LinkStep& step = stepper_.link_steps()[link];
+  const double d = interpolate(step, (at.time - step.begin) / (step.end - step.begin)).penetration;
+  return spring_force(*model_.structures[k].yielding[part].spring, step, at.time, d);
 }
 
 void StructureHistories::sample_frames(const OutputInstant& at) {

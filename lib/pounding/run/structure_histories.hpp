@@ -38,7 +38,7 @@ class StructureHistories {
                     const OutputInstant& at);
   void sample_forces(int structure, const Eigen::VectorXd& u, const OutputInstant& at);
   Eigen::VectorXd yielding_forces(int structure) const;
-  double shear_by_devices(int structure, const Row& factors, const OutputInstant& at) const;
+  double device_force(int structure, std::size_t part, const OutputInstant& at) const;
   void add_fixed_end_forces(int structure, std::size_t from, const OutputInstant& at);
   void add_enforced(int structure, const OutputInstant& at);
 
