@@ -250,8 +250,8 @@ class Models(unittest.TestCase):
     def test_what_cannot_be_carried_over_is_named(self):
         portal()
         ops.uniaxialMaterial("Elastic", 1, 1e6)
-        ops.element("truss", 9, 1, 3, 0.1, 1)
-        self.refused(r"element 9 is of the type Truss.*without=\[9\]")
+        ops.element("corotTruss", 9, 1, 3, 0.1, 1)
+        self.refused(r"element 9 is of the type CorotTruss.*without=\[9\]")
         self.assertEqual(len(pounding.from_opensees(without=[9]).structures["frame1"]["frame"]["members"]), 4)
         self.refused("there is no element 99", without=[9, 99])
         portal()

@@ -11,10 +11,11 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.opensees import links
-from pounding.opensees.printed import PRINTED, Constraint, Printed
+from pounding.opensees.constraints import DOFS, floors_and_ties
+from pounding.opensees.hinge_members import HINGE_MEMBER, read_hinge_member
+from pounding.opensees.printed import PRINTED, Printed
+from pounding.opensees.springs import SPRINGS, End, Spring, hinge_words, read_spring, rotates_only, take_hinges
 
-#: Names of degrees of freedom by the dimension. In the plane OpenSees has x, y and a rotation from x to y.
-DOFS = {2: ("ux", "uz", "ry"), 3: ("ux", "uy", "uz", "rx", "ry", "rz")}
 #: Members that are carried over, their properties, and the words by which OpenSees tells these to the last bit.
 MEMBERS = {
     "ElasticBeam2d": {"E": "E", "A": "A", "Iz": "I"},
@@ -24,7 +25,7 @@ MEMBERS = {
 }
 #: The commands that make these members.
 COMMANDS = {"ElasticBeam2d": "elasticBeamColumn", "ElasticTimoshenkoBeam2d": "ElasticTimoshenkoBeam",
-            "ElasticBeam3d": "elasticBeamColumn", "ElasticTimoshenkoBeam3d": "ElasticTimoshenkoBeam"}
+            HINGE_MEMBER: "forceBeamColumn", "ElasticBeam3d": "elasticBeamColumn", "ElasticTimoshenkoBeam3d": "ElasticTimoshenkoBeam"}
 #: Reasons for refusing a geometric transformation.
 TRANSFORMATIONS = {"PDelta": "its axial forces change with time, those of geometry: p_delta stay as at rest",
                    "Corot": "set the frame up as Linear, and geometry: corotational in the model that is made"}
@@ -32,7 +33,7 @@ TRANSFORMATIONS = {"PDelta": "its axial forces change with time, those of geomet
 
 @dataclass
 class Member:
-    """An elastic beam-column as OpenSees tells of it."""
+    """A beam-column as OpenSees tells of it, without its hinges."""
 
     tag: int
     kind: str
@@ -51,6 +52,8 @@ class Frames:
     printed: Printed
     without: set[int]
     members: list[Member] = field(default_factory=list)
+    springs: list[Spring] = field(default_factory=list)  #: those that are no hinges
+    hinges: list[End] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         ops = self.ops
@@ -67,18 +70,40 @@ class Frames:
         ours = {link.tag for link in links()}
         transformations = {each["name"]: each for each in self.printed.model["properties"]["crdTransformations"]}
         for element in self.printed.model["geometry"]["elements"]:
-            if element["name"] not in self.without | ours:
+            if element["name"] in self.without | ours:
+                continue
+            if element["type"] in SPRINGS:
+                self.springs.append(read_spring(self.printed, element, self.nodes, self._told))
+            else:
                 self.members.append(self._member(element, transformations))
         # The list of the model has no elements that do not print themselves.
-        known = self.without | ours | {member.tag for member in self.members}
+        known = self.without | ours | {member.tag for member in self.members} | {spring.tag for spring in self.springs}
         for tag in ops.getEleTags():
             if tag not in known:
                 raise InputError(self._refusal(tag, ops.eleType(tag)))
         self.held = {node: tuple(sorted(set(ops.getFixedDOFs(node)))) for node in set(ops.getFixedNodes())}
+        self._join_hinges()
+
+    def _join_hinges(self) -> None:
+        """Moves the ends of members, which springs that turn hold to other nodes, to these."""
+        turning = [spring for spring in self.springs if rotates_only(spring, self.dimension)]
+        self.springs = [spring for spring in self.springs if spring not in turning]
+        busy = {node for node in self.nodes if node in self.held or any(self.ops.nodeMass(node))}
+        busy |= self._joined()
+        local = {member.tag: [np.array(self.ops.eleResponse(member.tag, axis)) for axis in ("ylocal", "zlocal")]
+                 for member in self.members if self.dimension == 3}
+        for spring in turning:
+            end, kept, hinges = take_hinges(spring, self.printed.constraints, self.members, busy, self.dimension, local)
+            self.hinges += hinges
+            for member in self.members:
+                if member.tag == hinges[0].member:
+                    member.nodes = tuple(kept if node == end else node for node in member.nodes)  # type: ignore[assignment]
+            self.printed.constraints = [c for c in self.printed.constraints if {c.node, c.retained} != {end, kept}]
+            del self.nodes[end]
 
     def require_rest(self) -> None:
         """Raises InputError when a node has moved."""
-        for node in self.nodes:
+        for node in self.ops.getNodeTags():
             if any(self.ops.nodeDisp(node)) or any(self.ops.nodeVel(node)):
                 raise InputError(f"node {node} has moved: read the model before its analysis, or after ops.reset()")
 
@@ -115,10 +140,10 @@ class Frames:
         members = [member for member in self.members if member.nodes[0] in inside]
         # A node that only holds a rigid floor together is one that the floor makes for itself.
         constraints = [c for c in self.printed.constraints if c.node in inside]
-        floors, ties = self._constraints(constraints)
+        floors, ties = floors_and_ties(constraints, self.nodes, self.dimension)
         used = {node for member in members for node in member.nodes} | {node for tie in ties for node in tie["all"]}
         used |= {node for node in inside if any(self.ops.nodeMass(node))}
-        used |= {node for link in links() for node in link.nodes if node in inside}
+        used |= self._joined() & inside
         for master in floors:
             if master not in used:
                 self._require_loose(master)
@@ -137,37 +162,56 @@ class Frames:
         frame["ties"] = [{"master": f"n{tie['all'][0]}", "nodes": [f"n{node}" for node in tie["all"][1:]], **tie["words"]}
                          for tie in ties]
         frame["floors"] = self._floors(nodes, floors, used)
+        frame["hinges"] = hinge_words([hinge for hinge in self.hinges if hinge.member in {member.tag for member in members}])
+        frame["devices"] = {f"d{spring.tag}": {"between": [f"n{node}" if node in inside else "ground" for node in spring.nodes],
+                                               **spring.direction(self.dimension), **spring.words()} for spring in self._within(inside)}
         structure: dict[str, Any] = {"frame": {key: value for key, value in frame.items() if value}}
         structure["damping"] = 0 if damping is None else damping
         return structure
 
+    def _joined(self) -> set[int]:
+        """Nodes at which links or springs act."""
+        return {node for link in links() for node in link.nodes} | {node for spring in self.springs for node in spring.nodes}
+
+    def _within(self, part: set[int]) -> list[Spring]:
+        """Springs from a node of a part to another one, or to one that is fixed and in no part."""
+        others = {node for member in self.members for node in member.nodes} - part
+        return [spring for spring in self.springs if part & set(spring.nodes) and not others & set(spring.nodes)
+                and all(node in part or len(self.held.get(node, ())) == len(self.dofs) for node in spring.nodes)
+                and not any(material.kind == "HyperbolicGapMaterial" for material in spring.materials.values())]
+
     def _member(self, element: Mapping[str, Any], transformations: Mapping[str, Mapping[str, Any]]) -> Member:
         tag, kind = element["name"], element["type"]
-        if kind not in MEMBERS:
+        if kind not in MEMBERS and kind != HINGE_MEMBER:
             raise InputError(self._refusal(tag, kind))
         transformation = dict(transformations[element["crdTransformation"]])
         if not transformation["type"].startswith("Linear"):
             reason = next((text for start, text in TRANSFORMATIONS.items() if transformation["type"].startswith(start)), "")
             raise InputError(f"element {tag}: its transformation {transformation['name']} is {transformation['type']}, and only "
                              f"Linear is carried over{'; ' + reason if reason else ''}")
-        values = {name: self._value(tag, word, element[name]) for name, word in MEMBERS[kind].items()}
+        if kind == HINGE_MEMBER:
+            values, hinges = read_hinge_member(self.printed, element, self.nodes, self._told)
+            self.hinges += hinges
+        else:
+            values = {name: self._told(tag, (word,), element[name]) for name, word in MEMBERS[kind].items()}
         return Member(tag, kind, tuple(element["nodes"]), values, dict(element), transformation, element["massperlength"])
 
-    def _value(self, tag: int, word: str, printed: float) -> float:
+    def _told(self, tag: int, words: Sequence[str | int], printed: float) -> float:
         """A property to the last bit, by a parameter that is made and removed."""
         ops = self.ops
         free = max(ops.getParamTags() or [0]) + 1
-        ops.parameter(free, "element", tag, word)
+        ops.parameter(free, "element", tag, *words)
         value = ops.getParamValue(free)
         ops.remove("parameter", free)
         if not abs(value - printed) <= PRINTED * abs(printed):
-            raise InputError(f"element {tag}: OpenSees tells {value!r} and prints {printed!r} for its {word}")
+            raise InputError(f"element {tag}: OpenSees tells {value!r} and prints {printed!r} for its {words[-1]}")
         return value
 
     @staticmethod
     def _refusal(tag: int, kind: str) -> str:
-        return (f"element {tag} is of the type {kind}, which is not carried over; only elasticBeamColumn, ElasticTimoshenkoBeam "
-                f"and links of pounding.opensees are. without=[{tag}] leaves it out")
+        return (f"element {tag} is of the type {kind}, which is not carried over; only elasticBeamColumn, ElasticTimoshenkoBeam, "
+                "forceBeamColumn with HingeRadau in the plane, zeroLength, twoNodeLink, truss and links of pounding.opensees are. "
+                f"without=[{tag}] leaves it out")
 
     def _member_words(self, members: Sequence[Member]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
         materials: dict[tuple[float, ...], str] = {}
@@ -215,7 +259,7 @@ class Frames:
 
     def _is_consistent(self, members: Sequence[Member]) -> bool:
         heavy = [member for member in members if member.mass > 0]
-        consistent = {member.tag: self.printed.consistent_mass(member.tag) for member in heavy}
+        consistent = {member.tag: member.kind != HINGE_MEMBER and self.printed.consistent_mass(member.tag) for member in heavy}
         for member in heavy:
             if consistent[member.tag] and member.kind != "ElasticBeam2d":
                 raise InputError(f"element {member.tag}: the consistent mass of a {COMMANDS[member.kind]} in {self.dimension}D has "
@@ -224,32 +268,6 @@ class Frames:
             raise InputError(f"elements {', '.join(str(tag) for tag in consistent)}: some masses are consistent and some lumped; a "
                              "frame has one kind")
         return any(consistent.values())
-
-    def _constraints(self, constraints: Sequence[Constraint]) -> tuple[dict[int, list[int]], list[dict[str, Any]]]:
-        """Nodes of rigid floors by their masters, and ties."""
-        floors: dict[int, list[int]] = defaultdict(list)
-        ties: list[dict[str, Any]] = []
-        in_plan = (1, 2, 6) if self.dimension == 3 else ()
-        above: list[Constraint] = []  # a node in the plan of its master follows a floor as it follows a tie
-        for c in constraints:
-            arm = np.subtract(self.nodes[c.node], self.nodes[c.retained])
-            if c.dofs == in_plan and c.retained_dofs == in_plan and not arm.any():
-                above.append(c)
-            elif c.dofs == c.retained_dofs and np.array_equal(c.matrix, np.eye(len(c.dofs))):
-                ties.append(_tie(c, {"dofs": [self.dofs[dof - 1] for dof in c.dofs]}))
-            elif c.dofs != c.retained_dofs or not _is_rigid(c, arm, self.dimension):
-                raise InputError(f"the constraint of node {c.node} to node {c.retained}, degrees of freedom {list(c.dofs)}, is "
-                                 "neither an equalDOF, a rigidLink nor a rigidDiaphragm that is level")
-            elif c.dofs == in_plan:
-                floors[c.retained].append(c.node)
-            else:
-                ties.append(_tie(c, {"rigid": True}))
-        for c in above:
-            if c.retained in floors:
-                floors[c.retained].append(c.node)
-            else:
-                ties.append(_tie(c, {"dofs": ["ux", "uy", "rz"]}))
-        return dict(floors), ties
 
     def _require_loose(self, master: int) -> None:
         if set(self.held.get(master, ())) != {3, 4, 5}:
@@ -270,22 +288,3 @@ class Frames:
             if free and self.ops.nodeMass(node, 1) > 0 and not levels.get(z, {}).get("rigid"):
                 levels.setdefault(z, {"nodes": [], "elevation": z, "rigid": False})["nodes"].append(f"n{node}")
         return [levels[z] for z in sorted(levels)]
-
-
-def _tie(constraint: Constraint, words: dict[str, Any]) -> dict[str, Any]:
-    return {"all": [constraint.retained, constraint.node], "words": words}
-
-
-def _is_rigid(constraint: Constraint, arm: np.ndarray, dimension: int) -> bool:
-    """Rows and columns of a rigid body's motion; in six digits."""
-    full = np.eye(len(DOFS[dimension]))
-    if dimension == 2:
-        full[:2, 2] = -arm[1], arm[0]
-    else:
-        x, y, z = arm
-        full[:3, 3:] = [[0, z, -y], [-z, 0, x], [y, -x, 0]]
-    rows = [dof - 1 for dof in constraint.dofs]
-    if len(rows) < len(full) and not (dimension == 3 and constraint.dofs == (1, 2, 6)):
-        return False
-    wanted = full[np.ix_(rows, rows)]
-    return bool(np.allclose(constraint.matrix, wanted, rtol=PRINTED, atol=PRINTED * max(1.0, np.abs(arm).max())))

@@ -11,6 +11,7 @@ from pounding.models import Model
 from pounding.opensees import Link, links, openseespy
 from pounding.opensees.frames import Frames
 from pounding.opensees.printed import Printed
+from pounding.opensees.springs import between_words
 
 
 def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
@@ -20,14 +21,21 @@ def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: M
     made by `pounding.opensees.link` are its links.
 
     Carried over: nodes, masses, fix, elasticBeamColumn and ElasticTimoshenkoBeam with the transformation Linear, releases,
-    joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. The model is in N, m, kg, s; in the plane y
-    is up, in space z. Nodes and members are named by their tags: n24, e7. Structures are called left and right when there
-    are two, else frame1, frame2, ... from the smaller x on, unless `names` says otherwise.
+    joint offsets and mass per length, equalDOF, rigidLink and rigidDiaphragm. What yields: a zeroLength that turns, whose
+    nodes are tied by equalDOF, is a hinge at the end of its member; forceBeamColumn with HingeRadau and bilinear end
+    sections is a member with hinges; truss, twoNodeLink and other zeroLength are devices. Their materials are Steel01,
+    Steel02, ElasticPP, BoucWen, Hysteretic (two lines, without pinching, damage and beta), Elastic, Viscous and
+    ViscousDamper; a zeroLength of HyperbolicGapMaterial along x is a wall with backfill. A member has the same hinges at
+    both ends, or at one end. The model is in N, m, kg, s; in the plane y is up, in space z. Nodes, members and devices are
+    named by their tags: n24, e7, d12. Structures are called left and right when there are two, else frame1, frame2, ...
+    from the smaller x on, unless `names` says otherwise.
 
     OpenSees does not tell the damping: give `rayleigh`, the numbers of ops.rayleigh (alphaM, betaK, betaKinit, betaKcomm),
     or `damping` in our own words; neither is no damping. Nor does it tell the motion of a UniformExcitation: give
     `ground_motion`, and `analysis`, as in Model. `without` are tags of elements that are left out, `without_loads` leaves
-    load patterns out. Mass per length and joint offsets are read with the six digits that OpenSees prints, all else exactly.
+    load patterns out. Mass per length, joint offsets, BoucWen, Hysteretic and HyperbolicGapMaterial are read with the six
+    digits that OpenSees prints, all else exactly. In OpenSees the stiffness part of Rayleigh damping acts on members
+    without their springs, here on members with them.
 
     Raises InputError that names what cannot be carried over; ImportError without openseespy."""
     ops = openseespy()
@@ -50,7 +58,35 @@ def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: M
     structures = {name: frames.structure(part, damping) for name, part in zip(names, parts)}
     home = {node: name for name, part in zip(names, parts) for node in part}
     between = [_link_words(each, home) for each in links() if each.tag not in frames.without]
-    return Model(structures, between, ground_motion=ground_motion, analysis=analysis, title=title)
+    walls, gaps, devices = _joints(frames, home)
+    return Model(structures | walls, between + gaps, ground_motion=ground_motion, analysis=analysis, title=title, devices=devices or None)
+
+
+def _joints(frames: Frames, home: Mapping[int, str]) -> tuple[dict[str, Any], list[dict[str, Any]], dict[str, Any]]:
+    """Walls, gaps with backfill behind them, and devices between two frames."""
+    walls: dict[str, Any] = {}
+    gaps: list[dict[str, Any]] = []
+    devices: dict[str, Any] = {}
+    fixed = {node for node, held in frames.held.items() if node not in home and len(held) == len(frames.dofs)}
+    for spring in frames.springs:
+        ends = [home.get(node) for node in spring.nodes]
+        if any(material.kind == "HyperbolicGapMaterial" for material in spring.materials.values()):
+            words = between_words(spring, home, fixed)
+            for i, end in enumerate(words["between"]):
+                if end == "ground":
+                    words["between"][i] = f"wall{spring.tag}"
+                    walls[f"wall{spring.tag}"] = {"wall": {}}
+            gaps.append(words)
+        elif None not in ends and ends[0] != ends[1]:
+            if not spring.stands:
+                raise InputError(f"element {spring.tag} joins {ends[0]} and {ends[1]} by a zeroLength; make it a twoNodeLink between nodes "
+                                 "that are apart")
+            spring.direction(frames.dimension)
+            devices[f"d{spring.tag}"] = {"between": [{"structure": end, "node": f"n{node}"} for end, node in zip(ends, spring.nodes)],
+                                         **spring.words()}
+        elif set(spring.nodes) - set(home) - fixed or ends == [None, None]:
+            raise InputError(f"element {spring.tag}: one of its nodes belongs to no frame and is not fixed")
+    return walls, gaps, devices
 
 
 def rayleigh_words(factors: Sequence[float]) -> dict[str, Any] | None:

@@ -29,14 +29,21 @@ class Constraint:
     matrix: np.ndarray
 
 
+def _as_json(material: re.Match[str]) -> str:
+    kind, tag, values, comma = material.groups()
+    pairs = re.findall(r"(\w+): (\S+)", values)
+    return json.dumps({"name": tag, "type": kind, **{name: float(value) for name, value in pairs}}) + comma + "\n"
+
+
 class Printed:
     """The text of printModel, and what is read from it. `ops` is openseespy's module."""
 
     def __init__(self, ops: Any) -> None:
         self._ops = ops
         self._text = self._print()
-        # The line of a genericClient is no JSON.
+        # The line of a genericClient is no JSON, and neither are some materials.
         lines = re.sub(r"^.*\"GenericClient\".*\n", "", self._print("-JSON"), flags=re.MULTILINE)
+        lines = re.sub(r"^(\w+),? tag: (\d+)\n((?:  \w+: \S+\n)+)(,?)\n?", _as_json, lines, flags=re.MULTILINE)
         self.model = json.loads(re.sub(r",(\s*\])", r"\1", lines))["StructuralAnalysisModel"]
         factors = [float(value) for value in re.findall(r"Rayleigh Factor: alphaM: (\S+)", self._text)]
         self.alpha_m = max(factors, default=0.0)

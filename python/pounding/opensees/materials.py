@@ -1,0 +1,161 @@
+"""Uniaxial materials of an OpenSees model in the words of our laws of yielding."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from pounding.errors import InputError
+from pounding.opensees.printed import PRINTED
+
+#: What OpenSees prints of a material, and the words by which it tells the same to the last bit.
+EXACT = {
+    "Steel01": {"fy": "Fy", "E": "E", "b": "b"},
+    "Steel02": {"fy": "Fy", "E": "E", "b": "b", "R0": "R0", "cR1": "cR1", "cR2": "cR2"},
+    "ElasticMaterial": {"Epos": "E", "eta": "eta"},
+    "ElasticPPMaterial": {"E": "E"},
+    "Viscous": {"C": "C", "Alpha": "Alpha", "minVel": "minVel"},
+    "ViscousDamper": {"K": "K", "C": "C", "Alpha": "Alpha"},
+}
+
+
+@dataclass(frozen=True)
+class Law:
+    """A law of yielding with the values of the input, named as those of a force; `moments` and `times` change what they are."""
+
+    name: str
+    values: Mapping[str, Any]
+
+    #: Powers of a force and of a length in the words that have a unit.
+    UNITS = {"stiffness": (1, -1), "yield_force": (1, 0)}
+
+    def times(self, force: float, length: float) -> Law:
+        """The law of something whose forces and deformations are so many times larger."""
+        def scaled(word: str, value: Any) -> Any:
+            of_force, of_length = self.UNITS.get(word, (0, 0))
+            return value * force**of_force * length**of_length if of_force or of_length else value
+        return Law(self.name, {word: scaled(word, value) for word, value in self.values.items()})
+
+    def words(self) -> dict[str, Any]:
+        """Words of a device or a storey."""
+        return {self.name: dict(self.values)}
+
+    def moments(self) -> dict[str, Any]:
+        """Words of a hinge."""
+        return {self.name: {"yield_moment" if word == "yield_force" else word: value for word, value in self.values.items()}}
+
+
+@dataclass(frozen=True)
+class Material:
+    """A uniaxial material: as it is printed, but for the numbers that OpenSees tells to the last bit."""
+
+    tag: str
+    kind: str
+    values: Mapping[str, Any]
+
+    def refuse(self, reason: str) -> InputError:
+        """The error that says why it is not carried over."""
+        return InputError(f"material {self.tag} ({self.kind}): {reason}")
+
+    def require(self, **wanted: float) -> None:
+        """Raises InputError where a value is another one than that which our law stands for."""
+        for name, value in wanted.items():
+            if self.values[name] != value:
+                raise self.refuse(f"{name} is {self.values[name]:g}, and only {value:g} is carried over")
+
+    def law(self) -> Law:
+        """The law of yielding that is the same. Raises InputError for other materials."""
+        if self.kind not in LAWS:
+            raise self.refuse(f"it is not carried over here; {', '.join(_plain(kind) for kind in LAWS)} are")
+        return LAWS[self.kind](self)
+
+
+def exact(material: Material, ask: Callable[[str, float], float]) -> Material:
+    """The material with what `ask(word, printed)` tells to the last bit."""
+    told = {name: ask(word, material.values[name]) for name, word in EXACT.get(material.kind, {}).items()}
+    return Material(material.tag, material.kind, {**material.values, **told})
+
+
+def _plain(kind: str) -> str:
+    return kind.removesuffix("Material")
+
+
+def _steel01(of: Material) -> Law:
+    of.require(a1=0, a3=0)
+    return Law("bilinear", {"stiffness": of.values["E"], "yield_force": of.values["fy"], "hardening": of.values["b"]})
+
+
+def _steel02(of: Material) -> Law:
+    of.require(a1=0, a3=0, sigini=0)
+    return Law("menegotto_pinto", {"stiffness": of.values["E"], "yield_force": of.values["fy"], "hardening": of.values["b"],
+                                   "R0": of.values["R0"], "cR1": of.values["cR1"], "cR2": of.values["cR2"], "memory": "last"})
+
+
+def _elastic_plastic(of: Material) -> Law:
+    of.require(eps0=0, epsyn=-of.values["epsyp"])
+    return Law("bilinear", {"stiffness": of.values["E"], "yield_force": of.values["E"] * of.values["epsyp"], "hardening": 0.0})
+
+
+def _bouc_wen(of: Material) -> Law:
+    of.require(Ao=1, deltaA=0, deltaNu=0, deltaEta=0)
+    stiffness, n, beta, gamma = (of.values[name] for name in ("ko", "n", "beta", "gamma"))
+    if not beta + gamma > 0:
+        raise of.refuse(f"beta + gamma is {beta + gamma:g}, so it never yields")
+    # OpenSees' z is a deformation that ends at (beta + gamma)^(-1/n).
+    return Law("bouc_wen", {"stiffness": stiffness, "yield_force": stiffness * (beta + gamma) ** (-1 / n), "hardening": of.values["alpha"],
+                            "exponent": n, "gamma_share": gamma / (beta + gamma)})
+
+
+def _hysteretic(of: Material) -> Law:
+    values = of.values
+    of.require(pinchX=1, pinchY=1, damfc1=0, damfc2=0)
+    if values["beta"] != 0:
+        raise of.refuse(f"beta is {values['beta']:g}, and only without it small cycles are those of peak_oriented")
+    for name in ("s1", "e1", "s2", "e2", "s3", "e3"):
+        if abs(values[name + "p"] + values[name + "n"]) > PRINTED * abs(values[name + "p"]):
+            raise of.refuse("its two sides differ")
+    slopes = [values[name] for name in ("E1p", "E2p", "E3p")]
+    # OpenSees makes three lines of two, with the middle of the second one as a point.
+    if abs(slopes[2] - slopes[1]) > PRINTED * slopes[0]:
+        raise of.refuse("its backbone has three lines, between which it unloads otherwise than peak_oriented; two are carried over")
+    stiffness = values["s1p"] / values["e1p"]
+    hardening = (values["s3p"] - values["s1p"]) / (values["e3p"] - values["e1p"]) / stiffness
+    return Law("peak_oriented", {"stiffness": stiffness, "yield_force": values["s1p"], "hardening": hardening, "unloading": 0.0})
+
+
+LAWS: dict[str, Callable[[Material], Law]] = {
+    "Steel01": _steel01, "Steel02": _steel02, "ElasticPPMaterial": _elastic_plastic, "BoucWenMaterial": _bouc_wen,
+    "HystereticMaterial": _hysteretic}
+
+
+def device_words(of: Material, force: float = 1.0, length: float = 1.0) -> dict[str, Any]:
+    """Words of a device that acts by a material, whose stresses are to be multiplied by `force` [m^2], or 1 where they are forces, and
+    whose strains by `length` [m]."""
+    values = of.values
+    if of.kind == "ElasticMaterial":
+        of.require(Eneg=float(f"{values['Epos']:g}"))
+        words: dict[str, Any] = {"bar": {"stiffness": values["Epos"] * force / length}} if values["Epos"] else {}
+        return words | ({"damper": {"coefficient": values["eta"] * force / length}} if values["eta"] else {})
+    if of.kind == "Viscous":
+        return {"damper": _damper(values, force, length)}
+    if of.kind == "ViscousDamper":
+        of.require(LGap=0)
+        return {"damper": {**_damper(values, force, length), "stiffness": values["K"] * force / length}}
+    return of.law().times(force, length).words()
+
+
+def _damper(values: Mapping[str, Any], force: float, length: float) -> dict[str, Any]:
+    words = {"coefficient": values["C"] * force / length ** values["Alpha"]}
+    return words if values["Alpha"] == 1 else {**words, "exponent": values["Alpha"]}
+
+
+def backfill_words(of: Material) -> dict[str, Any]:
+    """Words of a link against the soil behind a wall."""
+    if of.kind != "HyperbolicGapMaterial":
+        raise of.refuse("only HyperbolicGapMaterial acts between two structures along one axis; use pounding.opensees.link for other gaps")
+    values = of.values
+    if not 0 < values["Kmax"] <= values["Kur"]:
+        raise of.refuse(f"Kmax is {values['Kmax']:g} and Kur {values['Kur']:g}; a soil has 0 < Kmax <= Kur")
+    return {"gap": abs(values["gap"]), "law": "backfill", "stiffness": values["Kmax"], "unloading": values["Kur"],
+            "failure_ratio": values["Rf"], "strength": abs(values["Fult"])}
