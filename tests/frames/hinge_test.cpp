@@ -230,5 +230,41 @@ TEST(Hinges, RigidPlasticOnesAddNoStiffness) {
   EXPECT_EQ((made(frame).stiffness - without.stiffness).norm(), 0);
 }
 
+// What a part keeps of its stiffness far beyond its yield.
+double kept(const YieldingPart& part) {
+  const Spring& spring = *part.spring;
+  return 1 + spring.evaluate({1e3 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();
+}
+
+TEST(Hinges, KeepAJointInPlaceWhoseEndsAllYield) {
+  for (const bool holds : {false, true}) {  // whether the beam stays elastic where it meets the right column
+    Frame frame(2);
+    frame.add_node({0, 0, 0}), frame.add_node({0, 0, 3.5}), frame.add_node({6, 0, 3.5}), frame.add_node({6, 0, 0});
+    frame.fix(0), frame.fix(3);
+    frame.add_mass(1, 20e3), frame.add_mass(2, 20e3);
+    const int left = frame.add_member(0, 1, square, concrete), beam = frame.add_member(1, 2, square, concrete),
+              right = frame.add_member(3, 2, square, concrete);
+    for (const int member : {left, beam, right})
+      for (const MemberEnd at : {MemberEnd::start, MemberEnd::end})
+        if (!holds || member != beam || at == MemberEnd::start) frame.add_hinge({.member = member, .at = at, .yield_moment = yield});
+    const Structure portal = made(frame);
+    for (int i = 0; i < static_cast<int>(portal.yielding.size()); ++i) {
+      const Hinge& hinge = frame.hinges()[i];
+      const auto [start, end] = frame.ends(hinge.member);
+      const int node = hinge.at == MemberEnd::start ? start : end;
+      EXPECT_NEAR(kept(portal.yielding[i]), node == 1 || (node == 2 && !holds) ? 1e-8 : 0, 1e-15) << frame.hinge_name(i) << holds;
+    }
+  }
+}
+
+TEST(Hinges, KeepTheirHardeningAtSuchAJoint) {
+  Frame frame = held_beam();
+  frame.add_hinge({.member = 0, .at = MemberEnd::end, .yield_moment = yield, .hardening = 0.02, .stiffness_factor = 10});
+  frame.add_hinge({.member = 1, .at = MemberEnd::start, .yield_moment = yield, .stiffness_factor = 10});
+  const Structure beam = made(frame);
+  EXPECT_NEAR(kept(beam.yielding[0]), 0.02, 1e-15);
+  EXPECT_NEAR(kept(beam.yielding[1]), 0, 1e-15);
+}
+
 }  // namespace
 }  // namespace pounding

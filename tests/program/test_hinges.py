@@ -99,6 +99,19 @@ class Hinges(ProgramTest):
                 with self.subTest(integrator=integrator, name=name):
                     self.assertTrue(values.tobytes() == one[name].tobytes())
 
+    def test_without_hardening_at_all_ends_reach_the_load_of_the_mechanism(self):
+        # A portal of 3.2 m whose ends all yield at 120 kN m: the columns carry 4 Mp/h, and the joints turn no further than the beam.
+        for law in ("yield_moment: 120 kN m", "bilinear: {yield_moment: 120 kN m, stiffness_factor: 10, hardening: 0}",
+                    "bouc_wen: {yield_moment: 120 kN m, stiffness_factor: 10, hardening: 0, exponent: 8}"):
+            words = f"      hinges: {{beams: {{at: both, {law}}}, columns: {{at: both, {law}}}}}\n"
+            run, path = self.results(single(2, words, tolerance="1e-6").replace("storeys: 2", "storeys: 1").replace("amplitude: 5.0", "amplitude: 9.0"))
+            with h5py.File(path) as file:
+                shear = np.abs(file["envelopes/structures/left/storey_shear"][:, 0]).max()
+            with self.subTest(law):
+                self.assertEqual(run["structures"]["left"]["yielding"]["yielded"], 6)
+                self.assertGreater(max(part["ductility"] for part in run["structures"]["left"]["yielding"]["springs"]), 3)
+                np.testing.assert_allclose(shear, 4 * 120e3 / 3.2, rtol=1e-6)
+
     def test_in_space_are_those_in_the_plane(self):
         # Two equal frames side by side under one floor: half of what shakes in space is one of them. Across their plane nothing moves. Steps end at
         # corners that are found to a part of their length: the answers agree to the tolerance of the runs.

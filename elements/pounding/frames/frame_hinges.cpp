@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <pounding/frames/frame_dofs.hpp>
+#include <pounding/frames/loose_joints.hpp>
 #include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/yielding_law.hpp>
 
@@ -63,6 +64,24 @@ hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
   const auto sagging = law.values.find("yield_moment"), hogging = law.values.find("negative_yield_moment");
   if (!hinge.sags_positive() && sagging != law.values.end() && hogging != law.values.end()) std::swap(sagging->second, hogging->second);
   return law;
+}
+
+// Laws of all hinges, such that each joint stays where it is when all that it holds has yielded.
+std::vector<hysteresis::Settings> laws_of(const FrameModel& model, const AssembledFrame& assembled, const std::vector<HingeForces>& forces) {
+  constexpr double far = 1e3;  // yield deformations
+  const std::vector<Hinge>& hinges = model.frame.hinges();
+  std::vector<hysteresis::Settings> laws;
+  std::vector<bool> keeps_nothing;
+  for (std::size_t i = 0; i < hinges.size(); ++i) {
+    laws.push_back(law_of(model.frame, hinges[i], forces[i].k));
+    const auto spring = make_hinge(laws.back());
+    const double kept = 1 + spring->evaluate({far * spring->yield_deformation(), 0}).by_penetration / forces[i].k;
+    keeps_nothing.push_back(kept < least_hardening);
+  }
+  const std::vector<bool> loose = at_loose_joints(model.frame, assembled, keeps_nothing);
+  for (std::size_t i = 0; i < hinges.size(); ++i)
+    if (loose[i]) laws[i].values["hardening"] = least_hardening;
+  return laws;
 }
 
 std::vector<YieldingPart::Parameter> parameters_of(const Hinge& hinge, double k) {
@@ -232,16 +251,17 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
     refuse(fmt::format("hinge {}: in a frame with hinges all supports move alike; leave out their delay and ground_motion, or the hinges",
                        model.frame.hinge_name(0)));
   std::vector<HingeForces> forces;
+  for (int i = 0; i < static_cast<int>(hinges.size()); ++i) forces.push_back(forces_of(model.frame, i));
+  const std::vector<hysteresis::Settings> laws = laws_of(model, frame, forces);
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
-    forces.push_back(forces_of(model.frame, i));
-    const double k = forces.back().k;
-    const hysteresis::Settings law = law_of(model.frame, hinges[i], k);
-    YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces.back()),
+    const double k = forces[i].k;
+    const hysteresis::Settings& law = laws[i];
+    YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]),
                                                  hinges[i].is_rigid_plastic() ? "hinge" : law.law, parameters_of(hinges[i], k),
                                                  make_hinge(law));
     part.kind = YieldingPart::Kind::hinge;
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
-    require_elastic_at_rest(part, forces.back());
+    require_elastic_at_rest(part, forces[i]);
   }
   s.yielding_flexibility = flexibility(model.frame, forces);
   add_to_shears(model, forces, above, s);

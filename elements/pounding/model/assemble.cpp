@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 
@@ -177,6 +179,7 @@ System assemble(const Model& model, bool with_links) {
       Archive fresh(part.fresh);
       part.spring->archive(fresh);
       system.springs.push_back(part.spring.get());
+      system.names.push_back(fmt::format("{} of {}", part.name, model.structures[i].name));
       columns.push_back({.at_rest = part.at_rest});
       // Preloads leave a device undeformed, as gravity does.
       if (const Structure& s = model.structures[i]; part.is_device() && with_links && s.preload_displacement.size() > 0)
@@ -187,6 +190,7 @@ System assemble(const Model& model, bool with_links) {
     add_column(device, -device.direction, true);  // it gets longer
     *device.member = DeviceSpring(device.parts);
     system.springs.push_back(device.member.get());
+    system.names.push_back(device.name);
   }
   for (std::size_t i = 0; with_links && i < model.links.size(); ++i) {
     const Link& link = model.links[i];

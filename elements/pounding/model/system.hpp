@@ -47,7 +47,7 @@ struct System {
   Eigen::MatrixXd load;    ///< P, one column a ground motion [kg], then one a force: minus the displacement on which it works [-]
   SparseMatrix gap_jacobian;    ///< B, one column a contact, then one a spring, then one or two a friction
   std::vector<Contact*> contacts;
-  std::vector<std::string> names;  ///< of the contacts, for messages; may be empty
+  std::vector<std::string> names;  ///< of the contacts and then of the springs, for messages; may be empty
   std::vector<Spring*> springs;
   SparseMatrix spring_flexibility;  ///< R, springs x springs, symmetric; empty for none
   std::vector<Friction> frictions;

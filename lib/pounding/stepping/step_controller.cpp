@@ -46,7 +46,10 @@ void StepController::give_up(double step, const std::string& reason) const {
   const int link = stepper_.troublesome_link();
   const std::vector<std::string>& names = stepper_.system().names;
   std::string at;
-  if (link >= 0) at = link < static_cast<int>(names.size()) ? " at link " + names[link] : fmt::format(" at link {}", link + 1);
+  if (link >= 0 && link < static_cast<int>(names.size()))
+    at = (link < stepper_.system().contact_count() ? " at link " : " at ") + names[link];
+  else if (link >= 0)
+    at = fmt::format(" at link {}", link + 1);
   throw SolverError(
       fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper_.time(), at, step, reason));
 }
@@ -54,9 +57,11 @@ void StepController::give_up(double step, const std::string& reason) const {
 void StepController::check_length(double step) const {
   const double shortest = 1e-14 * std::max(1.0, std::abs(stepper_.time())) * 1e-2;
   if (!(step > shortest))
-    give_up(step, fmt::format("no step is short enough for the tolerance {:g}. Check the unit of the stiffness of the link, or "
-                              "type a larger analysis.tolerance",
-                              stepper_.options().tolerance));
+    give_up(step, fmt::format("no step is short enough for the tolerance {:g}. {}, or type a larger analysis.tolerance",
+                              stepper_.options().tolerance,
+                              stepper_.troublesome_link() < stepper_.system().contact_count()
+                                  ? "Check the unit of the stiffness of the link"
+                                  : "Give what yields some hardening"));
 }
 
 void StepController::reject(double step, StepSizePolicy& policy) const {

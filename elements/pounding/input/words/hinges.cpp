@@ -47,7 +47,9 @@ struct OfHinges : YieldingWords {
                         axis_word,
                         rigid(moment_word),
                         {.key = "hardening", .takes = Takes::quantity, .bounds = bounds::from_0_below_1, .otherwise = "0", .since = "0.2.0",
-                         .meaning = "Part of its stiffness that the member keeps when both ends yield in double curvature.", .example = "3 %"},
+                         .meaning = "Part of its stiffness that the member keeps when both ends yield in double curvature. At a joint where all ends yield and "
+                                    "keep nothing, each keeps 1e-8, so that the joint does not turn by itself.",
+                         .example = "3 %"},
                         ultimate_word};
 
   template <hysteresis::Law L>
