@@ -103,8 +103,26 @@ TEST(Hinges, RefuseAContactBetweenTheEndsOfTheirMember) {
   frame.set_name(frame.add_member(0, 1, square, concrete), "c");
   EXPECT_EQ(made(frame).surface->column(2, Side::plus_x, 0).member, 0);
   frame.add_hinge({.yield_moment = yield});
-  refused([&] { made(frame).surface->column(2, Side::plus_x, 0); },
-          "member c has a hinge and is not hit between its ends; cut it into parts, such as parts: 3, so that a node stands there");
+  const auto hit = [&](double elevation) { return [&, elevation] { made(frame).surface->column(elevation, Side::plus_x, 0); }; };
+  const std::string why = "member c has a hinge and is not hit between its ends; type members: {c: {parts: ";
+  refused(hit(2), why + "2}}, so that a part without a hinge is hit");
+  refused(hit(0.4), why + "8}}, so that a part without a hinge is hit");
+  frame.add_hinge({.at = MemberEnd::end, .yield_moment = yield});
+  refused(hit(2), why + "4}}, so that a part without a hinge is hit");
+  refused(hit(2.9), why + "31}}, so that a part without a hinge is hit");
+}
+
+TEST(Hinges, AreNotHitInTheNextPartEither) {
+  Frame frame(2);
+  frame.add_node({0, 0, 0}), frame.add_node({0, 0, 3});
+  frame.fix(0);
+  frame.add_mass(1, 1e3), frame.add_mass(1, Dof::ry, 10);
+  const std::vector<int> parts = add_member_in_parts(frame, "c", 0, 1, {.section = square, .material = concrete, .parts = 3});
+  for (const int node : {2, 3}) frame.add_mass(node, 10), frame.add_mass(node, Dof::ry, 1);
+  frame.add_hinge({.member = parts[2], .at = MemberEnd::end, .yield_moment = yield});
+  EXPECT_EQ(made(frame).surface->column(1.5, Side::plus_x, 0).member, parts[1]);
+  refused([&] { made(frame).surface->column(2.2, Side::plus_x, 0); },
+          "member c/3 has a hinge and is not hit between its ends; type members: {c: {parts: 4}}, so that a part without a hinge is hit");
 }
 
 // The mass of 10 t at the middle: W L/8 = 73.55 kN m at the walls (hogging) and at the middle (sagging).

@@ -81,6 +81,16 @@ TEST(GridInput, MembersOfTheGridMayDiffer) {
           "4:24: members.column 1.1.between: belongs to a member of its own; one of the grid keeps its nodes and stays a beam");
 }
 
+TEST(GridInput, GroupsOfMembersMayDiffer) {
+  const FrameModel m = read(frame("C50", "B60", "members: {columns: {section: C60}, columns 2: {section: B60, parts: 2}, column 3.2: {parts: 4}, beams: {section: B50}}\n"));
+  EXPECT_NEAR(depth(m, "column 1.0"), 0.6, 1e-12);
+  EXPECT_NEAR(depth(m, "column 2.2/2"), depth(read(frame("C50", "B60")), "beam x 1.0"), 1e-12);
+  EXPECT_NEAR(depth(m, "column 3.2/4"), 0.5, 1e-12);
+  EXPECT_NEAR(depth(m, "beam x 3.1"), depth(read(frame("C50", "B50")), "beam x 1.0"), 1e-12);
+  refused(frame("C50", "B60", "members: {columns 3: {section: C60}}\n"),
+          "4:11: members.columns 3: unknown line of columns \"columns 3\". Did you mean \"columns 0\"?");
+}
+
 TEST(GridInput, MembersMayBeCut) {
   const std::string cut = "members: {column 2.0: {parts: 3}, post: {between: [0.1, a], section: C50, parts: 2, load: [0, -1 kN/m]}}\nnodes: {a: [7 m, 0]}\n";
   const FrameModel whole = read(frame("C50", "B60")), m = read(frame("C50", "B60", cut));

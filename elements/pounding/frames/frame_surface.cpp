@@ -24,6 +24,30 @@ constexpr double together = 1e-6;
 
 std::string metres(double length) { return format_quantity(length, dimension::length, 6); }
 
+// What to type where a contact hits a member, or a part of one, that has a hinge.
+std::string beside_hinge(const Frame& frame, int member, double along) {
+  const std::string part = frame.member_name(member), whole = part.substr(0, part.find('/'));
+  int parts = 0, before = 0;
+  bool yields_at[2] = {false, false};
+  for (int each = 0; each < frame.members(); ++each) {
+    const std::string name = frame.member_name(each);
+    if (name.substr(0, name.find('/')) != whole) continue;
+    ++parts;
+    if (each < member) ++before;
+    for (const Hinge& hinge : frame.hinges())
+      if (hinge.member == each) yields_at[hinge.at == MemberEnd::start ? 0 : 1] = true;
+  }
+  const double share = (before + along) / parts;
+  int more = 2;
+  const auto hits_an_end = [&] {
+    const int hit = static_cast<int>(share * more);
+    return (yields_at[0] && hit == 0) || (yields_at[1] && hit >= more - 1);
+  };
+  while (more < 100 && hits_an_end()) ++more;
+  return fmt::format("member {} has a hinge and is not hit between its ends; type members: {{{}: {{parts: {}}}}}, so that a part without a hinge is "
+                     "hit", part, whole, more);
+}
+
 }  // namespace
 
 double mass_along_x(const AssembledFrame& frame, const std::vector<int>& nodes) {
@@ -216,9 +240,7 @@ ContactPoint FrameSurface::on_member(int member, double along, const Vector3d& a
   if (model_->geometry == FrameGeometry::corotational)
     refuse("with geometry: corotational a member is not hit between its ends; put a node there");
   for (const Hinge& hinge : model_->frame.hinges())
-    if (hinge.member == member)
-      refuse(fmt::format("member {} has a hinge and is not hit between its ends; cut it into parts, such as parts: 3, so that a node stands "
-                         "there", model_->frame.member_name(member)));
+    if (hinge.member == member) refuse(beside_hinge(model_->frame, member, along));
   const Frame::PointOnMember on = model_->frame.point_on_member(member, along, *assembled_);
   ContactPoint point;
   point.position = at;

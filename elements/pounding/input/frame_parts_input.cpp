@@ -9,6 +9,32 @@ namespace pounding {
 
 using Eigen::Vector3d;
 
+namespace {
+
+// Groups of members of a grid: columns, beams, and one line of columns.
+bool is_group(const std::string& name) { return name == "columns" || name == "beams" || name.starts_with("columns "); }
+
+// "columns 2" for "column 1.2"; nothing for beams.
+std::string line_of(const std::string& member) {
+  return member.starts_with("column ") ? "columns " + member.substr(member.find('.') + 1) : std::string();
+}
+
+std::vector<std::string> members_of(const std::string& group, const std::vector<std::string>& known) {
+  std::vector<std::string> members;
+  for (const std::string& each : known)
+    if (const std::string line = line_of(each); group == line || group == (line.empty() ? "beams" : "columns")) members.push_back(each);
+  return members;
+}
+
+std::vector<std::string> lines_of_columns(const std::vector<std::string>& known) {
+  std::vector<std::string> lines;
+  for (const std::string& each : known)
+    if (const std::string line = line_of(each); !line.empty() && std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
 FramePartsInput::FramePartsInput(const Input& body) : body_(body), words_(body), library_(body, dimension_) {
   frame.model.frame = Frame(dimension_);
   if (!body_.has("grid") && !body_.has("nodes"))
@@ -26,7 +52,7 @@ FramePartsInput::FramePartsInput(const Input& body) : body_(body), words_(body),
 
 // Names of the user's members have no dot.
 bool FramePartsInput::is_of_grid(const std::string& name) const {
-  return body_.has("grid") && name.find('.') != std::string::npos;
+  return body_.has("grid") && (name.find('.') != std::string::npos || is_group(name));
 }
 
 std::vector<std::string> FramePartsInput::node_names() const {
@@ -98,23 +124,35 @@ void FramePartsInput::read_grid(const Input& node) {
   frame.member_places.assign(made.members(), node);
 }
 
-// Reads the members of the grid that the input changes by their names.
+// Reads the members of the grid that the input changes by their names. One that is named itself has nothing of its group.
 void FramePartsInput::read_members_of_grid(const Input& members, GridFrame& grid) const {
   const std::vector<std::string> known = grid.member_names();
+  for (const auto& [name, node] : members.entries())
+    if (is_of_grid(name) && is_group(name)) {
+      const GridMember own = read_member_of_grid(node);
+      const std::vector<std::string> named = members_of(name, known);
+      if (named.empty()) node.fail_at_key(unknown_name("line of columns", name, lines_of_columns(known)));
+      for (const std::string& each : named) grid.members[each] = own;
+    }
   for (const auto& [name, node] : members.entries()) {
-    if (!is_of_grid(name)) continue;
+    if (!is_of_grid(name) || is_group(name)) continue;
     if (std::find(known.begin(), known.end(), name) == known.end()) node.fail_at_key(unknown_name("member", name, known));
-    node.only_keys();
-    for (const std::string_view key : {"between", "truss"})
-      if (const auto found = node.find(key))
-        found->fail_at_key("belongs to a member of its own; one of the grid keeps its nodes and stays a beam");
-    GridMember& own = grid.members[name];
-    if (const auto section = node.find("section")) own.section = library_.section(*section);
-    if (const auto material = node.find("material")) own.material = library_.material(*material);
-    own.options = read_beam_options(node);
-    if (const auto load = node.find("load")) own.load = read_load(*load);
-    if (const auto parts = node.find("parts")) own.parts = static_cast<int>(parts->as_integer());
+    grid.members[name] = read_member_of_grid(node);
   }
+}
+
+GridMember FramePartsInput::read_member_of_grid(const Input& node) const {
+  node.only_keys();
+  for (const std::string_view key : {"between", "truss"})
+    if (const auto found = node.find(key))
+      found->fail_at_key("belongs to a member of its own; one of the grid keeps its nodes and stays a beam");
+  GridMember own;
+  if (const auto section = node.find("section")) own.section = library_.section(*section);
+  if (const auto material = node.find("material")) own.material = library_.material(*material);
+  own.options = read_beam_options(node);
+  if (const auto load = node.find("load")) own.load = read_load(*load);
+  if (const auto parts = node.find("parts")) own.parts = static_cast<int>(parts->as_integer());
+  return own;
 }
 
 Vector3d FramePartsInput::read_load(const Input& load) const {

@@ -53,6 +53,7 @@ class FramePartsInput {
   void read_grid(const Input& grid);
   bool is_of_grid(const std::string& name) const;
   void read_members_of_grid(const Input& members, GridFrame& grid) const;
+  GridMember read_member_of_grid(const Input& node) const;
   Eigen::Vector3d read_load(const Input& load) const;
   void read_node(const std::string& name, const Input& node);
   void read_member(const std::string& name, const Input& node);

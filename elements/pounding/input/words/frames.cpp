@@ -36,7 +36,9 @@ constexpr Word frame_words[] = {
                 "space S.I.K: storey from 0 at the ground, column lines along x and along y from 0.",
      .example = "{a: [0, 0], b: [0, 3 m]}"},
     {.key = "members", .form = Form::named, .inside = &member,
-     .meaning = "Beams, columns and trusses by their names. Members of a grid are called column S.I, beam x S.I, beam y S.I.K.",
+     .meaning = "Beams, columns and trusses by their names. Members of a grid are called column S.I, beam x S.I, beam y S.I.K; "
+                "columns are all of its columns, beams all of its beams, columns I one line of columns (columns I.K in space). A member that "
+                "is named itself takes nothing from these.",
      .example = "{c1: {between: [a, b], section: {rectangle: [0.4 m, 0.4 m]}}}"},
     {.key = "supports", .takes = Takes::choice, .form = Form::named, .inside = &support, .choices = supports,
      .instead = no_supports, .noun = "support", .otherwise = "the feet of a grid are fixed",
