@@ -56,6 +56,25 @@ class Collapse(ProgramTest):
         self.assertEqual(again.returncode, 2)
         self.assertIn("the run is done", again.stderr)
 
+    def test_of_the_run_without_links_is_told_too(self):
+        # A stiff neighbour keeps the storey from drifting that far: only without it the building collapses.
+        neighbour = """\
+  guard: {oscillator: {mass: 2000 t, period: 0.2, damping: 5 %}}
+  rest: {oscillator: {mass: 2000 t, period: 0.2, damping: 5 %}}
+links:
+  - {between: [left.1, guard], gap: 10 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}
+  - {between: [rest, left.1], gap: 10 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}
+compare: no_pounding
+analysis"""
+        kept = limited().replace("  right: {oscillator: {mass: 100 t, period: 0.4, damping: 5 %}}\nanalysis", neighbour)
+        done = self.run_model(kept)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertNotIn("\nended ", done.stdout)
+        self.assertRegex(done.stdout, r"\nwithout links it ended by collapse at t = [0-9.]+ s: storey 1 of left .*: what the table says of that run lasts")
+        summary = json.loads(self.run_model(kept, "--json").stdout)
+        self.assertEqual(summary["status"], "done")
+        self.assertRegex(summary["no_pounding"]["status"], "^done: collapse at t = ")
+
     def test_heads_the_picture_of_the_run(self):
         self.run_model(limited(), "-q")
         self.assertEqual(self.pounding("plot", "out.h5", "-o", "out.svg").returncode, 0)

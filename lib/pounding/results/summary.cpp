@@ -255,7 +255,9 @@ std::string to_json(const Summary& summary) {
                                 summary.without_pounding[k].peak_displacement[i]));
       amplification[summary.structures[k].name] = ratios;
     }
-    all["no_pounding"] = {{"structures", structures_json(summary.without_pounding)}, {"amplification", amplification},
+    all["no_pounding"] = {{"status", summary.without_links_status},
+                          {"structures", structures_json(summary.without_pounding)},
+                          {"amplification", amplification},
                           {"separations", separations_json(summary.separations)}};
   }
   all["warnings"] = summary.warnings;

@@ -99,6 +99,7 @@ struct Summary {
   std::vector<std::string> warnings;
   /// Structures in the run without links that `compare: no_pounding` asks for; else empty.
   std::vector<StructureSummary> without_pounding;
+  std::string without_links_status;         ///< its status, as above
   std::vector<LinkSeparation> separations;  ///< of that run, one a link
   std::vector<ImpactRow> impacts;           ///< in the order of their touches; `link` counts in `links`
 };

@@ -218,6 +218,12 @@ std::string separations_table(const std::vector<LinkSeparation>& separations) {
   return text;
 }
 
+// Why a run that is done ended before its time; empty for others.
+std::string early_end(const std::string& status) {
+  const std::size_t colon = status.find(": ");
+  return status.starts_with("done") && colon != std::string::npos ? status.substr(colon + 2) : "";
+}
+
 }  // namespace
 
 std::string to_table(const Summary& summary) {
@@ -234,8 +240,9 @@ std::string to_table(const Summary& summary) {
       shown(e.input / 1e3, 5), shown(e.kinetic / 1e3, 5), shown(e.strain / 1e3, 5), shown(e.damping / 1e3, 5),
       shown(e.hysteretic / 1e3, 5), shown(e.impact / 1e3, 5),
       summary.devices.empty() && !(e.devices > 0) ? "" : fmt::format(" + devices {:.5f}", shown(e.devices / 1e3, 5)), e.error);
-  if (const std::size_t colon = summary.status.find(": "); summary.status.starts_with("done") && colon != std::string::npos)
-    text += fmt::format("ended        by {}\n", summary.status.substr(colon + 2));
+  if (const std::string why = early_end(summary.status); !why.empty()) text += fmt::format("ended        by {}\n", why);
+  if (const std::string why = early_end(summary.without_links_status); !why.empty())
+    text += fmt::format("without links it ended by {}: what the table says of that run lasts until then\n", why);
   text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
   return text;

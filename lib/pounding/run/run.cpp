@@ -58,6 +58,7 @@ Outcome run_once(const Model& model, const RunOptions& options, const WriteResul
   Results& results = outcome.results;
   if (!without.summary.structures.empty()) {
     outcome.summary.without_pounding = without.summary.structures;
+    outcome.summary.without_links_status = without.results.status;
     outcome.summary.separations = separations(model, without.results.approach);
     results.no_pounding = results_image(without.results);
   }

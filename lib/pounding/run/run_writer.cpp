@@ -39,6 +39,7 @@ void RunWriter::archive(Archive& archive) {
   petsc::check(petsc::archive(ts_, archive));
   recorder_.archive(archive);
   archive(outcome_.summary.without_pounding);
+  archive(outcome_.summary.without_links_status);
   archive(outcome_.summary.separations);
 }
 
