@@ -11,5 +11,6 @@ void bind_laws(pybind11::module_& module);
 void bind_models(pybind11::module_& module);
 void bind_spectra(pybind11::module_& module);
 void bind_studies(pybind11::module_& module);
+void bind_study_rows(pybind11::module_& module);
 
 }  // namespace pounding::python

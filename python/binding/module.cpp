@@ -37,4 +37,5 @@ PYBIND11_MODULE(_core, module) {
   pounding::python::bind_models(module);
   pounding::python::bind_spectra(module);
   pounding::python::bind_studies(module);
+  pounding::python::bind_study_rows(module);
 }

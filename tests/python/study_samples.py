@@ -29,7 +29,6 @@ class Deadly(Template):
 
     gap = 3e-3
 
-    def case(self, values, record, scale):
+    def begin(self, values):
         if np.isclose(values[1], self.gap):
             os.abort()
-        return super().case(values, record, scale)

@@ -56,7 +56,7 @@ class Rows(unittest.TestCase):
                               timeout=300, **options)
 
     def test_a_row_is_a_run_of_its_model(self):
-        study = run_plan(plan_of(without_links="yes", keep=["displacement", "acceleration", "drift", "force", "penetration", "impacts", "impulse",
+        study = run_plan(plan_of(engine="solver", without_links="yes", keep=["displacement", "acceleration", "drift", "force", "penetration", "impacts", "impulse",
                                                             "energy_lost", "required_gap", "gap_abs", "gap_srss"]), None, workers=0)
         self.assertEqual((len(study), set(study["status"])), (36, {DONE}))
         self.assertGreater(study["impacts"].sum(), 20)
@@ -157,7 +157,7 @@ class Rows(unittest.TestCase):
         self.assertEqual(bits(self.folder / "full.h5"), bits(self.folder / "whole.h5"))
 
     def test_a_worker_that_dies_costs_its_row(self):
-        plan = plan_of(records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.3 g"}}, stop_after="100 %")
+        plan = plan_of(records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.3 g"}}, stop_after="100 %", engine="solver")
         whole = run_plan(plan, None, workers=0)
         deadly = dataclasses.replace(plan, template=Deadly(**vars(plan.template)))
         begin = time.monotonic()

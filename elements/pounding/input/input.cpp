@@ -194,6 +194,11 @@ std::string Input::as_text() const {
   return node_.Scalar();
 }
 
+void Input::rewrite(const std::string& text) {
+  if (!is_scalar()) fail("takes no other value, since it is no single one");
+  node_ = text;
+}
+
 double Input::as_quantity() const { return as_quantity(word().dimension, word().bounds); }
 
 double Input::as_quantity(const Dimension& dimension) const { return as_quantity(dimension, word().bounds); }

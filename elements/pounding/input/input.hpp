@@ -111,6 +111,10 @@ class Input {
   /// The quantity under a key, or nothing when the key is absent.
   std::optional<double> find_quantity(std::string_view key) const;
 
+  /// Puts another text in the place of this scalar: all nodes of the tree read it from now on. text() stays as it was read. Throws InputError for a
+  /// map or a list.
+  void rewrite(const std::string& text);
+
   /// Throws InputError with this node's place in front.
   [[noreturn]] void fail(std::string_view message) const;
   /// Throws InputError at the place of the node's key, for a key that should not be there.

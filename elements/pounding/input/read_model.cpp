@@ -82,7 +82,7 @@ Input place_of(const ModelError& error, const Input& input) {
 
 }  // namespace
 
-Model read_model(const Input& input, const ModeSolver& modes, double stiffness_factor) {
+Model read_model(const Input& input, const ModeSolver& modes, double stiffness_factor, const GroundSection* ground) {
   const Input root = input.in(words::model);
   root.only_keys();
   Model model;
@@ -91,7 +91,10 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   model.source_text = input.text();
   model.source_file = input.file();
   if (const auto title = root.find("title")) model.title = title->as_text();
-  if (const auto motion = root.find("ground_motion")) model.ground = read_ground_section(*motion);
+  if (ground)
+    model.ground = *ground;
+  else if (const auto motion = root.find("ground_motion"))
+    model.ground = read_ground_section(*motion);
   const Input structures = root.at("structures");
   for (const auto& [name, place] : structures.entries()) read_structure(name, place, model);
   if (const auto links = root.find("links")) {

@@ -45,7 +45,7 @@ Results heading(const Model& model, const RunOptions& options) {
   results.title = model.title;
   results.command = options.command;
   results.model_yaml = model.source_text;
-  results.resolved_yaml = resolved_yaml(model);
+  if (!options.numbers_only) results.resolved_yaml = resolved_yaml(model);
   results.integrator = model.analysis.scheme.name();
   return results;
 }
@@ -60,7 +60,7 @@ Outcome run_once(const Model& model, const RunOptions& options, const WriteResul
     outcome.summary.without_pounding = without.summary.structures;
     outcome.summary.without_links_status = without.results.status;
     outcome.summary.separations = separations(model, without.results.approach);
-    results.no_pounding = results_image(without.results);
+    if (!options.numbers_only) results.no_pounding = results_image(without.results);
   }
 
   const System system = assemble(model, with_links);

@@ -30,6 +30,8 @@ struct RunOptions {
   /// Results file of an interrupted run of this model: one that was killed, stopped, or cut by -pounding_ts_max_steps. The run
   /// continues from its last checkpoint and gives the same bits as a run without interruption. Empty for a run from the start.
   std::string resume = {};
+  /// Only the numbers of the summary are asked for: results are without the texts of the model, the JSON, the run without links, and warnings.
+  bool numbers_only = false;
 };
 
 /// Results of a run in memory.

@@ -93,6 +93,7 @@ void RunWriter::conclude(const std::string& status) {
   recorder_.summarize(summary);
   summary.integrator = results.integrator;
   summary.solver = results.solver;
+  if (options_.numbers_only) return;
   summary.warnings = doubts_;
   for (std::string& text : implausible(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : beyond_capacity(model_, summary)) summary.warnings.push_back(std::move(text));

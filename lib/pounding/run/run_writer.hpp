@@ -56,7 +56,7 @@ class RunWriter {
   const Stepper& stepper_;
   Recorder& recorder_;
   Outcome& outcome_;
-  const std::vector<std::string> doubts_ = implausible(model_);
+  const std::vector<std::string> doubts_ = options_.numbers_only ? std::vector<std::string>{} : implausible(model_);
   Checkpoint origin_;  // without a state
   Stopwatch since_start_, since_write_ = since_start_;
   double earlier_seconds_ = 0;  // before the interruption

@@ -7,7 +7,11 @@
     motions.py    their intensity measures, and how they are scaled
     template.py   what a worker needs of a plan
     plan.py       all rows, fixed by file, records and seed before anything runs
+    places.py     where the values of a row go, for many rows at once; prepared.py a model that is read once
+    batches.py    some rows for a worker, and what came out
     engines.py    rows -> columns; the seam where another engine plugs in
+    kernel_engine.py  linear structures by the compiled kernel; pairs.py two oscillators as columns, kernel_columns.py its numbers
+    cross_check.py    rows that both engines run
     worker.py     what runs in a process of its own
     execution.py  chunks of rows on an executor; a worker that dies costs its row
     table.py      the HDF5 file, finished chunks beside it, resume and merge

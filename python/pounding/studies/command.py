@@ -14,8 +14,10 @@ import numpy as np
 
 from pounding._native import core
 from pounding.errors import InputError, SolverError
-from pounding.studies.engines import STATUSES, engine_for, run_batch
+from pounding.studies import cross_check
+from pounding.studies.engines import ENGINES, STATUSES, Batch, Done, run_batch
 from pounding.studies.execution import available_cores, batch_of
+from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.plan import Plan, read_plan
 from pounding.studies.progress import duration_text
 from pounding.studies.study import Study, records_folder, run_plan
@@ -100,19 +102,33 @@ def _check(words: list[str]) -> int:
     plan = read_plan(options.study, records_folder(Path(Path(options.study).with_suffix(".h5").name)))
     _warn(plan)
     records, points, levels = plan.shape
-    print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels; engine: {engine_for(plan.template).name}")
+    print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels")
     for factor in plan.points.factors:
         values = f"{len(factor.values)} values" if factor.values is not None else f"{factor.distribution.kind if factor.distribution else ''}"
         print(f"  {factor.name}: {values}, {', '.join(factor.of)}{f' = {factor.name} times {factor.times}' if factor.times else ''}")
     rows = np.unique(np.linspace(0, plan.count - 1, min(TIMED, plan.count)).astype(np.int64))
-    done = run_batch(batch_of(plan, rows))
-    for row, reason in list(done.reasons.items())[:3]:
-        print(f"row {row}: {reason}")
-    workers = options.workers or available_cores()
-    seconds = float(np.mean(done.seconds))
-    print(f"{len(rows)} rows took {1e3 * seconds:.3g} ms each; all of them take about {duration_text(seconds * plan.count / workers)} on {workers} processes")
+    # The first time reads records and models, too.
+    run_batch(batch_of(plan, rows))
+    batch = batch_of(plan, rows)
+    print(*_timed(batch, run_batch(batch), plan, options.workers or available_cores()), sep="\n")
     print(f"table: {plan.count * (8 * len(plan.units()) + 10) / 1e6:.3g} MB; columns {', '.join(plan.units())}")
     return 0
+
+
+def _timed(batch: Batch, done: Done, plan: Plan, workers: int) -> list[str]:
+    """Lines about some timed rows: engines and why, failures, and the time of all rows."""
+    lines = []
+    for number, engine in enumerate(ENGINES):
+        mine = np.flatnonzero(done.engine == number)
+        if len(mine):
+            why = KernelEngine().why_not(batch.part(mine)) if engine.name == "solver" and plan.template.engine == "auto" else ""
+            lines.append(f"engine {engine.name}: {len(mine)} of {len(done.rows)} timed rows, {1e3 * done.seconds[mine].mean():.3g} ms each; "
+                         f"about {len(mine) * plan.count // len(done.rows)} rows of all{f', since {why}' if why else ''}")
+    lines += [f"row {row}: {reason}" for row, reason in list(done.reasons.items())[:3]]
+    checked = len(cross_check.rows_to_check(plan.count)) if (done.engine == 0).any() else 0
+    lines.append(f"all rows take about {duration_text(float(np.mean(done.seconds)) * plan.count / workers)} on {workers} processes"
+                 + (f"; {checked} of them are run by the solver, too" if checked else ""))
+    return lines
 
 
 def _show(words: list[str]) -> int:
@@ -218,6 +234,10 @@ def _told(done: Study) -> str:
     for row, why in done.failed.items():
         reasons.setdefault(why, []).append(row)
     lines += [f"  rows {_few(rows)}: {why}" for why, rows in list(reasons.items())[:5]]
+    if len(done.engines) > 1:
+        lines[0] += "; " + ", ".join(f"{count} by the {name}" for i, name in enumerate(done.engines) if (count := int((done["engine"] == i).sum())))
+    columns = done.description["kept"]["columns"]
+    lines += cross_check.told(done.check, np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)), columns)
     return "\n".join(lines)
 
 

@@ -2,49 +2,19 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, Protocol
+from time import perf_counter
+from typing import Protocol
 
 import numpy as np
 
-from pounding import yaml_text
-from pounding._native import core
 from pounding.errors import InputError
+from pounding.studies.batches import DIED, DONE, EXCEEDED, FAILED, NOT_RUN, REFUSED, STATUSES, Batch, Done, nothing_of
+from pounding.studies.kernel_engine import KernelEngine
+from pounding.studies.prepared import prepared
 from pounding.studies.template import Template
 
-NOT_RUN, DONE, EXCEEDED, REFUSED, FAILED, DIED = range(6)
-#: The fate of a row, by its number in the column `status`.
-STATUSES = ("not run", "done", "exceeded a limit", "refused input", "solve failed", "worker died")
-
-
-@dataclass(frozen=True)
-class Batch:
-    """Some rows for one worker."""
-
-    template: Template
-    rows: np.ndarray  #: [row] their numbers in the plan
-    values: np.ndarray  #: [row, factor] in SI
-    record: np.ndarray  #: [row] numbers of motions
-    scale: np.ndarray  #: [row] factors on the motions
-    engine: str  #: the engine for all of them
-
-    def part(self, chosen: Sequence[int]) -> Batch:
-        """Some of the rows."""
-        return Batch(self.template, self.rows[chosen], self.values[chosen], self.record[chosen], self.scale[chosen], self.engine)
-
-
-@dataclass
-class Done:
-    """The columns of some rows."""
-
-    rows: np.ndarray  #: [row] their numbers in the plan
-    values: np.ndarray  #: [row, column] NaN where a row has none
-    status: np.ndarray  #: [row] one of STATUSES
-    engine: str
-    seconds: np.ndarray  #: [row] wall time
-    reasons: dict[int, str]  #: of rows that are neither done nor exceeded
+__all__ = ["DIED", "DONE", "ENGINES", "EXCEEDED", "FAILED", "NOT_RUN", "REFUSED", "STATUSES", "WORDS", "Batch", "Done", "Engine", "SolverEngine", "nothing_of",
+           "run_batch"]
 
 
 class Engine(Protocol):
@@ -53,10 +23,11 @@ class Engine(Protocol):
     name: str
 
     def takes(self, template: Template) -> bool:
-        """Whether it can run the rows of this study; the first engine of ENGINES that takes them does."""
+        """Whether it can run rows of this study; False where it is known beforehand that there are none."""
 
     def run(self, batch: Batch) -> Done:
-        """The columns of the rows. A wrong or failed row is a status with a reason, never an exception."""
+        """The columns of the rows. A wrong or failed row is a status with a reason, never an exception. Rows that the engine does not take stay
+        as they are, with the reason, and the next engine gets them."""
 
 
 class SolverEngine:
@@ -70,57 +41,43 @@ class SolverEngine:
 
     def run(self, batch: Batch) -> Done:
         """One run after the other."""
-        from time import perf_counter
-
         done = nothing_of(batch)
-        for i, row in enumerate(batch.rows):
+        for i, row in enumerate(batch.rows.tolist()):
             begin = perf_counter()
             done.status[i], values, reason = self._row(batch, i)
             done.seconds[i] = perf_counter() - begin
             if values:
                 done.values[i] = values
             if reason:
-                done.reasons[int(row)] = reason
+                done.reasons[row] = reason
         return done
 
     def _row(self, batch: Batch, i: int) -> tuple[int, list[float], str]:
-        kept = batch.template.kept
+        template = batch.template
         try:
-            summary = self._summary(batch.template, batch.values[i].tolist(), int(batch.record[i]), float(batch.scale[i]))
-            values = kept.of(summary)
+            values = template.kept.of(prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i])))
         except InputError as error:
             return REFUSED, [], str(error)
         except Exception as error:
             return FAILED, [], str(error) or type(error).__name__
-        return (EXCEEDED if kept.is_exceeded(values) else DONE), values, ""
-
-    @staticmethod
-    def _summary(template: Template, values: list[float], record: int, scale: float) -> dict[str, Any]:
-        ran = core.run(core.Source(yaml_text.emit(template.case(values, record, scale)), "row"), "", [], "", None)
-        if ran.raised is not None:
-            raise ran.raised
-        if ran.failure:
-            raise RuntimeError(ran.failure)
-        found: dict[str, Any] = json.loads(ran.summary)
-        return found
+        return (EXCEEDED if template.kept.exceeded(np.array([values]))[0] else DONE), values, ""
 
 
-#: In the order of preference.
-ENGINES: list[Engine] = [SolverEngine()]
-
-
-def engine_for(template: Template) -> Engine:
-    """The first engine that takes the rows of this study."""
-    return next(engine for engine in ENGINES if engine.takes(template))
+#: In the order of preference; a table names its engines in this order.
+ENGINES: list[Engine] = [KernelEngine(), SolverEngine()]
+#: What `engine:` of a study takes.
+WORDS = ("auto", *(engine.name for engine in ENGINES))
 
 
 def run_batch(batch: Batch) -> Done:
-    """Runs rows in a worker; must stay a function of a module, since workers get it by its name."""
-    return next(engine for engine in ENGINES if engine.name == batch.engine).run(batch)
-
-
-def nothing_of(batch: Batch, status: int = NOT_RUN) -> Done:
-    """Rows without columns."""
-    count = len(batch.rows)
-    return Done(batch.rows, np.full((count, len(batch.template.kept.columns)), np.nan), np.full(count, status, np.int8), batch.engine,
-                np.zeros(count), {})
+    """Runs rows in a worker, each by the first engine that takes it; must stay a function of a module, since workers get it by its name."""
+    done = nothing_of(batch)
+    left = np.arange(len(batch.rows))
+    for number, engine in enumerate(ENGINES):
+        if batch.engine in ("auto", engine.name) and len(left) and engine.takes(batch.template):
+            done.take(left, engine.run(batch.part(left)), number)
+            left = left[done.status[left] == NOT_RUN]
+    for row in batch.rows[left].tolist():
+        done.status[batch.rows == row] = REFUSED
+        done.reasons[row] = f"engine: {batch.engine} does not take this row: {done.reasons.get(row, 'the study is none for it')}. Leave engine out, and the solver does"
+    return done

@@ -10,47 +10,66 @@ import multiprocessing
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
+from contextlib import ExitStack
 from statistics import median
 
 import numpy as np
 
 from pounding.errors import InputError, SolverError
-from pounding.studies.engines import DIED, FAILED, REFUSED, Batch, Done, engine_for, nothing_of, run_batch
+from pounding.studies.cross_check import rows_to_check
+from pounding.studies.engines import DIED, DONE, ENGINES, EXCEEDED, FAILED, REFUSED, Batch, Done, nothing_of, run_batch
 from pounding.studies.plan import Plan
 from pounding.studies.table import Table
 from pounding.studies.worker import begin_worker, run_alone, say_hello
 
 #: Wall time that a chunk shall take [s]; schedulers cost some 0.2 to 1 ms a chunk.
 CHUNK_SECONDS = 0.5
+LARGEST_CHUNK = 20000
 #: Rows after which the share of failed ones counts.
 ENOUGH_ROWS = 20
 #: Called after every chunk with the numbers of rows done, failed, and in all.
 Progress = Callable[[int, int, int], None]
 
 
-def batch_of(plan: Plan, rows: np.ndarray) -> Batch:
-    """The rows as a worker gets them."""
+def batch_of(plan: Plan, rows: np.ndarray, engine: str = "") -> Batch:
+    """The rows as a worker gets them; `engine` instead of that of the plan."""
     columns = plan.columns(rows)
     values = np.column_stack([columns[factor.name] for factor in plan.points.factors]) if plan.points.factors else np.empty((len(rows), 0))
-    return Batch(plan.template, rows, values, columns["record"], columns["scale"], engine_for(plan.template).name)
+    return Batch(plan.template, rows, values, columns["record"], columns["scale"], engine or plan.template.engine)
 
 
 def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = None, executor: Executor | None = None,
              chunk: int | None = None, progress: Progress | None = None) -> None:
-    """Runs rows and adds them to the table. `workers` processes, as many as there are cores unless given; 0 runs in this process. `chunk`
-    is a number of rows instead of one by time. Raises OSError when a chunk cannot be written, SolverError when too many rows fail."""
-    if not len(rows):
+    """Runs rows and adds them to the table, then some of the kernel's by the solver, too. `workers` processes, as many as there are cores unless
+    given; 0 runs in this process. `chunk` is a number of rows instead of one by time. Raises OSError when a chunk cannot be written, SolverError when
+    too many rows fail."""
+    with ExitStack() as stack:
+        pool: _Given | _LocalPool | None = None
+        count = workers or available_cores()
+        if executor is not None:
+            pool, count = _Given(executor), getattr(executor, "_max_workers", None) or os.cpu_count() or 1
+        elif workers != 0 and len(rows):
+            count = min(count, len(rows))
+            pool = stack.enter_context(_LocalPool(count))
+        _run(_Work(plan, table, rows, chunk, progress, count), pool, count)
+        checked = _to_check(plan, table)
+        _run(_Check(plan, table, checked, count), pool, count)
+
+
+def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
+    if pool is not None:
+        _run_on(pool, work, count)
         return
-    work = _Work(plan, table, rows, chunk, progress)
-    if executor is None and workers == 0:
-        for batch in work.batches():
-            work.finish(run_batch(batch))
-    elif executor is not None:
-        _run_on(_Given(executor), work, getattr(executor, "_max_workers", None) or os.cpu_count() or 1)
-    else:
-        count = min(workers or available_cores(), len(rows))
-        with _LocalPool(count) as pool:
-            _run_on(pool, work, count)
+    for batch in work.batches():
+        work.finish(run_batch(batch))
+
+
+def _to_check(plan: Plan, table: Table) -> np.ndarray:
+    """Rows that the kernel has run, and that the solver shall run, too."""
+    rows = rows_to_check(plan.count)
+    kernel = [engine.name for engine in ENGINES].index("kernel")
+    rows = rows[(table.engine[rows] == kernel) & np.isin(table.status[rows], (DONE, EXCEEDED))]
+    return rows[~np.isin(rows, list(table.check))]
 
 
 def available_cores() -> int:
@@ -61,8 +80,8 @@ def available_cores() -> int:
 class _Work:
     """Rows that wait, and what is known of their time."""
 
-    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None) -> None:
-        self._plan, self._table, self._rows, self._chunk, self._progress = plan, table, rows, chunk, progress
+    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int) -> None:
+        self._plan, self._table, self._rows, self._chunk, self._progress, self._workers = plan, table, rows, chunk, progress, workers
         self._seconds: list[float] = []
         self._done = self._failed = 0
 
@@ -70,15 +89,17 @@ class _Work:
         """One batch after the other; each is sized when it is asked for, and rows of one batch follow each other in the plan."""
         begin = 0
         while begin < len(self._rows):
-            size = self._chunk or self._size()
+            size = self._chunk or self._size(len(self._rows) - begin)
             end = min(begin + size, len(self._rows))
             yield batch_of(self._plan, self._rows[begin:end])
             begin = end
 
-    def _size(self) -> int:
+    def _size(self, left: int) -> int:
         if not self._seconds:
             return 1
-        return int(np.clip(CHUNK_SECONDS / max(median(self._seconds[-50:]), 1e-7), 1, 20000))
+        by_time = int(np.clip(CHUNK_SECONDS / max(median(self._seconds[-50:]), 1e-7), 1, LARGEST_CHUNK))
+        # At the end all workers shall have something to do.
+        return max(1, min(by_time, -(-left // (2 * self._workers))))
 
     def finish(self, done: Done) -> None:
         """Takes finished rows."""
@@ -92,6 +113,21 @@ class _Work:
             reason = next(iter(self._table.reasons.values()), "")
             raise SolverError(f"{self._failed} of {self._done} rows have failed, more than stop_after ({100 * self._plan.stop_after:g} %); the first because: "
                               f"{reason}\nMend the study, or go on with stop_after: 100 %")
+
+
+class _Check(_Work):
+    """Rows of the kernel for the solver, one by one. What they give is compared and no part of the table; one that fails there says nothing."""
+
+    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, workers: int) -> None:
+        super().__init__(plan, table, rows, 1, None, workers)
+
+    def batches(self) -> Iterator[Batch]:
+        for row in self._rows:
+            yield batch_of(self._plan, np.array([row]), "solver")
+
+    def finish(self, done: Done) -> None:
+        if done.status[0] in (DONE, EXCEEDED):
+            self._table.check[int(done.rows[0])] = done.values[0]
 
 
 class _Given:

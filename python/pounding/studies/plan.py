@@ -16,6 +16,7 @@ from pounding._native import core
 from pounding.errors import InputError
 from pounding.models import PARTS, Model, as_model, check
 from pounding.studies import words
+from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, read_factors
 from pounding.studies.motions import Intensity, doubts, measured, read_intensity
 from pounding.studies.quantities import UNITS, read_keep, read_limits
@@ -84,7 +85,8 @@ class Plan:
         return {"model": self.template.model, "factors": [asdict(factor) for factor in self.points.factors],
                 "sampling": {"way": self.points.way, "count": len(sample), "digest": hashlib.sha256(sample.tobytes()).hexdigest()},
                 "records": [asdict(motion) for motion in self.template.motions], "intensity": asdict(self.intensity) if self.intensity else None,
-                "kept": asdict(self.template.kept), "seed": self.seed, "version": core.version}
+                "kept": asdict(self.template.kept), "seed": self.seed, "engine": self.template.engine,
+                "version": core.version, "kernel": core.kernel_version}
 
     def digest(self) -> str:
         """A checksum of the description."""
@@ -132,11 +134,14 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
     motions = measured(motions, intensity)
     kept = read_keep(one.get("keep"), words.yes(one.get("without_links", False), "study.without_links"), parts, read_limits(one.get("limits")))
+    engine = str(one.get("engine", "auto"))
+    if engine not in ENGINES_OF_STUDIES:
+        raise InputError(f'study.engine: takes {", ".join(ENGINES_OF_STUDIES)}; "{engine}" was read.{words.meant(engine, ENGINES_OF_STUDIES)}')
     parts.pop("compare", None)
     if kept.needs_comparison:
         parts["compare"] = "no_pounding"
     stop, _ = words.quantity(one.get("stop_after", 0.05), "study.stop_after")
-    plan = Plan(Template(parts, model._file or "model", tuple(factors), tuple(motions), kept), points, intensity, seed, stop,
+    plan = Plan(Template(parts, model._file or "model", tuple(factors), tuple(motions), kept, engine), points, intensity, seed, stop,
                 text or yaml_text.emit({"study": one}), tuple(doubts(motions, intensity)))
     # A wrong unit or bound in the first row is told here, not by a thousand rows.
     first = plan.yaml(0)

@@ -21,7 +21,7 @@ OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m"}
 UNITS = {**OF_STRUCTURES, **OF_LINKS, **OF_GAPS}
 _KEYS = {"force": "peak_force", "penetration": "peak_penetration", "required_gap": "enough", "gap_abs": "abs", "gap_srss": "srss",
          "gap_ddc": "ddc"}
-_SUMS = ("impacts", "impulse", "energy_lost")
+SUMS = ("impacts", "impulse", "energy_lost")
 DEFAULT = ("displacement", "force", "impacts")
 
 
@@ -45,11 +45,14 @@ class Kept:
         """The columns from the summary of a run. A rigid impact has no finite force: NaN."""
         return [_value(column, summary) for column in self.columns]
 
-    def is_exceeded(self, values: list[float]) -> bool:
-        """Whether a limit is passed; a limit of drift holds for every structure."""
-        named = dict(zip(self.columns, values))
-        return any(value > limit for quantity, limit in self.limits for column, value in named.items()
-                   if column == quantity or column.startswith(quantity + ".") and not column.endswith((".alone", ".ratio")))
+    def exceeded(self, values: np.ndarray) -> np.ndarray:
+        """[row] whether a limit is passed, of [row, column]; a limit of drift holds for every structure."""
+        found = np.zeros(len(values), bool)
+        for quantity, limit in self.limits:
+            for i, column in enumerate(self.columns):
+                if column == quantity or column.startswith(quantity + ".") and not column.endswith((".alone", ".ratio")):
+                    found |= values[:, i] > limit
+        return found
 
 
 def read_keep(given: Any, without_links: bool, model: Mapping[str, Any], limits: tuple[tuple[str, float], ...]) -> Kept:
@@ -106,7 +109,7 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
         raise InputError(f'study.keep: there is no link "{rest}"; there is {", ".join(one["name"] for one in summary["links"])}')
     values = [_number(one[_KEYS.get(quantity, quantity)]) for one in links]
     # A sum in the order of the links, by a function whose result depends on no order.
-    return math.fsum(values) if quantity in _SUMS else float(np.nanmax(values)) if values and not np.isnan(values).all() else (math.nan if values else 0.0)
+    return math.fsum(values) if quantity in SUMS else float(np.nanmax(values)) if values and not np.isnan(values).all() else (math.nan if values else 0.0)
 
 
 def _of_structure(quantity: str, rest: str, summary: Mapping[str, Any]) -> float:

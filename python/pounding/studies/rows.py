@@ -24,7 +24,8 @@ class Rows:
     """A table of rows and its readings, which never run anything."""
 
     def __init__(self, columns: Mapping[str, np.ndarray], units: Mapping[str, str], records: Mapping[str, Any], reasons: Mapping[int, str],
-                 description: Mapping[str, Any], engines: Sequence[str], path: Path | None = None) -> None:
+                 description: Mapping[str, Any], engines: Sequence[str], path: Path | None = None,
+                 check: Mapping[int, np.ndarray] | None = None) -> None:
         self.columns = dict(columns)  #: name -> [row] in SI
         self.units = dict(units)  #: name -> SI unit
         self.records = dict(records)  #: name, event, component, points, step, duration, pga, intensity -> [record]
@@ -32,6 +33,7 @@ class Rows:
         self.description = dict(description)  #: the plan: model, factors, sampling, records, intensity
         self.engines = list(engines)  #: names of those in the column `engine`
         self.path = path
+        self.check = dict(check or {})  #: row of the kernel -> its kept columns by the solver
 
     @classmethod
     def open(cls: type[Table], path: str | PathLike[str]) -> Table:
@@ -42,7 +44,8 @@ class Rows:
             records = {name: texts(data[:]) if data.dtype.kind in "OS" else data[:] for name, data in file["records"].items()}
             reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
             description = json.loads(text(file["study/plan"][()]))["plan"]
-            return cls(columns, units, records, reasons, description, texts(file["study/engines"][:]), path=Path(path))
+            check = dict(zip(file["check/row"][:].tolist(), file["check/solver"][:])) if "check" in file else {}
+            return cls(columns, units, records, reasons, description, texts(file["study/engines"][:]), Path(path), check)
 
     def __len__(self) -> int:
         return len(self.columns["status"])

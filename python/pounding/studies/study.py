@@ -51,7 +51,7 @@ class Study(Rows):
         records = {name: [getattr(motion, name) for motion in motions] if name in ("name", "event", "component") else
                    np.array([getattr(motion, name) for motion in motions])
                    for name in ("name", "event", "component", "points", "step", "duration", "pga", "intensity")}
-        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(plan.description())), table.engines, table.path)
+        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(plan.description())), table.engines, table.path, table.check)
         found.plan = plan
         return found
 

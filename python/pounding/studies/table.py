@@ -16,11 +16,14 @@ import numpy as np
 
 from pounding.checked_file import NotResults
 from pounding.errors import InputError
-from pounding.studies.engines import NOT_RUN, STATUSES, Done
+from pounding.studies.cross_check import differences
+from pounding.studies.engines import ENGINES, NOT_RUN, STATUSES, Done
 from pounding.studies.plan import Plan
 from pounding.texts import text
 
 FORMAT = "study of pounding 1"
+#: What HDF5 takes beside the numbers and texts, at most [bytes].
+ROOM_OF_FILE = 200_000
 
 
 class Table:
@@ -34,7 +37,8 @@ class Table:
         self.status = np.zeros(plan.count, np.int8)
         self.engine = np.full(plan.count, -1, np.int8)
         self.seconds = np.zeros(plan.count)
-        self.engines: list[str] = []
+        self.engines = [engine.name for engine in ENGINES]
+        self.check: dict[int, np.ndarray] = {}  #: row of the kernel -> its columns by the solver
         self.reasons: dict[int, str] = {}
         if self.path is not None:
             self._take_up(self.path)
@@ -52,9 +56,9 @@ class Table:
         """Takes finished rows, and writes their chunk. Raises OSError when it cannot be written."""
         if self.parts is not None:
             name = f"{int(done.rows[0]):012d}-{len(done.rows)}.npz"
-            told = json.dumps({"engine": done.engine, "reasons": {str(row): why for row, why in done.reasons.items()}})
+            told = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
             with _moved(self.parts / name) as temporary, open(temporary, "wb") as file:
-                np.savez(file, rows=done.rows, values=done.values, status=done.status, seconds=done.seconds, told=np.array(told))
+                np.savez(file, rows=done.rows, values=done.values, status=done.status, engine=done.engine, seconds=done.seconds, told=np.array(told))
         self._fill(done)
 
     def write(self) -> None:
@@ -73,9 +77,7 @@ class Table:
     def _fill(self, done: Done) -> None:
         self.values[done.rows] = done.values
         self.status[done.rows] = done.status
-        if done.engine not in self.engines:
-            self.engines.append(done.engine)
-        self.engine[done.rows] = self.engines.index(done.engine)
+        self.engine[done.rows] = done.engine
         self.seconds[done.rows] = done.seconds
         self.reasons.update(done.reasons)
 
@@ -99,12 +101,9 @@ class Table:
             rows = np.flatnonzero(status != NOT_RUN)
             columns = self.plan.template.kept.columns
             values = np.column_stack([file[f"rows/{column}"][:] for column in columns]) if columns else np.empty((len(status), 0))
-            engines = [text(name) for name in file["study/engines"][:]]
             reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
-            for number, engine in enumerate(engines):
-                chosen = rows[file["rows/engine"][:][rows] == number]
-                self._fill(Done(chosen, values[chosen], status[chosen], engine, file["timing/seconds"][:][chosen], {}))
-            self.reasons.update(reasons)
+            self._fill(Done(rows, values[rows], status[rows], file["rows/engine"][:][rows], file["timing/seconds"][:][rows], reasons))
+            self.check.update(zip(file["check/row"][:].tolist(), file["check/solver"][:]))
 
 
 class _moved:
@@ -141,7 +140,7 @@ def open_study(path: Path) -> h5py.File:
 def _read_part(path: Path) -> Done:
     with np.load(path, allow_pickle=False) as part:
         told = json.loads(str(part["told"]))
-        return Done(part["rows"], part["values"], part["status"], told["engine"], part["seconds"],
+        return Done(part["rows"], part["values"], part["status"], part["engine"], part["seconds"],
                     {int(row): why for row, why in told["reasons"].items()})
 
 
@@ -154,8 +153,17 @@ def _require_same(kept: dict[str, Any], plan: Plan, path: Path) -> None:
                      f"{path} and {path.name}.parts to begin again")
 
 
+def _require_room(path: Path, size: int) -> None:
+    """Raises OSError where there is no room for so many bytes: HDF5 itself may end the process on a full disk."""
+    if hasattr(os, "posix_fallocate"):
+        with open(path, "wb") as file:
+            os.posix_fallocate(file.fileno(), 0, size)
+
+
 def _write(path: Path, table: Table) -> None:
     plan = table.plan
+    texts_of_plan = len(plan.text) + len(json.dumps(plan.description())) + sum(map(len, table.reasons.values()))
+    _require_room(path, plan.count * (8 * len(plan.units()) + 10) + 2 * texts_of_plan + ROOM_OF_FILE)
     with h5py.File(path, "w") as file:
         file.attrs["format"] = FORMAT
         rows = file.create_group("rows", track_order=True)
@@ -176,6 +184,7 @@ def _write(path: Path, table: Table) -> None:
         file["study/text"] = plan.text
         file.create_dataset("study/engines", data=table.engines, dtype=h5py.string_dtype(), shape=(len(table.engines),))
         _write_records(file, plan)
+        _write_check(file, table)
         file["timing/seconds"] = table.seconds
         file["timing/seconds"].attrs["units"] = "s"
 
@@ -187,3 +196,15 @@ def _write_records(file: h5py.File, plan: Plan) -> None:
         group.create_dataset(name, data=[getattr(motion, name) for motion in motions], dtype=h5py.string_dtype())
     for name, unit in (("points", ""), ("step", "s"), ("duration", "s"), ("pga", "m/s^2"), ("intensity", "m/s^2")):
         group.create_dataset(name, data=[getattr(motion, name) for motion in motions]).attrs["units"] = unit
+
+
+def _write_check(file: h5py.File, table: Table) -> None:
+    columns = table.plan.template.kept.columns
+    rows = sorted(table.check)
+    by_solver = np.array([table.check[row] for row in rows]).reshape(len(rows), len(columns))
+    group = file.create_group("check")
+    group["row"] = np.array(rows, np.int64)
+    group["solver"] = by_solver
+    group["difference"] = differences(table.values[rows], by_solver)
+    group["difference"].attrs["long_name"] = "of both engines, relative to the larger one"
+    group.create_dataset("columns", data=columns, dtype=h5py.string_dtype(), shape=(len(columns),))

@@ -6,6 +6,8 @@ import copy
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from pounding.studies.factors import Factor, apply
 from pounding.studies.motions import Motion
 from pounding.studies.quantities import Kept
@@ -20,6 +22,10 @@ class Template:
     factors: tuple[Factor, ...]
     motions: tuple[Motion, ...]
     kept: Kept
+    engine: str = "auto"  #: the engine of all rows, or "auto"
+
+    def begin(self, values: np.ndarray) -> None:
+        """Called before the solver runs a row, with the values of its factors."""
 
     def case(self, values: list[float], record: int, scale: float) -> dict[str, Any]:
         """The model of one row."""

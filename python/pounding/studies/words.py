@@ -12,7 +12,7 @@ from pounding.errors import InputError
 #: Words of `study:`; the second of each pair is an example.
 STUDY_WORDS = {"seed": "1", "factors": "{gap: {of: links.*.gap, list: [10 mm, 20 mm]}}", "sampling": "{sobol: 128}",
                "records": "{files: records/*.AT2}", "intensity": "{measure: pga, levels: [0.1 g, 0.2 g]}",
-               "keep": "[displacement, force]", "without_links": "yes", "limits": "{drift: 30 mm}", "stop_after": "5 %"}
+               "keep": "[displacement, force]", "without_links": "yes", "limits": "{drift: 30 mm}", "stop_after": "5 %", "engine": "auto"}
 
 
 def only(words: Any, known: Iterable[str], place: str) -> dict[str, Any]:

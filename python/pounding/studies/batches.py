@@ -1,0 +1,59 @@
+"""Rows on their way: a batch for one worker, and what it made of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pounding.studies.template import Template
+
+NOT_RUN, DONE, EXCEEDED, REFUSED, FAILED, DIED = range(6)
+#: The fate of a row, by its number in the column `status`.
+STATUSES = ("not run", "done", "exceeded a limit", "refused input", "solve failed", "worker died")
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Some rows for one worker."""
+
+    template: Template
+    rows: np.ndarray  #: [row] their numbers in the plan
+    values: np.ndarray  #: [row, factor] in SI
+    record: np.ndarray  #: [row] numbers of motions
+    scale: np.ndarray  #: [row] factors on the motions
+    engine: str  #: "auto", or the name of the one that shall run all of them
+
+    def part(self, chosen: Sequence[int] | np.ndarray) -> Batch:
+        """Some of the rows."""
+        return Batch(self.template, self.rows[chosen], self.values[chosen], self.record[chosen], self.scale[chosen], self.engine)
+
+
+@dataclass
+class Done:
+    """The columns of some rows."""
+
+    rows: np.ndarray  #: [row] their numbers in the plan
+    values: np.ndarray  #: [row, column] NaN where a row has none
+    status: np.ndarray  #: [row] one of STATUSES
+    engine: np.ndarray  #: [row] the number of its engine; -1 for none
+    seconds: np.ndarray  #: [row] wall time
+    reasons: dict[int, str]  #: of rows that are neither done nor exceeded
+
+    def take(self, chosen: np.ndarray, other: Done, engine: int) -> None:
+        """Puts what an engine has made of the chosen rows into their places; those that it did not run stay, with its reason."""
+        ran = other.status != NOT_RUN
+        places = chosen[ran]
+        self.values[places], self.status[places], self.seconds[places] = other.values[ran], other.status[ran], other.seconds[ran]
+        self.engine[places] = engine
+        for row in self.rows[places].tolist():
+            self.reasons.pop(row, None)
+        self.reasons.update(other.reasons)
+
+
+def nothing_of(batch: Batch, status: int = NOT_RUN) -> Done:
+    """Rows without columns."""
+    count = len(batch.rows)
+    return Done(batch.rows, np.full((count, len(batch.template.kept.columns)), np.nan), np.full(count, status, np.int8), np.full(count, -1, np.int8),
+                np.zeros(count), {})

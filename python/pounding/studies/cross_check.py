@@ -1,0 +1,41 @@
+"""Rows of the kernel that the solver runs, too: a sample that shows in every table how far both are apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+#: One row in so many is checked, and no fewer than LEAST.
+ONE_IN, LEAST = 1000, 3
+#: Relative difference beyond which a row is named.
+LARGE = 1e-3
+
+
+def rows_to_check(count: int) -> np.ndarray:
+    """Numbers of the rows of a plan that both engines run, evenly over all of them."""
+    return np.unique(np.linspace(0, count - 1, min(count, max(LEAST, count // ONE_IN))).astype(np.int64))
+
+
+def differences(kernel: np.ndarray, solver: np.ndarray) -> np.ndarray:
+    """|a - b| relative to the larger one; 0 where both are the same, or neither is a number."""
+    larger = np.maximum(np.abs(kernel), np.abs(solver))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        apart = np.abs(kernel - solver) / larger
+    apart = np.where(np.isnan(kernel) != np.isnan(solver), np.inf, apart)
+    return np.where((kernel == solver) | (np.isnan(kernel) & np.isnan(solver)), 0.0, apart)
+
+
+def told(check: Mapping[int, np.ndarray], values: np.ndarray, columns: Sequence[str]) -> list[str]:
+    """Lines of a report: how many rows, and how far apart; `values` are those of the table."""
+    if not check or not columns:
+        return []
+    rows = sorted(check)
+    apart = differences(values[rows], np.array([check[row] for row in rows]))
+    worst, where = apart.max(axis=1), apart.argmax(axis=1)
+    lines = [f"{len(rows)} rows run by both engines: they differ by {np.median(worst):.1e} in the median row, {worst.max():.1e} at most"]
+    far = [f"{rows[i]} ({columns[where[i]]} by {worst[i]:.1e})" for i in np.flatnonzero(worst > LARGE)]
+    if far:
+        lines.append(f"  beyond {LARGE:g}: rows {', '.join(far[:5])}{f' and {len(far) - 5} more' if len(far) > 5 else ''}; an impact that just happens or just "
+                     "does not makes such rows, and so does a mistake: run them with a tenth of the tolerance")
+    return lines

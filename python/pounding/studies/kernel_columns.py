@@ -1,0 +1,72 @@
+"""Numbers of the kernel, and the columns of a table made of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pounding.errors import InputError
+from pounding.studies.quantities import OF_GAPS, OF_LINKS, OF_STRUCTURES, SUMS
+
+#: Error of a step of the kernel, as a part of the tolerance of the model: the errors of many impacts add up.
+PART_OF_TOLERANCE, LARGEST, SMALLEST = 0.1, 1e-5, 1e-12
+#: Quantities of links by their names in the columns of the kernel.
+OF_KERNEL = {"force": "peak_force", "penetration": "peak_penetration", **{word: word for word in OF_LINKS if word not in ("force", "penetration")}}
+
+
+@dataclass
+class Found:
+    """Numbers of rows as the kernel gives them."""
+
+    reasons: dict[int, str]  #: [row] why it has no numbers
+    links: list[str]
+    structures: dict[str, dict[str, np.ndarray]]  #: name -> displacement, drift, acceleration: [row, floor]
+    contacts: dict[str, np.ndarray]  #: quantity -> [row, link]
+    alone: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)  #: as structures, of the run without links
+    gaps: dict[str, np.ndarray] = field(default_factory=dict)  #: quantity -> [row, link]
+
+
+def column_of(column: str, found: Found) -> np.ndarray:
+    """[row] one column of the table, as Kept.of makes it from a summary. Raises InputError for a link that is not there."""
+    quantity, _, rest = column.partition(".")
+    if quantity in OF_STRUCTURES:
+        if rest.endswith(".ratio"):
+            name = rest.removesuffix(".ratio")
+            alone = _most(found.alone[name][quantity])
+            with np.errstate(invalid="ignore", divide="ignore"):
+                return np.where(alone != 0, _most(found.structures[name][quantity]) / alone, np.nan)
+        return _most((found.alone if rest.endswith(".alone") else found.structures)[rest.removesuffix(".alone")][quantity])
+    if quantity in OF_GAPS:
+        return np.maximum(0, found.gaps[quantity].max(axis=1, initial=0)) if found.links else np.zeros(_rows(found))
+    if rest and rest not in found.links:
+        raise InputError(f'study.keep: there is no link "{rest}"; there is {", ".join(found.links)}')
+    values = found.contacts[quantity]
+    if rest:
+        values = values[:, [i for i, name in enumerate(found.links) if name == rest]]
+    if values.shape[1] == 1:
+        return values[:, 0]
+    if quantity in SUMS:
+        return np.array([math.fsum(row) for row in values])
+    return values.max(axis=1, initial=0)
+
+
+def _most(values: np.ndarray) -> np.ndarray:
+    return values.max(axis=1) if values.shape[1] else np.full(len(values), np.nan)
+
+
+def _rows(found: Found) -> int:
+    return len(next(iter(found.contacts.values())))
+
+
+def separations(closing: np.ndarray, left: np.ndarray, right: np.ndarray, correlation: np.ndarray) -> dict[str, np.ndarray]:
+    """Gaps by the run without links, and by rules from the peaks of both ends."""
+    squares = left * left + right * right
+    return {"required_gap": closing, "gap_abs": left + right, "gap_srss": np.sqrt(squares),
+            "gap_ddc": np.sqrt(np.maximum(0, squares - 2 * correlation * left * right))}
+
+
+def step_error(tolerance: float) -> float:
+    """The tolerance of the kernel for that of a model."""
+    return min(LARGEST, max(SMALLEST, PART_OF_TOLERANCE * tolerance))

@@ -1,0 +1,49 @@
+"""Places of a model that the factors of a study write: found once, for all rows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pounding.studies import words
+from pounding.studies.factors import Factor, at, find
+
+Keys = tuple[str | int, ...]
+
+
+class Places:
+    """What the rows of a study write into their model: the same values as `factors.apply` writes, for many rows at once."""
+
+    def __init__(self, model: Mapping[str, Any], factors: Sequence[Factor]) -> None:
+        # Those that stand alone come before the ratios.
+        order = sorted(range(len(factors)), key=lambda j: factors[j].times is not None)
+        self.keys: list[Keys] = []  #: [place]
+        self.factor: list[int] = []  #: [place] the number of its factor
+        self._factors = factors
+        self._base: list[int | float | None] = []  # [place] the place that it is a ratio of, or the number
+        for j in order:
+            base = self._base_of(model, factors[j])
+            for path in factors[j].of:
+                for keys in find(model, path, factors[j].name):
+                    self.keys.append(keys)
+                    self.factor.append(j)
+                    self._base.append(base)
+
+    def _base_of(self, model: Mapping[str, Any], factor: Factor) -> int | float | None:
+        if factor.times is None:
+            return None
+        keys = find(model, factor.times, factor.name)[0]
+        return self.keys.index(keys) if keys in self.keys else words.quantity(at(model, keys), factor.times)[0]
+
+    def numbers(self, values: np.ndarray) -> np.ndarray:
+        """[row, place] in SI, from the [row, factor] of a batch; of a label its number."""
+        found = np.empty((len(values), len(self.keys)))
+        for i, (j, base) in enumerate(zip(self.factor, self._base)):
+            found[:, i] = values[:, j] if base is None else values[:, j] * (found[:, base] if isinstance(base, int) else base)
+        return found
+
+    def texts(self, numbers: np.ndarray) -> list[str]:
+        """What the model takes, for the numbers of one row."""
+        return [self._factors[j].word(number) for j, number in zip(self.factor, numbers.tolist())]

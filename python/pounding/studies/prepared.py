@@ -1,0 +1,110 @@
+"""A template made ready in the process that runs its rows: the model is read once and only its values change; so are the records."""
+
+from __future__ import annotations
+
+import pickle
+import threading
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
+from typing import Any, TypeVar
+
+import numpy as np
+
+from pounding import yaml_text
+from pounding._native import core
+from pounding.studies.places import Places
+from pounding.studies.template import Template
+
+Made = TypeVar("Made")
+#: Scaled motions that are kept; rows that follow each other share one record at all its levels.
+KEPT_MOTIONS = 32
+KEPT_RECORDS = 4
+
+
+class Last:
+    """The last few things that were made, by their keys."""
+
+    def __init__(self, count: int) -> None:
+        self._count = count
+        self._kept: OrderedDict[Hashable, Any] = OrderedDict()
+
+    def get(self, key: Hashable, make: Callable[[], Made]) -> Made:
+        """The one of this key, made where it is not there."""
+        if key not in self._kept:
+            self._kept[key] = make()
+            if len(self._kept) > self._count:
+                self._kept.popitem(last=False)
+        self._kept.move_to_end(key)
+        found: Made = self._kept[key]
+        return found
+
+
+class Prepared:
+    """The rows of one template."""
+
+    def __init__(self, template: Template) -> None:
+        self.template = template
+        self.kernel: Any = None  #: what the kernel has made ready
+        self.places = Places(template.model, template.factors)
+        self._rows = core.RowModel(yaml_text.emit(template.model), "row", [[str(key) for key in keys] for keys in self.places.keys])
+        self._motions, self._records = Last(KEPT_MOTIONS), Last(KEPT_RECORDS)
+        self._has_own = "ground_motion" in template.model
+        self._varies_own = any(keys[0] == "ground_motion" for keys in self.places.keys)
+
+    def motion(self, record: int, scale: float) -> core.RowMotion | None:
+        """The ground motion of a row; None where it stands in the model and changes with it, or there is none. Raises InputError."""
+        given = self.template.motions[record]
+        if not given.words and (self._varies_own or not self._has_own):
+            return None
+        if not given.words:
+            return self._motions.get("own", lambda: _read({"ground_motion": self.template.model["ground_motion"]}))
+        if "record" not in given.words:
+            return self._motions.get((record, scale), lambda: _read({"ground_motion": given.scaled(scale)}))
+        file = self._records.get(record, lambda: core.RowRecord(str(given.words["record"]), str(given.words.get("units", "")), str(given.words.get("channel", ""))))
+        return self._motions.get((record, scale), lambda: file.scaled(scale))
+
+    def put(self, numbers: np.ndarray) -> None:
+        """Writes the values of one row, by their places."""
+        self.put_texts(self.places.texts(numbers))
+
+    def put_texts(self, texts: list[str]) -> None:
+        """Writes texts into the places."""
+        self._rows.put(texts)
+
+    def linear(self, motion: core.RowMotion | None, accelerations: bool, alone: bool) -> core.LinearRow:
+        """The row that was put, for the kernel. Raises InputError, also for what takes the solver."""
+        return self._rows.linear(motion, accelerations, alone)
+
+    def run(self, values: np.ndarray, record: int, scale: float) -> dict[str, Any]:
+        """The summary of the run of one row. Raises InputError, SolverError."""
+        self.template.begin(values)
+        self.put(self.places.numbers(values[None, :])[0])
+        return self._rows.run(self.motion(record, scale))
+
+
+def _read(part: dict[str, Any]) -> core.RowMotion:
+    return core.RowMotion(yaml_text.emit(part), "row")
+
+
+class _OfThread(threading.local):
+    """A thread has rows of its own: their model changes from row to row."""
+
+    def __init__(self) -> None:
+        self.prepared = Last(2)
+        self.key: tuple[Template, bytes] | None = None
+
+
+_mine = _OfThread()
+
+
+def prepared(template: Template) -> Prepared:
+    """The template made ready; once in a thread, since a worker gets it again with every batch."""
+    return _mine.prepared.get(key_of(template), lambda: Prepared(template))
+
+
+def key_of(template: Template) -> bytes:
+    """What two copies of a template share."""
+    # The same object comes for every row of a batch.
+    if _mine.key is None or _mine.key[0] is not template:
+        _mine.key = template, pickle.dumps(template)
+    return _mine.key[1]
