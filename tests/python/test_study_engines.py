@@ -11,10 +11,12 @@ import numpy as np
 
 import pounding
 from pounding.errors import InputError
+from pounding.studies import kernel_engine
 from pounding.studies.cross_check import differences, rows_to_check
 from pounding.studies.engines import DONE, ENGINES, EXCEEDED, REFUSED, run_batch
 from pounding.studies.execution import batch_of
 from pounding.studies.factors import apply, at
+from pounding.studies.pairs import Pairs
 from pounding.studies.places import Places
 from pounding.studies.plan import make_plan
 from pounding.studies.study import run_plan
@@ -54,6 +56,37 @@ class Engines(unittest.TestCase):
         kernel, solver = both(pair(analysis=TIGHT), factors, intensity={"measure": "pga", "levels": ["0.2 g", "0.5 g"]})
         self.assertEqual(len(kernel), 2 * 2 * 3 * 2 * 2)
         self.expect_alike(kernel, solver)
+
+    def test_pairs_go_as_columns_with_the_numbers_of_their_modes(self):
+        factors = {**FACTORS, "e": {"of": "links.*.restitution", "list": [0.5, 0.9]}, "m": {"of": "structures.left.oscillator.mass", "list": ["50 t", "90 t"]},
+                   "z": {"of": "structures.right.oscillator.damping", "list": ["2 %", "8 %"]}}
+        plan = make_plan(pair(), {"factors": factors, "records": RECORDS, "without_links": "yes", "keep": ALL}, Path())
+        ready = kernel_engine._ready(plan.template)
+        batch = batch_of(plan, np.arange(0, plan.count, 5))
+        columns = run_batch(batch).values
+        self.assertIsInstance(ready._ways[()], Pairs)
+        ready._ways[()] = ""
+        by_modes = run_batch(batch).values
+        self.assertFalse((columns == by_modes).all(), "the other way has not run")
+        # The eigenvalues of modes are rounded.
+        self.assertLess(differences(columns, by_modes).max(), 1e-6)
+
+    def test_other_models_go_by_their_modes(self):
+        links, structures = pair().links, pair().structures
+        left = structures["left"]["oscillator"]
+        models = {"a mass of its own": pair(links=[{**links[0], "reduced_mass": "70 t"}]),
+                  "a speed at the start": pair(structures={**structures, "left": {"oscillator": {**left, "initial_velocity": "0.1 m/s"}}}),
+                  "a stiffness": pair(structures={**structures, "left": {"oscillator": {"mass": "100 t", "stiffness": "6 MN/m", "damping": "5 %"}}}),
+                  "damping in words": pair(structures={**structures, "left": {"oscillator": {**left, "damping": {"modal": {"ratio": "5 %"}}}}}),
+                  "one link more": pair(links=[links[0], {**links[0], "name": "second", "gap": "2 mm"}])}
+        for name, model in models.items():
+            model.analysis = TIGHT
+            given = {"factors": {"e": {"of": "links.0.restitution", "list": [0.5, 0.9]}}, "records": RECORDS, "keep": ["displacement", "force", "impulse"]}
+            kernel, solver = (run_plan(make_plan(model, {**given, "engine": engine}, Path()), None, workers=0) for engine in ("auto", "solver"))
+            self.assertEqual(set(kernel["engine"]), {KERNEL}, name)
+            for column in kernel.plan.template.kept.columns:
+                self.assertLess(differences(kernel[column], solver[column]).max(), 2e-5, (name, column))
+            self.assertEqual(kernel_engine._ready(kernel.plan.template)._ways, {(): ""}, name)
 
     def test_columns_of_buildings_are_those_of_the_solver(self):
         factors = {"gap": {"of": "links.*.gap", "list": ["2 mm", "6 mm"]}, "k": {"of": "structures.left.shear_building.stiffness", "list": ["250 MN/m", "350 MN/m"]}}

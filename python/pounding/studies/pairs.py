@@ -11,7 +11,7 @@ import numpy as np
 from pounding._native import core
 from pounding.errors import InputError
 from pounding.studies import words
-from pounding.studies.factors import put
+from pounding.studies.factors import at, put
 from pounding.studies.kernel_columns import OF_KERNEL, Found, separations, step_error
 from pounding.studies.prepared import Prepared
 
@@ -21,40 +21,19 @@ LINK = ("between", "gap", "law", "name", "formula")
 FAR = 1e9
 
 
+Keys = tuple[str | int, ...]
+
+
 class Pairs:
     """Columns of the pairs of one study and one set of labels: constants of the model, and numbers of places."""
 
-    def __init__(self, model: Mapping[str, Any], places: Mapping[tuple[str | int, ...], int], tolerance: float) -> None:
-        """Raises KeyError, TypeError, ValueError and InputError for a model that is no such pair."""
-        self._places = places
-        link = model["links"][0]
-        left, right = self.names = [str(name) for name in link["between"]]
-        if set(model["structures"]) != {left, right} or len(model["links"]) != 1 or "devices" in model:
-            raise ValueError
-        self._pairs: dict[str, tuple[tuple[str | int, ...], Any]] = {"gap": (("links", 0, "gap"), link["gap"])}
-        for side, name in (("left", left), ("right", right)):
-            structure = model["structures"][name]
-            if set(structure) != {"oscillator"} or set(structure["oscillator"]) != set(OSCILLATOR):
-                raise ValueError
-            for word in OSCILLATOR:
-                self._pairs[f"{word}_{side}"] = (("structures", name, "oscillator", word), structure["oscillator"][word])
+    def __init__(self, names: Sequence[str], link: Mapping[str, Any], pairs: Mapping[str, Keys], parameters: Mapping[str, Keys], constants: Mapping[Keys, float],
+                 places: Mapping[Keys, int], duration: float, tolerance: float) -> None:
+        self.names = names  #: of the structures, the left one first
         self.law, self.formula = str(link["law"]), str(link.get("formula", ""))
-        entry = next(one for one in core.catalogue() if one["name"] == self.law)
-        known = {"restitution", "impact_velocity", *(one["name"] for one in entry["parameters"])}
-        self._parameters: dict[str, tuple[tuple[str | int, ...], Any]] = {}
-        for word in link:
-            if word in known:
-                self._parameters[word] = (("links", 0, word), link[word])
-            elif word not in LINK:
-                raise ValueError
-        self.link = str(link.get("name", f"{left}-{right}"))
-        self._constants = {keys: words.quantity(value, "")[0] for keys, value in (*self._pairs.values(), *self._parameters.values()) if keys not in places}
-        analysis = model.get("analysis") or {}
-        self._duration = words.quantity(analysis["duration"], "")[0] if "duration" in analysis else 0.0
-        self._tolerance = step_error(tolerance)
-        mine = {keys for keys, _ in (*self._pairs.values(), *self._parameters.values())}
-        if not set(places) <= mine | {("links", 0, "law"), ("links", 0, "formula")}:
-            raise ValueError
+        self.link = str(link.get("name", "-".join(names)))
+        self._pairs, self._parameters, self._constants, self._places = pairs, parameters, constants, places
+        self._duration, self._tolerance = duration, step_error(tolerance)
 
     @classmethod
     def of(cls, prepared: Prepared, texts: Sequence[str], row: core.LinearRow) -> Pairs | None:
@@ -63,17 +42,34 @@ class Pairs:
         model = copy.deepcopy(prepared.template.model)
         for keys, text in zip(prepared.places.keys, texts):
             put(model, keys, text)
-        try:
-            made = cls(model, {keys: i for i, keys in enumerate(prepared.places.keys)}, row.tolerance)
-        except (InputError, KeyError, TypeError, ValueError, IndexError, StopIteration, AttributeError):
+        names = _names_of_pair(model)
+        if names is None:
             return None
+        link = model["links"][0]
+        pairs: dict[str, Keys] = {"gap": ("links", 0, "gap")}
+        pairs |= {f"{word}_{side}": ("structures", name, "oscillator", word) for side, name in zip(("left", "right"), names) for word in OSCILLATOR}
+        entry = next(one for one in core.catalogue() if one["name"] == link["law"])
+        known = ("restitution", "impact_velocity", *(one[0] for one in entry["parameters"]))
+        parameters: dict[str, Keys] = {word: ("links", 0, word) for word in link if word in known}
+        columns = {*pairs.values(), *parameters.values()}
+        places = {keys: i for i, keys in enumerate(prepared.places.keys)}
+        if not set(link) <= {*known, *LINK} or not set(places) <= columns | {("links", 0, "law"), ("links", 0, "formula")}:
+            return None
+        analysis = model.get("analysis") or {}
+        duration = words.quantity(analysis["duration"], "")[0] if "duration" in analysis else 0.0
+        try:
+            constants = {keys: words.quantity(at(model, keys), "")[0] for keys in columns if keys not in places}
+        except InputError:
+            # A map or a list stands there, such as damping of a kind of its own.
+            return None
+        made = cls(names, link, pairs, parameters, constants, places, duration, row.tolerance)
         return made if [name for name, _ in row.links] == [made.link] else None
 
     def run(self, numbers: np.ndarray, motion: core.RowMotion, accelerations: bool, alone: bool) -> Found:
         """The rows of one motion."""
         count = len(numbers)
-        pairs = {name: self._column(keys, numbers) for name, (keys, _) in self._pairs.items()}
-        parameters = {name: self._column(keys, numbers) for name, (keys, _) in self._parameters.items()}
+        pairs = {name: self._column(keys, numbers) for name, keys in self._pairs.items()}
+        parameters = {name: self._column(keys, numbers) for name, keys in self._parameters.items()}
         duration = self._duration or motion.duration
         record = motion.accelerations
         options = {"duration": duration, "tolerance": self._tolerance, "accelerations": accelerations}
@@ -91,7 +87,7 @@ class Pairs:
             found.gaps = separations(np.asarray(apart["required_gap"])[:, None], left, right, np.reshape(correlation, (-1, 1)))
         return found
 
-    def _column(self, keys: tuple[str | int, ...], numbers: np.ndarray) -> Any:
+    def _column(self, keys: Keys, numbers: np.ndarray) -> Any:
         return np.ascontiguousarray(numbers[:, self._places[keys]]) if keys in self._places else self._constants[keys]
 
     def _by_structure(self, ran: Mapping[str, Any], accelerations: bool) -> dict[str, dict[str, np.ndarray]]:
@@ -103,3 +99,17 @@ class Pairs:
             if accelerations:
                 found[name]["acceleration"] = np.asarray(ran["acceleration"])[:, [k]]
         return found
+
+
+def _names_of_pair(model: Mapping[str, Any]) -> list[str] | None:
+    """Names of the two structures of a pair, the left one first; None for another model."""
+    structures, links = model["structures"], model.get("links")
+    if not isinstance(links, list) or len(links) != 1 or "devices" in model or len(structures) != 2:
+        return None
+    names = links[0].get("between")
+    if not isinstance(names, list) or len(names) != 2 or set(map(str, names)) != set(structures) or not {"gap", "law"} <= set(links[0]):
+        return None
+    for one in structures.values():
+        if set(one) != {"oscillator"} or set(one["oscillator"]) != set(OSCILLATOR):
+            return None
+    return list(names)
