@@ -134,7 +134,7 @@ class _Ready:
 
 def run_modes(row: core.LinearRow, motion: core.RowMotion, accelerations: bool, alone: bool) -> Found:
     """One row of any model."""
-    options = {"duration": row.duration, "tolerance": step_error(row.tolerance)}
+    options: dict[str, Any] = {"duration": row.duration, "tolerance": step_error(row.tolerance)}
     one = np.ones(1)
     ran = core.study_model(row.model, motion.accelerations, motion.step, one, **options)
     links = [name for name, _ in row.links]

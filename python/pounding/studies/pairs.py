@@ -72,7 +72,7 @@ class Pairs:
         parameters = {name: self._column(keys, numbers) for name, keys in self._parameters.items()}
         duration = self._duration or motion.duration
         record = motion.accelerations
-        options = {"duration": duration, "tolerance": self._tolerance, "accelerations": accelerations}
+        options: dict[str, Any] = {"duration": duration, "tolerance": self._tolerance, "accelerations": accelerations}
         # One row at least stands in a column, for the number of rows.
         pairs["gap"] = np.broadcast_to(pairs["gap"], count)
         ran = core.study_pairs(pairs, self.law, self.formula, parameters, record, motion.step, required_gap=False, **options)
