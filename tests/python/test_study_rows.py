@@ -45,9 +45,9 @@ class Rows(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
-    def write_study(self):
+    def write_study(self, engine="auto"):
         (self.folder / "pair.yaml").write_text(pair().to_yaml())
-        words = pounding.yaml_text.plain({"factors": FACTORS, **WORDS})
+        words = pounding.yaml_text.plain({"factors": FACTORS, **WORDS, "engine": engine})
         (self.folder / "study.yaml").write_text(pounding.yaml_text.emit({"model": "pair.yaml", "study": words}))
         return self.folder / "study.yaml"
 
@@ -85,23 +85,27 @@ class Rows(unittest.TestCase):
                 self.assertEqual(min(1, len(pounding.run(model).impacts)), impacts)
 
     def test_workers_chunks_and_shards_give_the_same_bits(self):
-        plan = plan_of()
-        run_plan(plan, self.folder / "one.h5", workers=0, chunk=1)
-        expected = bits(self.folder / "one.h5")
-        for name, options in (("chunks", {"workers": 0, "chunk": 7}), ("whole", {"workers": 0, "chunk": 5000}), ("two", {"workers": 2}),
-                              ("seven", {"workers": 7, "chunk": 2})):
-            run_plan(plan, self.folder / f"{name}.h5", **options)
-            self.assertEqual(bits(self.folder / f"{name}.h5"), expected, name)
-            self.assertFalse((self.folder / f"{name}.h5.parts").exists())
-        shards = []
-        for k in (1, 2, 3):
-            shards.append(self.folder / f"shard{k}.h5")
-            self.assertEqual((run_plan(plan, shards[-1], workers=0, shard=(k, 3))["status"] == DONE).sum(), 12)
-        table = Table(plan, self.folder / "merged.h5")
-        for shard in shards:
-            table.merge(shard)
-        table.write()
-        self.assertEqual(bits(self.folder / "merged.h5"), expected)
+        for engine, number in (("auto", 0), ("solver", 1)):
+            plan = plan_of(engine=engine)
+            run_plan(plan, self.folder / "one.h5", workers=0, chunk=1)
+            expected = bits(self.folder / "one.h5")
+            self.assertEqual(set(pounding.Study.open(self.folder / "one.h5")["engine"]), {number})
+            for name, options in (("chunks", {"workers": 0, "chunk": 7}), ("whole", {"workers": 0, "chunk": 5000}), ("soon", {}), ("two", {"workers": 2}),
+                                  ("seven", {"workers": 7, "chunk": 2}))[3 * number:]:
+                run_plan(plan, self.folder / f"{name}.h5", **options)
+                self.assertEqual(bits(self.folder / f"{name}.h5"), expected, name)
+                self.assertFalse((self.folder / f"{name}.h5.parts").exists())
+            shards = []
+            for k in (1, 2, 3):
+                shards.append(self.folder / f"shard{k}.h5")
+                self.assertEqual((run_plan(plan, shards[-1], workers=0, shard=(k, 3))["status"] == DONE).sum(), 12)
+            table = Table(plan, self.folder / "merged.h5")
+            for shard in shards:
+                table.merge(shard)
+            table.write()
+            self.assertEqual(bits(self.folder / "merged.h5"), expected)
+            for file in self.folder.glob("*.h5"):
+                file.unlink()
 
     def test_an_executor_of_somebody_else_runs_the_rows(self):
         plan = plan_of()
@@ -110,11 +114,15 @@ class Rows(unittest.TestCase):
         np.testing.assert_array_equal(given.table, run_plan(plan, None, workers=0).table)
 
     def test_a_killed_study_goes_on_to_the_same_bits(self):
-        study = self.write_study()
-        self.assertEqual(self.command(study, "-o", "whole.h5", "-j", "0", "-q").returncode, 0)
+        for engine in ("auto", "solver"):
+            self.kill(engine)
+
+    def kill(self, engine):
+        study = self.write_study(engine)
+        self.assertEqual(self.command(study, "-o", f"whole_{engine}.h5", "-j", "0", "-q").returncode, 0)
         generator = random.Random(1)
         for kill in range(KILLS):
-            output = self.folder / f"killed{kill}.h5"
+            output = self.folder / f"killed_{engine}_{kill}.h5"
             parts = output.with_name(output.name + ".parts")
             process = subprocess.Popen([sys.executable, "-m", "pounding", "study", str(study), "-o", str(output), "-j", "0", "-q", "--chunk", "2"],
                                        start_new_session=True)
@@ -129,7 +137,7 @@ class Rows(unittest.TestCase):
                 self.assertFalse(output.exists())
             again = self.command(study, "-o", output, "-j", "0", "-q")
             self.assertEqual(again.returncode, 0, again.stderr)
-            self.assertEqual(bits(output), bits(self.folder / "whole.h5"))
+            self.assertEqual(bits(output), bits(self.folder / f"whole_{engine}.h5"))
 
     def test_finished_rows_do_not_run_again(self):
         plan = plan_of()

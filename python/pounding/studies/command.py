@@ -15,7 +15,7 @@ import numpy as np
 from pounding._native import core
 from pounding.errors import InputError, SolverError
 from pounding.studies import cross_check
-from pounding.studies.engines import ENGINES, STATUSES, Batch, Done, run_batch
+from pounding.studies.engines import ENGINES, KERNEL, STATUSES, Batch, Done, run_batch
 from pounding.studies.execution import available_cores, batch_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.plan import Plan, read_plan
@@ -125,7 +125,7 @@ def _timed(batch: Batch, done: Done, plan: Plan, workers: int) -> list[str]:
             lines.append(f"engine {engine.name}: {len(mine)} of {len(done.rows)} timed rows, {1e3 * done.seconds[mine].mean():.3g} ms each; "
                          f"about {len(mine) * plan.count // len(done.rows)} rows of all{f', since {why}' if why else ''}")
     lines += [f"row {row}: {reason}" for row, reason in list(done.reasons.items())[:3]]
-    checked = len(cross_check.rows_to_check(plan.count)) if (done.engine == 0).any() else 0
+    checked = len(cross_check.rows_to_check(plan.count)) if (done.engine == KERNEL).any() else 0
     lines.append(f"all rows take about {duration_text(float(np.mean(done.seconds)) * plan.count / workers)} on {workers} processes"
                  + (f"; {checked} of them are run by the solver, too" if checked else ""))
     return lines

@@ -13,7 +13,7 @@ from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.prepared import prepared
 from pounding.studies.template import Template
 
-__all__ = ["DIED", "DONE", "ENGINES", "EXCEEDED", "FAILED", "NOT_RUN", "REFUSED", "STATUSES", "WORDS", "Batch", "Done", "Engine", "SolverEngine", "nothing_of",
+__all__ = ["DIED", "DONE", "ENGINES", "EXCEEDED", "FAILED", "KERNEL", "NOT_RUN", "REFUSED", "STATUSES", "WORDS", "Batch", "Done", "Engine", "SolverEngine", "nothing_of",
            "run_batch"]
 
 
@@ -65,6 +65,7 @@ class SolverEngine:
 
 #: In the order of preference; a table names its engines in this order.
 ENGINES: list[Engine] = [KernelEngine(), SolverEngine()]
+KERNEL = 0
 #: What `engine:` of a study takes.
 WORDS = ("auto", *(engine.name for engine in ENGINES))
 

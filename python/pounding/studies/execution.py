@@ -12,12 +12,13 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
 from contextlib import ExitStack
 from statistics import median
+from time import perf_counter
 
 import numpy as np
 
 from pounding.errors import InputError, SolverError
 from pounding.studies.cross_check import rows_to_check
-from pounding.studies.engines import DIED, DONE, ENGINES, EXCEEDED, FAILED, REFUSED, Batch, Done, nothing_of, run_batch
+from pounding.studies.engines import DIED, DONE, ENGINES, EXCEEDED, FAILED, KERNEL, NOT_RUN, REFUSED, Batch, Done, nothing_of, run_batch
 from pounding.studies.plan import Plan
 from pounding.studies.table import Table
 from pounding.studies.worker import begin_worker, run_alone, say_hello
@@ -25,6 +26,8 @@ from pounding.studies.worker import begin_worker, run_alone, say_hello
 #: Wall time that a chunk shall take [s]; schedulers cost some 0.2 to 1 ms a chunk.
 CHUNK_SECONDS = 0.5
 LARGEST_CHUNK = 20000
+#: Wall time that the processes of a pool take to start [s].
+START_SECONDS = 2.0
 #: Rows after which the share of failed ones counts.
 ENOUGH_ROWS = 20
 #: Called after every chunk with the numbers of rows done, failed, and in all.
@@ -43,17 +46,38 @@ def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = N
     """Runs rows and adds them to the table, then some of the kernel's by the solver, too. `workers` processes, as many as there are cores unless
     given; 0 runs in this process. `chunk` is a number of rows instead of one by time. Raises OSError when a chunk cannot be written, SolverError when
     too many rows fail."""
+    ran = _run_soon(plan, table, rows, chunk, progress) if workers is None and executor is None else 0
     with ExitStack() as stack:
         pool: _Given | _LocalPool | None = None
         count = workers or available_cores()
         if executor is not None:
             pool, count = _Given(executor), getattr(executor, "_max_workers", None) or os.cpu_count() or 1
-        elif workers != 0 and len(rows):
-            count = min(count, len(rows))
+        elif workers != 0 and len(rows) > ran:
+            count = min(count, len(rows) - ran)
             pool = stack.enter_context(_LocalPool(count))
-        _run(_Work(plan, table, rows, chunk, progress, count), pool, count)
+        _run(_Work(plan, table, rows, chunk, progress, count, ran), pool, count)
         checked = _to_check(plan, table)
         _run(_Check(plan, table, checked, count), pool, count)
+
+
+def _run_soon(plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None) -> int:
+    """Runs rows of the kernel in this process, for as long as others take to start; returns how many it has run."""
+    kernel = ENGINES[KERNEL]
+    if plan.template.engine == "solver" or not kernel.takes(plan.template):
+        return 0
+    work = _Work(plan, table, rows, chunk, progress, 1)
+    end = perf_counter() + START_SECONDS
+    ran = 0
+    for batch in work.batches():
+        done = nothing_of(batch)
+        done.take(np.arange(len(batch.rows)), kernel.run(batch), KERNEL)
+        if (done.status == NOT_RUN).any():
+            break
+        work.finish(done)
+        ran += len(batch.rows)
+        if perf_counter() > end:
+            break
+    return ran
 
 
 def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
@@ -67,8 +91,7 @@ def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
 def _to_check(plan: Plan, table: Table) -> np.ndarray:
     """Rows that the kernel has run, and that the solver shall run, too."""
     rows = rows_to_check(plan.count)
-    kernel = [engine.name for engine in ENGINES].index("kernel")
-    rows = rows[(table.engine[rows] == kernel) & np.isin(table.status[rows], (DONE, EXCEEDED))]
+    rows = rows[(table.engine[rows] == KERNEL) & np.isin(table.status[rows], (DONE, EXCEEDED))]
     return rows[~np.isin(rows, list(table.check))]
 
 
@@ -80,14 +103,15 @@ def available_cores() -> int:
 class _Work:
     """Rows that wait, and what is known of their time."""
 
-    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int) -> None:
+    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int, ran: int = 0) -> None:
         self._plan, self._table, self._rows, self._chunk, self._progress, self._workers = plan, table, rows, chunk, progress, workers
         self._seconds: list[float] = []
-        self._done = self._failed = 0
+        self._begin = self._done = ran
+        self._failed = 0
 
     def batches(self) -> Iterator[Batch]:
         """One batch after the other; each is sized when it is asked for, and rows of one batch follow each other in the plan."""
-        begin = 0
+        begin = self._begin
         while begin < len(self._rows):
             size = self._chunk or self._size(len(self._rows) - begin)
             end = min(begin + size, len(self._rows))

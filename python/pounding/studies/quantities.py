@@ -109,7 +109,10 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
         raise InputError(f'study.keep: there is no link "{rest}"; there is {", ".join(one["name"] for one in summary["links"])}')
     values = [_number(one[_KEYS.get(quantity, quantity)]) for one in links]
     # A sum in the order of the links, by a function whose result depends on no order.
-    return math.fsum(values) if quantity in SUMS else float(np.nanmax(values)) if values and not np.isnan(values).all() else (math.nan if values else 0.0)
+    if quantity in SUMS:
+        return math.fsum(values)
+    known = [value for value in values if not math.isnan(value)]
+    return max(known) if known else math.nan if values else 0.0
 
 
 def _of_structure(quantity: str, rest: str, summary: Mapping[str, Any]) -> float:
