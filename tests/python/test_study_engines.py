@@ -32,7 +32,7 @@ FLOORS = [{"between": ["left", "right"], "floors": "level", "gap": "4 mm", "law"
 
 
 def both(model, factors, **words):
-    """The same study by the kernel and by the solver."""
+    """A study by the kernel and by the solver."""
     given = {"factors": factors, "records": RECORDS, "without_links": "yes", "keep": ALL, **words}
     return [run_plan(make_plan(model, {**given, "engine": engine}, Path()), None, workers=0) for engine in ("auto", "solver")]
 

@@ -66,7 +66,7 @@ class SolverEngine:
 #: In the order of preference; a table names its engines in this order.
 ENGINES: list[Engine] = [KernelEngine(), SolverEngine()]
 KERNEL = 0
-#: What `engine:` of a study takes.
+#: Words of `engine:` in a study.
 WORDS = ("auto", *(engine.name for engine in ENGINES))
 
 

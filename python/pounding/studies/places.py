@@ -14,10 +14,10 @@ Keys = tuple[str | int, ...]
 
 
 class Places:
-    """What the rows of a study write into their model: the same values as `factors.apply` writes, for many rows at once."""
+    """Values that the rows of a study write into their model: the same as `factors.apply` writes, for many rows at once."""
 
     def __init__(self, model: Mapping[str, Any], factors: Sequence[Factor]) -> None:
-        # Those that stand alone come before the ratios.
+        # Ratios come after all that they may be a part of.
         order = sorted(range(len(factors)), key=lambda j: factors[j].times is not None)
         self.keys: list[Keys] = []  #: [place]
         self.factor: list[int] = []  #: [place] the number of its factor
@@ -45,5 +45,5 @@ class Places:
         return found
 
     def texts(self, numbers: np.ndarray) -> list[str]:
-        """What the model takes, for the numbers of one row."""
+        """Texts for the model, from the numbers of one row."""
         return [self._factors[j].word(number) for j, number in zip(self.factor, numbers.tolist())]

@@ -103,8 +103,8 @@ def prepared(template: Template) -> Prepared:
 
 
 def key_of(template: Template) -> bytes:
-    """What two copies of a template share."""
-    # The same object comes for every row of a batch.
+    """A key that two copies of a template share."""
+    # All rows of a batch come with one object.
     if _mine.key is None or _mine.key[0] is not template:
         _mine.key = template, pickle.dumps(template)
     return _mine.key[1]

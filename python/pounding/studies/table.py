@@ -22,7 +22,7 @@ from pounding.studies.plan import Plan
 from pounding.texts import text
 
 FORMAT = "study of pounding 1"
-#: What HDF5 takes beside the numbers and texts, at most [bytes].
+#: Room that HDF5 takes beside the numbers and texts, at most [bytes].
 ROOM_OF_FILE = 200_000
 
 
