@@ -21,7 +21,7 @@ from matplotlib.transforms import ScaledTranslation
 from pounding.outputs import cannot_read
 from pounding.paper import page
 from pounding.paper.mathematics import data_uri, rich, svg_of
-from pounding.pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION
+from pounding.pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION, DrawnOnce
 
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
 #: The reference curve of a comparison is black in every figure.
@@ -43,7 +43,7 @@ def draw(figure: dict[str, Any]) -> Figure:
         colours |= {curve["label"]: COLOURS[number % len(COLOURS)] for panel in panels
                     for number, curve in enumerate(panel["curves"])}
     with rc_context(STYLE | MATH):
-        drawn = Figure(figsize=(7.6 if len(panels) > 1 else 5.4, 3.5), layout="constrained")
+        drawn = DrawnOnce(figsize=(7.6 if len(panels) > 1 else 5.4, 3.5), layout="constrained")
         for axes, panel in zip(drawn.subplots(1, len(panels), squeeze=False)[0], panels):
             for curve in panel["curves"]:
                 axes.plot(columns[curve["x"]], columns[curve["y"]],
