@@ -1,5 +1,6 @@
 /// Rows of studies: a model whose text is read once and whose values change from row to row, for the solver and for the kernel.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -226,6 +227,11 @@ void bind_study_rows(py::module_& module) {
         std::vector<std::pair<std::string, double>> found;
         for (const EndsOfLink& link : row.links) found.emplace_back(link.name, link.correlation);
         return found;
+      })
+      .def_property_readonly("fastest", [](const LinearRow& row) {
+        double square = 0;
+        for (const double stiffness : row.model.stiffness) square = std::max(square, stiffness);
+        return std::sqrt(square);
       })
       .def_readonly("duration", &LinearRow::duration)
       .def_readonly("tolerance", &LinearRow::tolerance);

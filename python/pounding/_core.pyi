@@ -151,6 +151,7 @@ class RowRecord:
 class LinearRow:
     model: LinearModel
     alone: LinearModel
+    fastest: float
     structures: list[tuple[str, int, bool]]
     links: list[tuple[str, float]]
     duration: float

@@ -6,6 +6,9 @@
 #include <fstream>
 #include <string>
 
+#include <pounding/core/error.hpp>
+#include <pounding/input/read_model.hpp>
+
 #include "support/refusals.hpp"
 
 namespace pounding {
@@ -290,6 +293,25 @@ TEST(GroundMotionInput, SaysWhereARecordIsBroken) {
 TEST(ModelInput, IsTakenWhenNothingIsWrong) {
   EXPECT_NO_THROW(test::model_of(whole("title: good\nlinks: []\ncompare: no_pounding\n" + analysis)));
   EXPECT_NO_THROW(test::model_of(structure("{shear_building: {storeys: 2, mass: 5 t, stiffness: 1 MN/m, damping: 5 %}}")));
+}
+
+TEST(ModelInput, IsReadAgainWithOtherValuesAndAnotherGround) {
+  const Input input = Input::read_text(ground("{record: nothere.at2}"), "row.yaml");
+  const GroundSection given(Harmonic{.amplitude = 1, .period = 0.5, .duration = 2});
+  Input period = input.at("structures").at("left").at("oscillator").at("period");
+  const auto stiffness = [&] { return read_model(input, dense_modes, 1, &given).structures[0].stiffness.coeff(0, 0); };
+  const double before = stiffness();
+  period.rewrite("1.6 s");
+  EXPECT_DOUBLE_EQ(stiffness(), before / 4);
+  EXPECT_EQ(read_model(input, dense_modes, 1, &given).ground.components[0].duration(), 2);
+  period.rewrite("-1 s");
+  try {
+    stiffness();
+    ADD_FAILURE() << "a period of -1 s was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("structures.left.oscillator.period: takes a time > 0"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(input.at("structures").rewrite("1"), InputError);
 }
 
 }  // namespace
