@@ -1,5 +1,6 @@
 """Engines of studies: the kernel's columns mean what the solver's do, each row takes one of both by itself alone, and a sample runs on both."""
 
+import json
 import subprocess
 import sys
 import tempfile
@@ -228,6 +229,26 @@ class Engines(unittest.TestCase):
         self.assertIn("36 done; 36 by the kernel", ran)
         self.assertIn("3 rows run by both engines: they differ by", ran)
         self.assertEqual(command("show", "study.h5").splitlines(), ran.splitlines()[:2])
+
+    def test_rows_of_the_kernel_run_in_scripts_as_they_stand(self):
+        (self.folder / "script.py").write_text("import sys\nsys.path.insert(0, %r)\nfrom study_samples import *\n"
+                                               "print(pounding.study(pair(), FACTORS, progress=False)['force'].tolist())\n" % str(Path(__file__).parent))
+        done = subprocess.run([sys.executable, self.folder / "script.py"], capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout), pounding.study(pair(), FACTORS, workers=0)["force"].tolist())
+
+    def test_threads_run_what_the_kernel_takes_and_processes_the_rest(self):
+        factors = {"gap": {"of": "links.*.gap", "list": [1e-3, -1.0, 2e-3, 3e-3, -2.0, 4e-3]}}
+        plan = make_plan(pair(), {"factors": factors, "records": RECORDS, "stop_after": "100 %"}, Path())
+        seen = []
+        found = run_plan(plan, self.folder / "s.h5", chunk=2, progress=lambda done, failed, count: seen.append((done, count)))
+        self.assertEqual(found["engine"].tolist(), [KERNEL, SOLVER, KERNEL, KERNEL, SOLVER, KERNEL] * 2)
+        self.assertEqual([done for done, _ in seen], sorted(done for done, _ in seen))
+        self.assertEqual((seen[-1], {count for _, count in seen}), ((12, 12), {12}))
+        here = run_plan(plan, None, workers=0)
+        for name, values in here.columns.items():
+            np.testing.assert_array_equal(found[name], values, err_msg=name)
+        self.assertEqual((found.failed, sorted(found.check)), (here.failed, sorted(here.check)))
 
     def test_places_write_what_the_model_of_a_row_holds(self):
         model = pair()._parts()

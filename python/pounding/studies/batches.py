@@ -41,6 +41,13 @@ class Done:
     seconds: np.ndarray  #: [row] wall time
     reasons: dict[int, str]  #: of rows that are neither done nor exceeded
 
+    def part(self, chosen: np.ndarray) -> Done:
+        """Some of the rows."""
+        rows = self.rows[chosen]
+        kept = set(rows.tolist())
+        return Done(rows, self.values[chosen], self.status[chosen], self.engine[chosen], self.seconds[chosen],
+                    {row: why for row, why in self.reasons.items() if row in kept})
+
     def take(self, chosen: np.ndarray, other: Done, engine: int) -> None:
         """Puts what an engine has made of the chosen rows into their places; those that it did not run stay, with its reason."""
         ran = other.status != NOT_RUN

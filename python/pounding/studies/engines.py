@@ -14,7 +14,7 @@ from pounding.studies.prepared import prepared
 from pounding.studies.template import Template
 
 __all__ = ["DIED", "DONE", "ENGINES", "EXCEEDED", "FAILED", "KERNEL", "NOT_RUN", "REFUSED", "STATUSES", "WORDS", "Batch", "Done", "Engine", "SolverEngine", "nothing_of",
-           "run_batch"]
+           "run_batch", "run_kernel"]
 
 
 class Engine(Protocol):
@@ -68,6 +68,13 @@ ENGINES: list[Engine] = [KernelEngine(), SolverEngine()]
 KERNEL = 0
 #: Words of `engine:` in a study.
 WORDS = ("auto", *(engine.name for engine in ENGINES))
+
+
+def run_kernel(batch: Batch) -> Done:
+    """Runs the rows that the kernel takes; the others stay as they are."""
+    done = nothing_of(batch)
+    done.take(np.arange(len(batch.rows)), ENGINES[KERNEL].run(batch), KERNEL)
+    return done
 
 
 def run_batch(batch: Batch) -> Done:

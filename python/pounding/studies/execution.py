@@ -9,16 +9,15 @@ from __future__ import annotations
 import multiprocessing
 import os
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from contextlib import ExitStack
 from statistics import median
-from time import perf_counter
 
 import numpy as np
 
 from pounding.errors import InputError, SolverError
 from pounding.studies.cross_check import rows_to_check
-from pounding.studies.engines import DIED, DONE, ENGINES, EXCEEDED, FAILED, KERNEL, NOT_RUN, REFUSED, Batch, Done, nothing_of, run_batch
+from pounding.studies.engines import DIED, DONE, ENGINES, EXCEEDED, FAILED, KERNEL, NOT_RUN, REFUSED, Batch, Done, nothing_of, run_batch, run_kernel
 from pounding.studies.plan import Plan
 from pounding.studies.table import Table
 from pounding.studies.worker import begin_worker, run_alone, say_hello
@@ -26,8 +25,6 @@ from pounding.studies.worker import begin_worker, run_alone, say_hello
 #: Wall time that a chunk shall take [s]; schedulers cost some 0.2 to 1 ms a chunk.
 CHUNK_SECONDS = 0.5
 LARGEST_CHUNK = 20000
-#: Wall time that the processes of a pool take to start [s].
-START_SECONDS = 2.0
 #: Rows after which the share of failed ones counts.
 ENOUGH_ROWS = 20
 #: Called after every chunk with the numbers of rows done, failed, and in all.
@@ -43,41 +40,26 @@ def batch_of(plan: Plan, rows: np.ndarray, engine: str = "") -> Batch:
 
 def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = None, executor: Executor | None = None,
              chunk: int | None = None, progress: Progress | None = None) -> None:
-    """Runs rows and adds them to the table, then some of the kernel's by the solver, too. `workers` processes, as many as there are cores unless
-    given; 0 runs in this process. `chunk` is a number of rows instead of one by time. Raises OSError when a chunk cannot be written, SolverError when
-    too many rows fail."""
-    ran = _run_soon(plan, table, rows, chunk, progress) if workers is None and executor is None else 0
+    """Runs rows and adds them to the table, then some of the kernel's by the solver, too. `workers` processes; 0 runs in this process. Unless given,
+    rows of the kernel run on threads, and others in as many processes as there are cores. `chunk` is a number of rows instead of one by time. Raises
+    OSError when a chunk cannot be written, SolverError when too many rows fail."""
+    count = workers or available_cores()
+    begun = 0
+    if workers is None and executor is None and plan.template.engine != "solver" and ENGINES[KERNEL].takes(plan.template):
+        kernel = _KernelWork(plan, table, rows, chunk, progress, count)
+        with _Threads(count) as threads:
+            _run_on(threads, kernel, count)
+        begun, rows = len(rows) - len(kernel.left), np.array(sorted(kernel.left), dtype=np.int64)
     with ExitStack() as stack:
         pool: _Given | _LocalPool | None = None
-        count = workers or available_cores()
         if executor is not None:
             pool, count = _Given(executor), getattr(executor, "_max_workers", None) or os.cpu_count() or 1
-        elif workers != 0 and len(rows) > ran:
-            count = min(count, len(rows) - ran)
+        elif workers != 0 and len(rows):
+            count = min(count, len(rows))
             pool = stack.enter_context(_LocalPool(count))
-        _run(_Work(plan, table, rows, chunk, progress, count, ran), pool, count)
+        _run(_Work(plan, table, rows, chunk, progress, count, begun), pool, count)
         checked = _to_check(plan, table)
         _run(_Check(plan, table, checked, count), pool, count)
-
-
-def _run_soon(plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None) -> int:
-    """Runs rows of the kernel in this process, for as long as others take to start; returns how many it has run."""
-    kernel = ENGINES[KERNEL]
-    if plan.template.engine == "solver" or not kernel.takes(plan.template):
-        return 0
-    work = _Work(plan, table, rows, chunk, progress, 1)
-    end = perf_counter() + START_SECONDS
-    ran = 0
-    for batch in work.batches():
-        done = nothing_of(batch)
-        done.take(np.arange(len(batch.rows)), kernel.run(batch), KERNEL)
-        if (done.status == NOT_RUN).any():
-            break
-        work.finish(done)
-        ran += len(batch.rows)
-        if perf_counter() > end:
-            break
-    return ran
 
 
 def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
@@ -103,15 +85,15 @@ def available_cores() -> int:
 class _Work:
     """Rows that wait, and what is known of their time."""
 
-    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int, ran: int = 0) -> None:
+    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int, before: int = 0) -> None:
         self._plan, self._table, self._rows, self._chunk, self._progress, self._workers = plan, table, rows, chunk, progress, workers
         self._seconds: list[float] = []
-        self._begin = self._done = ran
+        self._done = self._before = before
         self._failed = 0
 
     def batches(self) -> Iterator[Batch]:
         """One batch after the other; each is sized when it is asked for, and rows of one batch follow each other in the plan."""
-        begin = self._begin
+        begin = 0
         while begin < len(self._rows):
             size = self._chunk or self._size(len(self._rows) - begin)
             end = min(begin + size, len(self._rows))
@@ -132,11 +114,27 @@ class _Work:
         self._done += len(done.rows)
         self._failed += int(np.isin(done.status, (REFUSED, FAILED, DIED)).sum())
         if self._progress is not None:
-            self._progress(self._done, self._failed, len(self._rows))
-        if self._done >= ENOUGH_ROWS and self._failed > self._plan.stop_after * self._done and self._done < len(self._rows):
+            self._progress(self._done, self._failed, len(self._rows) + self._before)
+        if self._done >= ENOUGH_ROWS and self._failed > self._plan.stop_after * self._done and self._done < len(self._rows) + self._before:
             reason = next(iter(self._table.reasons.values()), "")
             raise SolverError(f"{self._failed} of {self._done} rows have failed, more than stop_after ({100 * self._plan.stop_after:g} %); the first because: "
                               f"{reason}\nMend the study, or go on with stop_after: 100 %")
+
+
+class _KernelWork(_Work):
+    """Rows for the kernel alone; those that it does not take are left."""
+
+    def __init__(self, plan: Plan, table: Table, rows: np.ndarray, chunk: int | None, progress: Progress | None, workers: int) -> None:
+        super().__init__(plan, table, rows, chunk, progress, workers)
+        self.left: list[int] = []
+
+    def finish(self, done: Done) -> None:
+        ran = done.status != NOT_RUN
+        self.left += done.rows[~ran].tolist()
+        if ran.any():
+            super().finish(done.part(ran))
+        else:
+            self._seconds.append(float(done.seconds.mean()))
 
 
 class _Check(_Work):
@@ -162,6 +160,25 @@ class _Given:
 
     def submit(self, batch: Batch) -> Future[Done]:
         return self._executor.submit(run_alone, batch)
+
+    def survive(self, batches: list[Batch], failure: BaseException) -> list[Done]:
+        raise failure
+
+
+class _Threads:
+    """Threads of this process for the kernel, which holds no lock of Python's while rows run: they start at once, and scripts need no guard."""
+
+    def __init__(self, workers: int) -> None:
+        self._pool = ThreadPoolExecutor(workers)
+
+    def __enter__(self) -> _Threads:
+        return self
+
+    def __exit__(self, *failure: object) -> None:
+        self._pool.shutdown(cancel_futures=True)
+
+    def submit(self, batch: Batch) -> Future[Done]:
+        return self._pool.submit(run_kernel, batch)
 
     def survive(self, batches: list[Batch], failure: BaseException) -> list[Done]:
         raise failure
@@ -226,7 +243,7 @@ def _died(batch: Batch, processes: list[multiprocessing.Process]) -> Done:
     return done
 
 
-def _run_on(pool: _Given | _LocalPool, work: _Work, workers: int) -> None:
+def _run_on(pool: _Given | _LocalPool | _Threads, work: _Work, workers: int) -> None:
     """Keeps two chunks a worker under way."""
     waiting = work.batches()
     under_way: dict[Future[Done], Batch] = {}

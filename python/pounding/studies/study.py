@@ -127,9 +127,10 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
           chunk: int | None = None, progress: Progress | bool | None = None) -> Study:
     """Runs a study: of a study file, or of a model with the words of `study:` as arguments (guide, "Studies").
 
-    `output` is the table, an HDF5 file that a killed study goes on from; without it the table is in memory. `workers` processes run
-    the rows, one a core unless given, and 0 runs them here; in a script the call stands under `if __name__ == "__main__":`. `executor`
-    is any concurrent.futures.Executor, such as MPIPoolExecutor or Dask's Client.get_executor().
+    `output` is the table, an HDF5 file that a killed study goes on from; without it the table is in memory. Unless `workers` is given, rows of the
+    kernel run on threads and those of the solver in processes, one a core; with `workers` all run in so many processes, and 0 runs them here. With
+    processes the call stands under `if __name__ == "__main__":` in a script. `executor` is any concurrent.futures.Executor, such as
+    MPIPoolExecutor or Dask's Client.get_executor().
 
     Raises InputError for a wrong plan, before anything runs; OSError when the table cannot be written, and SolverError when more than
     `stop_after` of the rows fail: finished chunks are kept in both cases."""
