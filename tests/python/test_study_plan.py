@@ -12,6 +12,7 @@ import pounding
 from pounding.errors import InputError
 from pounding.studies.distributions import read_distribution
 from pounding.studies.plan import make_plan, read_plan
+from pounding.studies.study import run_plan
 from study_samples import FACTORS, WORDS, pair
 
 
@@ -44,6 +45,15 @@ class Plans(unittest.TestCase):
         plan = plan_of(factors={"ratio": FACTORS["ratio"], "T": {"of": "structures.left.oscillator.period", "list": ["1 s"]}})
         self.assertEqual(float(plan.case(1)["structures"]["right"]["oscillator"]["period"]), 0.8)
         self.assertEqual(plan.case(1)["structures"]["left"]["oscillator"]["period"], "1.0")
+
+    def test_a_model_may_leave_its_motion_and_its_duration_to_the_records(self):
+        factors = {"gap": {"of": "links.*.gap", "list": ["1 mm"]}}
+        words = {"records": {"synthetic": {"count": 2, "duration": "0.8 s", "pga": "0.3 g"}}}
+        plan = plan_of(pair(ground_motion=None), factors=factors, **words)
+        study = run_plan(plan, None, workers=0)
+        np.testing.assert_array_equal(study["force"], run_plan(plan_of(factors=factors, **words), None, workers=0)["force"])
+        with self.assertRaisesRegex(InputError, "the duration is missing"):
+            plan_of(pair(ground_motion=None), factors=factors)
 
     def test_words_are_values_too(self):
         plan = plan_of(factors={"law": {"of": "links.left-right.law", "list": ["hertz_damped", "jankowski"]}})

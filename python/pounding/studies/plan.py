@@ -120,10 +120,16 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     """The plan of a model and of the words of `study:`. Raises InputError."""
     one = words.only(yaml_text.plain(given), words.STUDY_WORDS, "study")
     model = as_model(model)
-    check(model)
+    # A model that leaves its motion and its duration to the records is whole with one of them.
+    lacks_motion = "records" in one and model.ground_motion is None and "duration" not in (model.analysis or {})
+    if not lacks_motion:
+        check(model)
     parts = _absolute(model)
     seed = words.whole(one.get("seed", 1), "study.seed", 0)
     motions = read_motions(one.get("records"), parts, folder, seed, store)
+    if lacks_motion:
+        model = Model._from_text(yaml_text.emit({**parts, "ground_motion": motions[0].scaled(1.0)}), model._file or "model")
+        check(model)
     factors = read_factors(one.get("factors"), parts)
     if "records" in one:
         for factor in factors:
