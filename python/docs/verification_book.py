@@ -3,6 +3,7 @@
 
     python3 python/docs/verification_book.py build --write    # runs the tests that compare with a source of their own, writes the page
     python3 python/docs/verification_book.py build --check    # refuses, with exit code 1, a page that says something else
+    POUNDING_BOOK=build/book python3 python/docs/verification_book.py build --check    # from what tests have written there
 
 The tests write what they compared through `Book` (tests/support/book.hpp, tests/program/book.py). What was obtained may differ
 from machine to machine within its tolerance, and is not compared.
@@ -66,23 +67,29 @@ def tests_with_a_book(binary, folder):
     return [f"{suite}.{case['name']}" for suite, case in cases if case["file"] in with_book]
 
 
+def run_tests(build, book):
+    """Lets all tests that compare with a source of their own write into the folder `book`."""
+    shared = environment(build, book)
+    for chapter in CHAPTERS:
+        for binary in sorted(path for path in (build / chapter).glob("test_*") if path.is_file() and os.access(path, os.X_OK)):
+            names = tests_with_a_book(binary, book)
+            if names:
+                run([binary, "--gtest_brief=1", "--gtest_filter=" + ":".join(names)], env=shared, cwd=book)
+    for module in sorted((ROOT / "tests/program").glob("test_*.py")):
+        if re.search(r"^from book import", module.read_text(), re.MULTILINE):
+            run([sys.executable, "-m", "unittest", module.stem], env=shared, cwd=module.parent)
+
+
 def entries(build):
     """Entries that the books of all tests wrote, in the order of chapters, files and tests."""
     with tempfile.TemporaryDirectory() as folder:
-        book = Path(folder) / "book.jsonl"
-        book.touch()
-        shared = environment(build, book)
-        for chapter in CHAPTERS:
-            for binary in sorted(path for path in (build / chapter).glob("test_*") if path.is_file() and os.access(path, os.X_OK)):
-                names = tests_with_a_book(binary, folder)
-                if names:
-                    run([binary, "--gtest_brief=1", "--gtest_filter=" + ":".join(names)], env=shared, cwd=folder)
-        for module in sorted((ROOT / "tests/program").glob("test_*.py")):
-            if re.search(r"^from book import", module.read_text(), re.MULTILINE):
-                run([sys.executable, "-m", "unittest", module.stem], env=shared, cwd=module.parent)
-        written = [json.loads(line) for line in book.read_text().splitlines()]
+        book = os.environ.get("POUNDING_BOOK", folder)
+        if book == folder:
+            run_tests(build, folder)
+        written = [json.loads(path.read_text()) for path in Path(book).glob("*.*.*.json")]
     place = list(CHAPTERS)
-    return sorted(written, key=lambda entry: (place.index(str(Path(entry["file"]).parent)), entry["file"]))
+    return sorted((entry for entry in written if str(Path(entry["file"]).parent) in place),
+                  key=lambda entry: (place.index(str(Path(entry["file"]).parent)), entry["file"], entry["order"]))
 
 
 def number(value):

@@ -2,10 +2,14 @@
 
 import json
 import os
+from collections import Counter
+
+#: Books that a test has written, by its name.
+written: Counter[str] = Counter()
 
 
 class Book:
-    """The comparisons of one test with one source; appended to the file POUNDING_BOOK when the test ends."""
+    """The comparisons of one test with one source; written into the folder POUNDING_BOOK when the test ends."""
 
     def __init__(self, test, subject, source, reason):
         self.test = test
@@ -33,5 +37,7 @@ class Book:
     def write(self):
         if "POUNDING_BOOK" in os.environ:
             rows = [{"quantity": quantity, "cases": cases} for quantity, cases in self.rows.items()]
-            with open(os.environ["POUNDING_BOOK"], "a") as file:
-                file.write(json.dumps(self.entry | {"rows": rows}) + "\n")
+            number = written[self.test.id()]
+            written[self.test.id()] += 1
+            with open(os.path.join(os.environ["POUNDING_BOOK"], f"{self.test.id()}.{number}.json"), "w") as file:
+                json.dump(self.entry | {"order": [self.entry["test"], number], "rows": rows}, file)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <map>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -14,6 +16,16 @@ namespace {
 // A failure names the line of the test.
 testing::ScopedTrace trace(const std::source_location& at, const std::string& quantity) {
   return {at.file_name(), static_cast<int>(at.line()), quantity};
+}
+
+// Place of a test among all of its program, whichever of them run.
+int place_of(const testing::TestInfo& test) {
+  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+  int place = 0;
+  for (int i = 0; i < all.total_test_suite_count(); ++i)
+    for (int j = 0; j < all.GetTestSuite(i)->total_test_count(); ++j, ++place)
+      if (all.GetTestSuite(i)->GetTestInfo(j) == &test) return place;
+  return place;
 }
 
 }  // namespace
@@ -48,17 +60,21 @@ void Book::write_down(const std::string& quantity, const Case& found) {
 }
 
 Book::~Book() {
-  const char* path = std::getenv("POUNDING_BOOK");
-  if (!path) return;
+  const char* folder = std::getenv("POUNDING_BOOK");
+  if (!folder) return;
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-  nlohmann::json entry{{"subject", subject_}, {"source", source_}, {"reason", reason_}, {"file", test->file()},
-                       {"test", std::string(test->test_suite_name()) + "." + test->name()}};
+  static std::map<const testing::TestInfo*, int> books;
+  const int number = books[test]++;
+  std::string name = std::string(test->test_suite_name()) + "." + test->name();
+  nlohmann::json entry{{"subject", subject_}, {"source", source_}, {"reason", reason_}, {"file", test->file()}, {"test", name},
+                       {"order", {place_of(*test), number}}};
   for (const Row& row : rows_) {
     nlohmann::json cases;
     for (const Case& one : row.cases) cases.push_back({one.expected, one.obtained, one.tolerance});
     entry["rows"].push_back({{"quantity", row.quantity}, {"cases", cases}});
   }
-  std::ofstream(path, std::ios::app) << entry.dump() << '\n';
+  std::replace(name.begin(), name.end(), '/', '-');
+  std::ofstream(std::string(folder) + '/' + name + '.' + std::to_string(number) + ".json") << entry.dump() << '\n';
 }
 
 }  // namespace pounding::test

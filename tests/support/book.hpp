@@ -8,7 +8,7 @@
 namespace pounding::test {
 
 /// The comparisons of one test with one source. Each is a check of its own, at the line that asks for it; all of them are
-/// written down when the environment variable POUNDING_BOOK names a file, from which tests/verification/README.md is made:
+/// written down when the environment variable POUNDING_BOOK names a folder, from which tests/verification/README.md is made:
 /// one JSON object a book, appended as a line.
 class Book {
  public:
