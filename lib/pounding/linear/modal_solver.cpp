@@ -20,6 +20,16 @@ MassSplit split_of(const System& system, const Group& group) {
   return split_by_mass(system.mass, group.first, group.count);
 }
 
+// y = diag(d) x; y overlaps neither.
+void multiply_columns(const Eigen::VectorXd& d, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd>& y) {
+  const Eigen::Index n = x.rows(), columns = x.cols();
+  const double *factor = d.data(), *from = x.data();
+  double* to = y.data();
+  for (Eigen::Index j = 0; j < columns; ++j, from += x.outerStride(), to += y.outerStride())
+#pragma GCC ivdep
+    for (Eigen::Index i = 0; i < n; ++i) to[i] = factor[i] * from[i];
+}
+
 }  // namespace
 
 int ModalSolver::max_dynamic_dofs(const System& system) {
@@ -135,17 +145,13 @@ void ModalSolver::add_view(const SparseMatrix& outputs, const Block& block) {
 }
 
 void ModalSolver::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const {
-  const Eigen::Index n = x.rows();
-  for (Eigen::Index j = 0; j < x.cols(); ++j)
-    for (Eigen::Index i = 0; i < n; ++i) y(i, j) = stiffness_[i] * x(i, j);
+  multiply_columns(stiffness_, x, y);
 }
 
 void ModalSolver::damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> /*kx*/,
                               Eigen::Ref<Eigen::MatrixXd> y) const {
   if (classical_) {
-    const Eigen::Index n = x.rows();
-    for (Eigen::Index j = 0; j < x.cols(); ++j)
-      for (Eigen::Index i = 0; i < n; ++i) y(i, j) = damping_[i] * x(i, j);
+    multiply_columns(damping_, x, y);
     return;
   }
   for (const Block& block : blocks_) {
@@ -260,15 +266,20 @@ void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& r
       for (Eigen::Index k = 0; k < panel.values.cols(); ++k) sum += panel.values.col(k).array() * x(panel.first + k, j);
       relative.col(j).segment<4>(panel.link) = sum;
     }
-  for (const int i : single_links_)
-    for (Eigen::Index j = 0; j < columns; ++j) {
-      double sum = 0;
-      for (const Part& part : gap_jacobian_[i]) {
-        const Eigen::Index n = part.values.size();
-        for (Eigen::Index k = 0; k < n; ++k) sum += part.values[k] * x(part.first + k, j);
+  for (const int i : single_links_) {
+    double* const sums = relative.data() + i;
+    const Eigen::Index stride = relative.rows();
+    for (Eigen::Index j = 0; j < columns; ++j) sums[j * stride] = 0;
+    for (const Part& part : gap_jacobian_[i]) {
+      const Eigen::Index n = part.values.size();
+      const double *const values = part.values.data(), *of = x.data() + part.first;
+      for (Eigen::Index j = 0; j < columns; ++j, of += x.outerStride()) {
+        double sum = sums[j * stride];
+        for (Eigen::Index k = 0; k < n; ++k) sum += values[k] * of[k];
+        sums[j * stride] = sum;
       }
-      relative(i, j) = sum;
     }
+  }
 }
 
 void ModalSolver::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {

@@ -168,6 +168,7 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   const double *cv0 = x.at(cv), *cv1 = y.at(cv), *ca0 = x.at(ca), *ca1 = y.at(ca);
   const double* push = supports.push(trial.ground_middle).data();
   double* r = trial.a_middle.data();
+#pragma GCC ivdep
   for (int i = 0; i < n; ++i)
     r[i] = -push[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) - h / 8 * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
   if (missed) trial.a_middle -= short_motions.forces(*missed);
