@@ -3,6 +3,7 @@
 
 JOBS ?= $(shell nproc)
 LONG ?= 1
+CELLS ?= 1
 MINUTES ?= 10
 PART ?= all
 COUNT ?= 10000
@@ -11,9 +12,8 @@ COUNT ?= 10000
 export OPENBLAS_NUM_THREADS ?= 1
 
 CTEST_FLAGS = --output-on-failure --no-tests=error --parallel $(JOBS)
-ifeq ($(LONG),0)
-CTEST_FLAGS += --label-exclude long
-endif
+CTEST_LEFT_OUT = $(if $(filter 0,$(LONG)),long)$(if $(filter 0,$(CELLS)),|^cells$$)
+CTEST_FLAGS += $(if $(CTEST_LEFT_OUT),--label-exclude '$(patsubst |%,%,$(CTEST_LEFT_OUT))')
 
 .PHONY: build program test test-sanitized test-damage test-faults fuzz demo announce docs wheel test-wheel python python-test \
   packages-demo packages clean distclean help
@@ -105,7 +105,8 @@ distclean: clean
 
 help:
 	@echo "make demo       install what the program needs, compile it, run two frames through an earthquake: demo.h5, demo.png"
-	@echo "make test       install what tests need, compile everything, run every test; LONG=0 leaves the long ones out"
+	@echo "make test       install what tests need, compile everything, run every test; LONG=0 leaves the long ones out,"
+	@echo "                CELLS=0 the cells of the site's pages, which make docs runs, too"
 	@echo "make test-sanitized   unit tests under the address and undefined-behaviour sanitizers; PART=quick some of them"
 	@echo "make test-damage      COUNT=n damaged results files, by every reader; test-faults: writes and allocations that fail, signals and kills, for every n"
 	@echo "make fuzz       MINUTES=n: look for inputs that crash or hang; installs Clang"
