@@ -33,7 +33,7 @@ class Impact {
     const double whole = clock.reading(end_), ds = whole / count;
     for (int i = 0; i < count; ++i) {
       const double s = whole * i / count;
-      step.take(links, {}, clock, begin, s, ds, clock.time(s + ds), 1, end);
+      step.take(links, {}, clock, begin, s, ds, clock.at(s + ds).time, 1, end);
       std::swap(begin, end);
     }
     return begin.v[0];

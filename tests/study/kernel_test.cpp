@@ -185,7 +185,8 @@ TEST(ATouchAtRest, WithoutAGapIsTakenByEveryLaw) {
     const Peaks found = run(pair_of({1e5, 0.5, 0.05}, {1.5e5, 0.3, 0.05}, 0, law), record);
     EXPECT_GT(found.links[0].impacts, 5) << entry.name;
     EXPECT_TRUE(std::isfinite(found.links[0].peak_force)) << entry.name;
-    EXPECT_GT(found.links[0].energy_lost, -1e-6) << entry.name;
+    // A spring loses nothing; the steps make an error of their tolerance of what passes through it.
+    EXPECT_GT(found.links[0].energy_lost, -1e-5 * found.links[0].peak_force * found.links[0].peak_penetration) << entry.name;
   }
 }
 

@@ -27,7 +27,7 @@ template <int M, int L>
 struct Moment : ModalState<M> {
   double time = 0;  ///< in the interval [s]
   double ground = 0, slope = 0;
-  Numbers<M> a, jerk;
+  Modes<M> a;
   Numbers<L, LinkMoment> links;
 };
 
@@ -42,7 +42,7 @@ class ContactStep {
 
   Moment<M, L> moment() const {
     Moment<M, L> m;
-    m.q = m.v = m.a = m.jerk = s_.k;
+    m.q = m.v = m.a = Modes<M>(s_.count);
     m.links = numbers<L, LinkMoment>(s_.link_count);
     return m;
   }
@@ -50,63 +50,55 @@ class ContactStep {
   /// Fills in what follows from q, v and the time.
   void complete(const Links& links, const Ground& ground, Moment<M, L>& m) const noexcept {
     m.ground = ground(m.time), m.slope = ground.slope;
-    for (std::size_t j = 0; j < s_.modes(); ++j) {
-      m.a[j] = -s_.c[j] * m.v[j] - s_.k[j] * m.q[j] - s_.p[j] * m.ground;
-      m.jerk[j] = -s_.k[j] * m.v[j] - s_.p[j] * m.slope;
-    }
+    pull(m.q, m.v, m.ground, m.a);
     for (std::size_t l = 0; l < s_.links(); ++l) {
       LinkMoment& link = m.links[l];
       link.d = s_.closes(l, m.q) - links[l].gap();
       link.rate = s_.closes(l, m.v);
       link.force = links[l].force(link.d, link.rate);
-      for (std::size_t j = 0; j < s_.modes(); ++j) m.a[j] -= s_.closing[l][j] * link.force.force;
+      if (links[l].pressed()) push(l, link.force.force, m.a);
     }
     for (std::size_t l = 0; l < s_.links(); ++l) {
       LinkMoment& link = m.links[l];
       link.acceleration = s_.closes(l, m.a);
       link.force_rate = link.force.by_penetration * link.rate + link.force.by_rate * link.acceleration;
-      for (std::size_t j = 0; j < s_.modes(); ++j) m.jerk[j] -= s_.closing[l][j] * link.force_rate;
     }
-    for (std::size_t j = 0; j < s_.modes(); ++j) m.jerk[j] -= s_.c[j] * m.a[j];
   }
 
-  /// A step from `begin` by ds on the clock, ending at the time given; returns the largest error of the modes in the velocity that the error of
-  /// their energy stands for, with `time_scale` [s] between displacements and velocities [kg^0.5 m/s].
+  /// da/dt of a complete state.
+  void jerk(const Moment<M, L>& m, Modes<M>& all) const noexcept {
+    pull(m.v, m.a, m.slope, all);
+    for (std::size_t l = 0; l < s_.links(); ++l) push(l, m.links[l].force_rate, all);
+  }
+
+  /// A step from `begin` by ds on the clock, ending at the time given; returns the square of the velocity that the error of the modes' energy stands
+  /// for, with `time_scale` [s] between displacements and velocities [kg m^2/s^2].
   double take(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s, double ds, double end_time,
               double time_scale, Moment<M, L>& end) noexcept {
-    static constexpr double e[] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
-    double speed[7];
-    for (int i = 0; i < 6; ++i) speed[i] = ds * clock.speed(s + c[i] * ds);
-    speed[6] = speed[5];  // both at the end
-    Stage& first = stages_[0];
-    first.v = begin.v, first.a = begin.a;
-    for (std::size_t l = 0; l < s_.links(); ++l) first.force[l] = begin.links[l].force.force, first.rate[l] = begin.links[l].rate;
+    speeds_[0] = ds * clock.at(s).speed;
+    keep(stages_[0], speeds_[0], begin.v, begin.a);
+    for (std::size_t l = 0; l < s_.links(); ++l)
+      stages_[0].force[l] = begin.links[l].force.force, stages_[0].rate[l] = begin.links[l].rate;
     const auto stage = [&]<int I>(std::integral_constant<int, I>) {
-      move<I>(begin, speed, stages_[I].v);
-      evaluate(links, ground(clock.time(s + c[I] * ds)), stages_[I]);
+      const Clock::Tick tick = clock.at(s + c[I] * ds);
+      move<I>(begin, end.q, end.v);
+      evaluate(links, ground(tick.time), stages_[I], end);
+      speeds_[I] = ds * tick.speed;
+      keep(stages_[I], speeds_[I], end.v, end.a);
     };
     [&]<int... I>(std::integer_sequence<int, I...>) { (stage(std::integral_constant<int, I + 1>{}), ...); }(std::make_integer_sequence<int, 5>{});
-    move<6>(begin, speed, end.v);
-    end.q = q_;
+    move<6>(begin, end.q, end.v);
     end.time = end_time;
     complete(links, ground, end);
-    double error = 0;
-    for (std::size_t j = 0; j < s_.modes(); ++j) {
-      double of_q = e[6] * speed[6] * end.v[j], of_v = e[6] * speed[6] * end.a[j];
-      for (int k = 0; k < 6; ++k) {
-        of_q += e[k] * speed[k] * stages_[k].v[j];
-        of_v += e[k] * speed[k] * stages_[k].a[j];
-      }
-      error += of_v * of_v + of_q * of_q / (time_scale * time_scale);
-    }
-    return std::sqrt(error);
+    return error(end, 1 / (time_scale * time_scale));
   }
 
   /// Impulse [N s] and work [J] of a link in the last step.
   void push(std::size_t link, LinkContact<Law>& contact) const noexcept {
     double impulse = 0, work = 0;
+#pragma GCC unroll 6
     for (int k = 0; k < 6; ++k) {
-      const double part = weights_[k] * stages_[k].force[link];
+      const double part = a[5][k] * speeds_[k] * stages_[k].force[link];
       impulse += part;
       work += part * stages_[k].rate[link];
     }
@@ -114,8 +106,9 @@ class ContactStep {
   }
 
  private:
+  // Derivatives by the clock, times the length of the step, and the links.
   struct Stage {
-    Numbers<M> v, a;
+    Modes<M> q, v;
     Numbers<L> force, rate;
   };
 
@@ -126,38 +119,64 @@ class ContactStep {
                                      {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
                                      {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
                                      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
+  static constexpr double e[] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
-  // q_ and v, moved from the beginning of the step by the I stages before.
+  void keep(Stage& stage, double speed, const Modes<M>& v, const Modes<M>& acceleration) const noexcept {
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) {
+      stage.q.part(i) = speed * v.part(i);
+      stage.v.part(i) = speed * acceleration.part(i);
+    }
+  }
+  // What the structures and the ground do.
+  void pull(const Modes<M>& q, const Modes<M>& v, double ag, Modes<M>& acceleration) const noexcept {
+    for (std::size_t i = 0; i < s_.k.parts(); ++i)
+      acceleration.part(i) = -(s_.c.part(i) * v.part(i) + s_.k.part(i) * q.part(i) + ag * s_.p.part(i));
+  }
+  void push(std::size_t link, double force, Modes<M>& acceleration) const noexcept {
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) acceleration.part(i) -= force * s_.closing[link].part(i);
+  }
+
+  // q and v, moved from the beginning of the step by the I stages before.
   template <int I>
-  void move(const Moment<M, L>& begin, const double* speed, Numbers<M>& v) noexcept {
+  void move(const Moment<M, L>& begin, Modes<M>& q, Modes<M>& v) const noexcept {
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) {
+      auto at_q = begin.q.part(i), at_v = begin.v.part(i);
 #pragma GCC unroll 6
-    for (int k = 0; k < I; ++k) weights_[k] = a[I - 1][k] * speed[k];
-    for (std::size_t j = 0; j < s_.modes(); ++j) {
-      double dq = 0, dv = 0;
-#pragma GCC unroll 6
-      for (int k = 0; k < I; ++k) dq += weights_[k] * stages_[k].v[j], dv += weights_[k] * stages_[k].a[j];
-      q_[j] = begin.q[j] + dq;
-      v[j] = begin.v[j] + dv;
+      for (int k = 0; k < I; ++k)
+        if (a[I - 1][k] != 0) at_q += a[I - 1][k] * stages_[k].q.part(i), at_v += a[I - 1][k] * stages_[k].v.part(i);
+      q.part(i) = at_q, v.part(i) = at_v;
     }
   }
 
-  void evaluate(const Links& links, double ag, Stage& x) const noexcept {
-    for (std::size_t j = 0; j < s_.modes(); ++j) x.a[j] = -s_.c[j] * x.v[j] - s_.k[j] * q_[j] - s_.p[j] * ag;
+  // Forces of the links that press and the accelerations, of a state on its way.
+  [[gnu::always_inline]] void evaluate(const Links& links, double ag, Stage& stage, Moment<M, L>& x) const noexcept {
+    pull(x.q, x.v, ag, x.a);
     for (std::size_t l = 0; l < s_.links(); ++l) {
       if (!links[l].pressed()) {
-        x.force[l] = 0;
+        stage.force[l] = 0;
         continue;
       }
-      x.rate[l] = s_.closes(l, x.v);
-      x.force[l] = links[l].force(s_.closes(l, q_) - links[l].gap(), x.rate[l]).force;
-      for (std::size_t j = 0; j < s_.modes(); ++j) x.a[j] -= s_.closing[l][j] * x.force[l];
+      stage.rate[l] = s_.closes(l, x.v);
+      stage.force[l] = links[l].force(s_.closes(l, x.q) - links[l].gap(), stage.rate[l]).force;
+      push(l, stage.force[l], x.a);
     }
+  }
+
+  double error(const Moment<M, L>& end, double of_displacement) const noexcept {
+    double squares_q = 0, squares_v = 0;
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) {
+      auto of_q = e[6] * speeds_[5] * end.v.part(i), of_v = e[6] * speeds_[5] * end.a.part(i);
+#pragma GCC unroll 6
+      for (int k = 0; k < 6; ++k)
+        if (e[k] != 0) of_q += e[k] * stages_[k].q.part(i), of_v += e[k] * stages_[k].v.part(i);
+      squares_q += sum(of_q * of_q), squares_v += sum(of_v * of_v);
+    }
+    return squares_v + of_displacement * squares_q;
   }
 
   const Structures<M, L>& s_;
-  Numbers<M> q_ = s_.k;
   Stage stages_[6];
-  double weights_[6] = {};
+  double speeds_[6] = {};
 };
 
 }  // namespace pounding::study

@@ -1,5 +1,7 @@
 #pragma once
-/// Motion without contact over one interval of the record: exact for straight ground acceleration.
+/// Motion without contact: exact for straight ground acceleration.
+
+#include <array>
 
 #include <pounding/study/modal_state.hpp>
 #include <pounding/study/taylor.hpp>
@@ -11,7 +13,7 @@ template <int M, int L>
 class Flight {
  public:
   /// `h` with omega h <= 1 and 2 zeta omega h <= 1 [s].
-  Flight(const Structures<M, L>& s, double h) : of_(s), h_(h), qq_(s.k), qv_(s.k), vq_(s.k), vv_(s.k), q0_(s.k), q1_(s.k), v0_(s.k), v1_(s.k) {
+  Flight(const Structures<M, L>& s, double h) : h_(h), qq_(s.k), qv_(s.k), vq_(s.k), vv_(s.k), q0_(s.k), q1_(s.k), v0_(s.k), v1_(s.k) {
     for (std::size_t j = 0; j < s.modes(); ++j) {
       end(motion(s.k[j], s.c[j], 1, 0, 0, 0), qq_[j], vq_[j]);
       end(motion(s.k[j], s.c[j], 0, 1, 0, 0), qv_[j], vv_[j]);
@@ -23,9 +25,10 @@ class Flight {
   double length() const noexcept { return h_; }
 
   void advance(const ModalState<M>& from, double a0, double a1, ModalState<M>& to) const noexcept {
-    for (std::size_t j = 0; j < of_.modes(); ++j) {
-      to.q[j] = qq_[j] * from.q[j] + qv_[j] * from.v[j] + (q0_[j] * a0 + q1_[j] * a1);
-      to.v[j] = vq_[j] * from.q[j] + vv_[j] * from.v[j] + (v0_[j] * a0 + v1_[j] * a1);
+    for (std::size_t i = 0; i < qq_.parts(); ++i) {
+      const auto &q = from.q.part(i), &v = from.v.part(i);
+      to.q.part(i) = qq_.part(i) * q + qv_.part(i) * v + (q0_.part(i) * a0 + q1_.part(i) * a1);
+      to.v.part(i) = vq_.part(i) * q + vv_.part(i) * v + (v0_.part(i) * a0 + v1_.part(i) * a1);
     }
   }
 
@@ -35,9 +38,44 @@ class Flight {
     v = p.slope().value(h_);
   }
 
-  const Structures<M, L>& of_;
   double h_;
-  Numbers<M> qq_, qv_, vq_, vv_, q0_, q1_, v0_, v1_;
+  Modes<M> qq_, qv_, vq_, vv_, q0_, q1_, v0_, v1_;
+};
+
+/// Polynomials of all modes from one state.
+template <int M, int L>
+class PartOfFlight {
+ public:
+  explicit PartOfFlight(const Structures<M, L>& s) : s_(s) { terms_.fill(s.k); }
+
+  void begin(const ModalState<M>& x, const Ground& ground) noexcept {
+    for (std::size_t i = 0; i < s_.k.parts(); ++i)
+      motion_terms(s_.k.part(i), s_.c.part(i), x.q.part(i), x.v.part(i), ground.at * s_.p.part(i), ground.slope * s_.p.part(i),
+                   [&](std::size_t term, const auto& pack) { terms_[term].part(i) = pack; });
+  }
+  /// What is left of a link's gap.
+  Polynomial gap(std::size_t link, double whole) const noexcept {
+    Polynomial left;
+    for (std::size_t term = 0; term < terms_.size(); ++term) left.c[term] = -s_.closes(link, terms_[term]);
+    left.c[0] += whole;
+    return left;
+  }
+  /// The state after a time t.
+  void end(double t, ModalState<M>& x) const noexcept {
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) {
+      auto q = terms_[taylor_order].part(i), v = taylor_order * q;
+      for (std::size_t term = taylor_order - 1; term > 0; --term) {
+        q = t * q + terms_[term].part(i);
+        v = t * v + static_cast<double>(term) * terms_[term].part(i);
+      }
+      x.q.part(i) = t * q + terms_[0].part(i);
+      x.v.part(i) = v;
+    }
+  }
+
+ private:
+  const Structures<M, L>& s_;
+  std::array<Modes<M>, taylor_order + 1> terms_;
 };
 
 /// Whether a gap that is open at both ends of an interval may have closed inside: the tangents at both ends meet behind it. Gaps g0, g1 > 0 [m], closing

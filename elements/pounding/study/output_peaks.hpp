@@ -1,159 +1,141 @@
 #pragma once
-/// Peaks of the outputs of a history: at the ends of intervals and steps, and at turns between them.
+/// Peaks of the outputs of a history: at turns, which are located, and at the ends of motions.
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include <pounding/core/quintic.hpp>
-#include <pounding/study/cubic_top.hpp>
-#include <pounding/study/modal_state.hpp>
-#include <pounding/study/taylor.hpp>
+#include <pounding/study/output_row.hpp>
 
 namespace pounding::study {
 
+/// A displacement is largest where its velocity changes sign, which is all that is looked at as long as it does not.
 template <int M, int L>
 class OutputPeaks {
  public:
-  OutputPeaks(const LinearModel& model, const Structures<M, L>& structures) : s_(structures) {
-    for (const Output& output : model.outputs) rows_.push_back(Row(output, structures));
+  OutputPeaks(const LinearModel& model, const Structures<M, L>& structures) : s_(structures), beyond_(structures.count) {
+    for (const Output& output : model.outputs) {
+      (output.kind == Output::Kind::acceleration ? accelerations_ : displacements_).emplace_back(output, structures);
+      of_oscillators_ = of_oscillators_ && (output.kind == Output::Kind::acceleration || displacements_.back().is_one_mode());
+      order_.push_back(output.kind == Output::Kind::acceleration);
+    }
+    for (std::size_t j = structures.modes(); j < beyond_.parts() * Modes<M>::width; ++j) beyond_[j] = 1;
+    if (of_oscillators_) return;
+    rates_.resize((displacements_.size() + 3) / 4);
+    later_.resize(rates_.size());
+    for (std::size_t i = 0; i < rates_.size(); ++i) {
+      Block block{.first = structures.modes(), .last = 0, .start = columns_.size(), .empty = {}};
+      const std::size_t rows = std::min<std::size_t>(4, displacements_.size() - 4 * i);
+      for (std::size_t k = 0; k < rows; ++k) {
+        block.first = std::min(block.first, displacements_[4 * i + k].first());
+        block.last = std::max(block.last, displacements_[4 * i + k].last());
+      }
+      for (std::size_t k = rows; k < 4; ++k) block.empty.v[k] = 1;
+      for (std::size_t j = block.first; j < block.last; ++j) {
+        columns_.emplace_back();
+        for (std::size_t k = 0; k < rows; ++k) columns_.back().v[k] = displacements_[4 * i + k].factor(j);
+      }
+      blocks_.push_back(block);
+    }
   }
 
-  /// The motion goes on without contact from here.
+  /// The history begins.
   void start(const ModalState<M>& x, const Ground& ground) noexcept {
-    for (Row& row : rows_) {
-      row.y = row.value(x, ground.at);
-      row.w = row.rate(x, ground);
-      row.see(row.y);
-    }
+    for (Row& row : displacements_) row.see(row.displacement(x.q));
+    if (!of_oscillators_) find_rates(x.v, rates_);
+    resume(x, ground);
+  }
+  /// The motion goes on without contact from here.
+  void resume(const ModalState<M>& x, const Ground& ground) noexcept {
+    for (Row& row : accelerations_) row.begin(x, ground);
+  }
+  /// The history ends.
+  void finish(const ModalState<M>& x) noexcept {
+    for (Row& row : displacements_) row.see(row.displacement(x.q));
   }
 
-  /// An interval of length h without contact, from the state of the last call to `end`.
-  void flown(const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground, double h) noexcept {
-    const Ground later{ground(h), ground.slope};
-    for (Row& row : rows_) {
-      double y, w;
-      if (row.is_one_mode)
-        y = row.factor * end.q[row.first], w = row.factor * end.v[row.first];
-      else
-        y = row.value(end, later.at), w = row.rate(end, later);
-      if (row.may_turn(y, w, h)) locate(row, begin, ground, h);
-      row.see(y);
-      row.y = y, row.w = w;
-    }
+  /// Whether nothing has to be looked at on the way from the last state to `end`: asked once for each of them.
+  [[gnu::always_inline]] bool goes_on(const ModalState<M>& begin, const ModalState<M>& end) noexcept {
+    return !turns(begin.v, end.v) && accelerations_.empty();
+  }
+  /// An interval of length h without contact on which something has to be looked at.
+  [[gnu::noinline]] void flown(const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground, double h) noexcept {
+    for_turning(begin, end, h, [&](Row& row, double rate) { row.locate(s_, begin, ground, h, rate < 0); });
+    for (Row& row : accelerations_) row.fly(s_, begin, end, ground, h);
   }
 
-  /// A step in contact. Accelerations and their time derivatives at both ends are those of the equations with the forces of the links; `inside(part)` is
-  /// the state with its accelerations at a part of the step.
-  template <class End, class Inside>
-  void pressed(const End& begin, const End& end, double h, const Inside& inside) noexcept {
-    for (Row& row : rows_) {
-      if (row.kind == Output::Kind::acceleration) {
-        const double y0 = row.absolute(begin), y1 = row.absolute(end);
-        row.see(y1);
-        if (std::max(std::abs(y0), std::abs(y1)) < 0.5 * row.peak) continue;
-        const double w0 = h * row.jerk(begin), w1 = h * row.jerk(end);
-        if (!(w0 * w1 < 0)) continue;
-        row.see(row.absolute(inside(top_of_cubic(y0, w0, y1, w1))));
-        continue;
-      }
-      const double y = row.sum(row.r, end.q), w = row.sum(row.r, end.v);
-      row.y = row.sum(row.r, begin.q), row.w = row.sum(row.r, begin.v);
-      if (row.may_turn(y, w, h)) {
-        const Quintic x({row.y, row.w, row.sum(row.r, begin.a)}, {y, w, row.sum(row.r, end.a)}, h);
-        row.see(x.at(x.turn(w > 0)).x);
-      }
-      row.see(y);
-    }
+  /// A step in contact on which something has to be looked at. `jerk(state)` is the derivative of the accelerations of a state, `inside(part)` the state with its accelerations at a part of the step.
+  template <class State, class Jerk, class Inside>
+  [[gnu::noinline]] void pressed(const State& begin, const State& end, double h, const Jerk& jerk, const Inside& inside) noexcept {
+    for_turning(begin, end, h, [&](Row& row, double) { row.turn(begin, end, h); });
+    for (Row& row : accelerations_) row.press(begin, end, h, jerk, inside);
   }
   /// Accelerations of a state in contact, as an event has left it.
-  template <class End>
-  void jumped(const End& state) noexcept {
-    for (Row& row : rows_)
-      if (row.kind == Output::Kind::acceleration) row.see(row.absolute(state));
+  template <class State>
+  void jumped(const State& state) noexcept {
+    for (Row& row : accelerations_) row.see(row.absolute(state));
   }
 
   std::vector<double> peaks() const {
     std::vector<double> all;
-    for (const Row& row : rows_) all.push_back(row.peak);
+    auto displacement = displacements_.begin(), acceleration = accelerations_.begin();
+    for (const bool of_acceleration : order_) all.push_back((of_acceleration ? acceleration++ : displacement++)->peak());
     return all;
   }
 
  private:
-  struct Row {
-    Row(const Output& output, const Structures<M, L>& s)
-        : kind(output.kind), first(0), last(s.modes()), r(numbers<M>(s.count)), by_q(r), by_v(r), rate_by_q(r), rate_by_v(r) {
-      for (std::size_t j = 0; j < s.modes(); ++j) r[j] = output.factors[j];
-      while (first < last && r[first] == 0) ++first;
-      while (last > first && r[last - 1] == 0) --last;
-      if (kind != Output::Kind::acceleration) {
-        by_q = rate_by_v = r;
-        is_one_mode = last == first + 1;
-        if (is_one_mode) factor = r[first];
-        return;
-      }
-      ground = output.ground;
-      by_ground = rate_by_slope = ground;
-      for (std::size_t j = first; j < last; ++j) {
-        by_q[j] = -r[j] * s.k[j], by_v[j] = -r[j] * s.c[j];
-        rate_by_q[j] = r[j] * s.c[j] * s.k[j], rate_by_v[j] = r[j] * (s.c[j] * s.c[j] - s.k[j]);
-        rate_by_ground += r[j] * s.c[j] * s.p[j];
-        by_ground -= r[j] * s.p[j], rate_by_slope -= r[j] * s.p[j];
-      }
-    }
+  using Row = OutputRow<M, L>;
 
-    double sum(const Numbers<M>& factors, const Numbers<M>& x) const noexcept {
-      double all = 0;
-      for (std::size_t j = first; j < last; ++j) all += factors[j] * x[j];
-      return all;
+  // Whether the rate of a displacement changes its sign from one state to the next.
+  [[gnu::always_inline]] bool turns(const Modes<M>& v, const Modes<M>& later) noexcept {
+    if (!of_oscillators_) return rates_turn(later);
+    double least = smallest(v.part(0) * later.part(0) + beyond_.part(0));
+    for (std::size_t i = 1; i < v.parts(); ++i) least = std::min(least, smallest(v.part(i) * later.part(i) + beyond_.part(i)));
+    return !(least > 0);
+  }
+  [[gnu::noinline]] bool rates_turn(const Modes<M>& later) noexcept {
+    find_rates(later, later_);
+    bool any = false;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) any |= !(smallest(rates_[i] * later_[i] + blocks_[i].empty) > 0);
+    std::swap(rates_, later_);
+    return any;
+  }
+  // Calls see(row, rate at the first state) where a displacement turns beyond its peak. A turn at the second state itself is seen here.
+  template <class State, class See>
+  void for_turning(const State& begin, const State& end, double h, const See& see) noexcept {
+    for (std::size_t i = 0; i < displacements_.size(); ++i) {
+      Row& row = displacements_[i];
+      const double before = of_oscillators_ ? row.displacement(begin.v) : later_[i / 4].v[i % 4];
+      const double after = of_oscillators_ ? row.displacement(end.v) : rates_[i / 4].v[i % 4];
+      if (before * after > 0) continue;
+      const double y = row.displacement(begin.q), y_after = row.displacement(end.q);
+      if (row.reaches(y, before, y_after, after, h)) see(row, before);
+      row.see(y_after);
     }
-    double value(const ModalState<M>& x, double ag) const noexcept {
-      return kind == Output::Kind::acceleration ? sum(by_q, x.q) + sum(by_v, x.v) + by_ground * ag : sum(r, x.q);
+  }
+  void find_rates(const Modes<M>& v, std::vector<Pack<4>>& rates) const noexcept {
+    Pack<4>* rate = rates.data();
+    for (const Block& block : blocks_) {
+      Pack<4> all;
+      const Pack<4>* column = columns_.data() + block.start;
+      for (std::size_t j = block.first; j < block.last; ++j) all += v[j] * *column++;
+      *rate++ = all;
     }
-    double rate(const ModalState<M>& x, const Ground& g) const noexcept {
-      if (kind != Output::Kind::acceleration) return sum(r, x.v);
-      return sum(rate_by_q, x.q) + sum(rate_by_v, x.v) + rate_by_ground * g.at + rate_by_slope * g.slope;
-    }
-    template <class End>
-    double absolute(const End& end) const noexcept {
-      return sum(r, end.a) + ground * end.ground;
-    }
-    template <class End>
-    double jerk(const End& end) const noexcept {
-      return sum(r, end.jerk) + ground * end.slope;
-    }
-    void see(double x) noexcept { peak = std::max(peak, kind == Output::Kind::closing ? x : std::abs(x)); }
-    /// Whether a turn between the last state and this one, a time h apart, may lie beyond the peak: the tangents at both ends reach that far.
-    bool may_turn(double y1, double w1, double h) const noexcept {
-      if (!(w * w1 < 0)) return false;
-      const double reach = std::max(std::abs(y) + 0.5 * h * std::abs(w), std::abs(y1) + 0.5 * h * std::abs(w1));
-      return reach > peak;
-    }
-
-    Output::Kind kind;
-    std::size_t first, last;  // modes that count
-    bool is_one_mode = false;  // a displacement of an oscillator
-    double factor = 0;         // of that mode
-    Numbers<M> r, by_q, by_v, rate_by_q, rate_by_v;
-    double ground = 0, by_ground = 0, rate_by_ground = 0, rate_by_slope = 0;
-    double y = 0, w = 0, peak = 0;
-  };
-
-  void locate(Row& row, const ModalState<M>& begin, const Ground& g, double h) noexcept {
-    Polynomial y;
-    for (std::size_t j = row.first; j < row.last; ++j) {
-      const Polynomial q = motion(s_.k[j], s_.c[j], begin.q[j], begin.v[j], s_.p[j] * g.at, s_.p[j] * g.slope);
-      y.add(row.by_q[j], q);
-      if (row.kind == Output::Kind::acceleration) y.add(row.by_v[j], q.slope());
-    }
-    y.c[0] += row.by_ground * g.at, y.c[1] += row.by_ground * g.slope;
-    const Polynomial w = y.slope();
-    row.see(y.value(root_of(w, w.slope(), 0, h, row.w < 0)));
   }
 
+  // Four displacements, the modes that they have, and 1 in places without one.
+  struct Block {
+    std::size_t first, last, start;
+    Pack<4> empty;
+  };
+
   const Structures<M, L>& s_;
-  std::vector<Row> rows_;
+  std::vector<Row> displacements_, accelerations_;
+  std::vector<bool> order_;      // whether an output is an acceleration
+  bool of_oscillators_ = true;   // every displacement is that of one mode
+  Modes<M> beyond_;              // 1 in places without a mode
+  std::vector<Block> blocks_;
+  std::vector<Pack<4>> columns_, rates_, later_;  // rates of the displacements by modes, and in two states
 };
 
 }  // namespace pounding::study

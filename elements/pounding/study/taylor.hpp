@@ -1,5 +1,5 @@
 #pragma once
-/// Motion of one mode under straight ground acceleration as a polynomial of time, and roots of such polynomials.
+/// Motion of modes under straight ground acceleration as polynomials of time, and roots of such polynomials.
 
 #include <array>
 #include <cmath>
@@ -11,6 +11,13 @@ namespace pounding::study {
 
 /// Terms up to t^14: pieces with omega t <= 1 and 2 zeta omega t <= 1 are right to 1e-12.
 inline constexpr int taylor_order = 14;
+
+/// 1/((i + 1)(i + 2)).
+inline constexpr std::array<double, taylor_order - 1> taylor_shares = [] {
+  std::array<double, taylor_order - 1> shares{};
+  for (int i = 0; i + 1 < taylor_order; ++i) shares[static_cast<std::size_t>(i)] = 1.0 / ((i + 1) * (i + 2));
+  return shares;
+}();
 
 /// sum of c[i] t^i.
 struct Polynomial {
@@ -32,17 +39,26 @@ struct Polynomial {
   }
 };
 
-/// q'' + damping q' + stiffness q = -load (ag + slope t), from q and v at t = 0.
+/// Calls keep(i, c_i) with the terms of q'' + damping q' + stiffness q = -(forcing + forcing_slope t), from q and v at t = 0; a number each, or a pack.
+template <class Number, class Keep>
+void motion_terms(const Number& stiffness, const Number& damping, const Number& q, const Number& v, const Number& forcing, const Number& forcing_slope,
+                  const Keep& keep) noexcept {
+  Number low = q, high = v;
+  keep(0, low), keep(1, high);
+  for (std::size_t i = 0; i + 1 < taylor_order; ++i) {
+    Number pull = damping * (static_cast<double>(i + 1) * high) + stiffness * low;
+    if (i == 0) pull += forcing;
+    if (i == 1) pull += forcing_slope;
+    low = high;
+    high = -taylor_shares[i] * pull;
+    keep(i + 2, high);
+  }
+}
+
+/// The motion of one mode.
 inline Polynomial motion(double stiffness, double damping, double q, double v, double forcing, double forcing_slope) noexcept {
   Polynomial x;
-  x.c[0] = q;
-  x.c[1] = v;
-  double f[2] = {forcing, forcing_slope};
-  for (std::size_t i = 0; i + 2 < x.c.size(); ++i) {
-    const auto n = static_cast<double>(i);
-    const double pushed = i < 2 ? f[i] : 0;
-    x.c[i + 2] = (-damping * (n + 1) * x.c[i + 1] - stiffness * x.c[i] - pushed) / ((n + 1) * (n + 2));
-  }
+  motion_terms(stiffness, damping, q, v, forcing, forcing_slope, [&](std::size_t i, double term) { x.c[i] = term; });
   return x;
 }
 

@@ -1,0 +1,231 @@
+#pragma once
+/// Steps in contact, from a touch until all links are open again.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pounding/core/error.hpp>
+#include <pounding/study/contact_step.hpp>
+#include <pounding/study/output_peaks.hpp>
+#include <pounding/study/step_events.hpp>
+
+namespace pounding::study {
+
+template <class Law, int M, int L>
+class ContactRun {
+ public:
+  using Links = std::vector<LinkContact<Law>>;
+
+  ContactRun(const Structures<M, L>& structures, Links& links, OutputPeaks<M, L>& outputs, const Settings& settings)
+      : s_(structures), links_(links), outputs_(outputs), settings_(settings), step_(structures), jerk_(structures.count) {
+    for (Moment<M, L>& moment : moments_) moment = step_.moment();
+  }
+  // It points at its own moments.
+  ContactRun(const ContactRun&) = delete;
+  ContactRun& operator=(const ContactRun&) = delete;
+
+  bool closed() const noexcept { return closed_; }
+  /// Kept steps.
+  long steps() const noexcept { return steps_; }
+  /// A link has moved at this rate [m/s].
+  void saw(double rate) noexcept { fastest_ = std::max(fastest_, std::abs(rate)); }
+  /// An interval begins at this time of the history [s].
+  void begin_interval(double time) noexcept { time_ = time; }
+
+  /// A link touches at a time of the interval.
+  void touch(std::size_t link, const ModalState<M>& x, double t, const Ground& ground) {
+    Moment<M, L>& m = *begin_;
+    m.q = x.q, m.v = x.v, m.time = t;
+    m.links[link].rate = s_.closes(link, m.v);
+    apply({LinkEvent::touch, link, 0}, ground);
+  }
+
+  /// Steps from x until all links are open again or the interval is over. Returns the time of the interval, and the state then in x.
+  double press(const Ground& ground, ModalState<M>& x, double t, double length) {
+    Moment<M, L>& m = *begin_;
+    m.q = x.q, m.v = x.v, m.time = t;
+    step_.complete(links_, ground, m);
+    if (clock_.p() == 1) reading_ = t;
+    while (closed_ && begin_->time < length) advance(ground, length);
+    x.q = begin_->q, x.v = begin_->v;
+    if (closed_) clock_.move(length);
+    return begin_->time;
+  }
+
+ private:
+  // Applies an event to begin_, which then is complete again.
+  void apply(const Found& found, const Ground& ground) {
+    LinkContact<Law>& link = links_[found.link];
+    link.apply(found.event, begin_->links[found.link].d, begin_->links[found.link].rate);
+    closed_ = false;
+    for (const LinkContact<Law>& each : links_) closed_ = closed_ || each.closed();
+    step_.complete(links_, ground, *begin_);
+    for (std::size_t l = 0; l < s_.links(); ++l)
+      if (links_[l].pressed()) links_[l].record(begin_->links[l].force.force);
+    outputs_.jumped(*begin_);
+    if (found.event == LinkEvent::touch)
+      wind_up(found.link);
+    else
+      clock_ = Clock(), reading_ = begin_->time, ds_ = last_;
+  }
+
+  // An impact begins: its scales, and the clock by which the first steps go.
+  void wind_up(std::size_t l) {
+    const double inverse_mass = dot(s_.closing[l], s_.closing[l]);
+    const double speed = std::max({std::abs(begin_->links[l].rate), 1e-3 * fastest_, laws::slowest_closing_speed});
+    // Depth at which the spring alone does the work m v^2: a step or two of a fixed point are enough for a scale.
+    double depth = 1e-3 * speed;
+    for (int i = 0; i < 8; ++i) {
+      const double force = links_[l].slow_force(depth);
+      const double ratio = force > 0 ? speed * speed / (inverse_mass * force * depth) : 4;
+      depth *= std::clamp(std::sqrt(ratio), 0.01, 100.0);
+      if (ratio > 0.5 && ratio < 2) break;
+    }
+    speed_ = speed, root_of_mass_ = 1 / std::sqrt(inverse_mass);
+    time_scale_ = depth / speed;
+    clock_ = Clock(begin_->time, links_[l].root());
+    reading_ = clock_.reading(begin_->time);
+    // A first step that the error test keeps nearly always.
+    ds_ = clock_.reading(begin_->time + (clock_.p() == 1 ? 0.3 : 0.1) * time_scale_) - reading_;
+  }
+
+  // One kept step.
+  void advance(const Ground& ground, double length) {
+    // Away from the touch time itself will do.
+    if (clock_.p() > 1 && begin_->time - clock_.touch() > time_scale_) {
+      ds_ *= clock_.at(reading_).speed;
+      clock_ = Clock(), reading_ = begin_->time;
+    }
+    const double to_end = clock_.reading(length) - reading_;
+    for (;;) {
+      const bool ends = ds_ >= to_end * (1 - 1e-12);
+      const double ds = ends ? to_end : ds_;
+      const double end_time = ends ? length : clock_.at(reading_ + ds).time;
+      if (!(end_time > begin_->time)) fail("steps in contact become too short");
+      if (++tries_ > settings_.most_steps) fail("there are too many steps in contact");
+      const double square = take(ground, ds, end_time);
+      if (!(square <= 1)) {
+        ds_ = ds * (square < 1e24 ? std::max(0.2, growth(square)) : 0.2);
+        continue;
+      }
+      const double wanted = ds * std::min(5.0, growth(std::max(square, 1e-12))) * clock_.shortening(reading_, ds);
+      const Found found = first_event(links_, *begin_, *end_);
+      if (found.event == LinkEvent::none) {
+        // A step that the interval has cut says little about the next.
+        ds_ = ends ? std::max(ds_, wanted) : wanted;
+        keep(ground, reading_ + ds);
+        return;
+      }
+      last_ = std::max(wanted, ds) * clock_.at(reading_ + ds).speed;
+      land(found, ground, end_time);
+      return;
+    }
+  }
+
+  // Growth of the next step by the square of this one's error: 0.9 error^-0.2, within 7 %, from the logarithm that the bits of a number are.
+  // Whole numbers are computed alike on every machine, powers are not.
+  static double growth(double square) noexcept {
+    constexpr std::int64_t one = std::bit_cast<std::int64_t>(1.0);
+    return 0.9 * std::bit_cast<double>(one - (std::bit_cast<std::int64_t>(square) - one) / 10);
+  }
+
+  // Square of the step's error over the largest one allowed.
+  double take(const Ground& ground, double ds, double end_time) noexcept {
+    const double square = step_.take(links_, ground, clock_, *begin_, reading_, ds, end_time, time_scale_, *end_);
+    const double allowed = settings_.tolerance * speed_ * root_of_mass_;
+    return square / (allowed * allowed);
+  }
+
+  // The state at a part of the last step, with its accelerations.
+  const Moment<M, L>& inside(const Ground& ground, double part) noexcept {
+    const Moment<M, L>&b = *begin_, &e = *end_;
+    const double h = e.time - b.time;
+    for (std::size_t j = 0; j < s_.modes(); ++j) {
+      const Jet jet = Quintic({b.q[j], b.v[j], b.a[j]}, {e.q[j], e.v[j], e.a[j]}, h).at(part);
+      middle_->q[j] = jet.x, middle_->v[j] = jet.v;
+    }
+    middle_->time = b.time + part * h;
+    step_.complete(links_, ground, *middle_);
+    return *middle_;
+  }
+
+  // The step is kept, and the next one begins at its end.
+  void keep(const Ground& ground, double reading) {
+    const double h = end_->time - begin_->time;
+    // Before the laws' memories move: what lies inside the step belongs to those at its beginning.
+    const auto jerk = [&](const Moment<M, L>& m) -> const Modes<M>& { return step_.jerk(m, jerk_), jerk_; };
+    if (!outputs_.goes_on(*begin_, *end_))
+      outputs_.pressed(*begin_, *end_, h, jerk, [&](double part) -> const Moment<M, L>& { return inside(ground, part); });
+    for (std::size_t l = 0; l < s_.links(); ++l) {
+      LinkContact<Law>& link = links_[l];
+      if (!link.closed()) continue;
+      const LinkMoment &b = begin_->links[l], &e = end_->links[l];
+      if (link.pressed()) {
+        step_.push(l, link);
+        if (b.force_rate > 0 && e.force_rate < 0) record_top(link, b, e, h);
+      }
+      if (b.rate > 0 && e.rate < 0) link.record_depth(path(b, e, h).at(path(b, e, h).turn(false)).x);
+      link.keep(e.d, e.rate, e.force.force);
+      speed_ = std::max(speed_, std::abs(e.rate));
+      saw(e.rate);
+    }
+    std::swap(begin_, end_);
+    reading_ = reading;
+    ++steps_;
+  }
+
+  // Repeats the step so that it ends on an event, and applies it.
+  void land(const Found& found, const Ground& ground, double end_time) {
+    double t = begin_->time + found.part * (end_time - begin_->time), left = 0;
+    const double shortest = 1e-14 * (std::abs(begin_->time) + time_scale_);
+    for (int i = 0; i < 4 && t - begin_->time > shortest; ++i) {
+      const double ds = clock_.reading(t) - reading_;
+      take(ground, ds, t);
+      const Graph way = way_to(links_[found.link], found.event, end_->links[found.link]);
+      left = -way.value / way.slope;
+      if (!(std::abs(left) < 0.5 * (t - begin_->time))) left = 0;
+      if (std::abs(left) <= 1e-4 * (t - begin_->time)) break;
+      if (i < 3) t = std::min(t + left, end_time), left = 0;
+    }
+    if (t - begin_->time > shortest) {
+      // A ten-thousandth of the step is left: three terms of its series.
+      step_.jerk(*end_, jerk_);
+      for (std::size_t i = 0; i < jerk_.parts(); ++i) {
+        end_->q.part(i) += left * (end_->v.part(i) + 0.5 * left * end_->a.part(i));
+        end_->v.part(i) += left * (end_->a.part(i) + 0.5 * left * jerk_.part(i));
+      }
+      end_->time += left;
+      step_.complete(links_, ground, *end_);
+      keep(ground, clock_.reading(end_->time));
+    }
+    apply(found, ground);
+  }
+
+  [[noreturn]] void fail(const char* what) const {
+    throw SolverError(std::string(what) + ", at " + std::to_string(time_ + begin_->time) + " s");
+  }
+
+  const Structures<M, L>& s_;
+  Links& links_;
+  OutputPeaks<M, L>& outputs_;
+  const Settings settings_;
+  ContactStep<Law, M, L> step_;
+  Moment<M, L> moments_[3];
+  Moment<M, L>*begin_ = &moments_[0], *end_ = &moments_[1], *middle_ = &moments_[2];
+  Modes<M> jerk_;
+  bool closed_ = false;
+  double time_ = 0;      // of the present interval
+  double fastest_ = 0;   // rate of any link so far
+  Clock clock_;
+  double reading_ = 0, ds_ = 0, last_ = 0;
+  double speed_ = 0, time_scale_ = 0, root_of_mass_ = 0;  // of the present impact
+  long steps_ = 0, tries_ = 0;
+};
+
+}  // namespace pounding::study

@@ -1,0 +1,83 @@
+#pragma once
+/// Numbers side by side, computed at once: one for each mode of the structures.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+// Packs are passed inside one translation unit only, where they are inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace pounding::study {
+
+/// Arrays over links, of a size that the compiler knows where there are few of them; N is 0 for a size that is known at run time only.
+template <int N, class T = double>
+using Numbers = std::conditional_t<(N > 0), std::array<T, static_cast<std::size_t>(N > 0 ? N : 1)>, std::vector<T>>;
+
+template <int N, class T = double>
+Numbers<N, T> numbers(int count, const T& value = {}) {
+  if constexpr (N > 0) {
+    Numbers<N, T> all;
+    all.fill(value);
+    return all;
+  } else {
+    return Numbers<N, T>(static_cast<std::size_t>(count), value);
+  }
+}
+
+/// W doubles in one register of the processor, or in two halves of it.
+template <int W>
+struct Pack {
+  typedef double Vector __attribute__((vector_size(W * 8)));
+  Vector v{};
+
+  friend Pack operator+(const Pack& a, const Pack& b) noexcept { return {a.v + b.v}; }
+  friend Pack operator-(const Pack& a, const Pack& b) noexcept { return {a.v - b.v}; }
+  friend Pack operator*(const Pack& a, const Pack& b) noexcept { return {a.v * b.v}; }
+  friend Pack operator*(double a, const Pack& b) noexcept { return {a * b.v}; }
+  friend Pack operator*(const Pack& a, double b) noexcept { return {a.v * b}; }
+  Pack& operator+=(const Pack& b) noexcept { return v += b.v, *this; }
+  Pack& operator-=(const Pack& b) noexcept { return v -= b.v, *this; }
+  Pack operator-() const noexcept { return {-v}; }
+};
+
+inline double sum(const Pack<2>& x) noexcept { return x.v[0] + x.v[1]; }
+inline double sum(const Pack<4>& x) noexcept { return (x.v[0] + x.v[2]) + (x.v[1] + x.v[3]); }
+inline double smallest(const Pack<2>& x) noexcept { return std::min(x.v[0], x.v[1]); }
+inline double smallest(const Pack<4>& x) noexcept { return std::min(std::min(x.v[0], x.v[2]), std::min(x.v[1], x.v[3])); }
+
+/// One number for each mode, in packs that end with zeros: M modes at most, or as many as there are where M is 0.
+template <int M>
+class Modes {
+ public:
+  static constexpr int width = M == 1 || M == 2 ? 2 : 4;
+  using Part = Pack<width>;
+
+  Modes() = default;
+  explicit Modes(int count) {
+    if constexpr (M == 0) parts_.resize(static_cast<std::size_t>((count + width - 1) / width));
+  }
+
+  /// Packs.
+  std::size_t parts() const noexcept { return parts_.size(); }
+  Part& part(std::size_t i) noexcept { return parts_[i]; }
+  const Part& part(std::size_t i) const noexcept { return parts_[i]; }
+  /// The number of one mode.
+  double& operator[](std::size_t j) noexcept { return reinterpret_cast<double*>(parts_.data())[j]; }
+  double operator[](std::size_t j) const noexcept { return reinterpret_cast<const double*>(parts_.data())[j]; }
+
+ private:
+  Numbers<(M + width - 1) / width, Part> parts_{};
+};
+
+/// Sum of the products.
+template <int M>
+double dot(const Modes<M>& a, const Modes<M>& b) noexcept {
+  typename Modes<M>::Part all = a.part(0) * b.part(0);
+  for (std::size_t i = 1; i < a.parts(); ++i) all += a.part(i) * b.part(i);
+  return sum(all);
+}
+
+}  // namespace pounding::study
