@@ -2,8 +2,10 @@
 /// Calibrations of a law that are found once and not again at every touch: some of them integrate impacts for milliseconds.
 
 #include <array>
+#include <type_traits>
 
-#include <pounding/laws/table.hpp>
+#include <pounding/laws/all.hpp>
+#include <pounding/study/adams_calibration.hpp>
 
 namespace pounding::study {
 
@@ -43,15 +45,32 @@ bool same_formula(const Law& a, const Law& b) {
   return true;
 }
 
-/// The law, with a formula that remembers its last answer on this thread. A number that depends on the closing speed is found at every touch as before.
+/// The law, with a formula that remembers its last answer on this thread. A number that depends on the closing speed is found at every touch as before,
+/// but for those of adams_impact, which are tabled.
 template <class Law>
 Law remembering(Law law) {
-  if constexpr (requires { law.formula = laws::DampingFormula{}; }) {
+  if constexpr (std::is_same_v<Law, laws::AdamsImpact>) {
+    if (law.formula == &laws::exact_adams_impact) law.formula = &tabled_adams_impact;
+    return law;
+  } else if constexpr (requires { law.formula = laws::DampingFormula{}; }) {
     LastCalibration& last = last_calibration<Law>();
     if (law.formula != last.formula) last = {.formula = law.formula, .target = {}, .number = 0, .known = false};
     law.formula = [](const laws::CalibrationTarget& asked) { return last_calibration<Law>().number_for(asked); };
   }
   return law;
+}
+
+/// True for a law whose curve follows from powers of the closing speed, and which takes the curve instead of them.
+template <class Law>
+inline constexpr bool has_curve = requires(Law law, const laws::Impact& impact) { law.initial_stiffness = law.curve(impact).k1; };
+
+/// The law with the curve of one impact, which is found once.
+template <class Law>
+Law with_curve(const Law& law, const laws::Impact& impact) {
+  const auto [k1, k2, yield] = law.curve(impact);
+  Law given;
+  given.initial_stiffness = k1, given.secondary_stiffness = k2, given.yield_penetration = yield;
+  return given;
 }
 
 }  // namespace pounding::study

@@ -30,7 +30,10 @@ class Clock {
     return p_ == 2 ? root : std::sqrt(root);
   }
   /// Time takes a step by s longer the later it is: the factor to the next step of about the same length in time.
-  double shortening(double s, double ds) const noexcept { return p_ == 1 ? 1 : (2 * s + ds) / (2 * s + 3 * ds); }
+  double shortening(double s, double ds) const noexcept {
+    const double ratio = (2 * s + ds) / (2 * s + 3 * ds);
+    return p_ == 1 ? 1 : p_ == 2 ? ratio : ratio * ratio;
+  }
   /// Times count from later by `shift`.
   void move(double shift) noexcept { touch_ -= shift; }
 

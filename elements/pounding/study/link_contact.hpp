@@ -9,6 +9,7 @@
 #include <pounding/laws/law.hpp>
 #include <pounding/links/contact_state.hpp>
 #include <pounding/links/force_sign.hpp>
+#include <pounding/study/calibration.hpp>
 #include <pounding/study/kernel.hpp>
 
 namespace pounding::study {
@@ -56,14 +57,14 @@ class LinkContact {
 
   /// Force and slopes while the link presses, uncut as inside a step of the solver; zeros otherwise.
   laws::Response force(double penetration, double rate) const noexcept {
-    return pressed() ? law_.contact(penetration, rate, state_.impact) : laws::Response{};
+    return pressed() ? law().contact(penetration, rate, state_.impact) : laws::Response{};
   }
   /// The law's formula, whatever the phase.
-  laws::Response uncut(double penetration, double rate) const noexcept { return law_.contact(penetration, rate, state_.impact); }
+  laws::Response uncut(double penetration, double rate) const noexcept { return law().contact(penetration, rate, state_.impact); }
   /// Force between bodies that have come slowly to this penetration [N].
-  double slow_force(double penetration) const noexcept { return law_.contact(penetration, 0, state_.impact).force; }
+  double slow_force(double penetration) const noexcept { return law().contact(penetration, 0, state_.impact).force; }
   double signed_force(double penetration, double rate) const noexcept {
-    return pounding::signed_force(law_, penetration, rate, state_.impact);
+    return pounding::signed_force(law(), penetration, rate, state_.impact);
   }
 
   /// Positive while the present phase lasts, negative behind its end by this event; infinite for an event that cannot end it. A touch is looked
@@ -90,7 +91,7 @@ class LinkContact {
 
   /// A state inside the contact was kept.
   void keep(double penetration, double rate, double force) noexcept {
-    state_.keep(law_, penetration, rate);
+    state_.keep(law(), penetration, rate);
     peaks_.peak_penetration = std::max(peaks_.peak_penetration, penetration);
     record(force);
     if (!located_turn_ && pressed()) state_.phase = rate > 0 ? ContactPhase::approach : ContactPhase::restitution;
@@ -108,10 +109,11 @@ class LinkContact {
     switch (event) {
       case LinkEvent::touch:
         state_.begin(law_, rate);
+        if constexpr (has_curve<Law>) curve_ = with_curve(law_, state_.impact);
         ++peaks_.impacts;
         if (root_ == 0) {
-          root_ = clock_root(law_, state_.impact);
-          located_turn_ = turn_matters(law_, state_.impact);
+          root_ = clock_root(law(), state_.impact);
+          located_turn_ = turn_matters(law(), state_.impact);
         }
         return;
       case LinkEvent::turn:
@@ -119,23 +121,29 @@ class LinkContact {
         return;
       case LinkEvent::release:
         if constexpr (laws::leaves_indentation<Law>)
-          state_.end(law_, std::max(0.0, penetration));
+          state_.end(law(), std::max(0.0, penetration));
         else
           state_.phase = ContactPhase::slack;
         return;
       case LinkEvent::engage: state_.phase = rate > 0 ? ContactPhase::approach : ContactPhase::restitution; return;
-      case LinkEvent::separation: state_.end(law_, 0); return;
+      case LinkEvent::separation: state_.end(law(), 0); return;
       case LinkEvent::none: return;
     }
   }
 
   /// The history is over in this state: what the contact can still give back is not lost.
   void finish(double penetration) noexcept {
-    if (pressed()) peaks_.energy_lost -= laws::stored_energy(law_, penetration, state_.impact);
+    if (pressed()) peaks_.energy_lost -= laws::stored_energy(law(), penetration, state_.impact);
   }
 
  private:
-  Law law_;
+  // The law of the present impact.
+  const Law& law() const noexcept {
+    if constexpr (has_curve<Law>) return curve_;
+    return law_;
+  }
+
+  Law law_, curve_ = law_;
   ContactState state_;
   LinkPeaks peaks_;
   int root_ = 0;

@@ -50,9 +50,10 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
   double low = 0, at_low = link.margin(event, b.d, b.rate), high = 1, at_high = margin(1);
   // Bodies that have just touched close first, however slowly.
   if (event == LinkEvent::separation && b.rate > 0 && e.rate < 0) low = way.turn(false), at_low = margin(low);
-  // A margin that grows from zero is positive a little later.
-  for (double s = 0.5; !(at_low > 0) && s > 1e-3; s *= 0.5)
-    if (const double m = margin(s); m > 0)
+  // A margin that grows from zero, or from what rounding makes of it, is positive a little later.
+  const double trace = 1e-12 * std::abs(at_high);
+  for (double s = 0.5; !(at_low > trace) && s > 1e-3; s *= 0.5)
+    if (const double m = margin(s); m > trace)
       low = s, at_low = m;
     else
       high = s, at_high = m;

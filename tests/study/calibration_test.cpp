@@ -1,0 +1,68 @@
+// Calibrations that the kernel keeps, and events that rounding nearly hides.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <pounding/study/adams_calibration.hpp>
+#include <pounding/study/step_events.hpp>
+
+namespace pounding::study {
+namespace {
+
+TEST(TheTableOfAdamsImpact, GivesTheExactCalibration) {
+  for (const double e : {0.3, 0.65})
+    for (const double speed : {1e-6, 0.12, 0.3, 0.31, 1.2}) {
+      const laws::CalibrationTarget target{
+          .restitution = e, .closing_speed = speed, .stiffness = 2.75e9, .exponent = 1.5, .reduced_mass = 6e4, .depth = 0.001};
+      const double exact = laws::exact_adams_impact(target);
+      EXPECT_NEAR(tabled_adams_impact(target), exact, 1e-8 * exact) << e << " at " << speed << " m/s";
+    }
+}
+
+TEST(TheTableOfAdamsImpact, GivesTheSameBitsWhateverWasAskedBefore) {
+  const laws::CalibrationTarget one{.restitution = 0.7, .closing_speed = 0.4, .stiffness = 2.75e9, .exponent = 1.5, .reduced_mass = 6e4, .depth = 0.001};
+  laws::CalibrationTarget other = one;
+  const double alone = tabled_adams_impact(one);
+  for (const double speed : {0.2, 0.5, 0.41}) other.closing_speed = speed, tabled_adams_impact(other);
+  EXPECT_EQ(tabled_adams_impact(one), alone);
+}
+
+TEST(TheCurveOfOneImpact, AnswersAsTheLaw) {
+  const laws::BilinearHertz law{.stiffness = 2.75e9, .restitution = 0.65, .reduced_mass = 6e4};
+  const laws::Impact impact = laws::touch(law, 0.3);
+  const laws::BilinearHertz given = with_curve(law, impact);
+  for (const double d : {0.0005, 0.002, 0.008}) EXPECT_EQ(given.contact(d, 0.1, impact).force, law.contact(d, 0.1, impact).force);
+}
+
+TEST(AForceThatIsJustReleased, PressesAgainAtItsNextZeroAndNotAtOnce) {
+  // The dashpot pulls as much as the spring pushes at d0; behind d0 the force is cut, and nearer to the separation it presses again.
+  const laws::AdamsImpact law{.stiffness = 2.75e9, .depth = 0.001, .damping_coefficient = 1e6, .reduced_mass = 6e4};
+  const double rate = -0.2;
+  LinkContact<laws::AdamsImpact> link(law, 0);
+  link.apply(LinkEvent::touch, 0, 0.3);
+  double low = 1e-5, high = 1e-3;
+  ASSERT_LT(link.uncut(1e-3, rate).force, 0);
+  // The uncut force has a zero below where the dashpot wins.
+  while (link.uncut(low, rate).force < 0) low /= 2;
+  for (int i = 0; i < 200; ++i) (link.uncut(0.5 * (low + high), rate).force > 0 ? low : high) = 0.5 * (low + high);
+  const double again = low;
+  // It wins up to here.
+  low = 1e-3, high = 0.1;
+  while (link.uncut(high, rate).force < 0) high *= 2;
+  for (int i = 0; i < 200; ++i) (link.uncut(0.5 * (low + high), rate).force < 0 ? low : high) = 0.5 * (low + high);
+  const double released = std::nextafter(low, 0);
+  ASSERT_LT(link.uncut(released, rate).force, 0);
+  ASSERT_GT(link.uncut(released, rate).force, -1e-6);
+  link.apply(LinkEvent::release, released, rate);
+  LinkMoment begin, end;
+  begin.d = released, end.d = 0.5 * again;
+  begin.rate = end.rate = rate;
+  const double h = (begin.d - end.d) / -rate;
+  const double part = crossing(link, LinkEvent::engage, begin, end, h);
+  EXPECT_NEAR(begin.d + part * h * rate, again, 1e-3 * again);
+}
+
+}  // namespace
+}  // namespace pounding::study
