@@ -85,7 +85,7 @@ class Table {
   }
 
  private:
-  static constexpr int deepest = 10;  // level of pieces as wide as 2^-10 octaves
+  static constexpr int deepest = 16;  // level of pieces as wide as 2^-16 octaves
   static constexpr std::size_t terms = 12;
   using Series = std::array<double, terms>;  // of Chebyshev
 
@@ -97,7 +97,7 @@ class Table {
     };
     double low = 0, at_low = 1 - restitution_, high = 1, at_high = miss(high);
     while (at_high > 0) {
-      // Where this ends badly the law has said so when it was checked.
+      // A law that cannot reach its restitution has said so when it was checked.
       if (high > 1e9) return scale * high;
       low = std::exchange(high, 4 * high), at_low = at_high;
       at_high = miss(high);
@@ -115,7 +115,7 @@ class Table {
       for (std::size_t i = 0; i < terms; ++i)
         series[k] += (k == 0 ? 1.0 : 2.0) / terms * logarithms[i] * std::cos(static_cast<double>(k) * angle(i));
     for (std::size_t k = terms - 3; k < terms; ++k)
-      if (std::abs(series[k]) > 1e-10) return std::nullopt;
+      if (std::abs(series[k]) > 1e-9) return std::nullopt;
     return series;
   }
 

@@ -127,7 +127,7 @@ class ContactStep {
       stage.v.part(i) = speed * acceleration.part(i);
     }
   }
-  // What the structures and the ground do.
+  // Accelerations by the structures and the ground.
   void pull(const Modes<M>& q, const Modes<M>& v, double ag, Modes<M>& acceleration) const noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i)
       acceleration.part(i) = -(s_.c.part(i) * v.part(i) + s_.k.part(i) * q.part(i) + ag * s_.p.part(i));

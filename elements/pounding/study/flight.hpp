@@ -53,7 +53,7 @@ class PartOfFlight {
       motion_terms(s_.k.part(i), s_.c.part(i), x.q.part(i), x.v.part(i), ground.at * s_.p.part(i), ground.slope * s_.p.part(i),
                    [&](std::size_t term, const auto& pack) { terms_[term].part(i) = pack; });
   }
-  /// What is left of a link's gap.
+  /// The rest of a link's gap.
   Polynomial gap(std::size_t link, double whole) const noexcept {
     Polynomial left;
     for (std::size_t term = 0; term < terms_.size(); ++term) left.c[term] = -s_.closes(link, terms_[term]);
