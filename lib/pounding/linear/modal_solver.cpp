@@ -38,8 +38,15 @@ int ModalSolver::max_dynamic_dofs(const System& system) {
   return static_cast<int>(largest);
 }
 
-ModalSolver::ModalSolver(const System& system) : StructureSolver(system), unknowns_(system.size()) {
-  for (const Group& group : system.groups) add_block(system, group);
+ModalSolver::ModalSolver(const System& system) : ModalSolver(system, {}) {}
+
+ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<GroupModes>>& modes)
+    : StructureSolver(system), unknowns_(system.size()) {
+  for (std::size_t k = 0; k < system.groups.size(); ++k)
+    if (k < modes.size() && modes[k])
+      add_reduced(system, system.groups[k], *modes[k]);
+    else
+      add_natural(system, system.groups[k]);
   const int n = static_cast<int>(stiffness_.size());
   for (const Block& block : blocks_) classical_ = classical_ && block.damping.size() == 0;
   if (!classical_) {
@@ -79,7 +86,7 @@ ModalSolver::ModalSolver(const System& system) : StructureSolver(system), unknow
   make_panels();
 }
 
-void ModalSolver::add_block(const System& system, const Group& group) {
+void ModalSolver::add_natural(const System& system, const Group& group) {
   const auto [dynamic, massless] = split_of(system, group);
   const int count = static_cast<int>(dynamic.size());
   Eigen::MatrixXd stiffness = dense_submatrix(system.stiffness, dynamic, dynamic, group.first);
@@ -103,8 +110,6 @@ void ModalSolver::add_block(const System& system, const Group& group) {
   if (modes.info() != Eigen::Success) throw std::invalid_argument("the modes of a structure could not be computed");
   const Eigen::MatrixXd& phi = modes.eigenvectors();
   Block block;
-  block.first = group.first;
-  block.coordinate = static_cast<int>(stiffness_.size());
   block.shapes = Eigen::MatrixXd::Zero(group.count, count);
   block.shapes(dynamic, Eigen::all) = phi;
   if (recovery.size() > 0) block.shapes(massless, Eigen::all) = recovery * phi;
@@ -112,7 +117,33 @@ void ModalSolver::add_block(const System& system, const Group& group) {
   block.project(Eigen::all, dynamic) = phi.transpose() * mass;
   Eigen::VectorXd squares = modes.eigenvalues().cwiseMax(0);
   squares.head(std::min<Eigen::Index>(group.rigid_motions, count)).setZero();
-  const Eigen::MatrixXd rest = phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi;
+  group_masses_.push_back(mass.diagonal().sum());
+  add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), squares,
+            phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi);
+}
+
+void ModalSolver::add_reduced(const System& system, const Group& group, const GroupModes& modes) {
+  const auto [dynamic, massless] = split_of(system, group);
+  if (modes.shapes.rows() != group.count || modes.shapes.cols() != modes.squares.size())
+    throw std::logic_error("the modes do not belong to this group");
+  const SparseMatrix damping = system.damping.block(group.first, group.first, group.count, group.count);
+  for (const int i : massless)
+    for (SparseMatrix::InnerIterator it(damping, i); it; ++it)
+      if (it.value() != 0) throw std::invalid_argument("a dashpot acts on an unknown without mass");
+  const SparseMatrix mass = system.mass.block(group.first, group.first, group.count, group.count);
+  Block block;
+  block.shapes = modes.shapes;
+  block.project = (mass * modes.shapes).transpose();
+  group_masses_.push_back(mass.diagonal().sum());
+  const Eigen::MatrixXd damped = damping * modes.shapes;
+  add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), modes.squares, modes.shapes.transpose() * damped);
+}
+
+// `rest` is the damping of the modes without Rayleigh's.
+void ModalSolver::add_block(const Group& group, int number, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest) {
+  const int count = static_cast<int>(squares.size());
+  block.first = group.first;
+  block.coordinate = static_cast<int>(stiffness_.size());
   Eigen::VectorXd diagonal = rest.diagonal() + group.by_stiffness * squares;
   diagonal.array() += group.by_mass;
   Eigen::MatrixXd coupled = rest;
@@ -125,8 +156,7 @@ void ModalSolver::add_block(const System& system, const Group& group) {
   damping_.conservativeResize(block.coordinate + count);
   stiffness_.tail(count) = squares;
   damping_.tail(count) = diagonal;
-  group_masses_.push_back(mass.diagonal().sum());
-  segments_.push_back({block.coordinate, count, static_cast<int>(&group - system.groups.data())});
+  segments_.push_back({block.coordinate, count, number});
   blocks_.push_back(std::move(block));
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 /// The structures in their natural modes: coordinates in which the equations without links are decoupled.
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Cholesky>
 
+#include <pounding/linear/group_modes.hpp>
 #include <pounding/linear/structure_solver.hpp>
 
 namespace pounding {
@@ -20,6 +22,8 @@ class ModalSolver final : public StructureSolver {
   /// Throws std::invalid_argument for a mass matrix that is not positive definite, a massless degree of freedom that the
   /// stiffness does not hold, and a link that is no spring or a dashpot at a massless one.
   explicit ModalSolver(const System& system);
+  /// With these modes instead of all natural ones for each group where they are given. They must be those of the group's M and K.
+  ModalSolver(const System& system, const std::vector<std::optional<GroupModes>>& modes);
 
   /// Largest number of dynamic degrees of freedom in one structure: its cube is the cost of setting up.
   static int max_dynamic_dofs(const System& system);
@@ -72,7 +76,9 @@ class ModalSolver final : public StructureSolver {
     Eigen::MatrixXd factors;
   };
 
-  void add_block(const System& system, const Group& group);
+  void add_natural(const System& system, const Group& group);
+  void add_reduced(const System& system, const Group& group, const GroupModes& modes);
+  void add_block(const Group& group, int number, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest);
   void make_panels();
   void add_view(const SparseMatrix& outputs, const Block& block);
 
