@@ -6,6 +6,14 @@ import h5py
 from support import OSCILLATORS, ProgramTest
 
 
+FRAME = ("{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 12, bays: 3, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
+         "0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: M}}, damping: 5 %}")
+FRAMES = ("ground_motion: {harmonic: {amplitude: 4, period: 1.2, duration: 2}}\nstructures:\n"
+          f"  left: {FRAME.replace('X', '0').replace('M', '120 t')}\n  right: {FRAME.replace('X', '18.02').replace('M', '60 t')}\n"
+          "links: [{between: [left.12, right.12], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
+          "analysis: {duration: 2}\n")
+
+
 class Options(ProgramTest):
     def test_reach_the_time_stepping(self):
         self.write(OSCILLATORS.replace("{duration: 3.0}\n", "{duration: 3.0, integrator: generalized_alpha}\n"))
@@ -39,6 +47,30 @@ class Options(ProgramTest):
             self.assertEqual(self.summary(path, *options)["solver"]["integrator"], used)
             with h5py.File(self.folder / "out.h5") as file:
                 self.assertEqual(file["solver"].attrs["integrator"], used)
+
+    def test_of_reduction_leave_small_structures_as_they_are(self):
+        path = self.write(OSCILLATORS)
+        usual, asked = self.summary(path), self.summary(path, "-pounding_red_auto")
+        self.assertEqual(asked["links"], usual["links"])
+        self.assertIn("no structure is reduced", " ".join(asked["warnings"]))
+        self.assertNotIn("reduce", " ".join(usual["warnings"]))
+
+    def test_of_reduction_reduce_what_they_can(self):
+        path = self.write(FRAMES)
+        usual, reduced = self.summary(path), self.summary(path, "-pounding_red_links", "5")
+        self.assertIn("left: ", " ".join(reduced["warnings"]))
+        self.assertIn("The error of the reduction is not estimated", " ".join(reduced["warnings"]))
+        peak, found = usual["links"][0]["peak_force"], reduced["links"][0]["peak_force"]
+        self.assertNotEqual(found, peak)
+        self.assertLess(abs(found - peak), 2e-3 * peak)
+
+    def test_of_reduction_with_wrong_numbers_are_an_error(self):
+        self.refused(2, "-pounding_red_links 0 is not in [1, 100]; type -pounding_red_links 5", "run", self.write(OSCILLATORS), "--json",
+                     "-pounding_red_links", "0")
+        large = FRAMES.replace("storeys: 12, bays: 3", "storeys: 30, bays: 9").replace("18.02", "54.02").replace(
+            "law: hertz_damped, stiffness: 2.75e9", "law: stereomechanical")
+        self.refused(2, '"left" cannot be reduced: link "left.12-right.12" hits it without a stiffness', "run", self.write(large), "--json",
+                     "-pounding_red_links", "5")
 
     def test_that_nothing_reads_are_an_error(self):
         self.refused(2, "nothing reads the option -pounding_ts_rtoll", "run", self.write(OSCILLATORS), "--json", "-o",

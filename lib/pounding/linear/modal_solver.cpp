@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -40,8 +41,8 @@ int ModalSolver::max_dynamic_dofs(const System& system) {
 
 ModalSolver::ModalSolver(const System& system) : ModalSolver(system, {}) {}
 
-ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<GroupModes>>& modes)
-    : StructureSolver(system), unknowns_(system.size()) {
+ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<GroupModes>>& modes, std::string note)
+    : StructureSolver(system), unknowns_(system.size()), note_(std::move(note)) {
   for (std::size_t k = 0; k < system.groups.size(); ++k)
     if (k < modes.size() && modes[k])
       add_reduced(system, system.groups[k], *modes[k]);
@@ -363,6 +364,9 @@ void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd&
 }
 
 std::string ModalSolver::description() const {
+  if (!note_.empty())
+    return fmt::format("{} coordinates for {} unknowns, {}; {}", stiffness_.size(), unknowns_,
+                       classical_ ? "decoupled" : "coupled by the damping", note_);
   return classical_ ? fmt::format("all {} modes of {} unknowns, decoupled", stiffness_.size(), unknowns_)
                     : fmt::format("all {} modes of {} unknowns, coupled by the damping, {} factorizations", stiffness_.size(),
                                   unknowns_, factorizations_);

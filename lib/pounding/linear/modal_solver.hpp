@@ -2,6 +2,7 @@
 /// The structures in their natural modes: coordinates in which the equations without links are decoupled.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -23,7 +24,8 @@ class ModalSolver final : public StructureSolver {
   /// stiffness does not hold, and a link that is no spring or a dashpot at a massless one.
   explicit ModalSolver(const System& system);
   /// With these modes instead of all natural ones for each group where they are given. They must be those of the group's M and K.
-  ModalSolver(const System& system, const std::vector<std::optional<GroupModes>>& modes);
+  /// `note` says in description() how they were made.
+  ModalSolver(const System& system, const std::vector<std::optional<GroupModes>>& modes, std::string note = {});
 
   /// Largest number of dynamic degrees of freedom in one structure: its cube is the cost of setting up.
   static int max_dynamic_dofs(const System& system);
@@ -92,6 +94,7 @@ class ModalSolver final : public StructureSolver {
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;
   int unknowns_ = 0;
+  std::string note_;
 
   EffectiveMatrix matrix_{0, 0, 0};
   Eigen::VectorXd inverse_;  // of the diagonal of A

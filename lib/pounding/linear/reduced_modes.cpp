@@ -15,7 +15,7 @@
 namespace pounding::petsc {
 namespace {
 
-constexpr const char* prefix = "pounding_red_";
+constexpr const char* prefix = "pounding_red_factor_";
 // Columns of unit length that keep less than this beside the other directions of their chain, or of the joined basis, are rounding.
 constexpr double nothing_new = 1e-9, nothing_joined = 1e-8;
 // Starts of which the basis leaves less than this are in it.

@@ -42,7 +42,7 @@ struct ReducedDepth {
 /// Unknowns without mass follow statically; a force on one of them counts by what it does to the others (see SpringRelief). Deterministic:
 /// the same input gives the same bits.
 ///
-/// Options of the factors: -pounding_red_...
+/// Options of the factors: -pounding_red_factor_...
 class ReducedModes {
  public:
   /// Throws std::invalid_argument for a mass matrix that is not positive definite, for a stiffness that is singular or indefinite (a

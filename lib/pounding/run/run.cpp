@@ -8,6 +8,7 @@
 
 #include <fmt/chrono.h>
 
+#include <pounding/core/error.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/input/resolved.hpp>
 #include <pounding/linear/make_solver.hpp>
@@ -15,6 +16,7 @@
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/results/replaced_file.hpp>
 #include <pounding/run/recorder.hpp>
+#include <pounding/run/reduction_plan.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/run/run_monitor.hpp>
 #include <pounding/run/run_writer.hpp>
@@ -65,9 +67,13 @@ Outcome run_once(const Model& model, const RunOptions& options, const WriteResul
 
   const System system = assemble(model, with_links);
   const auto [u, v] = initial_state(model, with_links);
+  const Reduction reduction = reduction_from_options();
   const TsSetup setup = set_up_ts(model, u, v, options.comm);
+  if (reduction.kind != Reduction::Kind::none && setup.solver != petsc::SolverKind::automatic)
+    throw InputError("-pounding_red_... would change nothing beside -pounding_ts_pounding_base; leave one of the two out");
   results.integrator = setup.stepper.scheme.name();
-  const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, setup.solver, options.comm);
+  const std::unique_ptr<StructureSolver> solver = petsc::make_solver(
+      system, setup.solver, reduction_plan(model, reduction, u, v, setup.stepper.tolerance), options.comm);
   Stepper stepper(system, *solver, setup.stepper);
   petsc::check(petsc::set_stepper(setup.ts, &stepper));
   petsc::check(petsc::set_lazy_vectors(setup.ts, PETSC_TRUE));

@@ -7,6 +7,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/run/reduction_plan.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 
 namespace pounding {
@@ -97,6 +98,8 @@ void RunWriter::conclude(const std::string& status) {
   summary.warnings = doubts_;
   for (std::string& text : implausible(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : beyond_capacity(model_, summary)) summary.warnings.push_back(std::move(text));
+  if (std::string text = reduction_note(reduction_from_options(), stepper_.base().description()); !text.empty())
+    summary.warnings.push_back(std::move(text));
   if (std::string text = warning(summary, model_.analysis.tolerance); !text.empty()) summary.warnings.push_back(std::move(text));
   results.summary_json = to_json(summary);
 }

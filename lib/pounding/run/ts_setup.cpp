@@ -111,7 +111,7 @@ void refuse_unread_options(bool factors_too) {
   for (const std::string& option : petsc::Environment::unread_options()) {
     // Options that draw or print at the end of the run are read there.
     if (option.find("view") != std::string::npos) continue;
-    if (!factors_too && option.rfind("-pounding_lev_", 0) == 0) continue;
+    if (!factors_too && (option.starts_with("-pounding_lev_") || option.starts_with("-pounding_red_factor_"))) continue;
     throw InputError(fmt::format("nothing reads the option {}; pounding run --help names some that exist", option));
   }
 }

@@ -1,0 +1,48 @@
+#include <pounding/model/reducible.hpp>
+
+#include <fmt/format.h>
+
+namespace pounding {
+namespace {
+
+// Columns of a damping matrix beside the Rayleigh damping that are dashpots still; modal damping fills all of them.
+constexpr int most_dashpots = 64;
+
+int columns_in_use(const SparseMatrix& matrix) {
+  int count = 0;
+  for (int j = 0; j < matrix.outerSize(); ++j) {
+    bool any = false;
+    for (SparseMatrix::InnerIterator it(matrix, j); it; ++it) any = any || it.value() != 0;
+    count += any ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::string why_not_reduced(const Model& model, int structure) {
+  const Structure& s = model.structures[structure];
+  if (s.is_rigid()) return "a wall has no modes";
+  if (s.elastic) return "its members turn (corotational), so that its stiffness changes";
+  if (s.is_free || s.rigid_motions > 0) return "nothing holds it to the ground, so that it has no static answers";
+  if (!s.yielding.empty())
+    return "it has parts that yield or devices, which are no inputs of reduced structures yet";
+  if (columns_in_use(s.damping) > most_dashpots)
+    return "its damping is a full matrix, as modal damping makes it; type damping: 5 % for Rayleigh damping";
+  for (const Link& link : model.links) {
+    if (link.left.structure != structure && link.right.structure != structure) continue;
+    if (link.contact->is_rigid())
+      return fmt::format("link \"{}\" hits it without a stiffness, by a jump of velocities that few modes cannot follow; type a law with a "
+                         "stiffness",
+                         link.name);
+    if (link.friction != 0)
+      return fmt::format("link \"{}\" rubs on it, and friction is no input of reduced structures yet", link.name);
+  }
+  for (const Device& device : model.devices)
+    if (device.left.structure == structure || device.right.structure == structure)
+      return fmt::format("device \"{}\" acts on it, and devices are no inputs of reduced structures yet",
+                         device.name);
+  return {};
+}
+
+}  // namespace pounding

@@ -1,0 +1,13 @@
+#pragma once
+/// Which structures of a model cannot be reduced.
+
+#include <string>
+
+#include <pounding/model/model.hpp>
+
+namespace pounding {
+
+/// Why a structure cannot be reduced, with what to type where another law or damping helps; empty where it can.
+std::string why_not_reduced(const Model& model, int structure);
+
+}  // namespace pounding

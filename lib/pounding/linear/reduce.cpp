@@ -1,0 +1,149 @@
+#include <pounding/linear/reduce.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/linear/lowest_modes.hpp>
+#include <pounding/linear/reduced_modes.hpp>
+
+namespace pounding::petsc {
+namespace {
+
+using Kind = Reduction::Kind;
+
+ReducedDepth automatic_depth(double tolerance) { return {.links = tolerance >= 1e-4 ? 4 : tolerance >= 1e-5 ? 5 : 6, .ground = 20}; }
+
+bool inside(const Group& group, Eigen::Index unknown) { return unknown >= group.first && unknown < group.first + group.count; }
+
+SparseMatrix part(const SparseMatrix& whole, const Group& group) { return whole.block(group.first, group.first, group.count, group.count); }
+
+// Columns that are not zero in a group.
+Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
+  std::vector<int> used;
+  for (int j = 0; j < matrix.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(matrix, j); it; ++it)
+      if (inside(group, it.row()) && it.value() != 0) {
+        used.push_back(j);
+        break;
+      }
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(group.count, static_cast<Eigen::Index>(used.size()));
+  for (std::size_t j = 0; j < used.size(); ++j)
+    for (SparseMatrix::InnerIterator it(matrix, used[j]); it; ++it)
+      if (inside(group, it.row())) columns(it.row() - group.first, static_cast<Eigen::Index>(j)) = it.value();
+  return columns;
+}
+
+ReducedInputs inputs_of(const System& system, const Group& group, const ReductionPlan& plan) {
+  ReducedInputs inputs;
+  const Eigen::MatrixXd links = columns_of(system.gap_jacobian, group), dashpots = columns_of(part(system.damping, group), {.count = group.count});
+  inputs.links.resize(group.count, links.cols() + dashpots.cols());
+  inputs.links << links, dashpots;
+  inputs.ground.resize(group.count, 0);
+  for (const auto load : system.load.colwise())
+    if (const Eigen::VectorXd own = load.segment(group.first, group.count); !own.isZero(0)) {
+      inputs.ground.conservativeResize(Eigen::NoChange, inputs.ground.cols() + 1);
+      inputs.ground.rightCols(1) = own;
+    }
+  inputs.starts.resize(group.count, 2);
+  inputs.starts << plan.u.segment(group.first, group.count), plan.v.segment(group.first, group.count);
+  inputs.shift = contact_shift(system, group);
+  return inputs;
+}
+
+// Penetration of an impact with 1 m/s on this mass: the force does the work m v^2 / 2, to a factor that does not matter here.
+double impact_penetration(const Contact& contact, double mass) {
+  double low = 1e-12, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::sqrt(low * high);
+    (contact.first_loading(middle).force * middle < mass ? low : high) = middle;
+  }
+  return high;
+}
+
+struct Made {
+  GroupModes modes;
+  std::string how;
+};
+
+// Nothing where the basis would not pay.
+std::optional<Made> reduce(const System& system, const Group& group, const Reduction& how, const std::string& name, const ReductionPlan& plan,
+                           int dynamic) {
+  ReducedInputs inputs = inputs_of(system, group, plan);
+  ReducedDepth depth = how.kind == Kind::blocks ? ReducedDepth{.links = how.links, .ground = how.ground} : automatic_depth(plan.tolerance);
+  const int links = static_cast<int>(inputs.links.cols()), grounds = static_cast<int>(inputs.ground.cols());
+  if (how.kind == Kind::lowest) {
+    depth = {.links = 1, .ground = 1};
+    if (how.modes < dynamic) {
+      const Eigenmodes lowest = lowest_modes(part(system.mass, group), part(system.stiffness, group), how.modes);
+      Eigen::MatrixXd starts(group.count, inputs.starts.cols() + lowest.shapes.cols());
+      starts << inputs.starts, lowest.shapes;
+      inputs.starts = starts;
+    }
+  }
+  const int most = links * (depth.links + 1) + grounds * depth.ground + static_cast<int>(inputs.starts.cols());
+  if (2 * most > dynamic) {
+    if (!how.is_explicit() || dynamic <= small_structure) return std::nullopt;
+    throw InputError(fmt::format("reduction {} of \"{}\" would have up to {} coordinates for {} unknowns with mass, more than "
+                                 "half of them; take fewer blocks or leave it whole",
+                                 how.text(), name, most, dynamic));
+  }
+  Made made{ReducedModes(part(system.mass, group), part(system.stiffness, group), inputs).modes(depth), {}};
+  const std::string parts = how.kind == Kind::lowest ? fmt::format("{} lowest modes, static answers", how.modes)
+                                                     : fmt::format("links {} x {}, ground {} x {}", depth.links, links, depth.ground, grounds);
+  made.how = fmt::format("{}: {} coordinates of {} ({}", name, made.modes.squares.size(), group.count, parts);
+  if (inputs.shift > 0) made.how += fmt::format(", one at {:.2g} Hz", std::sqrt(inputs.shift) / (2 * M_PI));
+  made.how += ")";
+  return made;
+}
+
+}  // namespace
+
+double contact_shift(const System& system, const Group& group) {
+  double largest = 0;
+  for (int i = 0; i < system.contact_count(); ++i) {
+    double inverse_mass = 0;
+    bool own = false;
+    for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it) {
+      const double mass = system.mass.coeff(it.row(), it.row());
+      if (mass > 0) inverse_mass += it.value() * it.value() / mass;
+      own = own || inside(group, it.row());
+    }
+    if (!own || !(inverse_mass > 0)) continue;
+    const Contact& contact = *system.contacts[i];
+    const double slope = contact.first_loading(impact_penetration(contact, 1 / inverse_mass)).by_penetration;
+    if (std::isfinite(slope)) largest = std::max(largest, slope * inverse_mass);
+  }
+  return largest > 0 ? std::pow(4.0, std::round(std::log(largest) / std::log(4.0))) : 0;
+}
+
+std::optional<ReducedGroups> reduced_groups(const System& system, const ReductionPlan& plan) {
+  ReducedGroups made;
+  made.modes.resize(system.groups.size());
+  const bool any_explicit = std::ranges::any_of(plan.groups, &Reduction::is_explicit);
+  for (std::size_t k = 0; k < system.groups.size(); ++k) {
+    const Group& group = system.groups[k];
+    const Reduction& how = plan.groups[k];
+    const int dynamic = static_cast<int>(split_by_mass(system.mass, group.first, group.count).dynamic.size());
+    const bool small = dynamic <= small_structure;
+    if (how.kind == Kind::all_modes || (how.kind == Kind::none && any_explicit)) {
+      if (dynamic > most_natural_modes)
+        throw InputError(fmt::format("\"{}\" has {} unknowns with mass, too many for all its modes; reduce it or leave it to factors",
+                                     plan.names[k], dynamic));
+      continue;
+    }
+    if (how.kind != Kind::none && !(how.kind == Kind::automatic && small)) {
+      if (std::optional<Made> reduced = reduce(system, group, how, plan.names[k], plan, dynamic)) {
+        made.modes[k] = std::move(reduced->modes);
+        made.note += (made.note.empty() ? "" : "; ") + reduced->how;
+        continue;
+      }
+    }
+    if (!small) return std::nullopt;
+  }
+  return made;
+}
+
+}  // namespace pounding::petsc

@@ -1,0 +1,43 @@
+#pragma once
+/// Chooses the groups of a system that are reduced, and makes their modes.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pounding/linear/group_modes.hpp>
+#include <pounding/model/reduction.hpp>
+#include <pounding/model/system.hpp>
+
+namespace pounding::petsc {
+
+/// What is asked for each group of a system; all empty for no reduction at all.
+struct ReductionPlan {
+  std::vector<std::string> names;      ///< of the structures, for messages
+  std::vector<Reduction> groups;
+  Eigen::VectorXd u, v;                ///< displacements [m] and velocities [m/s] from which the run starts
+  double tolerance = 1e-4;             ///< of the run
+};
+
+/// Modes by group, nothing for all natural ones, and what was done, one line a group that is reduced.
+struct ReducedGroups {
+  std::vector<std::optional<GroupModes>> modes;
+  std::string note;
+};
+
+/// Unknowns with mass of a structure up to which all its modes are taken without being asked for, and where they are asked for.
+inline constexpr int small_structure = 500, most_natural_modes = 5000;
+
+/// The modes of the groups; nothing where the system is to be solved by sparse factors: a large group is not to be reduced, or its basis
+/// would be larger than half of its unknowns with mass, and no numbers were given. Every process makes all of them, with the same bits.
+///
+/// Throws InputError, with the name of the structure and what to type, where numbers were given that cannot be kept or all modes are
+/// too many; std::invalid_argument as ReducedModes.
+std::optional<ReducedGroups> reduced_groups(const System& system, const ReductionPlan& plan);
+
+/// The square of the circular frequency at which a contact of this system bounces, a power of 4 [rad^2/s^2]: of the stiffest contact of a
+/// group, its slope at the penetration of an impact with 1 m/s over the masses at its ends. 0 where no contact has a slope.
+double contact_shift(const System& system, const Group& group);
+
+}  // namespace pounding::petsc

@@ -1,0 +1,190 @@
+// Systems in which some structures are reduced: which are, how deep, and how hard two frames hit each other.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/linear/make_solver.hpp>
+#include <pounding/linear/reduce.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/stepping/step_controller.hpp>
+#include "support/models.hpp"
+
+namespace pounding {
+namespace {
+
+using petsc::ReducedGroups;
+using petsc::reduced_groups;
+using petsc::ReductionPlan;
+using petsc::SolverKind;
+using Kind = Reduction::Kind;
+
+// Two plane frames of twenty storeys, hit at three floors. Each has 160 unknowns with mass, and as many rotations without.
+struct Pair {
+  Model model;
+  System system;
+  Eigen::VectorXd u, v;
+
+  explicit Pair(int storeys = 20, int bays = 3) : model(test::model_of(text(storeys, bays))), system(assemble(model)) {
+    std::tie(u, v) = initial_state(model);
+  }
+
+  static std::string text(int storeys, int bays) {
+    const auto frame = [&](const std::string& name, double origin, double mass) {
+      return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: {}, bays: {}, storey_height: 3.2, bay_width: 6, columns: "
+                         "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 %}}\n",
+                         name, origin, storeys, bays, mass);
+    };
+    std::string links = "links:\n";
+    for (const int floor : {storeys, 3 * storeys / 4, storeys / 2})
+      links += fmt::format("  - {{between: [left.{0}, right.{0}], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}\n", floor);
+    return "ground_motion: {harmonic: {amplitude: 3, period: 1.5, duration: 4}}\nstructures:\n" + frame("left", 0, 40.0 * bays) +
+           frame("right", 6.0 * bays + 0.02, 20.0 * bays) + links + "analysis: {duration: 4}\n";
+  }
+
+  ReductionPlan plan(const Reduction& left, const Reduction& right, double tolerance = 1e-5) const {
+    return {{"left", "right"}, {left, right}, u, v, tolerance};
+  }
+};
+
+struct Seen {
+  double peak = 0;        // of all forces [N]
+  std::size_t impacts = 0;
+  Eigen::MatrixXd floors; // displacements of all floors at 40 times
+  std::string description;
+  Energies energies;
+};
+
+Seen follow(const Reduction& left, const Reduction& right) {
+  Pair pair;
+  const std::unique_ptr<StructureSolver> solver = petsc::make_solver(pair.system, SolverKind::automatic, pair.plan(left, right), PETSC_COMM_SELF);
+  Stepper stepper(pair.system, *solver, {.tolerance = 1e-5, .max_step = 0.01});
+  stepper.start(0, pair.u, pair.v);
+  StepController controller(stepper);
+  ErrorControl policy(0.01);
+  Seen seen;
+  seen.floors.resize(pair.system.outputs.cols(), 40);
+  double h = 1e-4;
+  for (int sample = 0; sample < 40; ++sample) {
+    while (stepper.time() < 0.1 * (sample + 1)) h = controller.advance(h, 0.1 * (sample + 1), policy);
+    seen.floors.col(sample) = stepper.outputs().motion.col(0);
+  }
+  for (const Contact* contact : pair.system.contacts) {
+    seen.impacts += contact->impacts().size();
+    for (const ImpactRow& row : contact->impacts()) seen.peak = std::max(seen.peak, row.peak_force);
+  }
+  seen.description = solver->description();
+  seen.energies = stepper.energies();
+  return seen;
+}
+
+Seen follow(const Reduction& both) { return follow(both, both); }
+
+constexpr Reduction blocks{.kind = Kind::blocks, .links = 5, .ground = 20};
+
+class ReducedPair : public testing::Test {
+ protected:
+  static const Seen& exact() {
+    static const Seen seen = follow({});
+    return seen;
+  }
+  static double force_error(const Seen& seen) { return std::abs(seen.peak - exact().peak) / exact().peak; }
+  static double floor_error(const Seen& seen) {
+    return (seen.floors - exact().floors).cwiseAbs().maxCoeff() / exact().floors.cwiseAbs().maxCoeff();
+  }
+};
+
+TEST_F(ReducedPair, HitsAsHardAsAllModes) {
+  const Seen reduced = follow(blocks);
+  ASSERT_GT(exact().impacts, 3u);
+  EXPECT_EQ(reduced.impacts, exact().impacts);
+  // Ten times the tolerance of the steps.
+  EXPECT_LT(force_error(reduced), 1e-4);
+  EXPECT_LT(floor_error(reduced), 1e-4);
+  EXPECT_NE(exact().peak, reduced.peak) << "all modes were taken";
+  EXPECT_NE(reduced.description.find("left: "), std::string::npos) << reduced.description;
+  EXPECT_NE(reduced.description.find("of 240 (links 5 x 3, ground 20 x 1, one at "), std::string::npos) << reduced.description;
+}
+
+TEST_F(ReducedPair, KeepsItsEnergyInBalance) {
+  const Energies e = follow(blocks).energies;
+  EXPECT_LT(std::abs(e.imbalance()), 1e-3 * std::abs(e.input));
+}
+
+// Lowest modes miss how the struck floors give way, even with their static answers.
+TEST_F(ReducedPair, IsBetterByBlocksThanByAsManyModes) {
+  const Seen by_modes = follow({.kind = Kind::lowest, .modes = 30});
+  EXPECT_GT(force_error(by_modes), 3 * force_error(follow(blocks)));
+}
+
+TEST_F(ReducedPair, KeepsItsBitsWhereNothingIsReduced) {
+  for (const Kind kind : {Kind::automatic, Kind::all_modes}) {
+    const Seen same = follow({.kind = kind});
+    EXPECT_EQ(same.peak, exact().peak);
+    EXPECT_EQ(same.floors, exact().floors);
+  }
+}
+
+TEST_F(ReducedPair, MayLeaveOneStructureWhole) {
+  const Seen mixed = follow({}, blocks);
+  EXPECT_LT(force_error(mixed), 1e-3);
+  EXPECT_EQ(mixed.description.find("left: "), std::string::npos) << mixed.description;
+  EXPECT_NE(mixed.description.find("right: "), std::string::npos) << mixed.description;
+}
+
+TEST(ReducedGroups, AreDeeperForASmallerTolerance) {
+  const Pair pair(30, 9);  // 600 unknowns with mass
+  const Reduction automatic{.kind = Kind::automatic};
+  int last = 0;
+  for (const double tolerance : {1e-3, 5e-5, 5e-6}) {
+    const auto made = reduced_groups(pair.system, pair.plan(automatic, automatic, tolerance));
+    ASSERT_TRUE(made && made->modes[0] && made->modes[1]);
+    const int count = static_cast<int>(made->modes[0]->squares.size());
+    // Up to three directions a block of three links; some are in the chain of the ground already.
+    EXPECT_GT(count, last == 0 ? 30 : last);
+    EXPECT_LE(count, last == 0 ? 4 * 3 + 20 + 3 : last + 3);
+    last = count;
+  }
+}
+
+// One large structure that stays whole leaves the system to factors, unless numbers were given for the other.
+TEST(ReducedGroups, LeaveTheSystemToFactorsWhereALargeOneIsNotReduced) {
+  const Pair pair(30, 9);
+  const Reduction automatic{.kind = Kind::automatic};
+  EXPECT_FALSE(reduced_groups(pair.system, pair.plan(automatic, {})));
+  EXPECT_TRUE(reduced_groups(pair.system, pair.plan(blocks, {.kind = Kind::all_modes})));
+  EXPECT_NE(petsc::make_solver(pair.system, SolverKind::automatic, pair.plan(automatic, {}), PETSC_COMM_SELF)->description().find("factored"),
+            std::string::npos);
+}
+
+TEST(ReducedGroups, RefuseNumbersThatMakeTheBasisTooLarge) {
+  const Pair pair(30, 9);
+  const Reduction deep{.kind = Kind::blocks, .links = 100, .ground = 20};
+  try {
+    reduced_groups(pair.system, pair.plan({}, deep));
+    ADD_FAILURE() << "this was taken";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "reduction {links: 100, ground: 20} of \"right\" would have up to 325 coordinates for 600 unknowns with mass, more than half of "
+              "them; take fewer blocks or leave it whole");
+  }
+}
+
+// Hertz at 1 m/s: the stiffness 1.5 k sqrt(d) over the masses of both ends, which are a few nodes of a floor.
+TEST(ReducedGroups, ShiftToTheFrequencyOfAContact) {
+  const Pair pair;
+  const double shift = petsc::contact_shift(pair.system, pair.system.groups[0]);
+  EXPECT_EQ(std::log2(shift), std::round(std::log2(shift)));
+  const double frequency = std::sqrt(shift) / (2 * M_PI);
+  EXPECT_GT(frequency, 5);
+  EXPECT_LT(frequency, 100);
+}
+
+}  // namespace
+}  // namespace pounding
