@@ -7,6 +7,20 @@ CELLS ?= 1
 MINUTES ?= 10
 PART ?= all
 COUNT ?= 10000
+PETSC ?=
+MPI ?= on
+
+# With PETSC=3.26.1 the build takes that PETSc, which `make petsc` leaves in a folder of the user, and has a folder of its own.
+BUILD = build
+ifneq ($(PETSC),)
+kind = $(if $(filter off,$(MPI)),nompi,mpi)
+BUILD = build-petsc-$(PETSC)-$(kind)
+petsc_folder = $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pounding/petsc-$(PETSC)-$(kind)
+petsc_options = -DPETSC_DIR=$(petsc_folder) -DPOUNDING_MPI=$(MPI)
+petsc_ready = $(petsc_folder)/ready
+else ifeq ($(filter on,$(MPI)),)
+$(error MPI=$(MPI) needs PETSC=VERSION: the PETSc of the system has MPI. Type make $(MAKECMDGOALS) PETSC=3.26.1 MPI=off)
+endif
 
 # The matrices are small: more BLAS threads would only stand in each other's way.
 export OPENBLAS_NUM_THREADS ?= 1
@@ -16,16 +30,21 @@ CTEST_LEFT_OUT = $(if $(filter 0,$(LONG)),long)$(if $(filter 0,$(CELLS)),|^cells
 CTEST_FLAGS += $(if $(CTEST_LEFT_OUT),--label-exclude '$(patsubst |%,%,$(CTEST_LEFT_OUT))')
 
 .PHONY: build program test test-sanitized test-damage test-faults fuzz demo announce docs wheel test-wheel python python-test \
-  packages-demo packages clean distclean help
+  petsc packages-demo packages clean distclean help
 
-build: build/with-tests
-	cmake --build build --parallel $(JOBS)
+build: $(BUILD)/with-tests
+	cmake --build $(BUILD) --parallel $(JOBS)
 
-program: build/build.ninja
-	cmake --build build --parallel $(JOBS) --target pounding_program
+program: $(BUILD)/build.ninja
+	cmake --build $(BUILD) --parallel $(JOBS) --target pounding_program
 
 test: build
-	ctest --test-dir build $(CTEST_FLAGS)
+	ctest --test-dir $(BUILD) $(CTEST_FLAGS)
+
+# PETSc and SLEPc from their source archives on PyPI: make petsc PETSC=3.26.1 MPI=off
+petsc: $(petsc_ready)
+	@test -n "$(PETSC)" || { echo "Which version? Type make petsc PETSC=3.26.1, with MPI=off for one without MPI" >&2; exit 2; }
+	@echo $(petsc_folder)
 
 # Unit tests and the corpus under the address and undefined-behaviour sanitizers; PART=quick leaves out what has matrices in it.
 test-sanitized: | packages
@@ -89,16 +108,22 @@ packages:
 	.venv-test/bin/python3 -m pip install --quiet --disable-pip-version-check --requirement python/docs/requirements.txt
 	@touch $@
 
-build/build.ninja: | packages-demo
-	cmake -S . -B build -G Ninja -DPOUNDING_BUILD_TESTS=OFF -DPOUNDING_PYTHON=OFF
+$(BUILD)/build.ninja: | packages-demo $(petsc_ready)
+	cmake -S . -B $(BUILD) -G Ninja -DPOUNDING_BUILD_TESTS=OFF -DPOUNDING_PYTHON=OFF $(petsc_options)
 
 # Adds targets; what the demo has compiled stays.
-build/with-tests: .venv/ready .venv-test/ready | packages
-	cmake -S . -B build -G Ninja -DPOUNDING_BUILD_TESTS=ON -DPOUNDING_PYTHON=AUTO
+$(BUILD)/with-tests: .venv/ready .venv-test/ready | packages $(petsc_ready)
+	cmake -S . -B $(BUILD) -G Ninja -DPOUNDING_BUILD_TESTS=ON -DPOUNDING_PYTHON=AUTO $(petsc_options)
 	@touch $@
 
+ifneq ($(PETSC),)
+$(petsc_ready):
+	@bash cmake/install-debian.sh petsc $(if $(filter off,$(MPI)),libhdf5-dev,libhdf5-openmpi-dev libmumps-dev libscalapack-openmpi-dev gfortran)
+	JOBS=$(JOBS) bash cmake/petsc.sh $(PETSC) $(MPI)
+endif
+
 clean:
-	rm -rf build build-fuzz build-sanitize demo.h5 demo.png
+	rm -rf build build-fuzz build-sanitize build-petsc-* demo.h5 demo.png
 
 distclean: clean
 	rm -rf .venv .venv-test
@@ -111,6 +136,8 @@ help:
 	@echo "make test-damage      COUNT=n damaged results files, by every reader; test-faults: writes and allocations that fail, signals and kills, for every n"
 	@echo "make fuzz       MINUTES=n: look for inputs that crash or hang; installs Clang"
 	@echo "make build      compile everything into build/"
+	@echo "make petsc PETSC=3.26.1   build PETSc and SLEPc of that version into ~/.cache/pounding, MPI=off without MPI; with the same"
+	@echo "                words make test, build and program use them, in build-petsc-..."
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"
 	@echo "make wheel      the Python package for pip: build/dist; test-wheel installs it into a new environment and runs it there"
 	@echo "make python     only the Python environment .venv that draws pictures; python-test: .venv-test, for tests and builds"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing: by itself for root, otherwise it prints what to type. Says first how much that
 # is. Touches the network only when something is missing.
-#   install-debian.sh demo|test [more packages]     demo: what the program needs; test: what tests and the Python module need, too
+#   install-debian.sh demo|test|petsc [more packages]     demo: what the program needs; test: what tests and the Python module need,
+#   too; petsc: what PETSc from source is built with
 set -euo pipefail
 part=$1
 shift
@@ -11,8 +12,11 @@ shift
 packages=(g++ cmake ninja-build ccache pkg-config libpetsc-real-dev slepc-dev libeigen3-dev libyaml-cpp-dev libcli11-dev
   libfmt-dev nlohmann-json3-dev zlib1g-dev libopenblas0-pthread)
 # gfortran compiles the Fortran module, help2man makes the manual pages; the build leaves out what is missing of both.
-if [ "$part" != demo ]; then
+if [ "$part" = test ]; then
   packages+=(libgtest-dev gfortran help2man)
+fi
+if [ "$part" = petsc ]; then
+  packages=(g++ make pkg-config libsuitesparse-dev)
 fi
 packages+=("$@")
 
@@ -29,7 +33,7 @@ for package in "${packages[@]}"; do
 done
 # The Python that the path finds counts, whoever installed it.
 python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
-if [ "$part" != demo ]; then
+if [ "$part" = test ]; then
   python3 -c 'import os, sysconfig; os.stat(sysconfig.get_path("include") + "/Python.h")' 2> /dev/null || missing+=(python3-dev)
 fi
 [ ${#missing[@]} -eq 0 ] && exit 0

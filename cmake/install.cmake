@@ -51,7 +51,7 @@ install_pc(pounding-laws "Contact laws of pounding structures, C++20 headers" ""
 install_pc(pounding-links "Gap links between structures" "" "-L\${libdir} -lpounding_links" "")
 install_pc(pounding-elements "Structures, the model and its reader" "pounding-links yaml-cpp fmt eigen3"
   "-L\${libdir} -lpounding_elements" "")
-install_pc(pounding "Time integration and results of pounding structures" "pounding-elements slepc PETSc hdf5-openmpi zlib"
+install_pc(pounding "Time integration and results of pounding structures" "pounding-elements slepc PETSc ${MPI_HDF5_MODULE} zlib"
   "-L\${libdir} -lpounding_lib" "")
 install_pc(pounding-c "Contact laws of pounding structures, C interface" "" "-L\${libdir} -lpounding_c" "")
 if(TARGET pounding_fortran)

@@ -116,6 +116,7 @@ int serve(int argc, char** argv) {
   add_reproduce(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App* each) { return each->get_name() != "run"; }))
     require_one_process(*command);
+  app.get_subcommand("run")->parse_complete_callback(pounding::petsc::require_mpi_for_several);
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);

@@ -21,6 +21,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/petsc/launch.hpp>
 #include <pounding/petsc/ranks.hpp>
 
 namespace py = pybind11;
@@ -91,6 +92,7 @@ void start_petsc() {
   if (others_wait) throw SolverError("an earlier run failed in this process alone, and the others still wait in it");
   if (session) return;
   if (ended) throw SolverError("PETSc has ended in this process; start another one");
+  if (!alone) petsc::require_mpi_for_several();
   const KeptEnvironment variables;
   const KeptSignals signals;
   session = std::make_unique<Session>();

@@ -31,9 +31,9 @@ endforeach()
 
 # By pkg-config alone.
 execute_process(COMMAND sh -ec "
-    export PKG_CONFIG_PATH=$(dirname $(find '${prefix}' -name pounding-c.pc))
+    export PKG_CONFIG_PATH=$(dirname $(find '${prefix}' -name pounding-c.pc)):$PKG_CONFIG_PATH
     cc -std=c99 -pedantic -o by_pkg_config_in_c '${HOSTS}/c/two_oscillators.c' $(pkg-config --cflags --libs pounding-c) -lm
-    export LD_LIBRARY_PATH=$(pkg-config --variable=libdir pounding-c)
+    export LD_LIBRARY_PATH=$(pkg-config --variable=libdir pounding-c):$LD_LIBRARY_PATH
     ./by_pkg_config_in_c 3000
     c++ -std=c++20 -o links_by_pkg_config '${SOURCE}/newmark/main.cpp' $(pkg-config --cflags --libs pounding-links)
     ./links_by_pkg_config
@@ -57,7 +57,7 @@ list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE include
 string(JOIN "" includes ${includes})
 file(WRITE ${WORK}/all_headers.cpp "${includes}")
 execute_process(COMMAND sh -ec "
-    export PKG_CONFIG_PATH=$(dirname $(find '${prefix}' -name pounding.pc))
+    export PKG_CONFIG_PATH=$(dirname $(find '${prefix}' -name pounding.pc)):$PKG_CONFIG_PATH
     c++ -std=c++20 -fsyntax-only all_headers.cpp $(pkg-config --cflags pounding)"
   WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 

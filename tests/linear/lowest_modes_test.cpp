@@ -14,6 +14,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/frames/frame.hpp>
 #include <pounding/linear/lowest_modes.hpp>
+#include <pounding/linear/mode_count.hpp>
 #include <pounding/petsc/environment.hpp>
 #include "support/book.hpp"
 
@@ -338,6 +339,32 @@ class Option {
   std::string name_;
 };
 
+// PETSc without MUMPS takes other pivots; a limit lies between any two neighbouring modes.
+TEST(SparseModes, AreCountedAlikeByBothFactors) {
+  const AssembledFrame frame = plane_frame(20, 9);
+  const Eigenmodes modes = sparse_modes(frame.mass, frame.stiffness, 8);
+  for (int count = 1; count < 8; ++count) {
+    const double limit = 0.5 * (std::pow(modes.frequencies[count - 1], 2) + std::pow(modes.frequencies[count], 2));
+    SparseMatrix shifted = frame.stiffness - limit * frame.mass;
+    shifted.makeCompressed();
+    EXPECT_EQ(petsc::count_modes_by_sequence(shifted, limit), count);
+    EXPECT_EQ(petsc::count_modes_below(shifted, limit, "pounding_modes_"), count);
+  }
+}
+
+TEST(SparseModes, ThatNoPivotCountsAreAnError) {
+  SparseMatrix zero(1, 1);
+  zero.insert(0, 0) = 0;
+  zero.makeCompressed();
+  try {
+    petsc::count_modes_by_sequence(zero, 4.0);
+    FAIL() << "a pivot of zero was counted";
+  } catch (const SolverError& error) {
+    EXPECT_STREQ(error.what(), "the modes below 2 rad/s could not be counted: a pivot is zero");
+  }
+}
+
+#ifdef PETSC_HAVE_MUMPS
 TEST(SparseModes, ReadTheirOptions) {
   const AssembledFrame frame = plane_frame(20, 9);
   const Eigenmodes expected = sparse_modes(frame.mass, frame.stiffness, 6);
@@ -347,6 +374,7 @@ TEST(SparseModes, ReadTheirOptions) {
   expect_same(sparse_modes(frame.mass, frame.stiffness, 6), expected, frame.mass, 1e-9);
   EXPECT_EQ(petsc::Environment::unread_options(), std::vector<std::string>{});
 }
+#endif
 
 TEST(SparseModes, TellWhatToChangeWhenTooFewAreFound) {
   const AssembledFrame frame = plane_frame(20, 9);

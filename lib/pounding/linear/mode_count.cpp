@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
@@ -10,6 +11,7 @@
 
 namespace pounding::petsc {
 
+#ifdef PETSC_HAVE_MUMPS
 int count_modes_below(const SparseMatrix& shifted, double square, const std::string& prefix) {
   const Handle<Mat> matrix = make_matrix(PETSC_COMM_SELF, pattern_of(shifted), values_of(shifted));
   check(MatSetOption(matrix, MAT_SPD, PETSC_FALSE));
@@ -41,6 +43,16 @@ int count_modes_below(const SparseMatrix& shifted, double square, const std::str
   PetscInt negative = 0, zero = 0, positive = 0;
   check(MatGetInertia(factor, &negative, &zero, &positive));
   return negative + zero;
+}
+#else
+int count_modes_below(const SparseMatrix& shifted, double square, const std::string&) { return count_modes_by_sequence(shifted, square); }
+#endif
+
+int count_modes_by_sequence(const SparseMatrix& shifted, double square) {
+  const Eigen::SimplicialLDLT<SparseMatrix> factor(shifted);
+  if (factor.info() != Eigen::Success)
+    throw SolverError(fmt::format("the modes below {:.6g} rad/s could not be counted: a pivot is zero", std::sqrt(std::max(square, 0.0))));
+  return static_cast<int>((factor.vectorD().array() <= 0).count());
 }
 
 }  // namespace pounding::petsc

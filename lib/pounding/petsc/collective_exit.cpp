@@ -6,6 +6,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/petsc/ranks.hpp>
+#include <pounding/petsc/version.hpp>
 
 namespace pounding::petsc {
 
@@ -22,11 +23,9 @@ bool CollectiveExit::together(double seconds) const {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   MPI_Request all = MPI_REQUEST_NULL;
-  MPI_Ibarrier(comm_, &all);
+  begin_barrier(comm_, &all);
   for (;;) {
-    int come = 0;
-    MPI_Test(&all, &come, MPI_STATUS_IGNORE);
-    if (come) return true;
+    if (is_complete(&all)) return true;
     if (std::chrono::duration<double>(Clock::now() - begin).count() > seconds) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

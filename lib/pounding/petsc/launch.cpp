@@ -2,6 +2,11 @@
 
 #include <cstdlib>
 
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include <pounding/petsc/version.hpp>
+
 namespace pounding::petsc {
 
 std::optional<Launch> launch() {
@@ -15,6 +20,14 @@ std::optional<Launch> launch() {
       return Launch{std::atoi(place), count ? std::atoi(count) : 1};
     }
   return std::nullopt;
+}
+
+void require_mpi_for_several() {
+  if (has_mpi) return;
+  if (const auto launched = launch(); launched && launched->size > 1)
+    throw InputError(fmt::format("this pounding was built without MPI and runs a model in one process, and {} were started; type it without "
+                                 "mpirun. The build from source with PETSc and MPI (make program) runs in several",
+                                 launched->size));
 }
 
 }  // namespace pounding::petsc

@@ -14,4 +14,7 @@ struct Launch {
 /// Empty where no launcher has started this process.
 std::optional<Launch> launch();
 
+/// Throws InputError in a process of several where PETSc has no MPI: each of them would run the whole model by itself.
+void require_mpi_for_several();
+
 }  // namespace pounding::petsc

@@ -1,5 +1,5 @@
 #pragma once
-/// Differences between PETSc versions, 3.18 to 3.26. No other file asks for the version.
+/// Differences between PETSc versions, 3.18 to 3.26, and between PETSc with and without MPI. No other file asks for the version.
 
 #include <petscversion.h>
 #include <petscsys.h>
@@ -23,5 +23,33 @@ using OptionItems = PetscOptionItems*;
 #else
 using OptionItems = PetscOptionItems;
 #endif
+
+#ifdef PETSC_HAVE_MPIUNI
+/// Whether several processes can work together. PETSc without MPI brings the functions of one process in its place.
+inline constexpr bool has_mpi = false;
+#else
+inline constexpr bool has_mpi = true;
+#endif
+
+/// Begins a barrier of all processes, which is_complete() asks for. Without MPI the one process has come.
+inline int begin_barrier([[maybe_unused]] MPI_Comm comm, MPI_Request* request) {
+#ifdef PETSC_HAVE_MPIUNI
+  *request = MPI_REQUEST_NULL;
+  return MPI_SUCCESS;
+#else
+  return MPI_Ibarrier(comm, request);
+#endif
+}
+
+/// Whether that barrier is complete.
+inline bool is_complete(MPI_Request* request) {
+#ifdef PETSC_HAVE_MPIUNI
+  return *request == MPI_REQUEST_NULL;
+#else
+  int complete = 0;
+  MPI_Test(request, &complete, MPI_STATUS_IGNORE);
+  return complete != 0;
+#endif
+}
 
 }  // namespace pounding::petsc
