@@ -4,17 +4,15 @@ import importlib.util
 import json
 import math
 import os
-import shutil
 import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from support import PROGRAM, ProgramTest
+from support import LAUNCHER, PROGRAM, ProgramTest
 
 WITHOUT_SCIPY = importlib.util.find_spec("scipy") is None
-LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 MASSES, PERIODS = (1e5, 1.5e5), (0.8, 0.4)
 STIFFNESSES = [m * (2 * math.pi / t) ** 2 for m, t in zip(MASSES, PERIODS)]
 AMPLITUDE, PERIOD = 3.0, 0.6

@@ -3,16 +3,14 @@
 import json
 import os
 import re
-import shutil
 import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from support import PROGRAM, ProgramTest
+from support import LAUNCHER, PROGRAM, ProgramTest
 
-LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 SURROUNDINGS = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                 "OMPI_MCA_rmaps_base_oversubscribe": "1", "OPENBLAS_NUM_THREADS": "1"}
 SHAKE = "ground_motion: {harmonic: {amplitude: 5.0, period: 0.5 s, duration: 1.5 s}}\n"

@@ -2,16 +2,14 @@
 
 import json
 import os
-import shutil
 import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from support import PROGRAM, ProgramTest
+from support import LAUNCHER, PROGRAM, ProgramTest
 
-LAUNCHER = os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 STIFFNESS, YIELD, HARDENING = (60e6, 50e6), (0.9e6, 0.6e6), 0.05
 #: Two buildings that yield and collide.
 PAIR = """\

@@ -59,6 +59,10 @@ Environment::Environment(const std::vector<std::string>& options) {
     char** arguments = pointers.data();
     check(PetscInitialize(&count, &arguments, nullptr, nullptr));
     owns_petsc_ = true;
+    // Newer versions list options that nothing read when they end; a run tells of its own before it begins.
+    PetscBool asked = PETSC_FALSE;
+    check(PetscOptionsHasName(nullptr, nullptr, "-options_left", &asked));
+    if (!asked) check(PetscOptionsSetValue(nullptr, "-options_left", "0"));
     // PETSc has copied the options into its own table. Signals stay the program's.
     PetscPopSignalHandler();
   }
