@@ -29,7 +29,7 @@ CTEST_FLAGS = --output-on-failure --no-tests=error --parallel $(JOBS)
 CTEST_LEFT_OUT = $(if $(filter 0,$(LONG)),long)$(if $(filter 0,$(CELLS)),|^cells$$)
 CTEST_FLAGS += $(if $(CTEST_LEFT_OUT),--label-exclude '$(patsubst |%,%,$(CTEST_LEFT_OUT))')
 
-.PHONY: build program test test-sanitized test-damage test-faults fuzz demo announce docs wheel test-wheel python python-test \
+.PHONY: build program test test-sanitized test-damage test-faults fuzz demo announce docs wheel test-wheel release python python-test \
   petsc packages-demo packages clean distclean help
 
 build: $(BUILD)/with-tests
@@ -86,6 +86,10 @@ wheel: .venv-test/ready
 test-wheel: wheel
 	bash tests/install/wheel.sh build/dist/*.whl
 
+# Source archive and wheel of this version, checksums, and its notes from CHANGELOG.md.
+release: wheel
+	python3 cmake/release.py --out build/release build/dist/*.tar.gz build/dist/*.whl
+
 python: .venv/ready
 
 python-test: .venv-test/ready
@@ -140,6 +144,7 @@ help:
 	@echo "                words make test, build and program use them, in build-petsc-..."
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"
 	@echo "make wheel      the Python package for pip: build/dist; test-wheel installs it into a new environment and runs it there"
+	@echo "make release    source archive and wheel, checksums, notes of the version: build/release"
 	@echo "make python     only the Python environment .venv that draws pictures; python-test: .venv-test, for tests and builds"
 	@echo "make clean      remove build/, build-fuzz/, build-sanitize/ and the demo's files; distclean removes .venv and .venv-test too"
 	@echo "JOBS=$(JOBS) processes are used"

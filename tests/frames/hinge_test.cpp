@@ -248,7 +248,7 @@ TEST(Hinges, RigidPlasticOnesAddNoStiffness) {
   EXPECT_EQ((made(frame).stiffness - without.stiffness).norm(), 0);
 }
 
-// What a part keeps of its stiffness far beyond its yield.
+// Stiffness far beyond the yield over that at the beginning.
 double kept(const YieldingPart& part) {
   const Spring& spring = *part.spring;
   return 1 + spring.evaluate({1e3 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();

@@ -10,7 +10,7 @@ import zlib
 from pathlib import Path
 
 PROGRAM = os.environ["POUNDING_PROGRAM"]
-#: What starts several processes; None where the program has no MPI.
+#: The program that starts several processes; None where the program has no MPI.
 LAUNCHER = None if os.environ.get("POUNDING_WITHOUT_MPI") else os.environ.get("POUNDING_MPIEXEC") or shutil.which("mpiexec") or shutil.which("mpirun")
 
 #: Two oscillators that hit each other five times in three seconds.

@@ -24,7 +24,7 @@ constexpr double together = 1e-6;
 
 std::string metres(double length) { return format_quantity(length, dimension::length, 6); }
 
-// What to type where a contact hits a member, or a part of one, that has a hinge.
+// The refusal of a contact on a member, or on a part of one, that has a hinge, with what to type.
 std::string beside_hinge(const Frame& frame, int member, double along) {
   const std::string part = frame.member_name(member), whole = part.substr(0, part.find('/'));
   int parts = 0, before = 0;

@@ -9,7 +9,7 @@ from typing import Any
 from pounding.errors import InputError
 from pounding.opensees.printed import PRINTED
 
-#: What OpenSees prints of a material, and the words by which it tells the same to the last bit.
+#: Numbers of a material as OpenSees prints them, and the words by which it tells the same to the last bit.
 EXACT = {
     "Steel01": {"fy": "Fy", "E": "E", "b": "b"},
     "Steel02": {"fy": "Fy", "E": "E", "b": "b", "R0": "R0", "cR1": "cR1", "cR2": "cR2"},
