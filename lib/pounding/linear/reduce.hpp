@@ -12,7 +12,7 @@
 
 namespace pounding::petsc {
 
-/// What is asked for each group of a system; all empty for no reduction at all.
+/// A reduction for each group of a system; all empty for no reduction at all.
 struct ReductionPlan {
   std::vector<std::string> names;      ///< of the structures, for messages
   std::vector<Reduction> groups;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a run asks of the solver for the structures of a model, and what it tells of it.
+/// Reductions that a run asks of the solver for the structures of a model, and the line that tells of them.
 
 #include <Eigen/Core>
 #include <string>
