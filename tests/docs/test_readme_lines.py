@@ -52,6 +52,15 @@ analysis: {duration: 1}
 """
 
 
+#: Stands for the towers.yaml of the page on reduced structures.
+TOWER = ("{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 5, bays: 2, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
+         "0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: 120 t}}, damping: 5 %}")
+TOWERS = ("ground_motion: {harmonic: {amplitude: 4, period: 1.2, duration: 1}}\nstructures:\n"
+          f"  left: {TOWER.replace('X', '0')}\n  right: {TOWER.replace('X', '12.02')}\n"
+          "links: [{between: [left.5, right.5], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
+          "analysis: {duration: 1}\n")
+
+
 class Lines(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -98,6 +107,12 @@ class Commands(Lines):
                     self.assertIn(target.split("=")[0], [*known, "LONG", "JOBS", "MINUTES", "PART", "PETSC", "MPI", "PYTHONS"])
             case ["build/pounding", *rest]:
                 self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *rest), "")
+            case ["pounding", "run", "towers.yaml", *options]:
+                (self.folder / "towers.yaml").write_text(TOWERS)
+                run = subprocess.run([part("POUNDING_PROGRAM"), "run", "towers.yaml", *options], cwd=self.folder, capture_output=True, text=True,
+                                     timeout=PATIENCE)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertIn("no structure is reduced" if "-pounding_red_auto" in options else "one at ", run.stderr)
             case ["cmake", "--build", "build", "--target", *targets]:
                 for target in targets:
                     self.assert_target(target)

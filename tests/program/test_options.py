@@ -1,5 +1,6 @@
 """PETSc's options on the command line of `pounding run`."""
 
+import json
 import unittest
 
 import h5py
@@ -15,6 +16,12 @@ FRAMES = ("ground_motion: {harmonic: {amplitude: 4, period: 1.2, duration: 2}}\n
 
 
 class Options(ProgramTest):
+    def told(self, *words):
+        """The summary of a run that warns."""
+        done = self.pounding("run", *words, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
     def test_reach_the_time_stepping(self):
         self.write(OSCILLATORS.replace("{duration: 3.0}\n", "{duration: 3.0, integrator: generalized_alpha}\n"))
         usual = self.summary("model.yaml")
@@ -50,14 +57,14 @@ class Options(ProgramTest):
 
     def test_of_reduction_leave_small_structures_as_they_are(self):
         path = self.write(OSCILLATORS)
-        usual, asked = self.summary(path), self.summary(path, "-pounding_red_auto")
+        usual, asked = self.summary(path), self.told(path, "-pounding_red_auto")
         self.assertEqual(asked["links"], usual["links"])
         self.assertIn("no structure is reduced", " ".join(asked["warnings"]))
         self.assertNotIn("reduce", " ".join(usual["warnings"]))
 
     def test_of_reduction_reduce_what_they_can(self):
         path = self.write(FRAMES)
-        usual, reduced = self.summary(path), self.summary(path, "-pounding_red_links", "5")
+        usual, reduced = self.summary(path), self.told(path, "-pounding_red_links", "5")
         self.assertIn("left: ", " ".join(reduced["warnings"]))
         self.assertIn("The error of the reduction is not estimated", " ".join(reduced["warnings"]))
         peak, found = usual["links"][0]["peak_force"], reduced["links"][0]["peak_force"]

@@ -7,6 +7,7 @@ namespace pounding {
 
 /// How one structure, or all of a model, are reduced before a run.
 struct Reduction {
+  /// Which coordinates.
   enum class Kind {
     none,       ///< not at all: all natural modes of small structures, factors of sparse matrices for large ones
     automatic,  ///< structures with more than 500 unknowns with mass, as deep as the tolerance asks
