@@ -53,11 +53,11 @@ analysis: {duration: 1}
 
 
 #: Stands for the towers.yaml of the page on reduced structures.
-TOWER = ("{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 5, bays: 2, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
+TOWER = ("{frame: {origin: [X], material: {E: 30 GPa}, grid: {storeys: 12, bays: 3, storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, "
          "0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: 120 t}}, damping: 5 %}")
 TOWERS = ("ground_motion: {harmonic: {amplitude: 4, period: 1.2, duration: 1}}\nstructures:\n"
-          f"  left: {TOWER.replace('X', '0')}\n  right: {TOWER.replace('X', '12.02')}\n"
-          "links: [{between: [left.5, right.5], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
+          f"  left: {TOWER.replace('X', '0')}\n  right: {TOWER.replace('X', '18.02')}\n"
+          "links: [{between: [left.12, right.12], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]\n"
           "analysis: {duration: 1}\n")
 
 
