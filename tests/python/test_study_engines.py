@@ -77,6 +77,19 @@ class Engines(unittest.TestCase):
         # The eigenvalues of modes are rounded.
         self.assertLess(differences(columns, by_modes).max(), 1e-6)
 
+    def test_damping_may_stand_beside_the_oscillator(self):
+        beside = {name: {"oscillator": {word: value for word, value in one["oscillator"].items() if word != "damping"},
+                         "damping": one["oscillator"]["damping"]} for name, one in pair().structures.items()}
+        factors = {**FACTORS, "loss": {"of": "structures.left.damping", "list": ["2 %", "5 %"]}}
+        within = {**factors, "loss": {"of": "structures.left.oscillator.damping", "list": ["2 %", "5 %"]}}
+        plan = make_plan(pair(structures=beside), {"factors": factors, "records": RECORDS, "keep": ["force"]}, Path())
+        ready = kernel_engine._Ready(plan.template)
+        ready.run((), batch_of(plan, np.arange(2)).values, 0, 1.0, lambda found, rows: None)
+        self.assertEqual([type(way) for way in ready._ways.values()], [Pairs])
+        one, other = both(pair(structures=beside), factors)[0], both(pair(), within)[0]
+        for column in one.plan.template.kept.columns:
+            self.assertEqual(one[column].tobytes(), other[column].tobytes(), column)
+
     def test_other_models_go_by_their_modes(self):
         links, structures = pair().links, pair().structures
         left = structures["left"]["oscillator"]

@@ -47,7 +47,8 @@ class Pairs:
             return None
         link = model["links"][0]
         pairs: dict[str, Keys] = {"gap": ("links", 0, "gap")}
-        pairs |= {f"{word}_{side}": ("structures", name, "oscillator", word) for side, name in zip(("left", "right"), names) for word in OSCILLATOR}
+        pairs |= {f"{word}_{side}": ("structures", name, *_home(model["structures"][name], word), word)
+                  for side, name in zip(("left", "right"), names) for word in OSCILLATOR}
         entry = next(one for one in core.catalogue() if one["name"] == link["law"])
         known = ("restitution", "impact_velocity", *(one[0] for one in entry["parameters"]))
         parameters: dict[str, Keys] = {word: ("links", 0, word) for word in link if word in known}
@@ -110,6 +111,11 @@ def _names_of_pair(model: Mapping[str, Any]) -> list[str] | None:
     if not isinstance(names, list) or len(names) != 2 or set(map(str, names)) != set(structures) or not {"gap", "law"} <= set(links[0]):
         return None
     for one in structures.values():
-        if set(one) != {"oscillator"} or set(one["oscillator"]) != set(OSCILLATOR):
+        if not set(one) <= {"oscillator", "damping"} or sorted([*one["oscillator"], *set(one) - {"oscillator"}]) != sorted(OSCILLATOR):
             return None
     return list(names)
+
+
+def _home(structure: Mapping[str, Any], word: str) -> tuple[str, ...]:
+    """Where a word of an oscillator stands: damping may be beside it."""
+    return () if word in structure else ("oscillator",)
