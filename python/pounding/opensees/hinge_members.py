@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.opensees.materials import Material, exact
+from pounding.opensees.materials import Material, read_material
 from pounding.opensees.printed import PRINTED, Printed
 from pounding.opensees.springs import Ask, End, plastic
 
@@ -45,13 +45,8 @@ def _moment(printed: Printed, element: Mapping[str, Any], number: int, section: 
     tag = element["name"]
     if section["type"] != "SectionAggregator" or sorted(section["dof"]) != ["Mz", "P"]:
         raise InputError(f"element {tag}: section {section['name']} of its hinge must be an Aggregator of P and Mz")
-    materials = {each["name"]: each for each in printed.model["properties"]["uniaxialMaterials"]}
-    read = {}
-    for dof, name in zip(section["dof"], section["materials"]):
-        values = {key: value for key, value in materials[name].items() if key not in ("name", "type")}
-        kind = materials[name]["type"]
-        where = ("section", number, "material", int(name))
-        read[dof] = exact(Material(name, kind, values), partial(_ask_at, ask, tag, where))
+    read = {dof: read_material(printed, name, partial(_ask_at, ask, tag, ("section", number, "material", int(name))))
+            for dof, name in zip(section["dof"], section["materials"])}
     if read["P"].kind != "ElasticMaterial" or read["Mz"].kind not in ("Steel01", "ElasticPPMaterial"):
         raise InputError(f"element {tag}: section {section['name']} must be Elastic along the member and Steel01 or ElasticPP in bending")
     for dof, stiffness, wanted in (("P", read["P"].values["Epos"], inner["E"] * inner["A"]),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pounding.errors import InputError
-from pounding.opensees.printed import PRINTED
+from pounding.opensees.printed import PRINTED, Printed
 
 #: Numbers of a material as OpenSees prints them, and the words by which it tells the same to the last bit.
 EXACT = {
@@ -71,10 +71,11 @@ class Material:
         return LAWS[self.kind](self)
 
 
-def exact(material: Material, ask: Callable[[str, float], float]) -> Material:
-    """The material with what `ask(word, printed)` tells to the last bit."""
-    told = {name: ask(word, material.values[name]) for name, word in EXACT.get(material.kind, {}).items()}
-    return Material(material.tag, material.kind, {**material.values, **told})
+def read_material(printed: Printed, name: str, ask: Callable[[str, float], float]) -> Material:
+    """A material of the printed model, with what `ask(word, value)` tells to the last bit."""
+    line = next(each for each in printed.model["properties"]["uniaxialMaterials"] if each["name"] == name)
+    told = {key: ask(word, line[key]) for key, word in EXACT.get(line["type"], {}).items()}
+    return Material(name, line["type"], {key: value for key, value in line.items() if key not in ("name", "type")} | told)
 
 
 def _plain(kind: str) -> str:

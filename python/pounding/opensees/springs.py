@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.opensees.materials import Law, Material, backfill_words, device_words, exact
+from pounding.opensees.materials import Law, Material, backfill_words, device_words, read_material
 from pounding.opensees.printed import Constraint, Printed
 
 #: Types of elements that are springs.
@@ -64,12 +64,9 @@ def read_spring(printed: Printed, element: Mapping[str, Any], nodes: Mapping[int
     tag, kind = element["name"], element["type"]
     at = tuple(element["nodes"])
     length = float(np.linalg.norm(np.subtract(nodes[at[1]], nodes[at[0]])))
-    named = {each["name"]: each for each in printed.model["properties"]["uniaxialMaterials"]}
 
     def material(name: str, *where: str | int) -> Material:
-        values = {key: value for key, value in named[name].items() if key not in ("name", "type")}
-        read = Material(name, named[name]["type"], values)
-        return exact(read, lambda word, value: ask(tag, (*where, word), value))
+        return read_material(printed, name, lambda word, value: ask(tag, (*where, word), value))
 
     if kind == "Truss":
         if element.get("massperlength", 0):
