@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -66,22 +67,28 @@ hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
   return law;
 }
 
-// Laws of all hinges, such that each joint stays where it is when all that it holds has yielded.
-std::vector<hysteresis::Settings> laws_of(const FrameModel& model, const AssembledFrame& assembled, const std::vector<HingeForces>& forces) {
-  constexpr double far = 1e3;  // yield deformations
+// Springs of all hinges, such that each joint stays where it is when all that it holds has yielded.
+std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const AssembledFrame& assembled, const std::vector<HingeForces>& forces) {
   const std::vector<Hinge>& hinges = model.frame.hinges();
-  std::vector<hysteresis::Settings> laws;
+  std::vector<std::unique_ptr<Spring>> springs;
   std::vector<bool> keeps_nothing;
   for (std::size_t i = 0; i < hinges.size(); ++i) {
-    laws.push_back(law_of(model.frame, hinges[i], forces[i].k));
-    const auto spring = make_hinge(laws.back());
-    const double kept = 1 + spring->evaluate({far * spring->yield_deformation(), 0}).by_penetration / forces[i].k;
-    keeps_nothing.push_back(kept < least_hardening);
+    springs.push_back(make_hinge(law_of(model.frame, hinges[i], forces[i].k)));
+    keeps_nothing.push_back(1 + slope_far_behind_yield(*springs.back()) / forces[i].k < least_hardening);
   }
   const std::vector<bool> loose = at_loose_joints(model.frame, assembled, keeps_nothing);
   for (std::size_t i = 0; i < hinges.size(); ++i)
-    if (loose[i]) laws[i].values["hardening"] = least_hardening;
-  return laws;
+    if (loose[i]) {
+      hysteresis::Settings law = law_of(model.frame, hinges[i], forces[i].k);
+      law.values["hardening"] = least_hardening;
+      springs[i] = make_hinge(law);
+    }
+  return springs;
+}
+
+std::string word_of(const Hinge& hinge) {
+  if (hinge.is_rigid_plastic()) return "hinge";
+  return hinge.law ? hinge.law->law : "bilinear";
 }
 
 std::vector<YieldingPart::Parameter> parameters_of(const Hinge& hinge, double k) {
@@ -252,13 +259,11 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
                        model.frame.hinge_name(0)));
   std::vector<HingeForces> forces;
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) forces.push_back(forces_of(model.frame, i));
-  const std::vector<hysteresis::Settings> laws = laws_of(model, frame, forces);
+  std::vector<std::unique_ptr<Spring>> springs = springs_of(model, frame, forces);
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
     const double k = forces[i].k;
-    const hysteresis::Settings& law = laws[i];
     YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]),
-                                                 hinges[i].is_rigid_plastic() ? "hinge" : law.law, parameters_of(hinges[i], k),
-                                                 make_hinge(law));
+                                                 word_of(hinges[i]), parameters_of(hinges[i], k), std::move(springs[i]));
     part.kind = YieldingPart::Kind::hinge;
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
     require_elastic_at_rest(part, forces[i]);

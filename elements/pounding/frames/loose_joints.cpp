@@ -1,6 +1,8 @@
 #include <pounding/frames/loose_joints.hpp>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include <pounding/frames/frame_dofs.hpp>
 
@@ -15,16 +17,14 @@ bool turns(const AssembledFrame& frame, int node) {
 
 std::vector<bool> at_loose_joints(const Frame& frame, const AssembledFrame& assembled, const std::vector<bool>& keeps_nothing) {
   const std::vector<Hinge>& hinges = frame.hinges();
-  const auto yields = [&](int member, MemberEnd at, BendingAxis about) {
-    for (std::size_t i = 0; i < hinges.size(); ++i)
-      if (keeps_nothing[i] && hinges[i].member == member && hinges[i].at == at && hinges[i].about == about) return true;
-    return false;
-  };
+  std::set<std::pair<int, int>> yields;  // members and places of their end forces
+  for (std::size_t i = 0; i < hinges.size(); ++i)
+    if (keeps_nothing[i]) yields.emplace(hinges[i].member, hinges[i].place());
   const auto lets_go = [&](int member, MemberEnd at) {
     const Beam& beam = frame.beam(member);
     const auto is_free = [&](BendingAxis about) {
       const Hinge end{.member = member, .at = at, .about = about};
-      return beam.is_released(end.place()) || yields(member, at, about);
+      return beam.is_released(end.place()) || yields.contains({member, end.place()});
     };
     return beam.is_truss() || (is_free(BendingAxis::y) && (frame.dimension() == 2 || is_free(BendingAxis::z)));
   };

@@ -11,6 +11,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/model/storey_heights.hpp>
+#include <pounding/structures/yielding_law.hpp>
 
 namespace pounding {
 namespace {
@@ -148,10 +149,7 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
     if (!std::isnan(part.parameter("member_stiffness"))) facts.law = "rigid-plastic";
     facts.deformation = part.spring->yield_deformation();
     facts.force = facts.stiffness * facts.deformation;
-    constexpr double far_behind = 1000;
-    LinkMotion far{far_behind * facts.deformation, 0};
-    far.lag = std::numeric_limits<double>::infinity();  // without a damper beside it
-    facts.hardening = (part.is_device() ? 0 : 1) + part.spring->evaluate(far).by_penetration / facts.stiffness;
+    facts.hardening = (part.is_device() ? 0 : 1) + slope_far_behind_yield(*part.spring) / facts.stiffness;
     facts.at_rest = std::abs(part.at_rest) / facts.deformation;
     if (storeys && !part.is_device()) {
       facts.over_weight = facts.force / (carried * standard_gravity);

@@ -1,5 +1,6 @@
 #include <pounding/structures/yielding_law.hpp>
 
+#include <limits>
 #include <stdexcept>
 #include <variant>
 
@@ -31,6 +32,12 @@ std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& s
       },
       hysteresis::make_law(settings));
   return all;
+}
+
+double slope_far_behind_yield(const Spring& spring) {
+  LinkMotion far{1000 * spring.yield_deformation(), 0};
+  far.lag = std::numeric_limits<double>::infinity();
+  return spring.evaluate(far).by_penetration;
 }
 
 }  // namespace pounding

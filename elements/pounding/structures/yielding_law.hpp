@@ -28,4 +28,7 @@ struct SpringOptions {
 /// Throws as make_spring() does.
 std::vector<YieldingPart::Parameter> parameters_of(const hysteresis::Settings& settings);
 
+/// Slope of Spring::evaluate() at a thousand yield deformations [N/m], without a damper beside the law.
+double slope_far_behind_yield(const Spring& spring);
+
 }  // namespace pounding
