@@ -11,6 +11,8 @@
 #include <string>
 #include <utility>
 
+#include <pounding/frames/finite_rotation.hpp>
+
 namespace pounding {
 namespace {
 
@@ -108,12 +110,6 @@ Matrix12 truss_stiffness(double along, double across) {
 }
 
 Matrix12 symmetric(const Matrix12& m) { return 0.5 * (m + m.transpose()); }
-
-Matrix3d cross(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
 
 // All displacements of the ends from those that are not released: no force acts along the released ones.
 Matrix12 release(const Matrix12& stiffness, const BeamOptions& options) {
@@ -233,7 +229,7 @@ Beam::Beam(const Vector3d& start_node, const Vector3d& end_node, const Section& 
   to_local_.setZero();
   for (const int node : {0, 6}) {
     to_local_.block<3, 3>(node, node) = to_local_.block<3, 3>(node + 3, node + 3) = axes_;
-    to_local_.block<3, 3>(node, node + 3) = -axes_ * cross(node == 0 ? options.start_offset : options.end_offset);
+    to_local_.block<3, 3>(node, node + 3) = -axes_ * finite_rotation::cross(node == 0 ? options.start_offset : options.end_offset);
   }
   set_axial_force(options.axial_force);
 }

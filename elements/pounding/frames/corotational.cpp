@@ -8,16 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include <pounding/core/refuse.hpp>
+
 namespace pounding {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-namespace {
-
-[[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
-
-}  // namespace
 
 std::vector<CorotationalMember> corotational_members(const Frame& frame) {
   std::vector<CorotationalMember> members;

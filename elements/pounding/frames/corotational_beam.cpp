@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <pounding/core/refuse.hpp>
 #include <pounding/frames/finite_rotation.hpp>
 
 namespace pounding {
@@ -21,8 +22,6 @@ namespace {
 
 using Matrix3x12 = Eigen::Matrix<double, 3, 12>;
 using Row12 = Eigen::Matrix<double, 1, 12>;
-
-[[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/refuse.hpp>
 
 namespace pounding {
 
@@ -86,8 +87,6 @@ class CorotationalFrame::Path {
   }
 
  private:
-  [[noreturn]] static void refuse(const std::string& text) { throw std::invalid_argument(text); }
-
   double product(const Equilibrium& a, const Equilibrium& b) const {
     return a.q.dot(weight_.cwiseProduct(b.q)) / scale_ + a.factor * b.factor / (first_ * first_);
   }

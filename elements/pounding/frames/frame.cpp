@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <pounding/core/refuse.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 
 namespace pounding {
@@ -28,8 +29,6 @@ const char* name(Dof dof) {
 }
 
 namespace frame_dofs {
-
-void refuse(const std::string& text) { throw std::invalid_argument(text); }
 
 int place(int dimension, Dof dof) {
   const auto dofs = dofs_of(dimension);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include <pounding/core/refuse.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 #include <pounding/frames/static_solver.hpp>
 #include <pounding/structures/massless.hpp>
@@ -19,7 +20,7 @@ using namespace frame_dofs;
 
 namespace {
 
-SparseMatrix symmetric(const SparseMatrix& m) { return 0.5 * (m + SparseMatrix(m.transpose())); }
+SparseMatrix symmetric_part(const SparseMatrix& m) { return 0.5 * (m + SparseMatrix(m.transpose())); }
 
 // A motion without inertia that is no single unknown, such as the turning of a rigid floor with its mass at one node
 // other than the master, would leave the accelerations undetermined.
@@ -144,9 +145,9 @@ AssembledFrame Frame::assemble(bool gravity) const {
   const int n = static_cast<int>(t.cols()), all = static_cast<int>(t.rows());
   SparseMatrix dashpots(all, all);
   dashpots.setFromTriplets(dashpots_.begin(), dashpots_.end());
-  out.stiffness = symmetric(t.transpose() * gathered(springs_, &Beam::stiffness) * t);
-  out.damping = symmetric(t.transpose() * dashpots * t);
-  out.mass = symmetric(t.transpose() * mass * t);
+  out.stiffness = symmetric_part(t.transpose() * gathered(springs_, &Beam::stiffness) * t);
+  out.damping = symmetric_part(t.transpose() * dashpots * t);
+  out.mass = symmetric_part(t.transpose() * mass * t);
   // At the centre of a floor's mass the products m x arm add up to zero but for rounding.
   const Eigen::VectorXd diagonal = out.mass.diagonal();
   out.mass.prune([&](int i, int j, double value) { return std::abs(value) > 1e-14 * std::sqrt(diagonal[i] * diagonal[j]); });

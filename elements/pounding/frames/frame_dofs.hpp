@@ -10,9 +10,6 @@
 
 namespace pounding::frame_dofs {
 
-/// Throws std::invalid_argument.
-[[noreturn]] void refuse(const std::string& text);
-
 /// Place of a displacement among those of a node, -1 if the node has it not.
 int place(int dimension, Dof dof);
 

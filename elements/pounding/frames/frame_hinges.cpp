@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/refuse.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 #include <pounding/frames/loose_joints.hpp>
 #include <pounding/structures/make_spring.hpp>
@@ -19,7 +20,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using frame_dofs::refuse;
 
 std::string moment(double size) { return fmt::format("{:.4g} kN m", size / 1e3); }
 

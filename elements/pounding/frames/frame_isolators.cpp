@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/refuse.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 #include <pounding/structures/isolators.hpp>
@@ -15,7 +16,6 @@
 namespace pounding {
 namespace {
 
-using frame_dofs::refuse;
 
 std::string kilonewtons(double force) { return fmt::format("{:.4g} kN", force / 1e3); }
 

@@ -8,19 +8,18 @@
 
 namespace pounding {
 
-using Eigen::SparseMatrix;
 using namespace frame_dofs;
 
 Frame::Reactions Frame::reactions(const std::vector<int>& nodes, const AssembledFrame& assembled, bool gravity,
                                   bool with_members) const {
   const int all = this->nodes() * dofs(), rows = static_cast<int>(nodes.size()) * dofs();
   // Forces on nodes that follow a held one go to the ground through it.
-  const SparseMatrix<double, Eigen::RowMajor> to_ground = assembled.supported.transpose();
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> to_ground = assembled.supported.transpose();
   Entries gathering, by_springs;
   for (int row = 0; row < rows; ++row) {
     const int at = nodes[row / dofs()] * dofs() + row % dofs();
     if (fixed_.contains(at)) {
-      for (SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(to_ground, at); it; ++it)
+      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(to_ground, at); it; ++it)
         gathering.emplace_back(row, it.col(), it.value());
       continue;
     }
@@ -31,14 +30,14 @@ Frame::Reactions Frame::reactions(const std::vector<int>& nodes, const Assembled
   made.nodes = nodes;
   made.by_forces.resize(rows, all);
   made.by_forces.setFromTriplets(gathering.begin(), gathering.end());
-  SparseMatrix<double, Eigen::RowMajor> springs(rows, all);
+  Eigen::SparseMatrix<double, Eigen::RowMajor> springs(rows, all);
   springs.setFromTriplets(by_springs.begin(), by_springs.end());
-  SparseMatrix<double> stiffness(all, all);
+  Eigen::SparseMatrix<double> stiffness(all, all);
   if (with_members)
     stiffness = gathered(springs_, &Beam::stiffness);
   else
     stiffness.setFromTriplets(springs_.begin(), springs_.end());
-  const SparseMatrix<double, Eigen::RowMajor> gathered_stiffness = made.by_forces * SparseMatrix<double, Eigen::RowMajor>(stiffness);
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> gathered_stiffness = made.by_forces * Eigen::SparseMatrix<double, Eigen::RowMajor>(stiffness);
   made.by_displacements = gathered_stiffness + springs;
   Eigen::VectorXd load = loads();
   if (gravity) {

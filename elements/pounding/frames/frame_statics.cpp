@@ -6,20 +6,20 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/refuse.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 #include <pounding/frames/static_solver.hpp>
 #include <pounding/core/units.hpp>
 
 namespace pounding {
 
-using Eigen::SparseMatrix;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using namespace frame_dofs;
 
 namespace {
 
-SparseMatrix<double> sparse(const Eigen::MatrixXd& dense) { return dense.sparseView(1, 0); }
+Eigen::SparseMatrix<double> sparse(const Eigen::MatrixXd& dense) { return dense.sparseView(1, 0); }
 
 }  // namespace
 
@@ -90,16 +90,16 @@ void Frame::add_p_delta(bool gravity) {
 }
 
 // Rows of a matrix, one a displacement, that belong to the nodes of a member, in the order of Vector12.
-SparseMatrix<double, Eigen::RowMajor> Frame::member_motion(int member, const SparseMatrix<double, Eigen::RowMajor>& of_all) const {
+Eigen::SparseMatrix<double, Eigen::RowMajor> Frame::member_motion(int member, const Eigen::SparseMatrix<double, Eigen::RowMajor>& of_all) const {
   const Member& m = of(member);
   Entries entries;
   for (const auto& [node, first] : {std::pair(m.start, 0), {m.end, 6}})
     for (const Dof dof : dofs_of(dimension_)) {
-      using Terms = SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+      using Terms = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
       for (Terms it(of_all, index(node, dof)); it; ++it)
         entries.emplace_back(first + static_cast<int>(dof), it.col(), it.value());
     }
-  SparseMatrix<double, Eigen::RowMajor> rows(12, of_all.cols());
+  Eigen::SparseMatrix<double, Eigen::RowMajor> rows(12, of_all.cols());
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
@@ -108,8 +108,8 @@ Vector12 Frame::end_forces(int member, const AssembledFrame& assembled, const Ve
   return of(member).beam.end_forces(member_motion(member, assembled.transform) * q);
 }
 
-SparseMatrix<double> Frame::end_force_rows(int member, const AssembledFrame& assembled) const {
-  return sparse(of(member).beam.end_force_matrix()) * SparseMatrix<double>(member_motion(member, assembled.transform));
+Eigen::SparseMatrix<double> Frame::end_force_rows(int member, const AssembledFrame& assembled) const {
+  return sparse(of(member).beam.end_force_matrix()) * Eigen::SparseMatrix<double>(member_motion(member, assembled.transform));
 }
 
 Eigen::Matrix<double, 12, 3> Frame::enforced_end_forces(int member, const Eigen::MatrixX3d& enforced) const {
@@ -131,17 +131,17 @@ Frame::PointOnMember Frame::point_on_member(int member, double along, const Asse
   const Beam& beam = of(member).beam;
   if (!(along >= 0 && along <= 1))
     refuse(fmt::format("member {}: a point on it lies at 0 to 1 of its length, not at {}", member_name(member), along));
-  const SparseMatrix<double> shapes = sparse(beam.motion_at(along));
-  const auto at_point = [&](const SparseMatrix<double, Eigen::RowMajor>& of_all) {
-    const SparseMatrix<double> motion = shapes * SparseMatrix<double>(member_motion(member, of_all));
-    const SparseMatrix<double, Eigen::RowMajor> rows = motion;
+  const Eigen::SparseMatrix<double> shapes = sparse(beam.motion_at(along));
+  const auto at_point = [&](const Eigen::SparseMatrix<double, Eigen::RowMajor>& of_all) {
+    const Eigen::SparseMatrix<double> motion = shapes * Eigen::SparseMatrix<double>(member_motion(member, of_all));
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = motion;
     std::array<Eigen::SparseVector<double>, 3> by_axis;
     for (int axis = 0; axis < 3; ++axis) by_axis[axis] = rows.row(axis).transpose();
     return by_axis;
   };
   PointOnMember point;
   point.motion = at_point(assembled.transform);
-  SparseMatrix<double, Eigen::RowMajor> every(assembled.transform.rows(), assembled.transform.rows());
+  Eigen::SparseMatrix<double, Eigen::RowMajor> every(assembled.transform.rows(), assembled.transform.rows());
   every.setIdentity();
   point.supported = at_point(every);
   point.fixed_ends = beam.fixed_end_forces_at(along);
@@ -163,7 +163,7 @@ Frame::SupportMotion Frame::support_motion(const std::vector<int>& nodes, const 
     }
     if (!supports_something) refuse(node_text(node) + "it is no support: neither fixed nor on a spring to the ground");
   }
-  const SparseMatrix<double> t = assembled.transform;
+  const Eigen::SparseMatrix<double> t = assembled.transform;
   SupportMotion motion;
   motion.enforced = assembled.supported * supports;
   StaticSolver solver(assembled.stiffness);

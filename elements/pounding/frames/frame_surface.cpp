@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/names.hpp>
+#include <pounding/core/refuse.hpp>
 #include <pounding/core/units.hpp>
 
 namespace pounding {
@@ -19,8 +20,6 @@ using Eigen::Vector3d;
 
 // Points nearer than this are one [m].
 constexpr double together = 1e-6;
-
-[[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
 
 std::string metres(double length) { return format_quantity(length, dimension::length, 6); }
 

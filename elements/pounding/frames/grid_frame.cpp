@@ -9,12 +9,12 @@
 
 #include <pounding/core/limits.hpp>
 #include <pounding/core/names.hpp>
+#include <pounding/core/refuse.hpp>
 #include <pounding/frames/frame_dofs.hpp>
 
 namespace pounding {
 
 using Eigen::Vector3d;
-using frame_dofs::refuse;
 
 namespace {
 

@@ -17,6 +17,7 @@
 #include <pounding/model/drawing.hpp>
 #include <pounding/model/facing.hpp>
 #include <pounding/model/place_ends.hpp>
+#include <pounding/model/refuse_option.hpp>
 #include <pounding/model/rounding.hpp>
 
 namespace pounding {
@@ -24,9 +25,6 @@ namespace {
 
 // Default sliding velocity: slower than this, friction grows with the velocity [m/s].
 constexpr double usual_sliding = 5e-3;
-
-[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
-[[noreturn]] void refuse_idle(ModelOption option, const std::string& text) { throw ModelError(option, text).as_idle(); }
 
 std::string text_of(const PairEnd& end, const Structure& s) {
   if (end.elevation) return fmt::format("{}@{:.6g}m", s.name, *end.elevation);

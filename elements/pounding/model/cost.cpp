@@ -14,11 +14,11 @@
 namespace pounding {
 namespace {
 
+[[noreturn]] void refuse_analysis(const std::string& text) { throw ModelError(ModelOption::analysis, text); }
+
 // The longest step as a part of the shortest of all first periods, and of the duration.
 constexpr double max_part_of_period = 0.1;
 constexpr double max_part_of_duration = 1.0 / 16;
-
-[[noreturn]] void refuse(const std::string& text) { throw ModelError(ModelOption::analysis, text); }
 
 bool vibrates(const Structure& s) { return !s.is_rigid() && !s.is_free; }
 
@@ -65,7 +65,7 @@ void require_steps(const Model& model) {
   const Steps least = least_steps(model);
   if (!(least.count > most)) return;
   const bool can_be_raised = least.count < limits::most_steps;
-  refuse(fmt::format("a run of {:g} s takes {:.3g} steps or more, and {:.10g} are allowed: {}; look at the units, or type analysis: {{duration: "
+  refuse_analysis(fmt::format("a run of {:g} s takes {:.3g} steps or more, and {:.10g} are allowed: {}; look at the units, or type analysis: {{duration: "
                      "{:.2g} s}}{}",
                      model.analysis.duration, least.count, most, least.reason, model.analysis.duration * most / least.count,
                      can_be_raised ? fmt::format(", or {{most_steps: {:.0f}}} and some patience", std::ceil(2 * least.count)) : ""));
@@ -85,12 +85,12 @@ void require_outputs(const Model& model) {
   const auto& [duration, output_step] = std::pair(model.analysis.duration, model.analysis.output_step);
   const double outputs = duration / output_step;
   if (outputs > limits::outputs)
-    refuse(fmt::format("{:.3g} output times are too many; type analysis: {{output_step: {:.3g}}}", outputs, duration / 1e4));
+    refuse_analysis(fmt::format("{:.3g} output times are too many; type analysis: {{output_step: {:.3g}}}", outputs, duration / 1e4));
   double numbers = 0;
   for (const Structure& s : model.structures) numbers += numbers_of(s);
   const double bytes = outputs * numbers * sizeof(double), memory = limits::memory();
   if (bytes > memory)
-    refuse(fmt::format("{:.3g} output times of {:.3g} numbers each take {}, and there are {}; type analysis: {{output_step: {:.2g} s}}, or report "
+    refuse_analysis(fmt::format("{:.3g} output times of {:.3g} numbers each take {}, and there are {}; type analysis: {{output_step: {:.2g} s}}, or report "
                        "fewer nodes and members",
                        outputs, numbers, limits::text_of_bytes(bytes), limits::text_of_bytes(memory), 4 * output_step * bytes / memory));
 }

@@ -1,12 +1,13 @@
 #include <pounding/model/device_parts.hpp>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include <pounding/model/refuse_option.hpp>
+
 namespace pounding {
 namespace {
-
-[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
 
 Bar bar_of(const std::variant<Bar, BarSection>& given, std::optional<double> length) {
   if (const Bar* bar = std::get_if<Bar>(&given)) return *bar;
@@ -31,6 +32,14 @@ void checked(ModelOption option, const Check& check) {
 }
 
 }  // namespace
+
+Eigen::Vector3d unit_vector(const Eigen::Vector3d& line) {
+  constexpr double square = 1e-9;
+  Eigen::Vector3d direction = line.normalized();
+  for (double& component : direction)
+    if (std::abs(component) < square) component = 0;
+  return direction.normalized();
+}
 
 DeviceParts parts_of(const DeviceOptions& options, std::optional<double> length) {
   if (!options.bar && !options.law && !options.damper)

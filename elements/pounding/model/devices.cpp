@@ -13,16 +13,13 @@
 #include <pounding/model/device_parts.hpp>
 #include <pounding/model/facing.hpp>
 #include <pounding/model/place_ends.hpp>
+#include <pounding/model/refuse_option.hpp>
 
 namespace pounding {
 namespace {
 
-// A device does not act along an axis that it is square to, up to the rounding of coordinates.
-constexpr double square = 1e-9;
 // Frequencies of structures that bars join.
 constexpr int max_joined_modes = 3;
-
-[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
 
 void check_name(const std::string& name, const std::vector<Device>& others) {
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
@@ -30,14 +27,6 @@ void check_name(const std::string& name, const std::vector<Device>& others) {
   for (const Device& other : others)
     if (other.name == name)
       refuse(ModelOption::device_name, fmt::format("a device \"{}\" exists already; give this one another name", name));
-}
-
-// The unit vector from one point to the other, without the rounding of their coordinates.
-Eigen::Vector3d unit_vector(const Eigen::Vector3d& from_to) {
-  Eigen::Vector3d direction = from_to.normalized();
-  for (double& component : direction)
-    if (std::abs(component) < square) component = 0;
-  return direction.normalized();
 }
 
 // Two nodes that are drawn are joined by the line between them.
@@ -85,7 +74,7 @@ void require_motion(const LinkEnd& end, const Structure& s, const Eigen::Vector3
   }
 }
 
-std::string text_of(const LinkEnd& end, const Structure& s) {
+std::string end_text(const LinkEnd& end, const Structure& s) {
   return end.label.empty() ? s.name : fmt::format("{} of {}", end.label, s.name);
 }
 
@@ -199,8 +188,8 @@ std::string describe(const DeviceParts& parts) {
 
 std::string describe(const Model& model, const Device& device) {
   std::string text = fmt::format("device {}: {}", device.name, describe(device.parts));
-  text += fmt::format(", between {} and {}", text_of(device.left, model.structures[device.left.structure]),
-                      text_of(device.right, model.structures[device.right.structure]));
+  text += fmt::format(", between {} and {}", end_text(device.left, model.structures[device.left.structure]),
+                      end_text(device.right, model.structures[device.right.structure]));
   if (device.length) text += fmt::format(", {} long", format_quantity(*device.length, dimension::length, 6));
   return text + '\n';
 }

@@ -21,7 +21,7 @@ constexpr double nanometres = 1e9;
 std::string metres(double length) { return format_quantity(std::abs(length) * nanometres < 1 ? 0 : length, dimension::length, 6); }
 
 // "floor 3 of left", "node b of left", "the column of left 10.5 m up".
-std::string text_of(const LinkEnd& end, const Structure& s) {
+std::string placed_text(const LinkEnd& end, const Structure& s) {
   const bool is_column = end.floor < 0 && !end.label.starts_with("node ");
   return is_column ? fmt::format("the column of {} {}", s.name, end.label) : fmt::format("{} of {}", end.label, s.name);
 }
@@ -33,8 +33,8 @@ struct Ends {
 
   std::string at(int axis) const {
     constexpr char axes[] = "xyz";
-    return fmt::format("{} ({} = {}) and {} ({} = {})", text_of(left, a), axes[axis], metres(left.point.position[axis]),
-                       text_of(right, b), axes[axis], metres(right.point.position[axis]));
+    return fmt::format("{} ({} = {}) and {} ({} = {})", placed_text(left, a), axes[axis], metres(left.point.position[axis]),
+                       placed_text(right, b), axes[axis], metres(right.point.position[axis]));
   }
   // How to bring the second structure to another distance from the first one.
   std::string move(Side side, double farther) const {

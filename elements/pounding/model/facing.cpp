@@ -9,14 +9,13 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/model/drawing.hpp>
+#include <pounding/model/refuse_option.hpp>
 
 namespace pounding {
 namespace {
 
 // Floors that differ by less than this part of their elevation are level.
 constexpr double level = 1e-6;
-
-[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
 
 bool is_level(double a, double b) { return std::abs(a - b) <= level * std::max({std::abs(a), std::abs(b), 1e-3}); }
 

@@ -10,11 +10,10 @@
 #include <fmt/ranges.h>
 
 #include <pounding/core/names.hpp>
+#include <pounding/core/refuse.hpp>
 
 namespace pounding {
 namespace {
-
-[[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
 
 const Row& motion_of_floor(const Structure& s, const ForceOptions& options) {
   const int count = static_cast<int>(s.floors.size());

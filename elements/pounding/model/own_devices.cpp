@@ -12,15 +12,12 @@
 #include <pounding/model/device_parts.hpp>
 #include <pounding/model/drawing.hpp>
 #include <pounding/model/first_yield.hpp>
+#include <pounding/model/refuse_option.hpp>
 
 namespace pounding {
 namespace {
 
-constexpr char axes[] = "xyz";
-// A device does not act along an axis that it is square to, up to the rounding of coordinates.
-constexpr double square = 1e-9;
-
-[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
+constexpr char axis_names[] = "xyz";
 
 // An end on its structure.
 struct Place {
@@ -70,14 +67,11 @@ Eigen::Vector3d direction_of(const Place& from, const Place& to, std::optional<D
   const DeviceAxis chosen = axis.value_or(is_drawn ? DeviceAxis::along : DeviceAxis::x);
   if (chosen != DeviceAxis::along) return Eigen::Vector3d::Unit(static_cast<int>(chosen) - static_cast<int>(DeviceAxis::x));
   if (!is_drawn) refuse(ModelOption::axis, "along is the line between two nodes; name two, or type axis: x");
-  Eigen::Vector3d line = *to.position - *from.position;
+  const Eigen::Vector3d line = *to.position - *from.position;
   if (line.norm() <= drawn_rounding)
     refuse(ModelOption::between, fmt::format("{} and {} of {} stand at one point, and the device acts along the line between them; type axis: x",
                                              from.label, to.label, s.name));
-  line.normalize();
-  for (double& component : line)
-    if (std::abs(component) < square) component = 0;
-  return line.normalized();
+  return unit_vector(line);
 }
 
 // Elongation by the unknowns.
@@ -96,7 +90,7 @@ void require_motion(const Row& row, const Place& from, const Place& to, const Ei
   if (row.nonZeros() == 0) {
     std::string along;
     for (int axis = 0; axis < 3; ++axis)
-      if (direction[axis] != 0) along += along.empty() ? fmt::format("{}", axes[axis]) : fmt::format(" and {}", axes[axis]);
+      if (direction[axis] != 0) along += along.empty() ? fmt::format("{}", axis_names[axis]) : fmt::format(" and {}", axis_names[axis]);
     refuse(ModelOption::between, fmt::format("{} and {} of {} do not move against each other along {}; name two that do, or another axis",
                                              from.label, to.label, s.name, along));
   }
@@ -157,7 +151,7 @@ void add_to_reactions(const Place& from, const Place& to, const Eigen::Vector3d&
       if (place->node.empty() || forces.supports[support] != place->node) continue;
       for (std::size_t d = 0; d < forces.directions.size(); ++d)
         for (int axis = 0; axis < 3; ++axis)
-          if (forces.directions[d] == std::string(1, axes[axis]) && direction[axis] != 0 && place->motion[axis].nonZeros() == 0)
+          if (forces.directions[d] == std::string(1, axis_names[axis]) && direction[axis] != 0 && place->motion[axis].nonZeros() == 0)
             entries.emplace_back(static_cast<int>(first + support * forces.directions.size() + d), static_cast<int>(count - 1),
                                  sign * direction[axis]);
     }

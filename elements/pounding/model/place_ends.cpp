@@ -7,14 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <pounding/model/refuse_option.hpp>
+
 namespace pounding {
-namespace {
-
-[[noreturn]] void refuse(ModelOption option, const std::string& text) { throw ModelError(option, text); }
-[[noreturn]] void refuse_idle(ModelOption option, const std::string& text) { throw ModelError(option, text).as_idle(); }
-
-}  // namespace
-
 LinkEnd place_end(const PairEnd& end, const Structure& s, Side side, double along, ModelOption option) {
   LinkEnd found;
   found.structure = end.structure;

@@ -19,20 +19,20 @@
 namespace pounding {
 namespace {
 
+[[noreturn]] void refuse_preload(const std::string& text) { throw ModelError(ModelOption::preload, text); }
+
 constexpr int max_iterations = 200;
 // The penetration counts as found when a Newton step is below this part of it.
 constexpr double solved = 1e-14;
 
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
-[[noreturn]] void refuse(const std::string& text) { throw ModelError(ModelOption::preload, text); }
-
 void require_linear_start(const Structure& s) {
-  if (s.is_free || s.rigid_motions > 0) refuse(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
+  if (s.is_free || s.rigid_motions > 0) refuse_preload(fmt::format("nothing holds {} against a preload; take a structure with a stiffness", s.name));
   if (s.elastic)
-    refuse(fmt::format("{} has large rotations, and a preload needs a stiffness that stays as it is; leave one of the two out", s.name));
+    refuse_preload(fmt::format("{} has large rotations, and a preload needs a stiffness that stays as it is; leave one of the two out", s.name));
   if (s.initial_displacement.cwiseAbs().maxCoeff() > 0)
-    refuse(fmt::format("{} starts displaced, and with a preload it starts in equilibrium; leave one of the two out", s.name));
+    refuse_preload(fmt::format("{} starts displaced, and with a preload it starts in equilibrium; leave one of the two out", s.name));
 }
 
 // How far an end moves along the link by these unknowns.
@@ -78,7 +78,7 @@ Eigen::VectorXd equilibrium(const Eigen::VectorXd& undeformed, const Eigen::Matr
     p += part * step;
     left = next;
   }
-  refuse("the preloaded contacts find no equilibrium; check the units of their stiffness");
+  refuse_preload("the preloaded contacts find no equilibrium; check the units of their stiffness");
 }
 
 // The structures are taken as elastic.
@@ -87,7 +87,7 @@ void refuse_yield(const Structure& s) {
     if (part.is_device()) continue;  // undeformed
     const double strained = part.at_rest + part.deformation.dot(s.preload_displacement);
     if (const auto yield = yields_before(*part.spring, strained))
-      refuse(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name, deformation_text(s, part, strained),
+      refuse_preload(fmt::format("strains {} of {} by {}, and it yields at {}; take less", part.name, s.name, deformation_text(s, part, strained),
                          deformation_text(s, part, *yield)));
   }
 }
@@ -116,7 +116,7 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
   for (const auto& [number, columns] : closing) {
     const Factor factor(structures[number].stiffness);
     if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
-      refuse(fmt::format("nothing holds {} against a preload; check its supports", structures[number].name));
+      refuse_preload(fmt::format("nothing holds {} against a preload; check its supports", structures[number].name));
     pushed[number] = -factor.solve(columns);
     flexibility -= columns.transpose() * pushed[number];
   }
@@ -131,12 +131,12 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
   for (Eigen::Index i = 0; i < count; ++i) {
     Link& link = *pressed[i];
     if (!(penetration[i] > 0))
-      refuse(fmt::format("{} would start {} apart, as the other preloaded links push it open; give it a gap that is more negative, or none",
+      refuse_preload(fmt::format("{} would start {} apart, as the other preloaded links push it open; give it a gap that is more negative, or none",
                          link.name, format_quantity(-penetration[i], dimension::length)));
     try {
       link.contact->press(penetration[i]);
     } catch (const std::invalid_argument& error) {
-      refuse(fmt::format("{}: {}", link.name, error.what()));
+      refuse_preload(fmt::format("{}: {}", link.name, error.what()));
     }
     forces[i] = contacts[i]->first_loading(penetration[i]).force;
   }
@@ -162,7 +162,7 @@ void press_preloaded(std::vector<Structure>& structures, std::vector<Link>& link
       rounding += displacement_rounding(*end, s, link.direction, at_start(s));
     }
     if (overlap > rounding)
-      refuse(fmt::format("closes {} as well, by {}; give that link a wider gap, or a negative one and preload: true", link.name,
+      refuse_preload(fmt::format("closes {} as well, by {}; give that link a wider gap, or a negative one and preload: true", link.name,
                          format_quantity(overlap, dimension::length)));
   }
 }

@@ -8,14 +8,13 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/refuse.hpp>
 #include <pounding/core/units.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/model/storey_heights.hpp>
 
 namespace pounding {
 namespace {
-
-[[noreturn]] void refuse(const std::string& text) { throw std::invalid_argument(text); }
 
 const char* axis(int direction) { return direction == 0 ? "x" : "y"; }
 

@@ -1,0 +1,12 @@
+#pragma once
+/// Refusals of values that a caller gave.
+
+#include <stdexcept>
+#include <string>
+
+namespace pounding {
+
+/// Throws std::invalid_argument with this text.
+[[noreturn]] inline void refuse(const std::string& text) { throw std::invalid_argument(text); }
+
+}  // namespace pounding
