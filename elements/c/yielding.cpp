@@ -42,7 +42,7 @@ hysteresis::Settings settings(const char* law, const pnd_value* values, size_t c
   return s;
 }
 
-const hysteresis::Entry& entry_at(size_t law) {
+const hysteresis::Entry& yielding_at(size_t law) {
   const auto all = hysteresis::catalogue();
   if (law >= all.size())
     throw std::invalid_argument("there is no law of yielding " + std::to_string(law) + "; there are " + std::to_string(all.size()));
@@ -111,7 +111,7 @@ size_t pnd_yielding_count(void) { return hysteresis::catalogue().size(); }
 int pnd_describe_yielding(size_t law, pnd_yielding_info* info) {
   return guarded([&] {
     require(info, "info");
-    const hysteresis::Entry& e = entry_at(law);
+    const hysteresis::Entry& e = yielding_at(law);
     *info = {e.name.data(), e.shape.data(), e.summary.data(), e.source.data(), e.parameters.size(), e.choices.size()};
   });
 }
@@ -119,7 +119,7 @@ int pnd_describe_yielding(size_t law, pnd_yielding_info* info) {
 int pnd_describe_yielding_parameter(size_t law, size_t parameter, pnd_parameter_info* info) {
   return guarded([&] {
     require(info, "info");
-    const hysteresis::Entry& e = entry_at(law);
+    const hysteresis::Entry& e = yielding_at(law);
     if (parameter >= e.parameters.size())
       throw std::invalid_argument(std::string(e.name) + " has no parameter " + std::to_string(parameter) + "; it has " +
                                   std::to_string(e.parameters.size()));
@@ -131,7 +131,7 @@ int pnd_describe_yielding_parameter(size_t law, size_t parameter, pnd_parameter_
 int pnd_describe_yielding_choice(size_t law, size_t choice, size_t word, pnd_choice_info* info) {
   return guarded([&] {
     require(info, "info");
-    const hysteresis::Entry& e = entry_at(law);
+    const hysteresis::Entry& e = yielding_at(law);
     if (choice >= e.choices.size() || word >= e.choices[choice].words.size())
       throw std::invalid_argument(std::string(e.name) + " has no such choice or no such word");
     const hysteresis::ChoiceInfo& c = e.choices[choice];

@@ -258,7 +258,7 @@ RunOutcome for_python(Ran ran, const Listener& listener) {
 }
 
 /// Value in SI of a number with or without a unit, and its SI unit; no unit for a bare number.
-std::pair<double, std::string> si_value(const std::string& text) {
+std::pair<double, std::string> value_in_si(const std::string& text) {
   const char* const end = text.data() + text.size();
   const char* begin = text.data();
   while (begin != end && (*begin == ' ' || *begin == '+')) ++begin;
@@ -351,7 +351,7 @@ void bind_models(py::module_& module) {
       "source"_a, "structure"_a, "load"_a, "direction"_a, "to"_a, "cyclic"_a, "output"_a);
   module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
-  module.def("si_value", &si_value, "text"_a);
+  module.def("si_value", &value_in_si, "text"_a);
   module.def("run_alone", &run_alone);
   module.def("refuse", &refuse, "text"_a);
   module.def("end_petsc", &end_petsc, "failed"_a);

@@ -64,7 +64,7 @@ DeviceOptions read_parts(const Input& node) {
 }
 
 // Fails at the place of the option that the model has refused. Ends stand in a list, or one key says them.
-[[noreturn]] void fail(const ModelError& error, const Input& device, const Input& ends) {
+[[noreturn]] void fail_at_device(const ModelError& error, const Input& device, const Input& ends) {
   const auto end = [&ends](std::size_t i) { return ends.is_list() ? ends.items()[i] : ends; };
   switch (error.option()) {
     case ModelOption::device_name: device.fail_at_key(error.what());
@@ -107,7 +107,7 @@ void read_device(const std::string& name, const Input& node, Model& model) {
   try {
     model.connect(name, left, right, options);
   } catch (const ModelError& error) {
-    fail(error, node, between);
+    fail_at_device(error, node, between);
   }
 }
 
@@ -137,7 +137,7 @@ void read_own_device(const std::string& name, const Input& node, const Structure
   try {
     model.connect_within(name, structure, ends.first, ends.second, chosen, options);
   } catch (const ModelError& error) {
-    fail(error, node, between ? *between : *storey);
+    fail_at_device(error, node, between ? *between : *storey);
   }
 }
 

@@ -15,7 +15,7 @@
 namespace pounding {
 namespace {
 
-constexpr std::array<std::string_view, 5> kinds = {"record", "harmonic", "sum", "pulse", "step_force"};
+constexpr std::array<std::string_view, 5> force_kinds = {"record", "harmonic", "sum", "pulse", "step_force"};
 
 /// Keys that stand beside some kinds only.
 struct Beside {
@@ -69,7 +69,7 @@ class HistoryReader {
  private:
   std::string_view only_kind() const {
     std::optional<std::string_view> kind;
-    for (const std::string_view candidate : kinds) {
+    for (const std::string_view candidate : force_kinds) {
       const auto found = force_.find(candidate);
       if (!found) continue;
       if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; make two forces of them, which add", *kind, candidate));

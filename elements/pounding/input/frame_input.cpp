@@ -19,9 +19,9 @@ namespace pounding {
 namespace {
 
 // Reads masses, loads, springs, supports, ties, floors and reports of a frame.
-class Reader {
+class FrameReader {
  public:
-  explicit Reader(const Input& body) : body_(body), parts_(body) {}
+  explicit FrameReader(const Input& body) : body_(body), parts_(body) {}
 
   FrameInput read() {
     if (const auto masses = body_.find("masses"))
@@ -279,7 +279,7 @@ class Reader {
 FrameInput read_frame(const Input& node) {
   const Input body = node.in(words::frame);
   body.only_keys();
-  return Reader(body).read();
+  return FrameReader(body).read();
 }
 
 Structure read_frame_structure(const Input& body) {

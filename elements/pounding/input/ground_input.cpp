@@ -22,7 +22,7 @@
 namespace pounding {
 namespace {
 
-constexpr std::array<std::string_view, 6> kinds = {"record", "harmonic", "sum", "pulse", "synthetic", "displacement"};
+constexpr std::array<std::string_view, 6> motion_kinds = {"record", "harmonic", "sum", "pulse", "synthetic", "displacement"};
 
 /// Quantity by which a motion is given.
 enum class Given { acceleration, displacement };
@@ -159,10 +159,10 @@ GroundMotion read_synthetic(const Input& node) {
 
 // Keys of the section that say nothing about the motion itself are allowed beside it.
 GroundMotion read_motion(const Input& section, std::initializer_list<std::string_view> beside) {
-  std::vector<std::string_view> allowed(kinds.begin(), kinds.end());
+  std::vector<std::string_view> allowed(motion_kinds.begin(), motion_kinds.end());
   allowed.insert(allowed.end(), beside);
   std::optional<std::string_view> kind;
-  for (const std::string_view candidate : kinds) {
+  for (const std::string_view candidate : motion_kinds) {
     const auto found = section.find(candidate);
     if (!found) continue;
     if (kind) found->fail_at_key(fmt::format("\"{}\" and \"{}\" are both given; keep one of them", *kind, candidate));

@@ -48,9 +48,9 @@ std::pair<double, std::optional<double>> read_moments(const Input& node) {
   return {items[0].as_quantity(dimension::energy, bounds::positive), -hogging};
 }
 
-class Reader {
+class HingeReader {
  public:
-  Reader(const Input& hinges, FrameInput& frame) : hinges_(hinges), frame_(frame), wholes_(wholes(frame.model.frame)) {
+  HingeReader(const Input& hinges, FrameInput& frame) : hinges_(hinges), frame_(frame), wholes_(wholes(frame.model.frame)) {
     grounded_ = frame.model.frame.grounded_nodes();
   }
 
@@ -178,6 +178,6 @@ class Reader {
 
 }  // namespace
 
-void read_hinges(const Input& hinges, FrameInput& frame) { Reader(hinges, frame).read(); }
+void read_hinges(const Input& hinges, FrameInput& frame) { HingeReader(hinges, frame).read(); }
 
 }  // namespace pounding

@@ -86,7 +86,7 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
   }
 }
 
-[[noreturn]] void fail(const ModelError& error, const Input& link, const Input& between) {
+[[noreturn]] void fail_at_link(const ModelError& error, const Input& link, const Input& between) {
   const Input place = place_of(error, link, between);
   if (error.is_idle()) place.fail_at_key(error.what());
   place.fail(error.what());
@@ -130,7 +130,7 @@ void read_link(const Input& node, Model& model) {
     options.stiffness = law.stiffness;
     model.link(left, right, options, law.settings);
   } catch (const ModelError& error) {
-    fail(error, node, between);
+    fail_at_link(error, node, between);
   }
 }
 

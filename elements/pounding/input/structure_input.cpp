@@ -104,19 +104,20 @@ struct Kind {
 };
 
 // The kinds of structures. A new one has its line here, and its key and its section in words/structures.cpp.
-constexpr Kind kinds[] = {{"body", read_body},
-                          {"oscillator", read_oscillator},
-                          {"shear_building", read_shear_building},
-                          {"frame", read_frame_structure},
-                          {"wall", read_wall}};
+constexpr Kind structure_kinds[] = {
+    {"body", read_body},
+    {"oscillator", read_oscillator},
+    {"shear_building", read_shear_building},
+    {"frame", read_frame_structure},
+    {"wall", read_wall}};
 
 const Kind& kind_of(const Input& place) {
   std::vector<std::string_view> words;
-  for (const Kind& kind : kinds) words.push_back(kind.word);
+  for (const Kind& kind : structure_kinds) words.push_back(kind.word);
   if (place.is_scalar() && place.as_text() == "wall") place.fail("a wall is written as {wall: {}}");
   place.only_keys();
   const Kind* chosen = nullptr;
-  for (const Kind& kind : kinds) {
+  for (const Kind& kind : structure_kinds) {
     if (!place.has(kind.word)) continue;
     if (chosen)
       place.find(kind.word)->fail_at_key(

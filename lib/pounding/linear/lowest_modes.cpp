@@ -22,7 +22,7 @@ struct Destroyer<EPS> {
 
 namespace {
 
-constexpr const char* prefix = "pounding_modes_";
+constexpr const char* modes_prefix = "pounding_modes_";
 // Numbers of dynamic and of all degrees of freedom up to which dense matrices are faster.
 constexpr std::size_t max_dense_dynamic = 300;
 constexpr Eigen::Index max_dense = 1500;
@@ -30,7 +30,7 @@ constexpr Eigen::Index max_dense = 1500;
 // may exceed the lowest w^2; this costs iterations, not accuracy.
 constexpr double negative_shifts[] = {-1e-8, -1e-6, -1e-4};
 // Relative residual of each eigenvalue; the error of its frequency is the square of it.
-constexpr double close_enough = 1e-12;
+constexpr double close_modes = 1e-12;
 // Relative gap behind the last frequency wanted up to which frequencies are counted: far above the round-off of equal ones.
 constexpr double gap = 1e-3;
 
@@ -66,7 +66,7 @@ class QuietCholmod {
   QuietCholmod& operator=(const QuietCholmod&) = delete;
 
  private:
-  const std::string name = fmt::format("-{}mat_cholmod_print", prefix);
+  const std::string name = fmt::format("-{}mat_cholmod_print", modes_prefix);
   bool ours_ = false;
 };
 
@@ -77,7 +77,7 @@ class Flexibility {
       : root_(root),
         shift_(shift),
         a_(shifted(mass, stiffness, shift)),
-        factor_(PETSC_COMM_SELF, pattern_of(a_), values_of(a_), prefix) {
+        factor_(PETSC_COMM_SELF, pattern_of(a_), values_of(a_), modes_prefix) {
     const PetscInt m = size();
     check(MatCreateShell(PETSC_COMM_SELF, m, m, m, m, this, shell_.out()));
     check(MatShellSetOperation(shell_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
@@ -162,13 +162,13 @@ Handle<Vec> copy_of(const Eigen::VectorXd& x) {
 void find(const Flexibility& flexibility, int count, Pairs& pairs) {
   Handle<EPS> eps;
   check(EPSCreate(PETSC_COMM_SELF, eps.out()));
-  check(EPSSetOptionsPrefix(eps, prefix));
+  check(EPSSetOptionsPrefix(eps, modes_prefix));
   check(EPSSetOperators(eps, flexibility.matrix(), nullptr));
   check(EPSSetProblemType(eps, EPS_HEP));
   check(EPSSetType(eps, EPSKRYLOVSCHUR));
   check(EPSSetWhichEigenpairs(eps, EPS_LARGEST_REAL));
   check(EPSSetDimensions(eps, count, PETSC_DEFAULT, PETSC_DEFAULT));
-  check(EPSSetTolerances(eps, close_enough, PETSC_DEFAULT));
+  check(EPSSetTolerances(eps, close_modes, PETSC_DEFAULT));
   std::vector<Handle<Vec>> known;
   std::vector<Vec> raw;
   for (const Eigen::VectorXd& vector : pairs.vectors) raw.push_back(known.emplace_back(copy_of(vector)));
@@ -184,7 +184,7 @@ void find(const Flexibility& flexibility, int count, Pairs& pairs) {
   if (found < count)
     throw SolverError(fmt::format("{} of {} modes found in {} iterations; allow more by -{}eps_max_it {}, or a larger "
                                   "subspace by -{}eps_ncv {}",
-                                  found, count, iterations, prefix, std::max(100, 4 * iterations), prefix,
+                                  found, count, iterations, modes_prefix, std::max(100, 4 * iterations), modes_prefix,
                                   std::min(flexibility.size(), 4 * count + 30)));
   Handle<Vec> vector = copy_of(Eigen::VectorXd::Zero(flexibility.size()));
   for (PetscInt i = 0; i < found; ++i) {
@@ -208,7 +208,7 @@ double behind(const Pairs& pairs, int count) {
 // Finds the `count` lowest pairs, none missing. False when K - s M is not positive definite, which not every factor reports.
 bool find_all(const SparseMatrix& mass, const SparseMatrix& stiffness, const Flexibility& flexibility, int count,
               Pairs& pairs) {
-  const auto modes_below = [&](double square) { return count_modes_below(shifted(mass, stiffness, square), square, prefix); };
+  const auto modes_below = [&](double square) { return count_modes_below(shifted(mass, stiffness, square), square, modes_prefix); };
   find(flexibility, count, pairs);
   while (static_cast<PetscInt>(pairs.size()) < flexibility.size()) {
     if (pairs.values[count - 1] <= 0) return false;

@@ -15,7 +15,7 @@
 namespace pounding::petsc {
 namespace {
 
-constexpr const char* prefix = "pounding_red_factor_";
+constexpr const char* factor_prefix = "pounding_red_factor_";
 // Columns of unit length that keep less than this beside the other directions of their chain, or of the joined basis, are rounding.
 constexpr double nothing_new = 1e-9, nothing_joined = 1e-8;
 // Starts of which the basis leaves less than this are in it.
@@ -102,12 +102,12 @@ struct ReducedModes::Structure {
     for (std::size_t i = 0; i < dofs.dynamic.size(); ++i) at.insert(dofs.dynamic[i], static_cast<int>(i)) = 1;
     spread = at * SparseMatrix(root.permutationPinv() * SparseMatrix(root.matrixL()));
     stiffness.makeCompressed();
-    factor.emplace(PETSC_COMM_SELF, pattern_of(stiffness), values_of(stiffness), prefix);
+    factor.emplace(PETSC_COMM_SELF, pattern_of(stiffness), values_of(stiffness), factor_prefix);
     if (!factor->ok()) throw std::invalid_argument("the stiffness is singular or indefinite: nothing holds the structure, or it buckles");
     if (dofs.massless.empty()) return;
     SparseMatrix own = submatrix(stiffness, dofs.massless, dofs.massless);
     own.makeCompressed();
-    massless.emplace(PETSC_COMM_SELF, pattern_of(own), values_of(own), prefix);
+    massless.emplace(PETSC_COMM_SELF, pattern_of(own), values_of(own), factor_prefix);
     if (!massless->ok()) throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
     coupling = submatrix(stiffness, dofs.massless, dofs.dynamic);
   }
@@ -137,7 +137,7 @@ struct ReducedModes::Structure {
     if (inputs.shift > 0 && load.cols() > 0) {
       SparseMatrix a = stiffness + inputs.shift * mass;
       a.makeCompressed();
-      const Factor at(PETSC_COMM_SELF, pattern_of(a), values_of(a), prefix);
+      const Factor at(PETSC_COMM_SELF, pattern_of(a), values_of(a), factor_prefix);
       if (!at.ok()) throw SolverError("the stiffness of a reduced structure could not be factored at the frequency of its contacts");
       shifted = orthonormal(unit_columns(answers(at, load)), nothing_new);
     }

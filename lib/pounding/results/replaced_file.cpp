@@ -167,7 +167,7 @@ class SizeLimitIsAnError {
 int write_all(const Descriptor& file, std::span<const std::byte> bytes) {
   const SizeLimitIsAnError limited;
   while (!bytes.empty()) {
-    const ssize_t written = write(file, bytes.data(), bytes.size());
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
     if (written > 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(written));
     } else if (written == 0) {

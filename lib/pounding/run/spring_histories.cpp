@@ -11,7 +11,7 @@
 namespace pounding {
 namespace {
 
-SpringHistory heading(const Structure& s) {
+SpringHistory spring_heading(const Structure& s) {
   SpringHistory history;
   for (const YieldingPart& part : s.yielding) {
     history.hinges.push_back(part.kind == YieldingPart::Kind::hinge);
@@ -82,7 +82,7 @@ SpringHistories::SpringHistories(const Model& model, const FloorResponse& respon
   std::size_t link = stepper.system().contact_count();
   for (std::size_t k = 0; k < model.structures.size(); ++k) {
     const Structure& s = model.structures[k];
-    histories_[k].springs = heading(s);
+    histories_[k].springs = spring_heading(s);
     first_.push_back(link);
     link += s.yielding.size();
     for (const YieldingPart& part : s.yielding) assembled_.push_back(part.spring->stiffness());

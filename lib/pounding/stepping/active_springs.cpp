@@ -4,7 +4,7 @@ namespace pounding {
 namespace {
 
 // A spring that yields this part of the trial behind its beginning yields from there on.
-constexpr double just_behind = 1e-3;
+constexpr double shortly_after = 1e-3;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ void ActiveSprings::begin(const Instant& now, double h) {
     const laws::Response answer = links_.law(first + i, here);
     constant_[i] = answer.force;
     is_active_[i] = !links_.spring(first + i).has_corners() || answer.by_penetration != 0 || answer.by_rate != 0 ||
-                    leaves(first + i, links_.law(first + i, {here.penetration + just_behind * h * here.rate, here.rate}).force);
+                    leaves(first + i, links_.law(first + i, {here.penetration + shortly_after * h * here.rate, here.rate}).force);
   }
   hold();
 }

@@ -15,9 +15,9 @@ using Eigen::VectorXd;
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
 // Newton steps below this part of the displacements that the neighbours impose are round-off.
-constexpr double solved = 3e-14;
+constexpr double balanced = 3e-14;
 // Where round-off is larger, as with stiff members, the steps stop shrinking at it; below this part that is good enough.
-constexpr double nearly_solved = 1e-10;
+constexpr double nearly_balanced = 1e-10;
 // With the factor at rest each step must shrink to this part of the one before, else the tangent is factored.
 constexpr double slow = 0.2;
 constexpr int max_iterations = 60;
@@ -91,8 +91,8 @@ struct PseudoForces::Part {
       const VectorXd step = (turned ? massless_factor : at_rest).solve(-f(massless));
       const double length = std::sqrt(step.cwiseAbs2().dot(diagonal));
       if (!std::isfinite(length)) return false;
-      if (length <= solved * scale || (length > 0.5 * last && length <= nearly_solved * scale)) return true;
-      turned = turned || (length > slow * last && length > nearly_solved * scale);
+      if (length <= balanced * scale || (length > 0.5 * last && length <= nearly_balanced * scale)) return true;
+      turned = turned || (length > slow * last && length > nearly_balanced * scale);
       last = length;
       u(massless) += step;
       f = forces.force(u);
