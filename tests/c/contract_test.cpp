@@ -13,7 +13,7 @@
 #include "made.hpp"
 
 namespace pounding {
-namespace {
+namespace contract_test {
 
 struct State {
   double penetration, rate;
@@ -217,5 +217,5 @@ TEST(CInterface, CopyOfTheContactTakesAStepBack) {
   EXPECT_EQ(before.force, after.force);
 }
 
-}  // namespace
+}  // namespace contract_test
 }  // namespace pounding

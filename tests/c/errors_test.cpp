@@ -10,7 +10,7 @@
 #include "made.hpp"
 
 namespace pounding {
-namespace {
+namespace errors_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -131,5 +131,5 @@ TEST(CInterfaceErrors, LongTextIsCutAndEndsWithAZero) {
   EXPECT_EQ(std::string(pnd_error_text()), "unknown law \"" + name.substr(0, (511 - 13) / 4 * 4)) << "a letter is not cut";
 }
 
-}  // namespace
+}  // namespace errors_test
 }  // namespace pounding

@@ -10,7 +10,7 @@
 #include "made.hpp"
 
 namespace pounding {
-namespace {
+namespace lists_test {
 
 // A literal's view ends where its zero is.
 void expect_ends(std::string_view view) { EXPECT_EQ(std::strlen(view.data()), view.size()) << view; }
@@ -108,5 +108,5 @@ TEST(CInterfaceLists, VersionsAreThoseOfTheLibrary) {
   EXPECT_STREQ(pnd_version(), POUNDING_TEST_VERSION);
 }
 
-}  // namespace
+}  // namespace lists_test
 }  // namespace pounding

@@ -15,7 +15,7 @@
 #include <pounding/hysteresis/all.hpp>
 
 namespace pounding {
-namespace {
+namespace yielding_test {
 
 struct Destroy {
   void operator()(pnd_yielding* law) const { pnd_destroy_yielding(law); }
@@ -168,5 +168,5 @@ TEST(YieldingInC, ListsAreThoseOfTheLibrary) {
   EXPECT_REFUSED(pnd_describe_yielding_parameter(0, 99, &parameter), "bilinear has no parameter 99; it has 4");
 }
 
-}  // namespace
+}  // namespace yielding_test
 }  // namespace pounding

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace pounding {
-namespace {
+namespace archive_test {
 
 // Counts events of an engine that it points to; only the count is its state.
 struct Counter {
@@ -45,5 +45,5 @@ TEST(Archive, RefusesBytesThatEndEarly) {
   EXPECT_THROW(short_one(value), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace archive_test
 }  // namespace pounding

@@ -13,7 +13,7 @@
 #include <pounding/laws/excerpt.hpp>
 
 namespace pounding {
-namespace {
+namespace text_test {
 
 using namespace std::string_view_literals;
 
@@ -73,5 +73,5 @@ TEST(NearestName, LooksForSlipsInShortNamesOnly) {
   EXPECT_EQ(unknown_name("node", huge, {"b1"}), "unknown node \"" + std::string(200, 'h') + "...\". Allowed: b1.");
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace pounding

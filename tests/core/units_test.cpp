@@ -11,7 +11,7 @@
 #include <pounding/core/error.hpp>
 
 namespace pounding {
-namespace {
+namespace units_test {
 
 std::string error_of(std::string_view text, const Dimension& expected) {
   try {
@@ -172,5 +172,5 @@ TEST(Suggestion, NamesTheNearestElseListsAll) {
   EXPECT_EQ(suggestion("velocity", std::span<const std::string_view>{}), "");
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace pounding

@@ -17,7 +17,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace beam_test {
 
 using test::refusal;
 
@@ -333,5 +333,5 @@ TEST(Beam, RefusesWhatCannotBe) {
   EXPECT_EQ(with([](auto&, auto&, auto& o, auto&) { o.axial_force = infinite; }), "the axial force must be finite");
 }
 
-}  // namespace
+}  // namespace beam_test
 }  // namespace pounding

@@ -19,7 +19,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace corotational_test {
 
 using test::refusal;
 
@@ -511,5 +511,5 @@ TEST(CorotationalFrame, RefusesWhatItCannotBeMadeOf) {
   EXPECT_EQ(refusal([&] { frame.end_forces(2, VectorXd::Zero(6)); }), "there is no member 2 among 2");
 }
 
-}  // namespace
+}  // namespace corotational_test
 }  // namespace pounding

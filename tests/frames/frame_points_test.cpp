@@ -15,7 +15,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace frame_points_test {
 
 using test::refusal;
 
@@ -463,5 +463,5 @@ TEST(Frame, NamesNodesAndMembersInItsTexts) {
   EXPECT_EQ(grid.member_name(2), "beam y 1.0.0");
 }
 
-}  // namespace
+}  // namespace frame_points_test
 }  // namespace pounding

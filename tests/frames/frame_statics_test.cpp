@@ -16,7 +16,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace frame_statics_test {
 
 using test::refusal;
 
@@ -507,5 +507,5 @@ TEST(Frame, RefusesAMotionThatItsMassesDoNotDetermine) {
             "node end: ux: nothing holds the frame against this displacement; fix it, brace it or connect it");
 }
 
-}  // namespace
+}  // namespace frame_statics_test
 }  // namespace pounding

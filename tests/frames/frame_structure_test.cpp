@@ -20,7 +20,7 @@
 #include "support/book.hpp"
 
 namespace pounding {
-namespace {
+namespace frame_structure_test {
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -524,5 +524,5 @@ TEST(TurningFrame, TrussesTurnToo) {
   EXPECT_NEAR(ends[4], 0, 1e-6 * std::abs(force));
 }
 
-}  // namespace
+}  // namespace frame_structure_test
 }  // namespace pounding

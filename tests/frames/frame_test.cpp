@@ -16,7 +16,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace frame_test {
 
 using test::refusal;
 
@@ -571,5 +571,5 @@ TEST(GridFrame, RefusesWhatCannotBe) {
   EXPECT_EQ(refusal([&] { grid.floor(0); }), "the ground is no floor");
 }
 
-}  // namespace
+}  // namespace frame_test
 }  // namespace pounding

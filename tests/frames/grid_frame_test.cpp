@@ -11,7 +11,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace grid_frame_test {
 
 using test::refusal;
 
@@ -96,5 +96,5 @@ TEST(GridFrame, MastersOfRigidFloorsComeAfterTheNodesOfCuts) {
   EXPECT_EQ(model.floors[1].master, grid.floor(2));
 }
 
-}  // namespace
+}  // namespace grid_frame_test
 }  // namespace pounding

@@ -19,7 +19,7 @@
 #include "yielding_statics.hpp"
 
 namespace pounding {
-namespace {
+namespace hinge_statics_test {
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -376,5 +376,5 @@ TEST(HingeStatics, YieldedHingesUnderPDeltaAreSpringsInTheColumns) {
   EXPECT_NEAR(u[2], expected[2], 1e-10 * std::abs(expected[2]));
 }
 
-}  // namespace
+}  // namespace hinge_statics_test
 }  // namespace pounding

@@ -14,7 +14,7 @@
 #include <pounding/frames/sections.hpp>
 
 namespace pounding {
-namespace {
+namespace hinge_test {
 
 constexpr double yield = 200e3;
 const Material concrete{.young = 30e9, .shear = 12.5e9};
@@ -284,5 +284,5 @@ TEST(Hinges, KeepTheirHardeningAtSuchAJoint) {
   EXPECT_NEAR(kept(beam.yielding[1]), 0, 1e-15);
 }
 
-}  // namespace
+}  // namespace hinge_test
 }  // namespace pounding

@@ -13,7 +13,7 @@
 #include <pounding/structures/isolators.hpp>
 
 namespace pounding {
-namespace {
+namespace isolator_test {
 
 const IsolatorOptions slider{.law = {.law = "friction_pendulum", .values = {{"radius", 2}, {"friction", 0.06}}}};
 const IsolatorOptions lead_rubber{
@@ -144,5 +144,5 @@ TEST(FrameIsolators, RefuseToSlideAtRest) {
   EXPECT_NE(text.find("let a slab hold the feet together: ties: [{master: 0.0, nodes: [...], dofs: [ux]}]"), std::string::npos) << text;
 }
 
-}  // namespace
+}  // namespace isolator_test
 }  // namespace pounding

@@ -11,7 +11,7 @@
 #include "support/book.hpp"
 
 namespace pounding {
-namespace {
+namespace sections_test {
 
 void refused(const std::function<void()>& make, const std::string& text) {
   try {
@@ -125,5 +125,5 @@ TEST(Sections, ImpossibleShapesAreRefused) {
   refused([] { with_stiffness(rectangle_section(1, 1), 0); }, "stiffness must be positive and finite");
 }
 
-}  // namespace
+}  // namespace sections_test
 }  // namespace pounding

@@ -11,7 +11,7 @@
 #include "ground/record_text.hpp"
 
 namespace pounding {
-namespace {
+namespace columns_test {
 
 constexpr double g = standard_gravity;
 using Values = std::vector<double>;
@@ -214,5 +214,5 @@ TEST(Displacements, AreReadFromPeerAndRefusedElsewhere) {
             "r.txt: the file does not state the unit of its displacements; add \"units:\" with m, cm, mm or in");
 }
 
-}  // namespace
+}  // namespace columns_test
 }  // namespace pounding

@@ -16,7 +16,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace ground_motion_test {
 
 using test::refusal;
 
@@ -478,5 +478,5 @@ TEST(Peaks, AreThoseOfTheIntegralsUntilTheMotionIsOver) {
   expect_peaks(GroundMotion(Samples{{0, 1, 2, 3, 4}, {0, 2, 0, -2, 0}, true}));
 }
 
-}  // namespace
+}  // namespace ground_motion_test
 }  // namespace pounding

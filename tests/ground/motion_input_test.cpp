@@ -11,7 +11,7 @@
 #include "ground/motion_section.hpp"
 
 namespace pounding {
-namespace {
+namespace motion_input_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double g = 9.80665;
@@ -117,5 +117,5 @@ TEST_F(MotionInput, KeysInTheWrongPlaceAreRefused) {
             "m.yaml:1:52: displacement: \"harmonic\" and \"displacement\" are both given; keep one of them");
 }
 
-}  // namespace
+}  // namespace motion_input_test
 }  // namespace pounding

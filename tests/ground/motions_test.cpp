@@ -16,7 +16,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace motions_test {
 
 using test::refusal;
 
@@ -177,5 +177,5 @@ TEST(NewMotions, WrongValuesAreRefused) {
             "ground motion: the time of sample 2 does not increase");
 }
 
-}  // namespace
+}  // namespace motions_test
 }  // namespace pounding

@@ -15,7 +15,7 @@
 #include "ground/record_text.hpp"
 
 namespace pounding {
-namespace {
+namespace record_formats_test {
 
 constexpr double g = standard_gravity;
 using Values = std::vector<double>;
@@ -494,5 +494,5 @@ TEST(RecordFormats, NoTruncatedFileIsReadOrCrashes) {
   }
 }
 
-}  // namespace
+}  // namespace record_formats_test
 }  // namespace pounding

@@ -13,7 +13,7 @@
 #include <pounding/core/error.hpp>
 
 namespace pounding {
-namespace {
+namespace record_test {
 
 constexpr double g = 9.80665;
 constexpr double pi = std::numbers::pi;
@@ -236,5 +236,5 @@ TEST(Measures, RecordOfZerosIsZero) {
   EXPECT_EQ(m.significant_duration(), 0);
 }
 
-}  // namespace
+}  // namespace record_test
 }  // namespace pounding

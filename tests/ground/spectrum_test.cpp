@@ -14,7 +14,7 @@
 #include "support/book.hpp"
 
 namespace pounding {
-namespace {
+namespace spectrum_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -313,5 +313,5 @@ TEST(Synthetic, WrongValuesAreRefused) {
   EXPECT_EQ(refused([](O& o) { o.filter.omega_f = -1; }), "synthetic motion: omega_f is -1; it must be finite and > 0");
 }
 
-}  // namespace
+}  // namespace spectrum_test
 }  // namespace pounding

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace pounding {
-namespace {
+namespace support_motion_test {
 
 using Indices = std::vector<std::array<int, 3>>;
 
@@ -70,5 +70,5 @@ TEST(SupportMotion, HasTermsInTimeThatAreItsRowTimesTheGrounds) {
   }
 }
 
-}  // namespace
+}  // namespace support_motion_test
 }  // namespace pounding

@@ -16,7 +16,7 @@
 #include <pounding/hysteresis/all.hpp>
 
 namespace pounding::hysteresis {
-namespace {
+namespace contract_test {
 
 template <class L>
 struct HysteresisContract : testing::Test {
@@ -299,5 +299,5 @@ TYPED_TEST(HysteresisContract, WrongParametersAreRefused) {
     }
 }
 
-}  // namespace
+}  // namespace contract_test
 }  // namespace pounding::hysteresis

@@ -15,7 +15,7 @@
 #include <pounding/laws/root.hpp>
 
 namespace pounding::hysteresis {
-namespace {
+namespace published_values_test {
 
 /// Turning points in yield deformations, and the forces there over the yield force for a hardening of 0.05.
 constexpr std::array path{2.5, -1.2, 0.4, -3.6, -3.1, -3.4, 1.0, 0.2, 4.5, -0.5, 0.7, -6.0, 0.0};
@@ -305,5 +305,5 @@ TEST(ByName, WhatIsWrongIsSaidWithWhatToType) {
             "R0 is 10, but must be at least 1/(1 - cR1) = 13.333333333333341, so that R never falls below 1");
 }
 
-}  // namespace
+}  // namespace published_values_test
 }  // namespace pounding::hysteresis

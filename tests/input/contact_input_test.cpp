@@ -12,7 +12,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace contact_input_test {
 
 using test::model_of;
 using test::refused;
@@ -92,5 +92,5 @@ TEST(ContactInput, TakesAPreloadWithANegativeGap) {
           "an impact_velocity, or a law that needs none, such as linear_spring or hertz");
 }
 
-}  // namespace
+}  // namespace contact_input_test
 }  // namespace pounding

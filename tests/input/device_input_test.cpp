@@ -8,7 +8,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace device_input_test {
 
 std::string inside(const std::string& device) {
   return "ground_motion: {harmonic: {amplitude: 3, period: 0.6, duration: 3}}\n"
@@ -111,5 +111,5 @@ TEST(DeviceInput, IsRefusedWhereItStands) {
   expect(between("bilinear: {stiffness: 1 MN/m, yield_force: 1 kN, hardening: 1.2}"), "hardening");
 }
 
-}  // namespace
+}  // namespace device_input_test
 }  // namespace pounding

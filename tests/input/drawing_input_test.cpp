@@ -8,7 +8,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace drawing_input_test {
 
 using test::refused;
 
@@ -203,5 +203,5 @@ TEST(DrawingInput, WithoutADrawingTheGapIsGiven) {
           R"(5:5: links[0]: key "gap" is missing; type "gap: 20 mm")");
 }
 
-}  // namespace
+}  // namespace drawing_input_test
 }  // namespace pounding

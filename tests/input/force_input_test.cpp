@@ -11,7 +11,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace force_input_test {
 
 using test::refused;
 
@@ -135,5 +135,5 @@ TEST(FreeFrameInput, SaysWhatNeedsSupports) {
           "initial_velocity");
 }
 
-}  // namespace
+}  // namespace force_input_test
 }  // namespace pounding

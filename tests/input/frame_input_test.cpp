@@ -13,7 +13,7 @@
 #include <pounding/frames/sections.hpp>
 
 namespace pounding {
-namespace {
+namespace frame_input_test {
 
 // Line 1 is the material.
 const std::string portal =
@@ -397,5 +397,5 @@ TEST(FrameInput, AFrameThatNothingHoldsIsReportedAtANode) {
   }
 }
 
-}  // namespace
+}  // namespace frame_input_test
 }  // namespace pounding

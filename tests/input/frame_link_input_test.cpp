@@ -8,7 +8,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace frame_link_input_test {
 
 using test::refused;
 
@@ -299,5 +299,5 @@ TEST(FrameGround, ADelayNeedsAMotion) {
           "2:3: structures.a: support d has a delay, and nothing moves the ground here; give a ground_motion, or leave the delay out");
 }
 
-}  // namespace
+}  // namespace frame_link_input_test
 }  // namespace pounding

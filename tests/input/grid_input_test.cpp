@@ -11,7 +11,7 @@
 #include <pounding/input/frame_input.hpp>
 
 namespace pounding {
-namespace {
+namespace grid_input_test {
 
 // Lines 1 to 3; `columns` and `beams` are names or more, `rest` are further keys of the frame.
 std::string frame(const std::string& columns, const std::string& beams, const std::string& rest = "") {
@@ -100,5 +100,5 @@ TEST(GridInput, MembersMayBeCut) {
   EXPECT_NEAR(depth(m, "post/1"), 0.5, 1e-12);
 }
 
-}  // namespace
+}  // namespace grid_input_test
 }  // namespace pounding

@@ -16,7 +16,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace hinge_input_test {
 
 const std::string grid =
     "material: {E: 30 GPa}\n"
@@ -195,5 +195,5 @@ TEST(HingeInput, AreShownAsTheyWereResolved) {
   EXPECT_NE(describe(model).find("     2 hinges: yield moment 250 kN m, yield rotation "), std::string::npos) << describe(model);
 }
 
-}  // namespace
+}  // namespace hinge_input_test
 }  // namespace pounding

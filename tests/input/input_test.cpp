@@ -16,7 +16,7 @@
 #include <pounding/core/error.hpp>
 
 namespace pounding {
-namespace {
+namespace input_test {
 
 std::string error_of(const std::function<void()>& action) {
   try {
@@ -289,5 +289,5 @@ TEST(Input, KeyMustBeAName) {
   EXPECT_EQ(error_in("? [a, b]\n: 1\n"), "model.yaml:1:3: a key must be a plain name");
 }
 
-}  // namespace
+}  // namespace input_test
 }  // namespace pounding

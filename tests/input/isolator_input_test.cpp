@@ -11,7 +11,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace isolator_input_test {
 
 using test::model_of;
 
@@ -136,5 +136,5 @@ TEST(IsolatorInput, IsNotBrakedByRayleighDamping) {
                 "them, or damping: {modal: {ratio: 2 %}}");
 }
 
-}  // namespace
+}  // namespace isolator_input_test
 }  // namespace pounding

@@ -7,7 +7,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace link_input_test {
 
 using test::refused;
 
@@ -279,5 +279,5 @@ TEST(LinkInput, EstimatesTheStiffness) {
           "5:66: links[0].stiffness: unknown key \"young\". Did you mean \"E\"?");
 }
 
-}  // namespace
+}  // namespace link_input_test
 }  // namespace pounding

@@ -8,7 +8,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace newcomer_test {
 
 using test::refused;
 
@@ -242,5 +242,5 @@ TEST(Newcomer, LeavesOutTheUnitOfASpring) {
   EXPECT_NO_THROW(test::model_of(mast("E: 30 GPa", "{fix: [uz, ry], springs: {ux: 1.8}}"))) << "a warning tells of its period";
 }
 
-}  // namespace
+}  // namespace newcomer_test
 }  // namespace pounding

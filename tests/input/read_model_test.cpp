@@ -12,7 +12,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace read_model_test {
 
 using test::refused;
 
@@ -314,5 +314,5 @@ TEST(ModelInput, IsReadAgainWithOtherValuesAndAnotherGround) {
   EXPECT_THROW(input.at("structures").rewrite("1"), InputError);
 }
 
-}  // namespace
+}  // namespace read_model_test
 }  // namespace pounding

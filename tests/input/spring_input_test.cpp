@@ -14,7 +14,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace spring_input_test {
 
 std::string building(const std::string& more) {
   return "analysis: {duration: 1}\nstructures:\n  a:\n    shear_building: {storeys: 2, mass: 100 t, stiffness: [50 MN/m, 40 MN/m], " + more +
@@ -93,5 +93,5 @@ TEST(SpringInput, SaysWhereItIsWrongAndWhatToType) {
           "spring: backfill is no law of storeys; pounding words spring lists them");
 }
 
-}  // namespace
+}  // namespace spring_input_test
 }  // namespace pounding

@@ -22,7 +22,7 @@
 #include "input/minimal_models.hpp"
 
 namespace pounding {
-namespace {
+namespace words_test {
 
 using words::Need;
 using words::Section;
@@ -187,5 +187,5 @@ TEST_F(Words, DefaultsAreThoseOfTheLibrary) {
   }
 }
 
-}  // namespace
+}  // namespace words_test
 }  // namespace pounding

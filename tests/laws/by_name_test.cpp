@@ -13,7 +13,7 @@
 #include <pounding/laws/all.hpp>
 
 namespace pounding::laws {
-namespace {
+namespace by_name_test {
 
 Settings hertz_damped() {
   return {.law = "hertz_damped", .formula = {}, .restitution = 0.65, .reduced_mass = 6e4, .values = {{"stiffness", 2.75e9}}};
@@ -278,5 +278,5 @@ TEST(LawsByName, TraitsAreThoseOfTheLaws) {
   }
 }
 
-}  // namespace
+}  // namespace by_name_test
 }  // namespace pounding::laws

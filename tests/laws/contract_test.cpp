@@ -14,7 +14,7 @@
 #include <pounding/laws/free_impact.hpp>
 
 namespace pounding::laws {
-namespace {
+namespace contract_test {
 
 template <class L>
 struct LawContract : testing::Test {
@@ -281,5 +281,5 @@ TYPED_TEST(LawContract, DirectDampingGivesTheLawOfItsRestitution) {
   }
 }
 
-}  // namespace
+}  // namespace contract_test
 }  // namespace pounding::laws

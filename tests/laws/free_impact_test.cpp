@@ -12,7 +12,7 @@
 #include "support/book.hpp"
 
 namespace pounding::laws {
-namespace {
+namespace free_impact_test {
 
 constexpr double mass = typical_reduced_mass;
 
@@ -373,5 +373,5 @@ TEST(FindRoot, FindsRootsAndRefusesBracketsWithoutOne) {
   EXPECT_THROW(find_root(f, 2, 2, 3, 7), std::domain_error);
 }
 
-}  // namespace
+}  // namespace free_impact_test
 }  // namespace pounding::laws

@@ -14,7 +14,7 @@
 #include "support/published_tables.hpp"
 
 namespace pounding::laws {
-namespace {
+namespace published_values_test {
 
 using reference::asked;
 using reference::half_unit;
@@ -185,5 +185,5 @@ TEST(PublishedValues, BilinearCurveGivenByItsStiffnessesAgreesWithTheReference) 
   }
 }
 
-}  // namespace
+}  // namespace published_values_test
 }  // namespace pounding::laws

@@ -11,7 +11,7 @@
 #include "support/published_tables.hpp"
 
 namespace pounding::laws {
-namespace {
+namespace single_impact_test {
 
 using reference::half_unit;
 constexpr double kilonewton = 1000;
@@ -113,5 +113,5 @@ TEST(SingleImpact, RigidImpactIsAVelocityJump) {
   EXPECT_THROW(integrated_free_impact(AnyLaw(Stereomechanical{.restitution = 0.6}), 2, 3), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace single_impact_test
 }  // namespace pounding::laws

@@ -19,7 +19,7 @@
 #include "support/book.hpp"
 
 namespace pounding {
-namespace {
+namespace lowest_modes_test {
 
 using petsc::lowest_modes;
 using petsc::sparse_modes;
@@ -386,5 +386,5 @@ TEST(SparseModes, TellWhatToChangeWhenTooFewAreFound) {
       << text;
 }
 
-}  // namespace
+}  // namespace lowest_modes_test
 }  // namespace pounding

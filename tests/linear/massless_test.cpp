@@ -7,7 +7,7 @@
 #include <pounding/structures/massless.hpp>
 
 namespace pounding {
-namespace {
+namespace massless_test {
 
 using Indices = std::vector<int>;
 
@@ -49,5 +49,5 @@ TEST(Submatrix, CountsFromTheBlockAndLeavesOutWhatStandsAboveIt) {
   EXPECT_EQ(dense_submatrix(matrix_of(whole), {1, 0}, {1}, 1), expected);
 }
 
-}  // namespace
+}  // namespace massless_test
 }  // namespace pounding

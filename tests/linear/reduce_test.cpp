@@ -17,7 +17,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace reduce_test {
 
 using petsc::ReducedGroups;
 using petsc::reduced_groups;
@@ -186,5 +186,5 @@ TEST(ReducedGroups, ShiftToTheFrequencyOfAContact) {
   EXPECT_LT(frequency, 100);
 }
 
-}  // namespace
+}  // namespace reduce_test
 }  // namespace pounding

@@ -17,7 +17,7 @@
 #include <pounding/structures/massless.hpp>
 
 namespace pounding {
-namespace {
+namespace reduced_modes_test {
 
 using petsc::ReducedDepth;
 using petsc::ReducedInputs;
@@ -275,5 +275,5 @@ TEST(RodOnAWall, ConvergesWithTheBlocks) {
   EXPECT_LT(last, 1e-4);
 }
 
-}  // namespace
+}  // namespace reduced_modes_test
 }  // namespace pounding

@@ -16,7 +16,7 @@
 #include <pounding/stepping/step_controller.hpp>
 
 namespace pounding {
-namespace {
+namespace structure_solvers_test {
 
 using petsc::SparseSolver;
 using petsc::SparseOptions;
@@ -583,5 +583,5 @@ TEST(TwoFrames, MoveAlikeInModesAndInSparseMatrices) {
 
 TEST(TwoFramesThatRubOnDelayedGround, MoveAlikeInModesAndInSparseMatrices) { expect_to_move_alike(rubbing_on_delayed_ground); }
 
-}  // namespace
+}  // namespace structure_solvers_test
 }  // namespace pounding

@@ -12,7 +12,7 @@
 #include <pounding/links/rigid_gap_link.hpp>
 
 namespace pounding {
-namespace {
+namespace gap_link_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -447,5 +447,5 @@ TEST(RigidGapLink, HitWhileItRestsPartsAgain) {
   EXPECT_DOUBLE_EQ(link.impacts()[0].impulse, 350);
 }
 
-}  // namespace
+}  // namespace gap_link_test
 }  // namespace pounding

@@ -8,7 +8,7 @@
 #include <pounding/links/impact_log.hpp>
 
 namespace pounding {
-namespace {
+namespace impact_log_test {
 
 /// Kept steps between these times, for a force and a rate given as functions of time.
 template <class Force, class Rate, class Times>
@@ -77,5 +77,5 @@ TEST(ImpactLog, TouchAtRestHasNoRestitution) {
   EXPECT_EQ(log.current().v_separation, 0.5);
 }
 
-}  // namespace
+}  // namespace impact_log_test
 }  // namespace pounding

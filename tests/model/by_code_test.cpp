@@ -12,7 +12,7 @@
 #include "support/same_runs.hpp"
 
 namespace pounding {
-namespace {
+namespace by_code_test {
 
 void expect_as(const std::string& yaml, Model model, bool meets = true) {
   const Outcome by_text = test::run_text(yaml), by_code = run(model);
@@ -328,5 +328,5 @@ TEST(ModelByCode, KeepsTheReducedMassThatItsLawWasGiven) {
   EXPECT_TRUE(model.links[0].reduced_mass_given);
 }
 
-}  // namespace
+}  // namespace by_code_test
 }  // namespace pounding

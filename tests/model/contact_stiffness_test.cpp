@@ -12,7 +12,7 @@
 #include <pounding/laws/free_impact.hpp>
 
 namespace pounding {
-namespace {
+namespace contact_stiffness_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -111,5 +111,5 @@ TEST(ContactStiffness, IsRefusedForALawWithoutOne) {
   }
 }
 
-}  // namespace
+}  // namespace contact_stiffness_test
 }  // namespace pounding

@@ -11,7 +11,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace drawing_test {
 
 using test::refusal;
 
@@ -158,5 +158,5 @@ TEST(DrawnGap, StaysRequiredWithoutADrawing) {
             "the gap is missing; give it, as in {.gap = 0.02}");
 }
 
-}  // namespace
+}  // namespace drawing_test
 }  // namespace pounding

@@ -10,7 +10,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace plausible_test {
 
 using Texts = std::vector<std::string>;
 
@@ -107,5 +107,5 @@ TEST(Describe, HasALineAStructure) {
   EXPECT_NE(text.find("structure o: oscillator, 1 floor, 100 t, period 0.8 s\n"), std::string::npos) << text;
 }
 
-}  // namespace
+}  // namespace plausible_test
 }  // namespace pounding

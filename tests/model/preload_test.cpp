@@ -12,7 +12,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace preload_test {
 
 using test::refusal;
 
@@ -115,5 +115,5 @@ TEST(Preload, SaysWhatCannotBe) {
             "closes right-w as well, by 0.3546 mm; give that link a wider gap, or a negative one and preload: true");
 }
 
-}  // namespace
+}  // namespace preload_test
 }  // namespace pounding

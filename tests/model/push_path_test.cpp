@@ -19,7 +19,7 @@
 #include "yielding_frames.hpp"
 
 namespace pounding {
-namespace {
+namespace push_path_test {
 
 using test::Book;
 using test::HandMadeFrame;
@@ -409,5 +409,5 @@ TEST(PushPath, YieldsOnTheStrongSideWhereThatYields) {
   EXPECT_EQ(left.events.front().kind, PushEvent::Kind::yields);
 }
 
-}  // namespace
+}  // namespace push_path_test
 }  // namespace pounding

@@ -17,7 +17,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace pushover_test {
 
 Structure building(double hardening, bool with_heights = true) {
   ShearBuildingOptions options{.storeys = 3, .mass = std::vector<double>{100e3, 200e3, 150e3}, .stiffness = 100e6,
@@ -221,5 +221,5 @@ analysis: {duration: 1}
   EXPECT_EQ(found.path.mechanism, 4);
 }
 
-}  // namespace
+}  // namespace pushover_test
 }  // namespace pounding

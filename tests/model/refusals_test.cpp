@@ -11,7 +11,7 @@
 #include "support/refusal.hpp"
 
 namespace pounding {
-namespace {
+namespace refusals_test {
 
 using test::refusal;
 
@@ -180,5 +180,5 @@ TEST(FrameModel, SaysWhatItLacks) {
   EXPECT_EQ(refusal([&] { make_structure(model); }), "node c: no member, spring or constraint is connected to it");
 }
 
-}  // namespace
+}  // namespace refusals_test
 }  // namespace pounding

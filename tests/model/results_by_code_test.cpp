@@ -13,7 +13,7 @@
 #include "support/same_runs.hpp"
 
 namespace pounding {
-namespace {
+namespace results_by_code_test {
 
 class File {
  public:
@@ -86,5 +86,5 @@ TEST(ResultsByCode, NeedACompleteModel) {
   EXPECT_THROW(run(model), std::logic_error);
 }
 
-}  // namespace
+}  // namespace results_by_code_test
 }  // namespace pounding

@@ -13,7 +13,7 @@
 #include <pounding/petsc/ranks.hpp>
 
 namespace pounding::petsc {
-namespace {
+namespace collective_exit_test {
 
 // Text of the failure of type Error that a task ends with on this process.
 template <class Error>
@@ -46,5 +46,5 @@ TEST(RunCollectively, ThrowsOnAllProcessesWhatOneHasThrownAtTheEnd) {
   EXPECT_EQ(text, "process 2 of 2 failed alone: no such file");
 }
 
-}  // namespace
+}  // namespace collective_exit_test
 }  // namespace pounding::petsc

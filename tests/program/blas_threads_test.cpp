@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 namespace pounding::program {
-namespace {
+namespace blas_threads_test {
 
 class BlasThreads : public testing::Test {
  protected:
@@ -41,5 +41,5 @@ TEST_F(BlasThreads, AreThoseOfTheUser) {
   }
 }
 
-}  // namespace
+}  // namespace blas_threads_test
 }  // namespace pounding::program

@@ -16,7 +16,7 @@
 #include <program/commands.hpp>
 
 namespace pounding {
-namespace {
+namespace record_command_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -130,5 +130,5 @@ TEST_F(RecordCommand, WrongOptionsSayWhatToType) {
   EXPECT_EQ(error("record info none.AT2"), "record \"none.AT2\" was not found at none.AT2");
 }
 
-}  // namespace
+}  // namespace record_command_test
 }  // namespace pounding

@@ -24,7 +24,7 @@
 #include "support/published_tables.hpp"
 
 namespace pounding::reproduce {
-namespace {
+namespace reproduce_test {
 
 using reference::half_unit;
 
@@ -327,5 +327,5 @@ TEST(CsvOfAFigure, HasUnitsAndEmptyCells) {
   EXPECT_EQ(to_csv(figure), "\"time [s]\",\"a \"\"b\"\", c\"\n0,1.25\n0.5,\n");
 }
 
-}  // namespace
+}  // namespace reproduce_test
 }  // namespace pounding::reproduce

@@ -5,7 +5,7 @@
 #include <pounding/results/envelope.hpp>
 
 namespace pounding {
-namespace {
+namespace envelope_test {
 
 TEST(Extremes, AreTheLeastAndTheLargestValueWithTheirTimes) {
   Extremes extremes(1);
@@ -60,5 +60,5 @@ TEST(Extremes, AreFoundOnTheParabolaThroughBothEndsAndTheMiddle) {
   EXPECT_EQ(straight.max[0], 2);
 }
 
-}  // namespace
+}  // namespace envelope_test
 }  // namespace pounding

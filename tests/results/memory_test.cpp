@@ -12,7 +12,7 @@
 #include <pounding/results/results.hpp>
 
 namespace pounding {
-namespace {
+namespace memory_test {
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
 
@@ -48,5 +48,5 @@ TEST(ResultsImage, SaysThatMemoryEndedWhereverItDoes) {
   EXPECT_EXIT(make_image_within(1000 * megabyte, results), testing::ExitedWithCode(made), "");
 }
 
-}  // namespace
+}  // namespace memory_test
 }  // namespace pounding

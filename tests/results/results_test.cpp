@@ -24,7 +24,7 @@
 #include <pounding/results/replaced_file.hpp>
 
 namespace pounding {
-namespace {
+namespace results_test {
 
 namespace fs = std::filesystem;
 
@@ -530,5 +530,5 @@ TEST_F(ResultsFile, HistoriesOfWrongLengthAreRefused) {
   EXPECT_FALSE(fs::exists(path));
 }
 
-}  // namespace
+}  // namespace results_test
 }  // namespace pounding

@@ -11,7 +11,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace collisions_test {
 
 using test::model_of;
 using test::run_text;
@@ -192,5 +192,5 @@ TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
   EXPECT_TRUE(near(damping, Eigen::Matrix2d{{c1 + c, -c}, {-c, c2 + c}})) << damping;
 }
 
-}  // namespace
+}  // namespace collisions_test
 }  // namespace pounding

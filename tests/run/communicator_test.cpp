@@ -13,7 +13,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace communicator_test {
 
 // One half of all processes.
 class Half {
@@ -117,5 +117,5 @@ TEST(RunOptions, MadeBeforePetscStartsAreRefused) {
   EXPECT_THROW(run(model, {.comm = MPI_COMM_NULL}), std::logic_error);
 }
 
-}  // namespace
+}  // namespace communicator_test
 }  // namespace pounding

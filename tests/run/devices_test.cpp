@@ -12,7 +12,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace devices_test {
 
 constexpr const char* schemes[] = {"generalized_alpha", "esdirk4"};
 
@@ -114,5 +114,5 @@ TEST(Devices, AddToTheShearOfTheirStoreys) {
   EXPECT_TRUE(run.results.has_devices());
 }
 
-}  // namespace
+}  // namespace devices_test
 }  // namespace pounding

@@ -17,7 +17,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace envelopes_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -271,5 +271,5 @@ TEST(Separation, CombinesByTheCorrelationUnderWhiteNoise) {
   EXPECT_TRUE(std::isnan(double_difference(std::numeric_limits<double>::infinity(), 0.05, 0.7, 0.05)));
 }
 
-}  // namespace
+}  // namespace envelopes_test
 }  // namespace pounding

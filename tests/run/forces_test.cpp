@@ -17,7 +17,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace forces_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -295,5 +295,5 @@ TEST(ForcesOrder, IsThatOfTheScheme) {
   }
 }
 
-}  // namespace
+}  // namespace forces_test
 }  // namespace pounding

@@ -17,7 +17,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace frames_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double young = 30e9, height = 3.0;
@@ -471,5 +471,5 @@ TEST(Frames, GoOnToTheSameBits) {
     EXPECT_EQ(whole.results.impacts[i].peak_force, continued.results.impacts[i].peak_force) << i;
 }
 
-}  // namespace
+}  // namespace frames_test
 }  // namespace pounding

@@ -12,7 +12,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace ground_motions_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -122,5 +122,5 @@ TEST(AnInitialVelocityOfTheGround, LeavesAMotionRelativeToItAlone) {
   EXPECT_EQ(rest.results.structures[0].displacement, moving.results.structures[0].displacement);
 }
 
-}  // namespace
+}  // namespace ground_motions_test
 }  // namespace pounding

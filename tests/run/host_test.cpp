@@ -8,7 +8,7 @@
 #include <pounding/petsc/environment.hpp>
 
 namespace pounding {
-namespace {
+namespace host_test {
 
 // Equal masses in a row between springs, held at one end: w = 2 sin((2j - 1) pi / (4n + 2)) for units.
 void expect_modes_of_chain() {
@@ -56,7 +56,7 @@ TEST(Host, ThatOwnsSlepcKeepsIt) {
   EXPECT_TRUE(Running().petsc);
 }
 
-}  // namespace
+}  // namespace host_test
 }  // namespace pounding
 
 int main(int argc, char** argv) {

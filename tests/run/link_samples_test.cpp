@@ -7,7 +7,7 @@
 #include <pounding/run/link_samples.hpp>
 
 namespace pounding {
-namespace {
+namespace link_samples_test {
 
 LinkSample sample(double time) {
   return {.time = time, .penetration = 1e-3 * time, .velocity = 0.5, .force = 100 + time, .energy = 2 * time, .friction = {7, 8}};
@@ -75,5 +75,5 @@ TEST(ImpactSamples, GoOnAlikeFromAnArchive) {
   EXPECT_EQ(whole.force, continued.force);
 }
 
-}  // namespace
+}  // namespace link_samples_test
 }  // namespace pounding

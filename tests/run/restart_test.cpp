@@ -14,7 +14,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace restart_test {
 
 // A results file of this process, removed at the end.
 class File {
@@ -265,5 +265,5 @@ TEST(ResumeTwice, GivesTheSameBits) {
   EXPECT_EQ(read_interrupted_run(first.path()).model_yaml, yaml) << "the first file stays as it was";
 }
 
-}  // namespace
+}  // namespace restart_test
 }  // namespace pounding

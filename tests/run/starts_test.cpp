@@ -17,7 +17,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace starts_test {
 
 // Two storeys whose rotations and whose beams' ends have no mass of their own.
 std::string tower(const std::string& start, double duration, const std::string& damping = "0") {
@@ -215,5 +215,5 @@ TEST(FreeFrame, IsMovedByAForce) {
   EXPECT_NEAR(mean, 20e3 * 0.5 * 2 / M_PI / (2500 * 0.04 * 6), 1e-6);
 }
 
-}  // namespace
+}  // namespace starts_test
 }  // namespace pounding

@@ -12,7 +12,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace sticking_test {
 
 using test::run_text;
 
@@ -139,5 +139,5 @@ TEST(Preload, ClosesTheEnergyWhereTheContactOpens) {
   }
 }
 
-}  // namespace
+}  // namespace sticking_test
 }  // namespace pounding

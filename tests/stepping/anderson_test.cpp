@@ -9,7 +9,7 @@
 #include <pounding/stepping/anderson.hpp>
 
 namespace pounding {
-namespace {
+namespace anderson_test {
 
 using Eigen::Matrix2d;
 using Eigen::VectorXd;
@@ -97,5 +97,5 @@ TEST(FixedPoint, IsNotClaimedWhereThereIsNone) {
   EXPECT_FALSE(fixed_point(lost, Eigen::Vector2d(1, 1)).converged);
 }
 
-}  // namespace
+}  // namespace anderson_test
 }  // namespace pounding

@@ -10,7 +10,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace energy_test {
 
 using test::every_law;
 
@@ -93,5 +93,5 @@ TEST(EnergyBudget, ComparesWithTheLargestInputOfTheRun) {
   EXPECT_EQ(budget.share(), 1.0);
 }
 
-}  // namespace
+}  // namespace energy_test
 }  // namespace pounding

@@ -15,7 +15,7 @@
 #include <pounding/structures/bilinear_spring.hpp>
 
 namespace pounding {
-namespace {
+namespace event_locator_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -194,5 +194,5 @@ TEST(EventLocator, FailsWithoutATrialThatCanBeKept) {
   }
 }
 
-}  // namespace
+}  // namespace event_locator_test
 }  // namespace pounding

@@ -13,7 +13,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace events_test {
 
 using test::run_text;
 
@@ -417,5 +417,5 @@ TEST(LinkHistory, FollowsTheForceInsideLongSteps) {
   EXPECT_GT(pressed, 3 * run.summary.solver.steps / 2) << "steps are long here";
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace pounding

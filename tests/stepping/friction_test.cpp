@@ -18,7 +18,7 @@
 #include "support/book.hpp"
 
 namespace pounding {
-namespace {
+namespace friction_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -343,5 +343,5 @@ TEST(Friction, IsRefusedWhereItCannotWork) {
             "a column of System::gap_jacobian belongs to no contact, spring or friction");
 }
 
-}  // namespace
+}  // namespace friction_test
 }  // namespace pounding

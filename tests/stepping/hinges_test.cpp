@@ -12,7 +12,7 @@
 #include "support/hinge_frame.hpp"
 
 namespace pounding {
-namespace {
+namespace hinges_test {
 
 using test::HingeFrame;
 using test::HingeFrameRun;
@@ -211,5 +211,5 @@ TEST_P(Hinges, MoveAlikeInModesAndInSparseMatrices) {
   EXPECT_LT((a.force - b.force).norm(), 1e-8 * a.force.norm());
 }
 
-}  // namespace
+}  // namespace hinges_test
 }  // namespace pounding

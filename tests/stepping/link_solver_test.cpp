@@ -16,7 +16,7 @@
 #include <pounding/structures/bilinear_spring.hpp>
 
 namespace pounding {
-namespace {
+namespace link_solver_test {
 
 struct Linear {
   static constexpr std::string_view name = "linear";
@@ -222,5 +222,5 @@ TEST(LinkSolver, SaysThatALawWithoutAnAnswerFailed) {
   EXPECT_FALSE(few.solve());
 }
 
-}  // namespace
+}  // namespace link_solver_test
 }  // namespace pounding

@@ -16,7 +16,7 @@
 #include "support/book.hpp"
 
 namespace pounding {
-namespace {
+namespace moving_ground_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -336,5 +336,5 @@ TEST(Stepper, RefusesPartsThatDoNotFit) {
             "System::gravity_offset needs one value a link");
 }
 
-}  // namespace
+}  // namespace moving_ground_test
 }  // namespace pounding

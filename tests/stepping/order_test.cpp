@@ -17,7 +17,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace order_test {
 
 SparseMatrix one(double value) { return Eigen::MatrixXd::Constant(1, 1, value).sparseView(); }
 
@@ -278,5 +278,5 @@ TEST(ErrorEstimate, IsTheErrorOfTheStep) {
   EXPECT_LT(estimated, 5 * made);
 }
 
-}  // namespace
+}  // namespace order_test
 }  // namespace pounding

@@ -12,7 +12,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace purity_test {
 
 bool same_bits(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0;
@@ -116,5 +116,5 @@ TEST(Model, IsRunOnceOnly) {
   EXPECT_THROW(run(model), std::logic_error);
 }
 
-}  // namespace
+}  // namespace purity_test
 }  // namespace pounding

@@ -12,7 +12,7 @@
 #include <pounding/stepping/rigid_impacts.hpp>
 
 namespace pounding {
-namespace {
+namespace rigid_impacts_test {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -147,5 +147,5 @@ TEST(HoldContacts, TakesTheDriftOfAHeldContactOut) {
   EXPECT_NEAR(end.motion(0, 1) + end.by_ground(0, 1), 0, 1e-16) << "rate zero";
 }
 
-}  // namespace
+}  // namespace rigid_impacts_test
 }  // namespace pounding

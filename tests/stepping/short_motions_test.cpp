@@ -16,7 +16,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace short_motions_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double amplitude = 3, period = 0.43, durations[] = {1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1};
@@ -201,5 +201,5 @@ INSTANTIATE_TEST_SUITE_P(Schemes, ShortMotions,
                                          Case{"generalized_alpha", 1e-6}),
                          [](const auto& test) { return fmt::format("{}_1em{:.0f}", test.param.scheme, -std::log10(test.param.tolerance)); });
 
-}  // namespace
+}  // namespace short_motions_test
 }  // namespace pounding

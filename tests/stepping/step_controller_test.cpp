@@ -16,7 +16,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace step_controller_test {
 
 using petsc::check;
 
@@ -186,5 +186,5 @@ TEST(Driver, StopsWhereNoStepIsShortEnough) {
   }
 }
 
-}  // namespace
+}  // namespace step_controller_test
 }  // namespace pounding

@@ -13,7 +13,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace ts_pounding_test {
 
 using petsc::check;
 
@@ -173,5 +173,5 @@ TEST(TsPounding, WritesItsVectorsLazilyOnlyWhenAsked) {
   EXPECT_EQ(value(lazy.u, 0), lazy.stepper.state().u[0]) << "the end is written";
 }
 
-}  // namespace
+}  // namespace ts_pounding_test
 }  // namespace pounding

@@ -18,7 +18,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace turning_test {
 
 using Eigen::VectorXd;
 
@@ -253,5 +253,5 @@ TEST(Turning, MastsThatHitEachOtherCloseTheirEnergy) {
   }
 }
 
-}  // namespace
+}  // namespace turning_test
 }  // namespace pounding

@@ -17,7 +17,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace yielding_order_test {
 
 // 100 t, 0.5 s, 5 %, Fy = 0.15 of the weight, hardening 5 %, under a sine of 3 m/s^2 and 0.6 s; displacement at 3 s [m] by DOP853, restarted
 // at every yield and reversal, tolerance 1e-13.
@@ -73,5 +73,5 @@ TEST_P(ThroughCorners, TheSchemesKeepTheirOrders) {
 
 INSTANTIATE_TEST_SUITE_P(Law, ThroughCorners, testing::ValuesIn(cases), [](const auto& test) { return test.param.name; });
 
-}  // namespace
+}  // namespace yielding_order_test
 }  // namespace pounding

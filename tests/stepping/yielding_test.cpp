@@ -16,7 +16,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace yielding_test {
 
 // One storey under a harmonic ground motion, written without the library: Runge-Kutta of order four on the linear branches
 // of the force, which meet at located instants.
@@ -315,5 +315,5 @@ TEST(YieldingTower, IsTheSameByEsdirk4) {
   book.below("ESDIRK4: imbalance of the energies [-]", e.energy, 1e-4);
 }
 
-}  // namespace
+}  // namespace yielding_test
 }  // namespace pounding

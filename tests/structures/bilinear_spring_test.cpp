@@ -17,7 +17,7 @@
 #include "support/refusals.hpp"
 
 namespace pounding {
-namespace {
+namespace bilinear_spring_test {
 
 // Yields at 10 mm.
 constexpr double k = 2e6, yield_force = 2e4, yield = yield_force / k, hardening = 0.1;
@@ -278,5 +278,5 @@ TEST(YieldingStoreys, AreCountedFromNumbersToo) {
   EXPECT_EQ(s.yielding[1].name, "storey 2");
 }
 
-}  // namespace
+}  // namespace bilinear_spring_test
 }  // namespace pounding

@@ -10,7 +10,7 @@
 #include <pounding/structures/device_spring.hpp>
 
 namespace pounding {
-namespace {
+namespace device_spring_test {
 
 constexpr double k = 5e6, c = 2e5;
 
@@ -162,5 +162,5 @@ TEST(DeviceSpring, RefusesPartsThatContradict) {
   EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = c, .stiffness = -k}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace device_spring_test
 }  // namespace pounding

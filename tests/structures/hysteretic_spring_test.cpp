@@ -18,7 +18,7 @@
 #include <pounding/structures/structure.hpp>
 
 namespace pounding {
-namespace {
+namespace hysteretic_spring_test {
 
 LinkStep step(const LinkMotion& begin, const LinkMotion& end) {
   return {.begin = 0, .end = 0.01, .motion_begin = begin, .motion_middle = {}, .motion_end = end};
@@ -140,5 +140,5 @@ TEST(MakeSpring, AHingeHasMomentsInItsWordsAndMessages) {
             "elastomeric, backfill.");
 }
 
-}  // namespace
+}  // namespace hysteretic_spring_test
 }  // namespace pounding

@@ -14,7 +14,7 @@
 #include <pounding/structures/structure_damping.hpp>
 
 namespace pounding {
-namespace {
+namespace isolators_test {
 
 const hysteresis::Settings lead_rubber{.law = "lead_rubber",
                                        .values = {{"strength", 300e3}, {"post_yield_stiffness", 3e6}, {"yield_displacement", 0.01}}};
@@ -185,5 +185,5 @@ TEST(SlidingSpring, RefusesWhatCannotBe) {
   EXPECT_EQ(spring({.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08}), "rate is 0, but must be finite and positive");
 }
 
-}  // namespace
+}  // namespace isolators_test
 }  // namespace pounding

@@ -17,7 +17,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace oscillators_test {
 
 using test::model_of;
 
@@ -248,5 +248,5 @@ TEST(ResolvedInput, SaysEveryDefaultAndCalibratedValue) {
   EXPECT_NEAR(resolved["structures"]["a"]["damping_matrix"][0].as<double>(), 2 * 0.05 * std::sqrt(4e6 * 1e5), 1e-6);
 }
 
-}  // namespace
+}  // namespace oscillators_test
 }  // namespace pounding

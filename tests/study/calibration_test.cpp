@@ -9,7 +9,7 @@
 #include <pounding/study/step_events.hpp>
 
 namespace pounding::study {
-namespace {
+namespace calibration_test {
 
 TEST(TheTableOfAdamsImpact, GivesTheExactCalibration) {
   for (const double e : {0.3, 0.65})
@@ -64,5 +64,5 @@ TEST(AForceThatIsJustReleased, PressesAgainAtItsNextZeroAndNotAtOnce) {
   EXPECT_NEAR(begin.d + part * h * rate, again, 1e-3 * again);
 }
 
-}  // namespace
+}  // namespace calibration_test
 }  // namespace pounding::study

@@ -8,7 +8,7 @@
 #include <pounding/study/contact_step.hpp>
 
 namespace pounding::study {
-namespace {
+namespace contact_step_test {
 
 /// Error of the rate after a part of an impact of unit mass, speed and stiffness, in `count` equal steps by t or by a root of it.
 template <class Law>
@@ -85,5 +85,5 @@ TEST(TheClockOfAnImpact, FollowsTheExponentsOfTheLaw) {
   EXPECT_EQ(clock_root(laws::Hertz{.stiffness = 1, .exponent = 2}, impact), 1);
 }
 
-}  // namespace
+}  // namespace contact_step_test
 }  // namespace pounding::study

@@ -13,7 +13,7 @@
 #include "support/records.hpp"
 
 namespace pounding::study {
-namespace {
+namespace ensemble_test {
 
 /// A pair, and its peaks by SciPy's DOP853 with located touches, separations and turns at a relative tolerance of 1e-11.
 struct Case {
@@ -84,5 +84,5 @@ TEST(ThePairsUnderElCentro, StayWithin1e4AtTheToleranceOfStudies) {
   }
 }
 
-}  // namespace
+}  // namespace ensemble_test
 }  // namespace pounding::study

@@ -13,7 +13,7 @@
 #include "support/book.hpp"
 
 namespace pounding::study {
-namespace {
+namespace free_impacts_test {
 
 class FreeBodies : public testing::TestWithParam<std::string> {
  protected:
@@ -74,5 +74,5 @@ std::vector<std::string> penalty_laws() {
 INSTANTIATE_TEST_SUITE_P(EveryPenaltyLaw, FreeBodies, testing::ValuesIn(penalty_laws()),
                          [](const auto& test) { return test.param; });
 
-}  // namespace
+}  // namespace free_impacts_test
 }  // namespace pounding::study

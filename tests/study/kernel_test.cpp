@@ -15,7 +15,7 @@
 
 
 namespace pounding::study {
-namespace {
+namespace kernel_test {
 
 /// Twenty seconds of ground that shakes at several frequencies, at 0.02 s.
 std::vector<double> shaking() {
@@ -222,5 +222,5 @@ TEST(TheKernel, RefusesWhatItCannotRun) {
   EXPECT_EQ(text(good, {.accelerations = broken, .step = 0.01}, {}), "a sample of the record is not finite");
 }
 
-}  // namespace
+}  // namespace kernel_test
 }  // namespace pounding::study

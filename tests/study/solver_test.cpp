@@ -20,7 +20,7 @@
 #include "support/models.hpp"
 
 namespace pounding::study {
-namespace {
+namespace solver_test {
 
 /// Ten seconds of ground at 0.02 s, shaking at several frequencies with phases of its own.
 Samples shaking(double phase) {
@@ -183,5 +183,5 @@ TEST(TheKernel, NamesWhatTakesTheSolver) {
             "the ground does not move alike under all supports");
 }
 
-}  // namespace
+}  // namespace solver_test
 }  // namespace pounding::study

@@ -16,7 +16,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace devices_test {
 
 // Largest and last displacement [m], largest force of the device [N], its work [J].
 struct Reference {
@@ -103,5 +103,5 @@ TEST_P(DeviceInElCentro, KeepsTheTolerance) {
 
 INSTANTIATE_TEST_SUITE_P(Device, DeviceInElCentro, testing::ValuesIn(references), [](const auto& test) { return test.param.name; });
 
-}  // namespace
+}  // namespace devices_test
 }  // namespace pounding

@@ -10,7 +10,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace el_centro_test {
 
 TEST(ElCentro1940, AgreesWithAnIndependentIntegrator) {
   test::Book book("Two oscillators in the El Centro earthquake of 1940, Ye's damping",
@@ -41,5 +41,5 @@ TEST(ElCentro1940, AgreesWithAnIndependentIntegrator) {
   book.below("imbalance of the energies [-]", run.summary.energy.error, 1e-6);
 }
 
-}  // namespace
+}  // namespace el_centro_test
 }  // namespace pounding

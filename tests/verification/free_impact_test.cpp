@@ -15,7 +15,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace free_impact_test {
 
 struct Case {
   std::string law, formula, parameters;
@@ -94,5 +94,5 @@ INSTANTIATE_TEST_SUITE_P(EveryLawAndFormula, FreeImpact, testing::ValuesIn(cases
   return test.param.formula.empty() ? test.param.law : test.param.law + "__" + test.param.formula;
 });
 
-}  // namespace
+}  // namespace free_impact_test
 }  // namespace pounding

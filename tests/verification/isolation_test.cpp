@@ -19,7 +19,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace isolation_test {
 
 // SI units. Peaks of floors from the slab up; forces and impacts of links west, east.
 struct Reference {
@@ -160,5 +160,5 @@ INSTANTIATE_TEST_SUITE_P(Of, Isolation, testing::ValuesIn(references), [](const 
   return name;
 });
 
-}  // namespace
+}  // namespace isolation_test
 }  // namespace pounding

@@ -23,7 +23,7 @@ namespace reference {
 void PrintTo(const FormulaRow& row, std::ostream* out) { *out << row.name; }
 }  // namespace reference
 
-namespace {
+namespace published_impacts_test {
 
 using reference::asked;
 
@@ -183,5 +183,5 @@ TEST(BilinearHertz, OfTheTimeIntegrationAtItsDesignPenetrationAgreesWithTheRefer
   }
 }
 
-}  // namespace
+}  // namespace published_impacts_test
 }  // namespace pounding

@@ -27,7 +27,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace stock_integrators_test {
 
 using Eigen::MatrixXd, Eigen::VectorXd, petsc::check, petsc::Handle;
 
@@ -451,5 +451,5 @@ INSTANTIATE_TEST_SUITE_P(SixLaws, StockRungeKutta,
                                          "modified_linear_viscoelastic, stiffness: 9.35e7, restitution: 0.65"),
                          test::law_name);
 
-}  // namespace
+}  // namespace stock_integrators_test
 }  // namespace pounding

@@ -12,7 +12,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace two_oscillators_test {
 
 struct Impact {
   double time, approach, force;
@@ -111,5 +111,5 @@ TEST(TwoOscillators, HaveThePeakAccelerationsOfEitherScheme) {
   }
 }
 
-}  // namespace
+}  // namespace two_oscillators_test
 }  // namespace pounding

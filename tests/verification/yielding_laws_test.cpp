@@ -16,7 +16,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace yielding_laws_test {
 
 // Largest and last displacement [m], largest force [N], work of the spring [J].
 struct Reference {
@@ -82,5 +82,5 @@ TEST_P(YieldingOscillator, KeepsTheTolerance) {
 
 INSTANTIATE_TEST_SUITE_P(Law, YieldingOscillator, testing::ValuesIn(oscillators), [](const auto& test) { return test.param.name; });
 
-}  // namespace
+}  // namespace yielding_laws_test
 }  // namespace pounding

@@ -15,7 +15,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace yielding_pair_test {
 
 // Floors of the left building, then of the right one [m]; by link, or by storey.
 struct Reference {
@@ -169,5 +169,5 @@ INSTANTIATE_TEST_SUITE_P(Model, YieldingPair, testing::ValuesIn(pairs), [](const
   return name;
 });
 
-}  // namespace
+}  // namespace yielding_pair_test
 }  // namespace pounding
