@@ -67,6 +67,12 @@ class Names(unittest.TestCase):
                                                            "results/replaced_file")} | {"elements/pounding/ground/records/format.hpp"}
         self.assertEqual(installed & private, set())
 
+    def test_TestsKeepTheirNamesInANamespaceOfTheirFile(self):
+        """Tests are compiled in batches, where two files must not have one name for two things."""
+        unnamed = [str(path.relative_to(ROOT)) for path in sorted((ROOT / "tests").rglob("*_test.cpp"))
+                   if "gtest/gtest.h" in (text := path.read_text()) and f"\nnamespace {path.stem} {{\n" not in text]
+        self.assertEqual(unnamed, [])
+
     def test_TheReaderFindsWhatTheHeadersDeclare(self):
         found = {item.name for path in installed_headers() for item in declarations(path)[1]}
         for name in ("pnd_respond", "pnd_law", "pnd_status", "pounding::GapLink", "pounding::run", "pounding::laws::touch",
