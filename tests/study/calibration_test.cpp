@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <pounding/study/adams_calibration.hpp>
 #include <pounding/study/step_events.hpp>
@@ -62,6 +63,28 @@ TEST(AForceThatIsJustReleased, PressesAgainAtItsNextZeroAndNotAtOnce) {
   const double h = (begin.d - end.d) / -rate;
   const double part = crossing(link, LinkEvent::engage, begin, end, h);
   EXPECT_NEAR(begin.d + part * h * rate, again, 1e-3 * again);
+}
+
+TEST(APenetrationThatIsNegativeInsideAStep, EndsTheContactAtItsFirstZero) {
+  // A parabola with its bottom a ten-thousandth below zero. The dashpot makes the force rise at both ends of the step.
+  const double h = 1e-3, bend = 8e3, below = 1e-7, zero = 0.5 - std::sqrt(2 * below / bend) / h;
+  const laws::ModifiedKelvin law{.stiffness = 1e9, .damping_coefficient = 0.8e9 / (0.5 * bend * h)};
+  std::vector<LinkContact<laws::ModifiedKelvin>> links;
+  links.emplace_back(law, 0.0);
+  links[0].apply(LinkEvent::touch, 0, 1);
+  Moment<2, 1> begin, end;
+  const auto fill = [&](Moment<2, 1>& m, double t) {
+    LinkMoment& link = m.links[0];
+    m.time = t;
+    link.d = 0.5 * bend * (t - 0.5 * h) * (t - 0.5 * h) - below, link.rate = bend * (t - 0.5 * h), link.acceleration = bend;
+    link.force = links[0].force(link.d, link.rate);
+    link.force_rate = link.force.by_penetration * link.rate + link.force.by_rate * link.acceleration;
+  };
+  fill(begin, 0), fill(end, h);
+  ASSERT_GT(begin.links[0].force_rate, 0);
+  const Found found = first_event(links, begin, end);
+  EXPECT_EQ(found.event, LinkEvent::separation);
+  EXPECT_NEAR(found.part, zero, 1e-6);
 }
 
 }  // namespace calibration_test

@@ -190,6 +190,62 @@ TEST(ATouchAtRest, WithoutAGapIsTakenByEveryLaw) {
   }
 }
 
+/// A mass of 1 kg, pressed by 1 m/s^2, that falls with speed v onto a spring and a dashpot that pull, too, in closed form: d'' + c d' + w^2 d = 1.
+struct Fall {
+  double w, c, v;
+  double fast = std::sqrt(w * w - 0.25 * c * c);
+  double penetration(double t) const {
+    return 1 / (w * w) + std::exp(-0.5 * c * t) * ((v - 0.5 * c / (w * w)) / fast * std::sin(fast * t) - std::cos(fast * t) / (w * w));
+  }
+  double rate(double t) const { return std::exp(-0.5 * c * t) * (v * std::cos(fast * t) + (1 - 0.5 * c * v) / fast * std::sin(fast * t)); }
+  /// The smallest value that `of(*this, t)` comes to in the first period.
+  template <class Of>
+  double least(const Of& of) const {
+    const double period = 2 * M_PI / fast;
+    double at = 0.5 * period, low = 0, high = period;
+    for (double t = at; t < high; t += 0.01 * period)
+      if (of(*this, t) < of(*this, at)) at = t;
+    low = at - 0.01 * period, high = at + 0.01 * period;
+    for (int i = 0; i < 100; ++i) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      (of(*this, a) < of(*this, b) ? high : low) = of(*this, a) < of(*this, b) ? b : a;
+    }
+    return of(*this, low);
+  }
+};
+
+/// Impacts in 0.3 s of falls that are a millionth too slow and too fast for a second impact, whatever the frequency.
+template <class Of, class Law>
+void expect_a_second_touch(double damping, const Of& of, const Law& law) {
+  const std::vector<double> pressing(7, -1.0);
+  for (int i = 0; i < 40; ++i) {
+    const double w = 100 + 0.37 * i, c = 10;
+    double low = 0, high = 10 / w;
+    for (int k = 0; k < 60; ++k) (Fall{w, c, 0.5 * (low + high)}.least(of) > 0 ? low : high) = 0.5 * (low + high);
+    LinearModel model;
+    model.stiffness = {0}, model.damping = {damping * c}, model.load = {1};
+    model.links.push_back({.gap = 0, .closing = {1}, .law = law(w, c)});
+    model.velocity = {low * (1 - 1e-6)};
+    EXPECT_EQ(run(model, {.accelerations = pressing, .step = 0.1}, {.duration = 0.2, .tolerance = 1e-9}).links[0].impacts, 1) << w;
+    model.velocity = {low * (1 + 1e-6)};
+    EXPECT_GE(run(model, {.accelerations = pressing, .step = 0.1}, {.duration = 0.2, .tolerance = 1e-9}).links[0].impacts, 2) << w;
+  }
+}
+
+TEST(BodiesThatPartForAnInstant, TouchAgainHoweverStepsFall) {
+  expect_a_second_touch(1, [](const Fall& fall, double t) { return fall.penetration(t); },
+                        [](double w, double) { return laws::LinearSpring{.stiffness = w * w}; });
+}
+
+TEST(AForceThatEndsForAnInstant, EndsTheContactOfALawThatLeavesAnIndentation) {
+  expect_a_second_touch(0, [](const Fall& fall, double t) { return fall.w * fall.w * fall.penetration(t) + fall.c * fall.rate(t); },
+                        [](double w, double c) {
+                          laws::Komodromos law;
+                          law.stiffness = w * w, law.damping_coefficient = c;
+                          return law;
+                        });
+}
+
 TEST(TheKernel, RefusesWhatItCannotRun) {
   const LinearModel good = pair_of({1e5, 0.5, 0.05}, {1e5, 0.3, 0.05}, 0.01, hertz());
   const auto text = [&](const LinearModel& model, const EvenRecord& r, const Settings& s) -> std::string {

@@ -39,26 +39,54 @@ inline double touch_inside(const LinkMoment& b, const LinkMoment& e, double h) n
   return bracketed_root([&](double s) { return Graph{way.at(s).x, way.at(s).v * h}; }, low, high, true);
 }
 
-/// Part of the step after which a closed link meets an event whose margin is negative at the end.
+/// A quantity that is zero at an event, and its rate.
 template <class Law>
-double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h) noexcept {
+Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m) noexcept {
+  switch (event) {
+    case LinkEvent::touch:
+    case LinkEvent::separation: return {m.d, m.rate};
+    case LinkEvent::turn: return {m.rate, m.acceleration};
+    default: {
+      const laws::Response f = link.uncut(m.d, m.rate);
+      return {f.force, f.by_penetration * m.rate + f.by_rate * m.acceleration};
+    }
+  }
+}
+
+/// Part of the step at which a closed link is farthest beyond an event whose margin is positive at both ends; 2 where it stays before it. Bodies may part
+/// and meet again within a step.
+template <class Law>
+double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h) noexcept {
+  if (event == LinkEvent::turn || std::isinf(link.margin(event, e.d, e.rate))) return 2;
+  const double sign = event == LinkEvent::engage ? -1 : 1;
+  const Graph first = way_to(link, event, b), last = way_to(link, event, e);
+  if (!may_dip(sign * first.value, -sign * first.slope, sign * last.value, -sign * last.slope, h)) return 2;
+  const Quintic way = path(b, e, h);
+  const double bottom = event == LinkEvent::separation ? way.turn(true) : top_of_cubic(first.value, h * first.slope, last.value, h * last.slope);
+  const Jet jet = way.at(bottom);
+  return link.margin(event, jet.x, jet.v) < 0 ? bottom : 2;
+}
+
+/// Part of the step after which a closed link meets an event whose margin is negative at a later part.
+template <class Law>
+double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h, double later = 1) noexcept {
   const Quintic way = path(b, e, h);
   const auto margin = [&](double s) {
     const Jet jet = way.at(s);
     return link.margin(event, jet.x, jet.v);
   };
-  double low = 0, at_low = link.margin(event, b.d, b.rate), high = 1, at_high = margin(1);
+  double low = 0, at_low = link.margin(event, b.d, b.rate), high = later, at_high = margin(later);
   // Bodies that have just touched close first, however slowly.
   if (event == LinkEvent::separation && b.rate > 0 && e.rate < 0) low = way.turn(false), at_low = margin(low);
   // A margin that grows from zero, or from what rounding makes of it, is positive a little later.
   const double trace = 1e-12 * std::abs(at_high);
-  for (double s = 0.5; !(at_low > trace) && s > 1e-3; s *= 0.5)
+  for (double s = 0.5 * later; !(at_low > trace) && s > 1e-3 * later; s *= 0.5)
     if (const double m = margin(s); m > trace)
       low = s, at_low = m;
     else
       high = s, at_high = m;
   if (!(at_low > 0)) return 0;
-  if (!(at_high < 0)) return 1;
+  if (!(at_high < 0)) return later;
   // Regula falsi; a side that stays twice weighs half (Illinois).
   int side = 0;
   for (int i = 0; i < 40 && high - low > 1e-9; ++i) {
@@ -88,26 +116,16 @@ Found first_event(const std::vector<LinkContact<Law>>& links, const Moment<M, L>
       if (const double part = touch_inside(b, e, h); part < first.part) first = {LinkEvent::touch, l, part};
       continue;
     }
-    if (link.goes_on(e.d, e.rate, e.force.force)) continue;
-    for (const LinkEvent event : endings)
-      if (link.margin(event, e.d, e.rate) < 0)
-        if (const double part = crossing(link, event, b, e, h); part < first.part) first = {event, l, part};
-  }
-  return first;
-}
-
-/// A quantity that is zero at an event, and its rate.
-template <class Law>
-Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m) noexcept {
-  switch (event) {
-    case LinkEvent::touch:
-    case LinkEvent::separation: return {m.d, m.rate};
-    case LinkEvent::turn: return {m.rate, m.acceleration};
-    default: {
-      const laws::Response f = link.uncut(m.d, m.rate);
-      return {f.force, f.by_penetration * m.rate + f.by_rate * m.acceleration};
+    // A margin that is positive at the end has been negative only where it fell at the beginning and rises at the end.
+    const bool may_part = b.rate < 0 && e.rate > 0, may_cross = !link.pressed() || (b.force_rate < 0 && e.force_rate > 0);
+    if (!may_part && !may_cross && link.goes_on(e.d, e.rate, e.force.force)) continue;
+    for (const LinkEvent event : endings) {
+      const double later = link.margin(event, e.d, e.rate) < 0 ? 1 : dip(link, event, b, e, h);
+      if (later > 1) continue;
+      if (const double part = crossing(link, event, b, e, h, later); part < first.part) first = {event, l, part};
     }
   }
+  return first;
 }
 
 /// Records the peak of a force that rises at the beginning of a step and falls at its end: where its slope is zero on the path of the link.
