@@ -16,6 +16,45 @@
 
 namespace pounding::study {
 
+/// Two states that take turns. Little ones are copies, which have room in registers; others stay in the two homes.
+template <class State, bool little>
+class Turns {
+ public:
+  Turns(State& home, State& other) noexcept : home_(home), other_(other) {
+    if constexpr (little) now_ = home_, next_ = other_;
+  }
+
+  auto& now() noexcept {
+    if constexpr (little) return now_;
+    else return *at_;
+  }
+  auto& next() noexcept {
+    if constexpr (little) return next_;
+    else return *to_;
+  }
+  void turn() noexcept {
+    if constexpr (little) now_ = next_;
+    else std::swap(at_, to_);
+  }
+  /// Calls see(now, next) with states that have addresses.
+  template <class See>
+  void show(const See& see) noexcept {
+    if constexpr (little) home_ = now_, other_ = next_, see(home_, other_);
+    else see(*at_, *to_);
+  }
+  /// The present state goes home.
+  void leave() noexcept {
+    if constexpr (little) home_ = now_;
+    else if (at_ != &home_) std::swap(home_, other_);
+  }
+
+ private:
+  struct None {};
+  State &home_, &other_;
+  [[no_unique_address]] std::conditional_t<little, State, None> now_{}, next_{};
+  State *at_ = &home_, *to_ = &other_;
+};
+
 template <class Law, int M, int L>
 class History {
  public:
@@ -59,6 +98,8 @@ class History {
   }
 
  private:
+  static constexpr bool of_pair = M == 2 && L == 1;
+
   // An open link at one instant.
   struct Closing {
     double gap = 0, rate = 0;
@@ -98,31 +139,29 @@ class History {
   // Whole intervals without contact, from number n to the first one in which a link may close, or to `end`.
   [[gnu::noinline]] long glide(long n, long end) noexcept {
     const double h = flight_.length(), per_h = 1 / h;
-    // The little state of a pair has room in registers.
-    std::conditional_t<(M > 0), ModalState<M>, ModalState<M>&> x = x_, next = next_;
-    std::conditional_t<(L > 0), Numbers<L, Closing>, Numbers<L, Closing>&> now = now_, later = later_;
-    for (std::size_t l = 0; l < s_.links(); ++l) now[l] = closing(l, x);
+    Turns<ModalState<M>, of_pair> x(x_, next_);
+    Turns<Numbers<L, Closing>, of_pair> closings(now_, later_);
+    for (std::size_t l = 0; l < s_.links(); ++l) closings.now()[l] = closing(l, x.now());
     double fastest = 0, a0 = after(n);
-    for (const Closing& link : now) fastest = std::max(fastest, std::abs(link.rate));
+    for (const Closing& link : closings.now()) fastest = std::max(fastest, std::abs(link.rate));
     for (; n < end; ++n) {
       const double a1 = before(n + 1);
-      flight_.advance(x, a0, a1, next);
+      flight_.advance(x.now(), a0, a1, x.next());
+      const auto &now = closings.now();
+      auto &later = closings.next();
       bool may_close = false;
       for (std::size_t l = 0; l < s_.links(); ++l) {
-        later[l] = closing(l, next);
+        later[l] = closing(l, x.next());
         may_close = may_close || now[l].may_close_before(later[l], h);
       }
       if (may_close) break;
       for (std::size_t l = 0; l < s_.links(); ++l) fastest = std::max(fastest, std::abs(later[l].rate));
-      if (!outputs_.goes_on(x, next)) {
-        if constexpr (M > 0) x_ = x, next_ = next;
-        outputs_.flown(x_, next_, {a0, (a1 - a0) * per_h}, h);
-      }
-      std::swap(x, next);
-      std::swap(now, later);
+      if (!outputs_.goes_on(x.now(), x.next())) x.show([&](const auto& begin, const auto& end_state) { outputs_.flown(begin, end_state, {a0, (a1 - a0) * per_h}, h); });
+      x.turn();
+      closings.turn();
       a0 = n + 1 < last_ ? a1 : 0;
     }
-    if constexpr (M > 0) x_ = x;
+    x.leave();
     contact_.saw(fastest);
     return n;
   }

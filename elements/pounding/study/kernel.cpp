@@ -24,7 +24,8 @@ void check(const EvenRecord& record, const Settings& settings) {
 Peaks run(const LinearModel& model, const EvenRecord& record, const Settings& settings) {
   model.check();
   check(record, settings);
-  return model.modes() == 2 && model.links.size() == 1 ? run_pair(model, record, settings) : run_any(model, record, settings);
+  if (model.modes() == 2 && model.links.size() == 1) return run_pair(model, record, settings);
+  return model.modes() <= 8 ? run_few(model, record, settings) : run_any(model, record, settings);
 }
 
 }  // namespace pounding::study

@@ -1,5 +1,5 @@
 #pragma once
-/// The two shapes of the kernel, each compiled by itself.
+/// The shapes of the kernel, each compiled by itself.
 
 #include <stdexcept>
 #include <type_traits>
@@ -11,6 +11,8 @@ namespace pounding::study {
 
 /// Two modes and one link, of sizes that the compiler knows.
 Peaks run_pair(const LinearModel& model, const EvenRecord& record, const Settings& settings);
+/// Up to eight modes, and any number of links: two or three buildings of a few storeys.
+Peaks run_few(const LinearModel& model, const EvenRecord& record, const Settings& settings);
 /// Any number of modes and links.
 Peaks run_any(const LinearModel& model, const EvenRecord& record, const Settings& settings);
 

@@ -27,11 +27,18 @@ Numbers<N, T> numbers(int count, const T& value = {}) {
   }
 }
 
-/// W doubles in one register of the processor, or in two halves of it.
+/// W doubles side by side.
 template <int W>
-struct Pack {
-  typedef double Vector __attribute__((vector_size(W * 8)));
+struct Pack;
+
+/// Two doubles in one register.
+template <>
+struct Pack<2> {
+  typedef double Vector __attribute__((vector_size(16)));
   Vector v{};
+
+  double at(std::size_t k) const noexcept { return v[k]; }
+  void set(std::size_t k, double x) noexcept { v[k] = x; }
 
   friend Pack operator+(const Pack& a, const Pack& b) noexcept { return {a.v + b.v}; }
   friend Pack operator-(const Pack& a, const Pack& b) noexcept { return {a.v - b.v}; }
@@ -43,10 +50,28 @@ struct Pack {
   Pack operator-() const noexcept { return {-v}; }
 };
 
+/// Four doubles in two registers. One vector of four would go through memory on processors that have no register of its size.
+template <>
+struct Pack<4> {
+  Pack<2> low, high;
+
+  double at(std::size_t k) const noexcept { return k < 2 ? low.at(k) : high.at(k - 2); }
+  void set(std::size_t k, double x) noexcept { k < 2 ? low.set(k, x) : high.set(k - 2, x); }
+
+  friend Pack operator+(const Pack& a, const Pack& b) noexcept { return {a.low + b.low, a.high + b.high}; }
+  friend Pack operator-(const Pack& a, const Pack& b) noexcept { return {a.low - b.low, a.high - b.high}; }
+  friend Pack operator*(const Pack& a, const Pack& b) noexcept { return {a.low * b.low, a.high * b.high}; }
+  friend Pack operator*(double a, const Pack& b) noexcept { return {a * b.low, a * b.high}; }
+  friend Pack operator*(const Pack& a, double b) noexcept { return {a.low * b, a.high * b}; }
+  Pack& operator+=(const Pack& b) noexcept { return low += b.low, high += b.high, *this; }
+  Pack& operator-=(const Pack& b) noexcept { return low -= b.low, high -= b.high, *this; }
+  Pack operator-() const noexcept { return {-low, -high}; }
+};
+
 inline double sum(const Pack<2>& x) noexcept { return x.v[0] + x.v[1]; }
-inline double sum(const Pack<4>& x) noexcept { return (x.v[0] + x.v[2]) + (x.v[1] + x.v[3]); }
+inline double sum(const Pack<4>& x) noexcept { return sum(x.low + x.high); }
 inline double smallest(const Pack<2>& x) noexcept { return std::min(x.v[0], x.v[1]); }
-inline double smallest(const Pack<4>& x) noexcept { return std::min(std::min(x.v[0], x.v[2]), std::min(x.v[1], x.v[3])); }
+inline double smallest(const Pack<4>& x) noexcept { return std::min(smallest(x.low), smallest(x.high)); }
 
 /// One number for each mode, in packs that end with zeros: M modes at most, or as many as there are where M is 0.
 template <int M>

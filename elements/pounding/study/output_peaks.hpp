@@ -30,10 +30,10 @@ class OutputPeaks {
         block.first = std::min(block.first, displacements_[4 * i + k].first());
         block.last = std::max(block.last, displacements_[4 * i + k].last());
       }
-      for (std::size_t k = rows; k < 4; ++k) block.empty.v[k] = 1;
+      for (std::size_t k = rows; k < 4; ++k) block.empty.set(k, 1);
       for (std::size_t j = block.first; j < block.last; ++j) {
         columns_.emplace_back();
-        for (std::size_t k = 0; k < rows; ++k) columns_.back().v[k] = displacements_[4 * i + k].factor(j);
+        for (std::size_t k = 0; k < rows; ++k) columns_.back().set(k, displacements_[4 * i + k].factor(j));
       }
       blocks_.push_back(block);
     }
@@ -105,8 +105,8 @@ class OutputPeaks {
   void for_turning(const State& begin, const State& end, double h, const See& see) noexcept {
     for (std::size_t i = 0; i < displacements_.size(); ++i) {
       Row& row = displacements_[i];
-      const double before = of_oscillators_ ? row.displacement(begin.v) : later_[i / 4].v[i % 4];
-      const double after = of_oscillators_ ? row.displacement(end.v) : rates_[i / 4].v[i % 4];
+      const double before = of_oscillators_ ? row.displacement(begin.v) : later_[i / 4].at(i % 4);
+      const double after = of_oscillators_ ? row.displacement(end.v) : rates_[i / 4].at(i % 4);
       if (before * after > 0) continue;
       const double y = row.displacement(begin.q), y_after = row.displacement(end.q);
       if (row.reaches(y, before, y_after, after, h)) see(row, before);
