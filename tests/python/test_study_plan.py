@@ -66,6 +66,38 @@ class Plans(unittest.TestCase):
         self.assertTrue((k == k[0]).all())
         self.assertEqual(len(set(k[0])), 5)
 
+    def test_samples_may_come_from_a_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "pairs.csv"
+            file.write_text("period (ms),gap (mm),share\n400,2,0.5\n300,7.25,1\n")
+            factors = {"T": {"of": "structures.right.oscillator.period", "column": "period"}, "gap": {"of": "links.*.gap", "column": "gap"},
+                       "share": {"column": "share"}, "k": {"of": "links.*.stiffness", "list": [1e9, 2e9]}}
+            plan = make_plan(pair(), {**WORDS, "factors": factors, "sampling": {"table": "pairs.csv"}}, Path(folder))
+            # Rows are records times points times levels; points are stiffnesses times samples.
+            self.assertEqual(plan.shape, (3, 4, 2))
+            found = plan.columns(np.arange(8))
+            for name, values in (("T", [0.4, 0.3]), ("gap", [2e-3, 7.25e-3]), ("share", [0.5, 1])):
+                np.testing.assert_array_equal(found[name], np.repeat(values * 2, 2), name)
+            self.assertEqual([plan.units()[name] for name in ("T", "gap", "share")], ["s", "m", ""])
+            self.assertIn("gap: 0.00725", plan.yaml(2))
+            arrays = {"period": [0.4, 0.3], "gap": [2e-3, 7.25e-3], "share": [0.5, 1]}
+            given = make_plan(pair(), {**WORDS, "factors": factors, "sampling": {"table": arrays}}, Path(folder))
+            np.testing.assert_array_equal(given.points.sample, plan.points.sample)
+            for text, factor, said in (("period,gap\n0.4,0.1\n0.3\n", {}, "pairs.csv:3: takes 2 numbers with commas between them, one for each of period, gap"),
+                                       ("period,gap\n0.4,0.1\n", {"column": "gab"}, 'the table has no column "gab"; it has period, gap. Did you mean "gap"?'),
+                                       ("period,gap (s)\n0.4,0.1\n", {}, "its values are in s, and links.0.gap of the model is 1 mm, in m"),
+                                       ("period,gap\n0.4,nan\n", {}, "takes columns of finite numbers, of one length")):
+                file.write_text(text)
+                wrong = {"T": factors["T"], "gap": {**factors["gap"], **factor}}
+                with self.assertRaises(InputError) as caught:
+                    make_plan(pair(), {**WORDS, "factors": wrong, "sampling": {"table": "pairs.csv"}}, Path(folder))
+                self.assertIn(said, str(caught.exception))
+            for factors, sampling in (({"gap": {"of": "links.*.gap", "column": "gap"}}, {"sobol": 4}), ({"gap": {"of": "links.*.gap", "list": [1]}}, {"table": "pairs.csv"})):
+                with self.assertRaisesRegex(InputError, "write column: NAME in each of them, and sampling: {table: FILE.csv}"):
+                    make_plan(pair(), {**WORDS, "factors": factors, "sampling": sampling}, Path(folder))
+            with self.assertRaisesRegex(InputError, "study.sampling.table: .*none.csv"):
+                make_plan(pair(), {**WORDS, "factors": {"gap": {"of": "links.*.gap", "column": "gap"}}, "sampling": {"table": "none.csv"}}, Path(folder))
+
     def test_distributions_have_the_moments_of_their_words(self):
         at = (np.arange(200000) + .5) / 200000
         for kind, words, mean, sd in (("uniform", {"from": "10 mm", "to": "40 mm"}, .025, .03 / math.sqrt(12)),

@@ -21,6 +21,7 @@ from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.plan import Plan, read_plan
 from pounding.studies.progress import duration_text
 from pounding.studies.study import Study, records_folder, run_plan
+from pounding.studies.summary import summary
 from pounding.studies.table import Table
 
 VERBS = ("run", "check", "show", "merge", "plot", "export")
@@ -104,7 +105,7 @@ def _check(words: list[str]) -> int:
     records, points, levels = plan.shape
     print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels")
     for factor in plan.points.factors:
-        values = f"{len(factor.values)} values" if factor.values is not None else f"{factor.distribution.kind if factor.distribution else ''}"
+        values = f"{len(factor.values)} values" if factor.values is not None else factor.distribution.kind if factor.distribution else f"column {factor.column}"
         print(f"  {factor.name}: {values}, {', '.join(factor.of)}{f' = {factor.name} times {factor.times}' if factor.times else ''}")
     rows = np.unique(np.linspace(0, plan.count - 1, min(TIMED, plan.count)).astype(np.int64))
     # The first time reads records and models, too.
@@ -135,8 +136,16 @@ def _show(words: list[str]) -> int:
     parser = _parser("show", "What a table holds; of a row, its numbers and its model, which pounding run takes.")
     parser.add_argument("table", help="table of a study")
     parser.add_argument("--row", type=int, help="number of a row, from 0: prints its model")
+    parser.add_argument("--column", help="column of a fragility curve, with --json")
+    parser.add_argument("--limit", type=float, help="of a fragility curve, in the unit of the column")
+    parser.add_argument("--json", action="store_true", help="print one JSON object: counts, and percentiles of the columns")
     options = parser.parse_args(words)
     done = Study.open(options.table)
+    if (options.column is None) != (options.limit is None):
+        raise InputError("--column and --limit go together: the curve is that of the column above the limit")
+    if options.json:
+        print(json.dumps(summary(done, options.column, options.limit)))
+        return 0
     if options.row is None:
         print(_told(done))
         return 0

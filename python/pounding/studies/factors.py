@@ -12,12 +12,12 @@ from pounding.errors import InputError
 from pounding.studies import words
 from pounding.studies.distributions import KINDS, Distribution, read_distribution
 
-_WORDS = ("of", "times", "list", "from", "to", "count", "spacing", "truncate", "at", *KINDS)
+_WORDS = ("of", "times", "list", "from", "to", "count", "spacing", "truncate", "at", "column", *KINDS)
 
 
 @dataclass(frozen=True)
 class Factor:
-    """A name, the places in the model that take its value, and the values: a list, or a distribution.
+    """A name, the places in the model that take its value, and the values: a list, a distribution, or a column of the study's table of samples.
 
     With `times` the factor is a ratio: the places take it times the number that stands at that path."""
 
@@ -25,9 +25,15 @@ class Factor:
     of: tuple[str, ...]
     times: str | None
     unit: str  #: SI unit of the values; "" for bare numbers and ratios
-    values: tuple[float, ...] | None  #: [value] in SI; numbers of `labels` where there are any; None for a distribution
+    values: tuple[float, ...] | None  #: [value] in SI; numbers of `labels` where there are any; None for a distribution and for a column
     distribution: Distribution | None = None
     labels: tuple[str, ...] = ()  #: words, such as names of laws, that the places take instead of numbers
+    column: str = ""  #: of the table of samples
+
+    @property
+    def is_sampled(self) -> bool:
+        """Whether its values stand in the sample, and in no list."""
+        return self.values is None
 
     def word(self, value: float) -> str:
         """The text that the model takes for a value."""
@@ -56,16 +62,18 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
     if not name.isidentifier():
         raise InputError(f'{place}: a factor\'s name is a column of the table: letters, digits and _; "{name}" was read')
     one = words.only(given, _WORDS, place)
-    if "of" not in one:
+    if "of" not in one and "column" not in one:
         raise InputError(f"{place}: say what it is, as in of: links.*.gap")
-    paths = [one["of"]] if isinstance(one["of"], str) else list(one["of"])
+    # A column that stands nowhere in the model is carried along, for the readings.
+    of = one.get("of", [])
+    paths = [of] if isinstance(of, str) else list(of)
     places = [keys for path in paths for keys in find(model, path, f"{place}.of")]
     times = one.get("times")
     if times is not None and len(find(model, times, f"{place}.times")) != 1:
         raise InputError(f"{place}.times: {times} meets several places of the model; name one")
-    ways = [kind for kind in ("list", "from", *KINDS) if kind in one]
+    ways = [kind for kind in ("list", "from", "column", *KINDS) if kind in one]
     if len(ways) != 1:
-        raise InputError(f"{place}: give its values in one way: a list, from, to and count, or a distribution ({', '.join(KINDS)}); "
+        raise InputError(f"{place}: give its values in one way: a list, from, to and count, a column, or a distribution ({', '.join(KINDS)}); "
                          f"{' and '.join(ways) or 'none'} was read")
     distribution, values = None, None
     labels: tuple[str, ...] = ()
@@ -76,13 +84,16 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
         values, unit = words.quantities(one["list"], f"{place}.list")
     elif ways[0] == "from":
         values, unit = _range(one, place)
+    elif ways[0] == "column":
+        unit = ""
     else:
         distribution, unit = read_distribution(ways[0], one[ways[0]], one.get("truncate"), place)
     if times is not None and unit:
         raise InputError(f"{place}: with times it is a ratio, without a unit; its values are in {unit}")
-    if times is None and not labels:
-        _check_units(model, places, unit, place)
-    return Factor(name, tuple(paths), times, unit, None if values is None else tuple(values), distribution, labels)
+    if times is None and not labels and ways[0] != "column":
+        check_units(model, places, unit, place)
+    return Factor(name, tuple(paths), times, unit, None if values is None else tuple(values), distribution, labels,
+                  str(one.get("column", "")))
 
 
 def _are_labels(values: Any) -> bool:
@@ -103,8 +114,8 @@ def _range(one: Mapping[str, Any], place: str) -> tuple[list[float], str]:
     return [float(value) for value in made], unit
 
 
-def _check_units(model: Mapping[str, Any], places: list[tuple[str | int, ...]], unit: str, place: str) -> None:
-    """A factor's unit is that of the model's own value, where both have one."""
+def check_units(model: Mapping[str, Any], places: list[tuple[str | int, ...]], unit: str, place: str) -> None:
+    """Raises InputError where a factor's unit is not that of the model's own value, and both have one."""
     for keys in places:
         held = at(model, keys)
         if isinstance(held, (Mapping, list)):

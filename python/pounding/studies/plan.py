@@ -136,7 +136,8 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
             if any(path.split(".")[0] in ("ground_motion", "*") for path in factor.of):
                 raise InputError(f"study.factors.{factor.name}.of: the records replace the ground motion of the model; vary intensity instead")
     _require_free_names(factors)
-    points = read_points(factors, one.get("sampling"), seed)
+    points = read_points(factors, one.get("sampling"), seed, parts, folder)
+    factors = list(points.factors)
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
     motions = measured(motions, intensity)
     kept = read_keep(one.get("keep"), words.yes(one.get("without_links", False), "study.without_links"), parts, read_limits(one.get("limits")))

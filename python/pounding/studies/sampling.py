@@ -1,19 +1,20 @@
-"""Points of the factors: a grid of those with values, times a sample of those with distributions."""
+"""Points of the factors: a grid of those with values, times a sample of those with distributions, or a table that has the samples."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pounding.errors import InputError
 from pounding.studies import words
-from pounding.studies.factors import Factor
+from pounding.studies.factors import Factor, check_units, find
 from pounding.studies.scipy_stats import stats
 
-_WAYS = ("sobol", "latin_hypercube", "random", "saltelli")
+_WAYS = ("sobol", "latin_hypercube", "random", "saltelli", "table")
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class Points:
 
     factors: tuple[Factor, ...]
     grid: tuple[int, ...]  #: lengths of the lists, in the order of their factors
-    sample: np.ndarray  #: [point, distributed factor]; one point without columns where nothing is distributed
+    sample: np.ndarray  #: [point, sampled factor]; one point without columns where nothing is sampled
     way: str  #: "grid", or one of those of `sampling:`
 
     @property
@@ -46,8 +47,11 @@ class Points:
         return found
 
 
-def read_points(factors: Sequence[Factor], given: Any, seed: int) -> Points:
-    """The points that `sampling:` asks for. Raises InputError."""
+def read_points(factors: Sequence[Factor], given: Any, seed: int, model: Mapping[str, Any], folder: Path) -> Points:
+    """The points that `sampling:` asks for; files are named from `folder`. Raises InputError."""
+    columns = [factor for factor in factors if factor.column]
+    if columns or isinstance(given, Mapping) and "table" in given:
+        return _from_table(factors, given, model, folder)
     distributed = [factor for factor in factors if factor.distribution is not None]
     grid = tuple(len(factor.values) for factor in factors if factor.values is not None)
     if given is None or given == "grid":
@@ -68,6 +72,63 @@ def read_points(factors: Sequence[Factor], given: Any, seed: int) -> Points:
     uniform = _uniform(way, len(distributed), count, seed)
     sample = np.column_stack([factor.distribution.ppf(uniform[:, j]) for j, factor in enumerate(distributed) if factor.distribution])
     return Points(tuple(factors), grid, sample, way)
+
+
+def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any], folder: Path) -> Points:
+    """Samples that somebody else has made, all factors of a sample in one row: a file of columns, or arrays by their names."""
+    other = [factor for factor in factors if factor.distribution is not None]
+    columns = [factor for factor in factors if factor.column]
+    if not isinstance(given, Mapping) or "table" not in given or not columns or other:
+        named = f"study.factors.{(columns or other or list(factors))[0].name}" if factors else "study.factors"
+        raise InputError(f"{named}: a table of samples has the values of all factors without a list: write column: NAME in each of them, and "
+                         "sampling: {table: FILE.csv}")
+    table = words.only(given, ("table",), "study.sampling")["table"]
+    found = {str(name): (np.asarray(values, dtype=float), "") for name, values in table.items()} if isinstance(table, Mapping) else _read_table(folder / str(table))
+    made, sample = [], []
+    for factor in factors:
+        if factor.column:
+            if factor.column not in found:
+                raise InputError(f'study.factors.{factor.name}.column: the table has no column "{factor.column}"; it has {", ".join(found)}.'
+                                 f"{words.meant(factor.column, found)}")
+            values, unit = found[factor.column]
+            if factor.times is not None and unit:
+                raise InputError(f"study.factors.{factor.name}: with times it is a ratio, without a unit; its column is in {unit}")
+            check_units(model, [keys for path in factor.of for keys in find(model, path, "")], unit, f"study.factors.{factor.name}")
+            sample.append(values)
+            factor = replace(factor, unit=unit)
+        made.append(factor)
+    if len({values.shape for values in sample}) != 1 or sample[0].ndim != 1 or not len(sample[0]) or not np.isfinite(sample).all():
+        raise InputError("study.sampling.table: takes columns of finite numbers, of one length")
+    grid = tuple(len(factor.values) for factor in factors if factor.values is not None)
+    return Points(tuple(made), grid, np.column_stack(sample), "table")
+
+
+def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
+    """Columns of numbers in SI and their units, by the names in the first line: `T,gap (mm)`. Raises InputError."""
+    try:
+        head, *lines = path.read_text(encoding="utf-8").strip().splitlines() or [""]
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"study.sampling.table: {error}") from None
+    names, factors, units = [], [], []
+    for cell in head.split(","):
+        name, _, unit = cell.strip().removesuffix(")").partition("(")
+        factor, si = words.quantity(f"1 {unit.strip()}" if unit else 1.0, f"{path}:1: {cell.strip()}")
+        names.append(name.strip()), factors.append(factor), units.append(si)
+    try:
+        values = np.array([[float(cell) for cell in line.split(",")] for line in lines], dtype=float).reshape(len(lines), -1)
+        if values.shape[1] != len(names):
+            raise ValueError
+    except ValueError:
+        wrong = next((i for i, line in enumerate(lines, 2) if not _is_row(line, len(names))), 2)
+        raise InputError(f"{path}:{wrong}: takes {len(names)} numbers with commas between them, one for each of {', '.join(names)}") from None
+    return {name: (values[:, j] * factors[j], units[j]) for j, name in enumerate(names)}
+
+
+def _is_row(line: str, count: int) -> bool:
+    try:
+        return len([float(cell) for cell in line.split(",")]) == count
+    except ValueError:
+        return False
 
 
 def _uniform(way: str, dimensions: int, count: int, seed: int) -> np.ndarray:

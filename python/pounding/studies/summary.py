@@ -1,0 +1,44 @@
+"""A study in a few numbers, for scripts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from pounding.errors import InputError
+from pounding.studies.engines import STATUSES
+from pounding.studies.rows import Rows
+
+PERCENTS = (16, 50, 84)
+
+
+def summary(study: Rows, column: str | None = None, limit: float | None = None) -> dict[str, Any]:
+    """Counts of rows; of every kept column smallest, mean and largest value, percentiles by order statistics, and the share of rows above zero, in SI;
+    and the fragility curve of a column above a limit. Failed rows are left out. Raises InputError for a column that is not there."""
+    status = study["status"]
+    kept: Sequence[str] = study.description["kept"]["columns"]
+    found: dict[str, Any] = {"rows": len(study), "status": {word: int((status == i).sum()) for i, word in enumerate(STATUSES)},
+                             "columns": {name: _of_column(study[name][study.finished]) for name in kept}}
+    if column is not None and limit is not None:
+        if column not in kept:
+            raise InputError(f'there is no column "{column}"; there is {", ".join(kept)}')
+        curve = study.fragility(column, limit)
+        found["fragility"] = {"theta": _number(curve.theta), "beta": _number(curve.beta), "problem": curve.problem,
+                              "share": dict(zip((f"{im:.6g}" for im in curve.im), (curve.exceeded / curve.count).tolist()))}
+        if curve.is_finite and curve.boot is not None and len(curve.boot):
+            found["fragility"] |= dict(zip(("theta_low", "theta_high"), np.percentile(curve.boot[:, 0], (5, 95)).tolist()))
+    return found
+
+
+def _of_column(values: np.ndarray) -> dict[str, float | None]:
+    known = np.sort(values[~np.isnan(values)])
+    if not len(known):
+        return {}
+    by_rank = {f"{percent} %": _number(known[max(1, int(np.ceil(percent / 100 * len(known) - 1e-9))) - 1]) for percent in PERCENTS}
+    return {"min": _number(known[0]), "mean": _number(known.mean()), "max": _number(known[-1]), **by_rank, "share above 0": float((known > 0).mean())}
+
+
+def _number(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
