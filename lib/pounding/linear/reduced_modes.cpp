@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* factor_prefix = "pounding_red_factor_";
 // Columns of unit length that keep less than this beside the other directions of their chain, or of the joined basis, are rounding.
-constexpr double nothing_new = 1e-9, nothing_joined = 1e-8;
+constexpr double nothing_new = 1e-9, nothing_joined = 1e-12;
 // Starts of which the basis leaves less than this are in it.
 constexpr double in_the_span = 1e-10;
 
@@ -179,6 +179,8 @@ ReducedModes::ReducedModes(const SparseMatrix& mass, const SparseMatrix& stiffne
     : structure_(std::make_unique<Structure>(mass, stiffness, inputs)) {}
 ReducedModes::~ReducedModes() = default;
 ReducedModes::ReducedModes(ReducedModes&&) noexcept = default;
+
+int ReducedModes::count(const ReducedDepth& depth) { return static_cast<int>(structure_->basis(depth).cols()); }
 
 int ReducedModes::most() const { return static_cast<int>(structure_->dofs.dynamic.size()); }
 

@@ -33,7 +33,8 @@ struct ReducedDepth {
 ///
 /// the load-dependent vectors of Wilson, Yuan and Dickens (1982) for the ground and for every link, with the vectors about a frequency of
 /// Gu, Ma and Hulbert (2000). Each chain is orthogonal by itself and grows from its orthonormal last block. The chains are joined at the
-/// end: made orthogonal to each other on the way, the shorter one would be spoilt. Directions below 1e-9 of their column are dropped.
+/// end: made orthogonal to each other on the way, the shorter one would be spoilt. Directions below 1e-9 of their column are dropped, at the joint
+/// below 1e-12.
 ///
 /// The ends of the links are as stiff as in the structure or stiffer, at every frequency without damping below the first mode and at
 /// every real shift: B^T V (V^T (K + s M) V)^-1 V^T B never exceeds B^T (K + s M)^-1 B. Static answers are exact. With as many directions
@@ -54,6 +55,8 @@ class ReducedModes {
   /// Ritz modes of this depth. Blocks that are there already are used again, so a second depth costs little. A chain ends by itself where
   /// it has nothing new to give. Throws SolverError where a solve fails.
   GroupModes modes(const ReducedDepth& depth);
+  /// Number of modes of this depth, without the modes.
+  int count(const ReducedDepth& depth);
   /// Unknowns with mass: the largest number of modes.
   int most() const;
 
