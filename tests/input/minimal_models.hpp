@@ -85,6 +85,7 @@ inline std::string around(const Section& s) {
   const std::map<const Section*, std::string> models = {
       {&words::model, "@"},
       {&words::analysis, "structures: {left: {shear_building: {storeys: 1, mass: 100 t, stiffness: 60 MN/m, height: 3 m}, damping: 5 %}}\nanalysis: @"},
+      {&words::reduction, pair + "analysis: {duration: 1, reduction: @}"},
       {&words::checkpoint, pair + "analysis: {duration: 1}\ncheckpoint: @"},
       {&words::ground_motion, two_in_space + "ground_motion: @"},
       {&words::components, two_in_space + "ground_motion: {components: @}"},
@@ -157,6 +158,7 @@ inline std::string around(const Section& s) {
 inline const std::map<const Section*, Keys> beside = {
     {&words::model, {{"analysis", "{duration: 1}"}}},
     {&words::analysis, {{"duration", "1"}}},
+    {&words::reduction, {{"links", "5"}}},
     {&words::ground_motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
     {&words::components, {{"x", "{harmonic: {amplitude: 1, period: 1, duration: 1}}"}}},
     {&words::motion, {{"pulse", "{shape: sine, amplitude: 1, duration: 1}"}}},
@@ -179,6 +181,9 @@ inline const std::map<const Section*, Keys> beside = {
 
 /// Keys beside one word; an empty value takes the key out.
 inline const std::map<std::string, Keys> beside_word = {
+    {"reduction.modes", {{"links", ""}}},
+    {"reduction.error", {{"links", ""}}},
+    {"reduction.of", {{"links", ""}, {"error", "1e-4"}}},
     {"model.links", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
     {"model.devices", {{"structures", "{left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}, right: {wall: {}}}"}}},
     {"hinges.bilinear", {{"yield_moment", ""}}},

@@ -144,8 +144,8 @@ TEST(ReducedGroups, AreDeeperForASmallerTolerance) {
   int last = 0;
   for (const double tolerance : {1e-3, 5e-5, 5e-6}) {
     const auto made = reduced_groups(pair.system, pair.plan(automatic, automatic, tolerance));
-    ASSERT_TRUE(made && made->modes[0] && made->modes[1]);
-    const int count = static_cast<int>(made->modes[0]->squares.size());
+    ASSERT_TRUE(made && made->at(0) && made->at(1));
+    const int count = static_cast<int>(made->at(0)->modes.squares.size());
     // Up to three directions a block of three links; some are in the chain of the ground already.
     EXPECT_GT(count, last == 0 ? 30 : last);
     EXPECT_LE(count, last == 0 ? 4 * 3 + 20 + 3 : last + 3);

@@ -234,7 +234,7 @@ class Rod {
     inputs.links = Eigen::MatrixXd(system.gap_jacobian);
     inputs.starts = Eigen::VectorXd::Ones(masses);
     inputs.shift = 2 * k / m;
-    ModalSolver solver(system, {ReducedModes(system.mass, system.stiffness, inputs).modes(depth)});
+    ModalSolver solver(system, {ReducedGroup{.modes = ReducedModes(system.mass, system.stiffness, inputs).modes(depth)}});
     coordinates = solver.size();
     Stepper stepper(system, solver, {.tolerance = 1e-8, .max_step = 1e-3});
     stepper.start(0, Eigen::VectorXd::Zero(masses), Eigen::VectorXd::Ones(masses));

@@ -65,11 +65,29 @@ class Options(ProgramTest):
     def test_of_reduction_reduce_what_they_can(self):
         path = self.write(FRAMES)
         usual, reduced = self.summary(path), self.told(path, "-pounding_red_links", "5")
-        self.assertIn("left: ", " ".join(reduced["warnings"]))
-        self.assertIn("The error of the reduction is not estimated", " ".join(reduced["warnings"]))
+        self.assertNotIn("reduction", usual["solver"])
+        told = reduced["solver"]["reduction"]["left"]
+        self.assertEqual(told["blocks"], [5, 20])
+        self.assertLess(told["coordinates"], told["unknowns"])
         peak, found = usual["links"][0]["peak_force"], reduced["links"][0]["peak_force"]
         self.assertNotEqual(found, peak)
-        self.assertLess(abs(found - peak), 2e-3 * peak)
+        # Beside the error that it tells of itself each run may be off by the tolerance 1e-4.
+        self.assertLess(abs(found - peak), (told["error_force"] + 2e-4) * peak)
+        done = self.pounding("run", path, "-o", "out.h5", "-pounding_red_links", "5")
+        self.assertRegex(done.stdout, r"\nreduced      left: \d+ coordinates of \d+ \(links 5 x 1, ground 20 x 1, one at [\d.]+ Hz\); errors by it: forces ")
+        with h5py.File(self.folder / "out.h5") as file:
+            left = file["solver/reduction/left"]
+            self.assertEqual(list(left["blocks"]), [5, 20])
+            for name in ("error_force", "error_displacement", "error_acceleration", "error_members"):
+                self.assertEqual(left[name][()], told[name])
+
+    def test_of_reduction_go_before_the_words_of_the_model(self):
+        words = FRAMES.replace("analysis: {", "analysis: {reduction: {links: 3, ground: 8}, ")
+        path = self.write(words)
+        self.assertEqual(self.told(path)["solver"]["reduction"]["left"]["blocks"], [3, 8])
+        self.assertEqual(self.told(path, "-pounding_red_links", "5")["solver"]["reduction"]["left"]["blocks"], [5, 20])
+        self.refused(2, "a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out", "run", path, "--json",
+                     "-pounding_ts_pounding_base", "modal")
 
     def test_of_reduction_with_wrong_numbers_are_an_error(self):
         self.refused(2, "-pounding_red_links 0 is not in [1, 100]; type -pounding_red_links 5", "run", self.write(OSCILLATORS), "--json",

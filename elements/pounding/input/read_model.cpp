@@ -10,6 +10,7 @@
 #include <pounding/input/device_input.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
+#include <pounding/input/reduction_input.hpp>
 #include <pounding/input/structure_input.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/model/ground_plan.hpp>
@@ -38,6 +39,7 @@ AnalysisSettings read_analysis(const Input& node) {
   }
   settings.max_step = node.find_quantity("max_step").value_or(0);
   if (const auto most = node.find("most_steps")) settings.most_steps = static_cast<long>(most->as_integer());
+  if (const auto reduction = node.find("reduction")) settings.reduction = read_reduction(*reduction);
   settings.collapse_drift = node.find_quantity("collapse_drift").value_or(0);
   return settings;
 }
@@ -105,6 +107,8 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   if (const auto devices = root.find("devices"))
     for (const auto& [name, device] : devices->entries()) read_device(name, device, model);
   if (const auto analysis = root.find("analysis")) model.analysis = read_analysis(*analysis);
+  for (const auto& [name, place] : structures.entries())
+    if (const auto reduction = place.find("reduction")) model.analysis.reductions[name] = read_reduction(*reduction);
   if (const auto checkpoint = root.find("checkpoint")) model.checkpoint = read_checkpoints(*checkpoint);
   if (const auto compare = root.find("compare")) {
     compare->as_choice();
@@ -118,6 +122,7 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   } catch (const ModelError& error) {
     fail(error, root);
   }
+  check_reductions(model, root);
   return model;
 }
 

@@ -8,6 +8,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <pounding/hysteresis/all.hpp>
+#include <pounding/model/reducible.hpp>
 #include <pounding/structures/isolators.hpp>
 
 namespace pounding {
@@ -289,6 +290,13 @@ std::string resolved_yaml(const Model& model) {
     emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
   if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
   out << YAML::Key << "most_steps" << YAML::Value << model.analysis.most_steps;
+  if (model.analysis.reduction.kind != Reduction::Kind::none || !model.analysis.reductions.empty()) {
+    out << YAML::Key << "reduction" << YAML::Value << YAML::BeginMap;
+    for (std::size_t i = 0; i < model.structures.size(); ++i)
+      if (!model.structures[i].is_rigid())
+        out << YAML::Key << model.structures[i].name << YAML::Value << reduction_of(model, static_cast<int>(i)).text();
+    out << YAML::EndMap;
+  }
   if (model.analysis.collapse_drift > 0) emit(out, "collapse_drift", model.analysis.collapse_drift);
   out << YAML::EndMap;
   if (model.checkpoint.asked()) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 #include <pounding/model/contact_stiffness.hpp>
 #include <pounding/model/forces.hpp>
 #include <pounding/model/model_error.hpp>
+#include <pounding/model/reduction.hpp>
 #include <pounding/model/scheme.hpp>
 #include <pounding/model/system.hpp>
 #include <pounding/structures/device_spring.hpp>
@@ -78,6 +80,8 @@ struct AnalysisSettings {
   Scheme scheme{};          ///< scheme of the time stepping
   double max_step = 0;      ///< longest step [s]; 0: from the record's spacing, else from the shortest period of the model
   long most_steps = limits::usual_steps;  ///< steps that the run may take, in [1, limits::most_steps]; it then ends and can be resumed
+  Reduction reduction{};  ///< of all structures
+  std::map<std::string, Reduction> reductions{};  ///< of structures by their names, where they differ
   double collapse_drift = 0;  ///< size of the drift of a storey over its height at which the run ends, as done [-]; 0: none
 };
 

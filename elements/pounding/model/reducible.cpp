@@ -20,6 +20,11 @@ int columns_in_use(const SparseMatrix& matrix) {
 
 }  // namespace
 
+Reduction reduction_of(const Model& model, int structure) {
+  const auto own = model.analysis.reductions.find(model.structures[structure].name);
+  return own == model.analysis.reductions.end() ? model.analysis.reduction : own->second;
+}
+
 std::string why_not_reduced(const Model& model, int structure) {
   const Structure& s = model.structures[structure];
   if (s.is_rigid()) return "a wall has no modes";

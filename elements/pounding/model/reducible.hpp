@@ -7,6 +7,9 @@
 
 namespace pounding {
 
+/// The reduction that a structure has by itself, else that of the model.
+Reduction reduction_of(const Model& model, int structure);
+
 /// Why a structure cannot be reduced, with what to type where another law or damping helps; empty where it can.
 std::string why_not_reduced(const Model& model, int structure);
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Whether the linear structures of a model are solved in a few hundred coordinates, and in which.
 
+#include <limits>
 #include <string>
 
 namespace pounding {
@@ -19,11 +20,33 @@ struct Reduction {
   int links = 5;    ///< blocks of the chain of the links, at least 1
   int ground = 20;  ///< blocks of the chain of the ground, at least 0
   int modes = 0;    ///< lowest modes, at least 1
+  double error = 0;  ///< of what is automatic: largest error of forces of links and of displacements, relative; 0: a part of the tolerance
+  bool of_acceleration = false, of_members = false;  ///< whether `error` holds for accelerations of floors and forces of members as well
 
   /// Whether numbers were given: what cannot be kept then is an error.
   bool is_explicit() const { return kind == Kind::blocks || kind == Kind::lowest; }
   /// As it is typed.
   std::string text() const;
+};
+
+/// A structure that was reduced, and three times the estimated errors that this made: largest differences over largest values of the run. NaN
+/// where nothing estimates them.
+struct ReducedStructure {
+  std::string name;
+  int coordinates = 0, unknowns = 0;
+  int link_blocks = 0, links = 0;      ///< blocks of the chain of the links, and vectors that drive it
+  int ground_blocks = 0, grounds = 0;  ///< the same of the ground
+  int modes = 0;                       ///< lowest modes beside the blocks
+  double frequency = 0;                ///< of the block at the contact [Hz]; 0 for none
+  double error_force = std::numeric_limits<double>::quiet_NaN();         ///< of forces of the links that hit it, over the largest force of all links
+  double error_displacement = std::numeric_limits<double>::quiet_NaN();  ///< of its floors
+  double error_acceleration = std::numeric_limits<double>::quiet_NaN();  ///< of its floors, at ends of steps
+  double error_members = std::numeric_limits<double>::quiet_NaN();       ///< of forces and moments at the ends of its members
+
+  /// Size and blocks in one line: "tower: 239 coordinates of 4320 (links 4 x 40, ground 20 x 2, one at 10 Hz)".
+  std::string size_text() const;
+  /// The errors in one line: "forces 2e-4, displacements 1e-5".
+  std::string error_text() const;
 };
 
 }  // namespace pounding

@@ -2,6 +2,9 @@
 /// Modes that stand for one structure.
 
 #include <Eigen/Core>
+#include <optional>
+
+#include <pounding/model/reduction.hpp>
 
 namespace pounding {
 
@@ -10,6 +13,13 @@ namespace pounding {
 struct GroupModes {
   Eigen::MatrixXd shapes;   ///< [unknown of the group, mode]
   Eigen::VectorXd squares;  ///< squares of the circular frequencies, ascending [rad^2/s^2]
+};
+
+/// A group in fewer modes than all.
+struct ReducedGroup {
+  GroupModes modes;
+  std::optional<GroupModes> shadow{};  ///< still fewer modes, whose motion tells the error of these
+  ReducedStructure made{};             ///< in words and numbers
 };
 
 }  // namespace pounding

@@ -17,7 +17,7 @@ std::unique_ptr<StructureSolver> make_solver(const System& system, SolverKind ki
   const bool asked = std::ranges::any_of(plan.groups, [](const Reduction& how) { return how.kind != Reduction::Kind::none; });
   if (kind != SolverKind::automatic || !asked) return make_solver(system, kind, comm);
   if (const std::optional<ReducedGroups> reduced = reduced_groups(system, plan))
-    return std::make_unique<ModalSolver>(system, reduced->modes, reduced->note);
+    return std::make_unique<ModalSolver>(system, *reduced);
   return std::make_unique<SparseSolver>(comm, system);
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,14 +40,23 @@ int ModalSolver::max_dynamic_dofs(const System& system) {
 
 ModalSolver::ModalSolver(const System& system) : ModalSolver(system, {}) {}
 
-ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<GroupModes>>& modes, std::string note)
-    : StructureSolver(system), unknowns_(system.size()), note_(std::move(note)) {
+ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<ReducedGroup>>& groups)
+    : StructureSolver(system), unknowns_(system.size()) {
   for (std::size_t k = 0; k < system.groups.size(); ++k)
-    if (k < modes.size() && modes[k])
-      add_reduced(system, system.groups[k], *modes[k]);
-    else
+    if (k < groups.size() && groups[k]) {
+      add_reduced(system, system.groups[k], groups[k]->modes, false);
+      reduced_.push_back(groups[k]->made);
+    } else {
       add_natural(system, system.groups[k]);
+    }
+  const int counted = static_cast<int>(stiffness_.size());
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    if (!groups[k] || !groups[k]->shadow) continue;
+    blocks_[k].shadowed = true;
+    add_reduced(system, system.groups[k], *groups[k]->shadow, true);
+  }
   const int n = static_cast<int>(stiffness_.size());
+  shadow_ = n - counted;
   for (const Block& block : blocks_) classical_ = classical_ && block.damping.size() == 0;
   if (!classical_) {
     for (Block& block : blocks_)
@@ -64,27 +72,39 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<G
   }
   load_.resize(n, system.load.cols());
   weights_ = Eigen::VectorXd::Ones(n);
+  weights_.tail(shadow_).setZero();
   inverse_.resize(n);
   for (const Block& block : blocks_)
     for (Eigen::Index j = 0; j < load_.cols(); ++j)
       load_.col(j).segment(block.coordinate, block.shapes.cols()) =
           block.shapes.transpose() * system.load.col(j).segment(block.first, block.shapes.rows());
   outputs_ = static_cast<int>(system.outputs.cols());
-  for (const Block& block : blocks_) add_view(system.outputs, block);
-  gap_jacobian_.resize(system.links());
+  for (const Block& block : blocks_) {
+    if (!block.shadow) add_view(system.outputs, block, views_);
+    if (shadow_ > 0 && !block.shadowed) add_view(system.outputs, block, shadow_views_);
+  }
   for (int i = 0; i < system.links(); ++i) {
-    const Eigen::VectorXd column(system.gap_jacobian.col(i));
-    for (const Block& block : blocks_) {
-      const auto part = column.segment(block.first, block.shapes.rows());
-      if (part.isZero(0)) continue;
-      const bool springs = is_spring(system, i);
-      for (int k = 0; k < part.size() && !springs; ++k)
-        if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
-          throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, block.first + k));
-      gap_jacobian_[i].push_back({block.coordinate, block.shapes.transpose() * part});
-    }
+    gap_jacobian_.push_back(parts_of(system, i, false));
+    if (shadow_ > 0) shadow_ends_.push_back(parts_of(system, i, true));
   }
   make_panels();
+}
+
+// A link's column of B in the blocks that count, or in the shadow and the blocks that have none.
+std::vector<ModalSolver::Part> ModalSolver::parts_of(const System& system, int link, bool shadow) const {
+  std::vector<Part> parts;
+  const Eigen::VectorXd column(system.gap_jacobian.col(link));
+  const bool springs = is_spring(system, link);
+  for (const Block& block : blocks_) {
+    if (shadow ? block.shadowed : block.shadow) continue;
+    const auto part = column.segment(block.first, block.shapes.rows());
+    if (part.isZero(0)) continue;
+    for (int k = 0; k < part.size() && !springs; ++k)
+      if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
+        throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", link, block.first + k));
+    parts.push_back({block.coordinate, block.shapes.transpose() * part});
+  }
+  return parts;
 }
 
 void ModalSolver::add_natural(const System& system, const Group& group) {
@@ -123,7 +143,7 @@ void ModalSolver::add_natural(const System& system, const Group& group) {
             phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi);
 }
 
-void ModalSolver::add_reduced(const System& system, const Group& group, const GroupModes& modes) {
+void ModalSolver::add_reduced(const System& system, const Group& group, const GroupModes& modes, bool shadow) {
   const auto [dynamic, massless] = split_of(system, group);
   if (modes.shapes.rows() != group.count || modes.shapes.cols() != modes.squares.size())
     throw std::logic_error("the modes do not belong to this group");
@@ -133,9 +153,10 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Gr
       if (it.value() != 0) throw std::invalid_argument("a dashpot acts on an unknown without mass");
   const SparseMatrix mass = system.mass.block(group.first, group.first, group.count, group.count);
   Block block;
+  block.shadow = shadow;
   block.shapes = modes.shapes;
   block.project = (mass * modes.shapes).transpose();
-  group_masses_.push_back(mass.diagonal().sum());
+  if (!shadow) group_masses_.push_back(mass.diagonal().sum());
   const Eigen::MatrixXd damped = damping * modes.shapes;
   add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), modes.squares, modes.shapes.transpose() * damped);
 }
@@ -157,11 +178,11 @@ void ModalSolver::add_block(const Group& group, int number, Block block, const E
   damping_.conservativeResize(block.coordinate + count);
   stiffness_.tail(count) = squares;
   damping_.tail(count) = diagonal;
-  segments_.push_back({block.coordinate, count, number});
+  if (!block.shadow) segments_.push_back({block.coordinate, count, number});
   blocks_.push_back(std::move(block));
 }
 
-void ModalSolver::add_view(const SparseMatrix& outputs, const Block& block) {
+void ModalSolver::add_view(const SparseMatrix& outputs, const Block& block, std::vector<View>& views) const {
   View view{block.coordinate, {}, {}};
   const auto inside = [&](Eigen::Index row) { return row >= block.first && row < block.first + block.shapes.rows(); };
   for (int j = 0; j < outputs_; ++j)
@@ -172,7 +193,7 @@ void ModalSolver::add_view(const SparseMatrix& outputs, const Block& block) {
   for (std::size_t i = 0; i < view.rows.size(); ++i)
     for (SparseMatrix::InnerIterator it(outputs, view.rows[i]); it; ++it)
       if (inside(it.row())) view.factors.row(static_cast<Eigen::Index>(i)) += it.value() * block.shapes.row(it.row() - block.first);
-  views_.push_back(std::move(view));
+  views.push_back(std::move(view));
 }
 
 void ModalSolver::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const {
@@ -255,18 +276,22 @@ bool ModalSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
 
 void ModalSolver::add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
                              Eigen::Ref<Eigen::VectorXd> y) const {
+  const auto add = [&](double scale, const Part& part) {
+    const Eigen::Index n = part.values.size();
+    if (classical_) {
+      for (Eigen::Index k = 0; k < n; ++k)
+        y[part.first + k] += scale * inverse_[part.first + k] * part.values[k];
+      return;
+    }
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      if (blocks_[b].coordinate == part.first) y.segment(part.first, n) += scale * factors_[b].solve(part.values);
+  };
   for (std::size_t j = 0; j < links.size(); ++j) {
     const double scale = factor * f[static_cast<Eigen::Index>(j)];
-    for (const Part& part : gap_jacobian_[links[j]]) {
-      const Eigen::Index n = part.values.size();
-      if (classical_) {
-        for (Eigen::Index k = 0; k < n; ++k)
-          y[part.first + k] += scale * inverse_[part.first + k] * part.values[k];
-        continue;
-      }
-      for (std::size_t b = 0; b < blocks_.size(); ++b)
-        if (blocks_[b].coordinate == part.first) y.segment(part.first, n) += scale * factors_[b].solve(part.values);
-    }
+    for (const Part& part : gap_jacobian_[links[j]]) add(scale, part);
+    if (shadow_ == 0) continue;
+    for (const Part& part : shadow_ends_[links[j]])
+      if (part.first >= counted()) add(scale, part);
   }
 }
 
@@ -321,7 +346,18 @@ void ModalSolver::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref
       const Eigen::Index n = part.values.size();
       for (Eigen::Index k = 0; k < n; ++k) y[part.first + k] += scale * part.values[k];
     }
+    if (shadow_ == 0) continue;
+    for (const Part& part : shadow_ends_[i])
+      if (part.first >= counted()) y.segment(part.first, part.values.size()) += scale * part.values;
   }
+}
+
+void ModalSolver::gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  if (shadow_ == 0) return gather(x, relative);
+  relative.setZero(static_cast<Eigen::Index>(shadow_ends_.size()), x.cols());
+  for (std::size_t i = 0; i < shadow_ends_.size(); ++i)
+    for (const Part& part : shadow_ends_[i])
+      relative.row(static_cast<Eigen::Index>(i)).noalias() += part.values.transpose() * x.middleRows(part.first, part.values.size());
 }
 
 void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
@@ -329,10 +365,15 @@ void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen
     y.segment(block.coordinate, block.shapes.cols()).noalias() += block.shapes.transpose() * f.segment(block.first, block.shapes.rows());
 }
 
-void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
+void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { observe(views_, x, values); }
+void ModalSolver::observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
+  observe(shadow_ > 0 ? shadow_views_ : views_, x, values);
+}
+
+void ModalSolver::observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const {
   values.setZero(outputs_, x.cols());
   std::vector<double> sums(static_cast<std::size_t>(outputs_));  // of one group, beside each other
-  for (const View& view : views_) {
+  for (const View& view : views) {
     const std::size_t count = view.rows.size();
     for (Eigen::Index j = 0; j < x.cols(); ++j) {
       const double* const modes = x.col(j).data() + view.first;
@@ -360,13 +401,21 @@ void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd&
     return;
   }
   for (const Block& block : blocks_)
-    u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
+    if (!block.shadow) u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
+}
+
+void ModalSolver::physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
+  physical(x, u);
+  for (const Block& block : blocks_)
+    if (block.shadow) u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
 }
 
 std::string ModalSolver::description() const {
-  if (!note_.empty())
-    return fmt::format("{} coordinates for {} unknowns, {}; {}", stiffness_.size(), unknowns_,
-                       classical_ ? "decoupled" : "coupled by the damping", note_);
+  if (!reduced_.empty()) {
+    std::string text = fmt::format("{} coordinates for {} unknowns, {}", counted(), unknowns_, classical_ ? "decoupled" : "coupled by the damping");
+    for (const ReducedStructure& each : reduced_) text += "; " + each.size_text();
+    return text;
+  }
   return classical_ ? fmt::format("all {} modes of {} unknowns, decoupled", stiffness_.size(), unknowns_)
                     : fmt::format("all {} modes of {} unknowns, coupled by the damping, {} factorizations", stiffness_.size(),
                                   unknowns_, factorizations_);

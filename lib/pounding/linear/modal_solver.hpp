@@ -2,6 +2,7 @@
 /// The structures in their natural modes: coordinates in which the equations without links are decoupled.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,7 @@ class ModalSolver final : public StructureSolver {
   /// stiffness does not hold, and a link that is no spring or a dashpot at a massless one.
   explicit ModalSolver(const System& system);
   /// With these modes instead of all natural ones for each group where they are given. They must be those of the group's M and K.
-  /// `note` says in description() how they were made.
-  ModalSolver(const System& system, const std::vector<std::optional<GroupModes>>& modes, std::string note = {});
+  ModalSolver(const System& system, const std::vector<std::optional<ReducedGroup>>& groups);
 
   /// Largest number of dynamic degrees of freedom in one structure: its cube is the cost of setting up.
   static int max_dynamic_dofs(const System& system);
@@ -48,6 +48,10 @@ class ModalSolver final : public StructureSolver {
   void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
   Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const override;
   void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
+  std::span<const ReducedStructure> reduced() const override { return reduced_; }
+  void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
+  void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
+  void physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
   std::string description() const override;
 
  private:
@@ -58,6 +62,8 @@ class ModalSolver final : public StructureSolver {
     Eigen::MatrixXd shapes;   // Phi: [all degrees of freedom of the group, mode]
     Eigen::MatrixXd project;  // Phi^T M: displacements to modes
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
+    bool shadow = false;
+    bool shadowed = false;    // a later block is its shadow
   };
   // A link's column of B in these coordinates, where it is not zero.
   struct Part {
@@ -79,10 +85,12 @@ class ModalSolver final : public StructureSolver {
   };
 
   void add_natural(const System& system, const Group& group);
-  void add_reduced(const System& system, const Group& group, const GroupModes& modes);
+  void add_reduced(const System& system, const Group& group, const GroupModes& modes, bool shadow);
+  std::vector<Part> parts_of(const System& system, int link, bool shadow) const;
   void add_block(const Group& group, int number, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest);
   void make_panels();
-  void add_view(const SparseMatrix& outputs, const Block& block);
+  void add_view(const SparseMatrix& outputs, const Block& block, std::vector<View>& views) const;
+  void observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const;
 
   std::vector<Block> blocks_;
   Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
@@ -90,11 +98,14 @@ class ModalSolver final : public StructureSolver {
   std::vector<Panel> panels_;                    // the same where it fits, and the other links
   std::vector<int> single_links_;
   std::vector<View> views_;
+  // Ends of links, and outputs, in the shadow and in the blocks that have none; empty without a shadow.
+  std::vector<std::vector<Part>> shadow_ends_;
+  std::vector<View> shadow_views_;
+  std::vector<ReducedStructure> reduced_;
   int outputs_ = 0;  // number of output quantities
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;
   int unknowns_ = 0;
-  std::string note_;
 
   EffectiveMatrix matrix_{0, 0, 0};
   Eigen::VectorXd inverse_;  // of the diagonal of A

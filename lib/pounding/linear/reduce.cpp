@@ -14,7 +14,9 @@ namespace {
 
 using Kind = Reduction::Kind;
 
-ReducedDepth automatic_depth(double tolerance) { return {.links = tolerance >= 1e-4 ? 4 : tolerance >= 1e-5 ? 5 : 6, .ground = 20}; }
+ReducedDepth automatic_depth(double tolerance, int deeper) {
+  return {.links = (tolerance >= 1e-4 ? 4 : tolerance >= 1e-5 ? 5 : 6) + deeper, .ground = 20 + deeper};
+}
 
 bool inside(const Group& group, Eigen::Index unknown) { return unknown >= group.first && unknown < group.first + group.count; }
 
@@ -63,16 +65,24 @@ double impact_penetration(const Contact& contact, double mass) {
   return high;
 }
 
-struct Made {
-  GroupModes modes;
-  std::string how;
-};
+// Blocks of the ground that the shadow lacks.
+constexpr int ground_less = 5;
+
+// Blocks of the links of the shadow: one less than those of the run, or fewer where the other parts of the basis hold most of the last one
+// already. Then the shadow would be as good as the run and would tell nothing.
+int shadow_links(ReducedModes& basis, const ReducedDepth& depth, int links) {
+  const int all = basis.count(depth), new_ones = (links + 1) / 2;
+  int blocks = depth.links - 1;
+  while (blocks > 1 && all - basis.count({.links = blocks, .ground = depth.ground}) < new_ones) --blocks;
+  return blocks;
+}
 
 // Nothing where the basis would not pay.
-std::optional<Made> reduce(const System& system, const Group& group, const Reduction& how, const std::string& name, const ReductionPlan& plan,
+std::optional<ReducedGroup> reduce(const System& system, const Group& group, const Reduction& how, const std::string& name, const ReductionPlan& plan,
                            int dynamic) {
   ReducedInputs inputs = inputs_of(system, group, plan);
-  ReducedDepth depth = how.kind == Kind::blocks ? ReducedDepth{.links = how.links, .ground = how.ground} : automatic_depth(plan.tolerance);
+  ReducedDepth depth = how.kind == Kind::blocks ? ReducedDepth{.links = how.links, .ground = how.ground}
+                                                : automatic_depth(how.error > 0 ? how.error : plan.tolerance, plan.deeper);
   const int links = static_cast<int>(inputs.links.cols()), grounds = static_cast<int>(inputs.ground.cols());
   if (how.kind == Kind::lowest) {
     depth = {.links = 1, .ground = 1};
@@ -90,12 +100,19 @@ std::optional<Made> reduce(const System& system, const Group& group, const Reduc
                                  "half of them; take fewer blocks or leave it whole",
                                  how.text(), name, most, dynamic));
   }
-  Made made{ReducedModes(part(system.mass, group), part(system.stiffness, group), inputs).modes(depth), {}};
-  const std::string parts = how.kind == Kind::lowest ? fmt::format("{} lowest modes, static answers", how.modes)
-                                                     : fmt::format("links {} x {}, ground {} x {}", depth.links, links, depth.ground, grounds);
-  made.how = fmt::format("{}: {} coordinates of {} ({}", name, made.modes.squares.size(), group.count, parts);
-  if (inputs.shift > 0) made.how += fmt::format(", one at {:.2g} Hz", std::sqrt(inputs.shift) / (2 * M_PI));
-  made.how += ")";
+  ReducedModes basis(part(system.mass, group), part(system.stiffness, group), inputs);
+  ReducedGroup made{.modes = basis.modes(depth)};
+  if (how.kind != Kind::lowest && depth.links > 1)
+    made.shadow = basis.modes({.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0)});
+  made.made = {.name = name,
+               .coordinates = static_cast<int>(made.modes.squares.size()),
+               .unknowns = group.count,
+               .link_blocks = depth.links,
+               .links = links,
+               .ground_blocks = depth.ground,
+               .grounds = grounds,
+               .modes = how.kind == Kind::lowest ? how.modes : 0,
+               .frequency = std::sqrt(inputs.shift) / (2 * M_PI)};
   return made;
 }
 
@@ -120,8 +137,7 @@ double contact_shift(const System& system, const Group& group) {
 }
 
 std::optional<ReducedGroups> reduced_groups(const System& system, const ReductionPlan& plan) {
-  ReducedGroups made;
-  made.modes.resize(system.groups.size());
+  ReducedGroups made(system.groups.size());
   const bool any_explicit = std::ranges::any_of(plan.groups, &Reduction::is_explicit);
   for (std::size_t k = 0; k < system.groups.size(); ++k) {
     const Group& group = system.groups[k];
@@ -135,11 +151,7 @@ std::optional<ReducedGroups> reduced_groups(const System& system, const Reductio
       continue;
     }
     if (how.kind != Kind::none && !(how.kind == Kind::automatic && small)) {
-      if (std::optional<Made> reduced = reduce(system, group, how, plan.names[k], plan, dynamic)) {
-        made.modes[k] = std::move(reduced->modes);
-        made.note += (made.note.empty() ? "" : "; ") + reduced->how;
-        continue;
-      }
+      if ((made[k] = reduce(system, group, how, plan.names[k], plan, dynamic))) continue;
     }
     if (!small) return std::nullopt;
   }

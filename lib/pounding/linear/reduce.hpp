@@ -18,19 +18,21 @@ struct ReductionPlan {
   std::vector<Reduction> groups;
   Eigen::VectorXd u, v;                ///< displacements [m] and velocities [m/s] from which the run starts
   double tolerance = 1e-4;             ///< of the run
+  int deeper = 0;                      ///< blocks of both chains beside those of the tolerance, where the depth is automatic
+  bool asked = false;                  ///< whether a reduction was asked for, even of structures that cannot be reduced
 };
 
-/// Modes by group, nothing for all natural ones, and what was done, one line a group that is reduced.
-struct ReducedGroups {
-  std::vector<std::optional<GroupModes>> modes;
-  std::string note;
-};
+/// By group; nothing for all natural modes.
+using ReducedGroups = std::vector<std::optional<ReducedGroup>>;
 
 /// Unknowns with mass of a structure up to which all its modes are taken without being asked for, and where they are asked for.
 inline constexpr int small_structure = 500, most_natural_modes = 5000;
 
 /// The modes of the groups; nothing where the system is to be solved by sparse factors: a large group is not to be reduced, or its basis
 /// would be larger than half of its unknowns with mass, and no numbers were given. Every process makes all of them, with the same bits.
+///
+/// The shadow of a group is made of all but the last block of the links that brought new directions, and all but the last five of the ground. One block
+/// of the links has none, and lowest modes have none.
 ///
 /// Throws InputError, with the name of the structure and what to type, where numbers were given that cannot be kept or all modes are
 /// too many; std::invalid_argument as ReducedModes.

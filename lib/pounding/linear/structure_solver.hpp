@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <pounding/linear/spring_relief.hpp>
+#include <pounding/model/reduction.hpp>
 #include <pounding/model/system.hpp>
 
 namespace pounding {
@@ -26,6 +27,9 @@ struct EffectiveMatrix {
 ///
 /// Massless degrees of freedom have no equation of motion: they are in static equilibrium with the others at all times. The
 /// coordinates are without what they give way to springs, see SpringRelief; B of the springs is B_e wherever forces act.
+///
+/// Behind the coordinates that count may stand those of a shadow: the same structures in fewer modes, driven by the same forces of links
+/// and grounds. Links, outputs, weights and segments are without it; its motion beside theirs tells what the reduction costs.
 class StructureSolver {
  public:
   /// Coordinates first .. first + count - 1 on this process, all of one group of the system.
@@ -37,9 +41,11 @@ class StructureSolver {
 
   /// Number of coordinates on this process.
   int size() const { return static_cast<int>(load_.rows()); }
+  /// Number of coordinates that count; those behind them are a shadow's.
+  int counted() const { return size() - shadow_; }
   /// Load vectors P, one column per ground motion: the force is -P times the ground acceleration.
   const Eigen::MatrixXd& load() const { return load_; }
-  /// Mass weight of each coordinate in the group norm sum(m u^2) [kg]; 0 if massless, 1 if modal.
+  /// Mass weight of each coordinate in the group norm sum(m u^2) [kg]; 0 if massless or a shadow's, 1 if modal.
   const Eigen::VectorXd& weights() const { return weights_; }
   /// Sum of the masses of each group over its degrees of freedom and all processes [kg]: the group norm divided by it is a
   /// mean square.
@@ -86,6 +92,13 @@ class StructureSolver {
   /// Output quantities of x [outputs x columns of x], the same on every process.
   virtual void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const = 0;
 
+  /// The structures that are reduced, without errors.
+  virtual std::span<const ReducedStructure> reduced() const { return {}; }
+  /// As gather(), observe() and physical(), from the shadow for structures that have one.
+  virtual void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gather(x, relative); }
+  virtual void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { observe(x, values); }
+  virtual void physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const { physical(x, u); }
+
   /// Coordinates of a displacement or velocity given at all degrees of freedom of the system.
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const = 0;
   /// Values u at all degrees of freedom of the system, on every process, of coordinates x; relief() is to be added.
@@ -104,6 +117,7 @@ class StructureSolver {
 
   SpringRelief relief_;
   Eigen::MatrixXd load_;
+  int shadow_ = 0;  // number of its coordinates
   Eigen::VectorXd weights_;
   std::vector<double> group_masses_;
   std::vector<Segment> segments_;

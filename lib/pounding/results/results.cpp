@@ -250,6 +250,23 @@ void write_solver(hid_t file, const std::string& integrator, const SolverStatist
   scalar(place, {"wall_output", "s", "wall time of recording and writing"}, solver.wall_output);
 }
 
+// Names of structures are those of groups elsewhere in the file.
+void write_reduction(hid_t file, const Results& results) {
+  const Handle solver(H5Gopen2(file, "solver", H5P_DEFAULT), H5Gclose, "open group solver");
+  const Handle reduction = group(solver, "reduction");
+  attribute(reduction, "deeper", std::to_string(results.deeper));
+  for (const ReducedStructure& s : results.reduced) {
+    const Handle place = group(reduction, s.name);
+    scalar(place, {"coordinates", "1", "coordinates of the structure"}, static_cast<long>(s.coordinates));
+    hdf5::integers(place, {"blocks", "1", "blocks of the chain of the links and of that of the ground"}, {s.link_blocks, s.ground_blocks}, {2});
+    scalar(place, {"frequency", "Hz", "of the block at the contact; 0 for none"}, s.frequency);
+    scalar(place, {"error_force", "1", "three times the estimated error of forces of links over the largest force"}, s.error_force);
+    scalar(place, {"error_displacement", "1", "the same of displacements of floors"}, s.error_displacement);
+    scalar(place, {"error_acceleration", "1", "the same of accelerations of floors"}, s.error_acceleration);
+    scalar(place, {"error_members", "1", "the same of forces and moments of members"}, s.error_members);
+  }
+}
+
 void write_checkpoint(hid_t file, const Results& results) {
   const Checkpoint& checkpoint = *results.checkpoint;
   const Handle place = group(file, "checkpoint");
@@ -342,6 +359,7 @@ void write_all(hid_t file, const Results& results) {
   write_energy(file, results.energy, results.has_devices());
   text(file, "summary", "summary as JSON", results.summary_json);
   write_solver(file, results.integrator, results.solver);
+  if (!results.reduced.empty()) write_reduction(file, results);
   if (!results.no_pounding.empty()) hdf5::add_file(file, "no_pounding", results.no_pounding, without_pounding_leaves_out);
   if (results.checkpoint) write_checkpoint(file, results);
 }

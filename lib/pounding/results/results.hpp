@@ -12,6 +12,7 @@
 #include <pounding/results/envelope.hpp>
 #include <pounding/results/spring_history.hpp>
 #include <pounding/links/impact_row.hpp>
+#include <pounding/model/reduction.hpp>
 #include <pounding/structures/structure.hpp>
 
 namespace pounding {
@@ -107,6 +108,8 @@ struct Results {
   /// File image of the run without links that `compare: no_pounding` asks for; else empty.
   std::vector<std::byte> no_pounding;
   SolverStatistics solver;
+  std::vector<ReducedStructure> reduced;  ///< structures in fewer coordinates, with estimated errors
+  int deeper = 0;                         ///< blocks of automatic reductions beside those that the tolerance asks for
   std::string summary_json;  ///< the object that --json prints
   /// Whether any device stands between structures, or with a damper inside one.
   bool has_devices() const;

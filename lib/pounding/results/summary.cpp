@@ -181,6 +181,20 @@ Json devices_json(const std::vector<DeviceSummary>& devices) {
   return all;
 }
 
+Json reduction_json(const std::vector<ReducedStructure>& structures) {
+  Json all = Json::object();
+  for (const ReducedStructure& s : structures)
+    all[s.name] = {{"coordinates", s.coordinates},
+                   {"unknowns", s.unknowns},
+                   {"blocks", {s.link_blocks, s.ground_blocks}},
+                   {"frequency", s.frequency},
+                   {"error_force", number(s.error_force)},
+                   {"error_displacement", number(s.error_displacement)},
+                   {"error_acceleration", number(s.error_acceleration)},
+                   {"error_members", number(s.error_members)}};
+  return all;
+}
+
 Json separations_json(const std::vector<LinkSeparation>& separations) {
   Json all = Json::array();
   for (const LinkSeparation& s : separations)
@@ -242,6 +256,7 @@ std::string to_json(const Summary& summary) {
                 {"rejected", summary.solver.rejected},
                 {"events", summary.solver.events},
                 {"wall_seconds", summary.solver.wall_seconds}}}};
+  if (!summary.reduced.empty()) all["solver"]["reduction"] = reduction_json(summary.reduced);
   if (!summary.devices.empty()) all["devices"] = devices_json(summary.devices);
   if (!summary.devices.empty() || e.devices > 0) all["energy"]["devices"] = e.devices;
   if (Json hinges = hinges_json(summary.structures); !hinges.empty()) all["hinges"] = std::move(hinges);

@@ -95,6 +95,7 @@ struct Summary {
   EnergySummary energy;
   std::string integrator;  ///< scheme of the time stepping by its name in the input
   SolverStatistics solver;
+  std::vector<ReducedStructure> reduced;  ///< structures in fewer coordinates, with estimated errors
   /// Warnings of the implausible in the model and in the run, and of energies that do not balance; one line each.
   std::vector<std::string> warnings;
   /// Structures in the run without links that `compare: no_pounding` asks for; else empty.

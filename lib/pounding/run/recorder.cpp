@@ -22,7 +22,8 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       floors_(model, response_, results.structures),
       collapse_(model, floors_, results.structures),
       storeys_(model, stepper, results),
-      forces_(model, plan_, stepper, results) {}
+      forces_(model, plan_, stepper, results),
+      reduction_(model, response_, stepper) {}
 
 void Recorder::accelerations_of_ground(double time) {
   ground_.resize(static_cast<int>(plan_.motions.size()));
@@ -79,6 +80,7 @@ void Recorder::step() {
   links_.step(output_due);
   devices_.step();
   springs_.step();
+  reduction_.step(output_due);
   if (output_due) sample_energy();
 }
 
@@ -123,6 +125,7 @@ void Recorder::archive(Archive& archive) {
   links_.archive(archive);
   devices_.archive(archive);
   springs_.archive(archive);
+  reduction_.archive(archive);
   archive(max_input_);
   archive(max_imbalance_);
   archive_length(archive, results_.energy);
@@ -161,6 +164,7 @@ void Recorder::summarize(Summary& summary) const {
   }
   summary.devices = devices_.summary();
   summary.impacts = impacts_in_order();
+  summary.reduced = reduction_.errors(summary);
   const EnergyHistory& e = results_.energy;
   if (e.time.empty()) return;
   summary.energy = {e.input.back(),  e.kinetic.back(), e.strain.back(),

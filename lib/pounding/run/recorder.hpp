@@ -15,6 +15,7 @@
 #include <pounding/run/floor_response.hpp>
 #include <pounding/run/force_envelopes.hpp>
 #include <pounding/run/link_samples.hpp>
+#include <pounding/run/reduction_errors.hpp>
 #include <pounding/run/spring_histories.hpp>
 #include <pounding/run/step_motion.hpp>
 #include <pounding/run/storey_shears.hpp>
@@ -47,7 +48,7 @@ class Recorder {
   const Collapse& collapse() const { return collapse_; }
   /// Impacts of all links so far.
   int impacts() const;
-  /// Fills peaks, links, devices and energies of a summary from the run so far.
+  /// Fills peaks, links, devices, energies and reduced structures of a summary from the run so far.
   void summarize(Summary& summary) const;
 
  private:
@@ -72,6 +73,7 @@ class Recorder {
   Collapse collapse_;
   StoreyShears storeys_;
   ForceEnvelopes forces_;
+  ReductionErrors reduction_;
   long outputs_ = 0;  // output times so far
   double max_input_ = 0, max_imbalance_ = 0;  // absolute values over the run [J]
   Eigen::MatrixXd motion_;  // of the floors at an output time

@@ -2,11 +2,15 @@
 
 #include <petscsys.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
 #include <pounding/model/reducible.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/run/reduction_errors.hpp>
 
 namespace pounding {
 namespace {
@@ -43,15 +47,27 @@ Reduction reduction_from_options() {
   return how;
 }
 
-petsc::ReductionPlan reduction_plan(const Model& model, const Reduction& how, const Eigen::VectorXd& u, const Eigen::VectorXd& v, double tolerance) {
+std::vector<Reduction> asked_reductions(const Model& model) {
+  const Reduction by_options = reduction_from_options();
+  std::vector<Reduction> asked;
+  for (std::size_t i = 0; i < model.structures.size(); ++i)
+    if (!model.structures[i].is_rigid())
+      asked.push_back(by_options.kind != Reduction::Kind::none ? by_options : reduction_of(model, static_cast<int>(i)));
+  return asked;
+}
+
+petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& asked, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
+                                    double tolerance) {
   petsc::ReductionPlan plan{{}, {}, u, v, tolerance};
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     if (s.is_rigid()) continue;
-    Reduction own = how;
-    if (how.kind != Reduction::Kind::none)
+    Reduction own = asked[plan.groups.size()];
+    const bool reduces = own.kind == Reduction::Kind::automatic || own.is_explicit();
+    plan.asked = plan.asked || reduces;
+    if (reduces)
       if (const std::string reason = why_not_reduced(model, static_cast<int>(i)); !reason.empty()) {
-        if (how.is_explicit() && s.size() > petsc::small_structure) fail(s.name, reason);
+        if (own.is_explicit() && s.size() > petsc::small_structure) fail(s.name, reason);
         own.kind = Reduction::Kind::none;
       }
     plan.names.push_back(s.name);
@@ -60,12 +76,31 @@ petsc::ReductionPlan reduction_plan(const Model& model, const Reduction& how, co
   return plan;
 }
 
-std::string reduction_note(const Reduction& how, const std::string& description) {
-  if (how.kind == Reduction::Kind::none) return {};
-  if (description.find("coordinates for") == std::string::npos)
-    return "no structure is reduced: those of up to 500 unknowns with mass keep all their modes, and a larger one that cannot be reduced, or whose "
-           "links are too many, leaves all of them to factors";
-  return fmt::format("{}. The error of the reduction is not estimated: compare with a deeper one, or with none", description);
+bool must_be_deeper(const petsc::ReductionPlan& plan, const std::vector<ReducedStructure>& reduced) {
+  return std::ranges::any_of(reduced, [&](const ReducedStructure& s) {
+    const Reduction& asked = plan.groups[std::ranges::find(plan.names, s.name) - plan.names.begin()];
+    return asked.kind == Reduction::Kind::automatic && exceeds(s, asked, plan.tolerance);
+  });
+}
+
+std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan, const std::vector<ReducedStructure>& reduced) {
+  std::vector<std::string> warnings;
+  if (plan.asked && reduced.empty() && plan.deeper > 0)
+    warnings.push_back(fmt::format("the links need more blocks than the {} that were tried, so many that all unknowns were solved by factors instead: "
+                                   "high modes that are little damped ring up to the frequency of the contacts",
+                                   plan.deeper));
+  else if (plan.asked && reduced.empty())
+    warnings.emplace_back("no structure is reduced: those of up to 500 unknowns with mass keep all their modes, and a larger one that cannot be reduced, or "
+                          "whose links are too many, leaves all of them to factors");
+  for (const ReducedStructure& s : reduced) {
+    const Reduction& asked = plan.groups[std::ranges::find(plan.names, s.name) - plan.names.begin()];
+    if (std::isnan(s.error_force))
+      warnings.push_back(fmt::format("{}. The error of the reduction is not estimated: compare with a deeper one, or with none", s.size_text()));
+    else if (exceeds(s, asked, plan.tolerance))
+      warnings.push_back(fmt::format("{}. The reduction may cost more than 0.3 of the tolerance {:g}: {}; take {} blocks of the links, or reduction: auto",
+                                     s.size_text(), plan.tolerance, s.error_text(), s.link_blocks + 2));
+  }
+  return warnings;
 }
 
 }  // namespace pounding

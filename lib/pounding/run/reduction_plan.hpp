@@ -14,12 +14,19 @@ namespace pounding {
 /// these is no reduction. Reads the options, so call it before those that nothing reads are refused. Throws InputError for a number out of range.
 Reduction reduction_from_options();
 
-/// A plan with this reduction for every structure of a model, but for those that cannot be reduced: what is automatic leaves them out, numbers
-/// are an InputError where such a structure has more than petsc::small_structure unknowns. The run starts from displacements u [m] and velocities v [m/s].
-petsc::ReductionPlan reduction_plan(const Model& model, const Reduction& how, const Eigen::VectorXd& u, const Eigen::VectorXd& v, double tolerance);
+/// The reduction of each structure of a model that moves: that of the options where they give one, else that of the model.
+std::vector<Reduction> asked_reductions(const Model& model);
 
-/// A warning that tells the coordinates of reduced structures, and that nothing has measured their error; empty where none was asked for.
-/// `description` of the solver.
-std::string reduction_note(const Reduction& how, const std::string& description);
+/// A plan with these reductions, but for structures that cannot be reduced: what is automatic leaves them out, numbers of the options
+/// are an InputError where such a structure has more than petsc::small_structure unknowns. The run starts from displacements u [m] and velocities v [m/s].
+petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& asked, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
+                                    double tolerance);
+
+/// Whether a run must be repeated with more blocks: one whose depth is automatic has estimated errors that are too large.
+bool must_be_deeper(const petsc::ReductionPlan& plan, const std::vector<ReducedStructure>& reduced);
+
+/// Warnings of reduced structures with errors that exceed what is allowed, or that nothing estimates; and where a reduction was asked for and
+/// there is none.
+std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan, const std::vector<ReducedStructure>& reduced);
 
 }  // namespace pounding

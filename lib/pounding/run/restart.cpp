@@ -1,6 +1,7 @@
 #include <pounding/run/restart.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <sstream>
 
@@ -21,6 +22,9 @@ namespace {
 
 // Place of the run without links.
 constexpr const char* without_links_group = "no_pounding";
+
+// No chain is that long.
+constexpr int most_deeper = 10000;
 
 // Options that only print or draw, and the limit on steps, leave the steps as they are.
 bool result_depends_on(const std::string& option) {
@@ -94,6 +98,14 @@ void read(hid_t file, InterruptedRun& run) {
   checkpoint.model_file = hdf5::read_text(place, "model_file");
   checkpoint.options = lines_of(hdf5::read_text(place, "options"));
   hdf5::read_bytes(place, "state", checkpoint.state);
+  const std::string reduction = run.without_links ? std::string(without_links_group) + "/solver/reduction" : "solver/reduction";
+  if (hdf5::has(file, reduction.c_str())) {
+    const hdf5::Handle of_reduction(H5Gopen2(file, reduction.c_str(), H5P_DEFAULT), H5Gclose, "open group reduction");
+    const std::string deeper = hdf5::read_attribute(of_reduction, "deeper");
+    const auto [end, error] = std::from_chars(deeper.data(), deeper.data() + deeper.size(), run.deeper);
+    if (error != std::errc{} || end != deeper.data() + deeper.size() || run.deeper < 0 || run.deeper > most_deeper)
+      refuse_damaged(run.file, "the depth of its reduction is no number");
+  }
   if (checksum_of(checkpoint, run.model_yaml, run.resolved_yaml) != hdf5::read_attribute(place, "fingerprint"))
     refuse_damaged(run.file, "the checkpoint is not what was written");
 }

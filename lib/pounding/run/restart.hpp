@@ -25,6 +25,7 @@ struct InterruptedRun {
   bool without_links = false;
   std::vector<std::byte> no_pounding = {};  ///< image of its run without links; empty for none
   Checkpoint checkpoint = {};
+  int deeper = 0;  ///< Results::deeper
 };
 
 /// Reads all of an interrupted run but its histories. Throws InputError for a file that is no results file, is damaged, was written

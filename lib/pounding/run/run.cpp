@@ -2,12 +2,15 @@
 
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/chrono.h>
 
+#include <pounding/core/archive.hpp>
 #include <pounding/core/error.hpp>
 #include <pounding/core/version.hpp>
 #include <pounding/input/resolved.hpp>
@@ -29,6 +32,23 @@
 
 namespace pounding {
 namespace {
+
+// The next depth where estimated errors were too large: two blocks more of both chains, larger steps far down, where light damping wants many.
+int still_deeper(int deeper) { return deeper + 2 + deeper / 2; }
+
+// Memory of the contacts of a system, and of its parts that yield.
+std::vector<std::byte> memory_of(const System& system) {
+  Archive memory;
+  for (Contact* contact : system.contacts) contact->archive(memory);
+  for (Spring* spring : system.springs) spring->archive(memory);
+  return memory.bytes();
+}
+
+void remember(const System& system, const std::vector<std::byte>& bytes) {
+  Archive memory(bytes);
+  for (Contact* contact : system.contacts) contact->archive(memory);
+  for (Spring* spring : system.springs) spring->archive(memory);
+}
 
 void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
   PetscInt steps = 0, rejected = 0;
@@ -52,10 +72,10 @@ Results heading(const Model& model, const RunOptions& options) {
   return results;
 }
 
-// `without` is the run without links, where there is one. `write` is empty where there is no file to write.
-Outcome run_once(const Model& model, const RunOptions& options, const WriteResults& write, bool with_links, const Outcome& without,
-                 const InterruptedRun* earlier = nullptr) {
-  const Stopwatch since_start;
+// `without` is the run without links, where there is one. `write` is empty where there is no file to write. Automatic reductions have `deeper`
+// blocks more than the tolerance asks for; nothing where they need still more of them: then nothing has moved, and no end was written.
+std::optional<Outcome> try_run(const Model& model, const RunOptions& options, const WriteResults& write, bool with_links, const Outcome& without,
+                               int deeper, const Stopwatch& since_start, const InterruptedRun* earlier) {
   Outcome outcome{heading(model, options), {}};
   Results& results = outcome.results;
   if (!without.summary.structures.empty()) {
@@ -67,13 +87,15 @@ Outcome run_once(const Model& model, const RunOptions& options, const WriteResul
 
   const System system = assemble(model, with_links);
   const auto [u, v] = initial_state(model, with_links);
-  const Reduction reduction = reduction_from_options();
+  const std::vector<Reduction> asked = asked_reductions(model);
   const TsSetup setup = set_up_ts(model, u, v, options.comm);
-  if (reduction.kind != Reduction::Kind::none && setup.solver != petsc::SolverKind::automatic)
-    throw InputError("-pounding_red_... would change nothing beside -pounding_ts_pounding_base; leave one of the two out");
+  petsc::ReductionPlan plan = reduction_plan(model, asked, u, v, setup.stepper.tolerance);
+  plan.deeper = results.deeper = deeper;
+  if (plan.asked && setup.solver != petsc::SolverKind::automatic)
+    throw InputError("a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out");
   results.integrator = setup.stepper.scheme.name();
-  const std::unique_ptr<StructureSolver> solver = petsc::make_solver(
-      system, setup.solver, reduction_plan(model, reduction, u, v, setup.stepper.tolerance), options.comm);
+  const std::vector<std::byte> at_the_start = memory_of(system);
+  const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, setup.solver, plan, options.comm);
   Stepper stepper(system, *solver, setup.stepper);
   petsc::check(petsc::set_stepper(setup.ts, &stepper));
   petsc::check(petsc::set_lazy_vectors(setup.ts, PETSC_TRUE));
@@ -82,7 +104,7 @@ Outcome run_once(const Model& model, const RunOptions& options, const WriteResul
   refuse_unread_options(true);
 
   Recorder recorder(model, stepper, results);
-  RunWriter writer(model, options, write, setup.ts, stepper, recorder, outcome, since_start);
+  RunWriter writer(model, options, write, setup.ts, stepper, recorder, outcome, since_start, plan);
   if (earlier)
     writer.restart(*earlier);
   else
@@ -99,11 +121,25 @@ Outcome run_once(const Model& model, const RunOptions& options, const WriteResul
   fill_statistics(setup.ts, stepper, results.solver);
   results.solver.wall_seconds = writer.seconds();
   results.solver.wall_solve = results.solver.wall_seconds - results.solver.wall_setup - results.solver.wall_output;
+  if (failure.empty()) {
+    recorder.summarize(outcome.summary);
+    if (must_be_deeper(plan, outcome.summary.reduced)) {
+      remember(system, at_the_start);
+      return std::nullopt;
+    }
+  }
   const std::string done = monitor.collapse().empty() ? "done" : "done: " + monitor.collapse();
   writer.conclude(failure.empty() ? done : "failed: " + failure);
   writer.write(results.status);
   if (!failure.empty()) throw FailedRun(failure, std::move(outcome));
   return outcome;
+}
+
+Outcome run_once(const Model& model, const RunOptions& options, const WriteResults& write, bool with_links, const Outcome& without,
+                 const InterruptedRun* earlier = nullptr) {
+  const Stopwatch since_start;
+  for (int deeper = earlier ? earlier->deeper : 0;; deeper = still_deeper(deeper), earlier = nullptr)
+    if (std::optional<Outcome> outcome = try_run(model, options, write, with_links, without, deeper, since_start, earlier)) return std::move(*outcome);
 }
 
 // The file of a run whose first part, without links, has this state.

@@ -20,7 +20,7 @@ constexpr double seconds_between_writes = 1;
 }  // namespace
 
 RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper,
-                     Recorder& recorder, Outcome& outcome, const Stopwatch& since_start)
+                     Recorder& recorder, Outcome& outcome, const Stopwatch& since_start, const petsc::ReductionPlan& plan)
     : ranks_(options.comm),
       model_(model),
       options_(options),
@@ -30,7 +30,8 @@ RunWriter::RunWriter(const Model& model, const RunOptions& options, WriteResults
       recorder_(recorder),
       outcome_(outcome),
       origin_(checkpoint_of(model, petsc::Environment::given_options())),
-      since_start_(since_start) {}
+      since_start_(since_start),
+      plan_(plan) {}
 
 // Everything that moves between two steps but the histories. Of the statistics only the run times come from here; the stepper and
 // the TS hold the others.
@@ -94,12 +95,12 @@ void RunWriter::conclude(const std::string& status) {
   recorder_.summarize(summary);
   summary.integrator = results.integrator;
   summary.solver = results.solver;
+  results.reduced = summary.reduced;
   if (options_.numbers_only) return;
   summary.warnings = doubts_;
   for (std::string& text : implausible(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : beyond_capacity(model_, summary)) summary.warnings.push_back(std::move(text));
-  if (std::string text = reduction_note(reduction_from_options(), stepper_.base().description()); !text.empty())
-    summary.warnings.push_back(std::move(text));
+  for (std::string& text : reduction_warnings(plan_, summary.reduced)) summary.warnings.push_back(std::move(text));
   if (std::string text = warning(summary, model_.analysis.tolerance); !text.empty()) summary.warnings.push_back(std::move(text));
   results.summary_json = to_json(summary);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <pounding/core/archive.hpp>
+#include <pounding/linear/reduce.hpp>
 #include <pounding/petsc/ranks.hpp>
 #include <pounding/run/implausible.hpp>
 #include <pounding/run/recorder.hpp>
@@ -27,7 +28,7 @@ class RunWriter {
   /// `write` is empty for a run that leaves no file; `since_start` runs since the beginning of the run. All other arguments must
   /// outlive this.
   RunWriter(const Model& model, const RunOptions& options, WriteResults write, TS ts, const Stepper& stepper, Recorder& recorder,
-            Outcome& outcome, const Stopwatch& since_start);
+            Outcome& outcome, const Stopwatch& since_start, const petsc::ReductionPlan& plan);
 
   /// Takes up an interrupted run: its histories and its state. Throws InputError when they do not fit.
   void restart(const InterruptedRun& run);
@@ -59,6 +60,7 @@ class RunWriter {
   const std::vector<std::string> doubts_ = options_.numbers_only ? std::vector<std::string>{} : implausible(model_);
   Checkpoint origin_;  // without a state
   Stopwatch since_start_, since_write_ = since_start_;
+  const petsc::ReductionPlan& plan_;
   double earlier_seconds_ = 0;  // before the interruption
   double write_cost_ = 0;       // of the last write [s]
   double written_time_ = 0;     // simulated time of the last write [s]

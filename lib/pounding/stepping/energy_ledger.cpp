@@ -26,12 +26,13 @@ void EnergyLedger::add_step(const Equations& equations, const Instant& x, const 
     input_ += equations.short_motions.work(x, kept);
   }
   double input = 0, damping = 0;
-  for (int i = 0; i < n; ++i) damping += simpson_sum(v0[i], cv0[i], vm[i], cvm[i], v1[i], cv1[i]);
+  const int counted = equations.solver.counted();
+  for (int i = 0; i < counted; ++i) damping += simpson_sum(v0[i], cv0[i], vm[i], cvm[i], v1[i], cv1[i]);
   for (Eigen::Index k = 0; k < load.cols(); ++k) {
     const double* p = load.col(k).data();
     const double begin = x.ground[k], middle = kept.ground_middle[k], end = y.ground[k];
     if (k > 0 && begin == 0 && middle == 0 && end == 0) continue;
-    for (int i = 0; i < n; ++i) input += p[i] * simpson_sum(begin, v0[i], middle, vm[i], end, v1[i]);
+    for (int i = 0; i < counted; ++i) input += p[i] * simpson_sum(begin, v0[i], middle, vm[i], end, v1[i]);
   }
   input_ -= h / 6 * input;
   damping_ += h / 6 * damping;
@@ -52,7 +53,8 @@ Energies EnergyLedger::energies(const Equations& equations, const Instant& now) 
   const Eigen::MatrixXd& x = now.motion;
   momentum_.resize(solver.size());
   solver.mass_times(x.col(v), momentum_);
-  std::vector<double> sums{input_, damping_, 0.5 * momentum_.dot(x.col(v)), 0.5 * x.col(u).dot(x.col(ku))};
+  const int n = solver.counted();
+  std::vector<double> sums{input_, damping_, 0.5 * momentum_.head(n).dot(x.col(v).head(n)), 0.5 * x.col(u).head(n).dot(x.col(ku).head(n))};
   solver.combine(sums);
   Energies e;
   e.input = given_ + on_ground_ + sums[0];

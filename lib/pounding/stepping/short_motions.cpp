@@ -65,8 +65,11 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
   solver.damping_times(shift_, stiffness_, damping_);
   solver.gather(shift_, closing_);
   coupling_ = load_.transpose() * shift_;
-  springs_ = shift_.transpose() * stiffness_;
-  dashpots_ = shift_.transpose() * damping_;
+  // A shadow steps over these motions as the structures do where they are short for any of them; its work counts nowhere.
+  Eigen::MatrixXd at_work = shift_;
+  at_work.bottomRows(n - solver.counted()).setZero();
+  springs_ = at_work.transpose() * stiffness_;
+  dashpots_ = at_work.transpose() * damping_;
 }
 
 Eigen::MatrixXd ShortMotions::at(double time, const Eigen::VectorXd& ground, const Instant& begin) const {

@@ -1,5 +1,6 @@
 #include <pounding/input/words/devices.hpp>
 #include <pounding/input/words/sections.hpp>
+#include <pounding/input/words/shared.hpp>
 
 #include <pounding/model/model.hpp>
 #include <pounding/model/plausible.hpp>
@@ -57,10 +58,29 @@ constexpr Word analysis_words[] = {
      .meaning = "Steps that the run may take. A run that needs more is refused where that is known at its start; otherwise it ends there, and "
                 "--resume goes on with it.",
      .example = "500000000"},
+    reduction_word,
     {.key = "collapse_drift", .takes = Takes::quantity, .bounds = bounds::positive, .otherwise = "no end before the duration", .since = "0.2.0",
      .meaning = "Drift of a storey over its height at which a structure has collapsed. The run ends there, as done, and says when, where and "
                 "what had yielded.",
      .example = "10 %"}};
+
+constexpr std::string_view bound_by_error[] = {"acceleration", "members"};
+
+constexpr Word reduction_words[] = {
+    {.key = "links", .takes = Takes::integer, .bounds = {.low = 1, .high = 100}, .otherwise = "5", .since = "0.2.0",
+     .meaning = "Blocks of the chain of the links: one is their static answers, each more brings higher frequencies. Four serve a tolerance "
+                "of 1e-3, more with light damping.",
+     .example = "5"},
+    {.key = "ground", .takes = Takes::integer, .bounds = {.low = 0, .high = 500}, .otherwise = "20", .since = "0.2.0",
+     .meaning = "Blocks of the chain of the ground and of forces over time, with a few coordinates each.", .example = "20"},
+    {.key = "modes", .takes = Takes::integer, .bounds = {.low = 1, .high = 5000}, .since = "0.2.0",
+     .meaning = "Lowest natural modes beside the static answers, instead of blocks: for comparison with other programs.", .example = "2"},
+    {.key = "error", .takes = Takes::quantity, .bounds = {.low = 1e-9, .high = 0.1}, .otherwise = "0.3 of the tolerance", .since = "0.2.0",
+     .meaning = "As deep as this bound needs, instead of numbers: three times the estimated error of the forces of links and of the displacements of "
+                "floors that the reduction makes, over the largest ones.",
+     .example = "1e-4"},
+    {.key = "of", .takes = Takes::choice, .form = Form::list, .choices = bound_by_error, .noun = "response", .otherwise = "forces and displacements alone",
+     .since = "0.2.0", .meaning = "What else the error holds for: accelerations of floors, forces of members.", .example = "[acceleration]"}};
 
 constexpr Word checkpoint_words[] = {
     {.key = "every", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
@@ -73,6 +93,9 @@ constexpr Word checkpoint_words[] = {
 constinit const Section model{.name = "model", .place = "", .meaning = "The whole file.", .words = model_words};
 constinit const Section analysis{.name = "analysis", .place = "analysis", .meaning = "Length and accuracy of the run.",
                                  .words = analysis_words};
+constinit const Section reduction{.name = "reduction", .place = "analysis.reduction",
+                                  .meaning = "Depth of reduced structures; under a structure for that one alone.",
+                                  .words = reduction_words};
 constinit const Section checkpoint{.name = "checkpoint", .place = "checkpoint",
                                    .meaning = "States that a run leaves to be resumed from.", .words = checkpoint_words};
 

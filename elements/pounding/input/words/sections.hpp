@@ -10,7 +10,7 @@
 namespace pounding::words {
 
 /// The whole file, and how it is run: analysis.cpp.
-extern const Section model, analysis, checkpoint;
+extern const Section model, analysis, checkpoint, reduction;
 
 /// Motions of the ground: ground.cpp. A `motion` is one along one axis.
 extern const Section ground_motion, components, motion, wave, harmonic, sum_part, pulse, synthetic;

@@ -11,6 +11,14 @@ inline constexpr Word damping_word{
     .meaning = "Damping ratio: Rayleigh damping that has this ratio in modes 1 and 2, of an oscillator in its only mode. "
                "It stands beside the kind of the structure or among its keys.",
     .example = "5 %"};
+inline constexpr std::string_view reductions[] = {"auto", "none", "all modes"};
+inline constexpr Word reduction_word{
+    .key = "reduction", .takes = Takes::choice, .inside = &reduction, .choices = reductions, .noun = "reduction", .otherwise = "none",
+    .since = "0.2.0",
+    .meaning = "Structures whose linear equations are solved in a few hundred coordinates. none: all natural modes of structures with up to "
+               "500 unknowns with mass, else factors of all unknowns. auto: larger ones are reduced, as deep as the tolerance asks. all "
+               "modes: natural modes up to 5000 unknowns with mass. Keys say how deep.",
+    .example = "{links: 5, ground: 20}"};
 inline constexpr Word velocity_word{
     .key = "initial_velocity", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::velocity,
     .otherwise = "0 m/s",

@@ -36,7 +36,7 @@ constexpr const Section* without_laws[] = {
     &releases,    &offsets,         &support,          &support_springs, &support_dashpots, &isolator, &floor, &node_masses, &node_loads,
     &node_displacements,
     &spring,      &tie,             &hinge,     &report,           &link,         &link_end,   &stiffness, &device, &own_device, &bar, &damper,
-    &analysis,    &checkpoint};
+    &analysis,    &reduction,       &checkpoint};
 
 }  // namespace
 

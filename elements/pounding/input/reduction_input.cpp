@@ -1,0 +1,62 @@
+#include <pounding/input/reduction_input.hpp>
+
+#include <fmt/format.h>
+
+#include <pounding/model/reducible.hpp>
+
+namespace pounding {
+namespace {
+
+// Structures that keep all their natural modes where numbers are given for the whole model: that is exact.
+constexpr int small = 500;
+
+}  // namespace
+
+Reduction read_reduction(const Input& node) {
+  Reduction reduction;
+  if (!node.is_map()) {
+    const std::string word = node.as_choice();
+    reduction.kind = word == "auto" ? Reduction::Kind::automatic : word == "none" ? Reduction::Kind::none : Reduction::Kind::all_modes;
+    return reduction;
+  }
+  node.only_keys();
+  const auto links = node.find("links"), ground = node.find("ground"), modes = node.find("modes"), error = node.find("error"), of = node.find("of");
+  if (of && !error) of->fail_at_key("says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
+  if (error) {
+    for (const auto& other : {links, ground, modes})
+      if (other) other->fail_at_key("is a depth, and error finds the depth by itself; keep one of the two");
+    reduction.kind = Reduction::Kind::automatic;
+    reduction.error = error->as_quantity();
+    if (of)
+      for (const Input& what : of->items()) (what.as_choice() == "members" ? reduction.of_members : reduction.of_acceleration) = true;
+    return reduction;
+  }
+  if (modes) {
+    if (links || ground) (links ? links : ground)->fail_at_key("belongs to blocks, and modes is given too; keep one of the two");
+    reduction.kind = Reduction::Kind::lowest;
+    reduction.modes = static_cast<int>(modes->as_integer());
+    return reduction;
+  }
+  if (!links && !ground) node.fail("takes how deep; type reduction: {links: 5, ground: 20}, or reduction: auto");
+  reduction.kind = Reduction::Kind::blocks;
+  if (links) reduction.links = static_cast<int>(links->as_integer());
+  if (ground) reduction.ground = static_cast<int>(ground->as_integer());
+  return reduction;
+}
+
+void check_reductions(const Model& model, const Input& root) {
+  const auto structures = root.at("structures").entries();
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    const int number = static_cast<int>(i);
+    if (!reduction_of(model, number).is_explicit()) continue;
+    const std::string reason = why_not_reduced(model, number);
+    if (reason.empty()) continue;
+    const auto& [name, place] = structures[i];
+    if (const auto own = place.find("reduction"))
+      own->fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: none", name, reason));
+    if (model.structures[i].size() > small)
+      root.at("analysis").at("reduction").fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: auto, which reduces what can be", name, reason));
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,128 @@
+#include <pounding/run/reduction_errors.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pounding {
+namespace {
+
+// The run is better than its shadow by the blocks that this lacks, but not at every block: twice worse has been seen.
+constexpr double safety = 3;
+// The part of the tolerance that the reduction may use; the steps use about half of it.
+constexpr double share = 0.3;
+// Times at which forces of members are compared: each takes a product with all shapes.
+constexpr double compared_times = 400;
+
+double ratio(double difference, double largest) { return difference > 0 ? safety * difference / largest : 0; }
+
+}  // namespace
+
+ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper) : model_(model), stepper_(stepper) {
+  if (stepper.base().counted() == stepper.base().size()) return;
+  forces_.assign(static_cast<std::size_t>(stepper.system().contact_count()), 0.0);
+  const std::vector<int> first = offsets(model);
+  for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
+    const Structure& s = model.structures[k];
+    const auto reduced = std::ranges::find(stepper.base().reduced(), s.name, &ReducedStructure::name);
+    if (reduced == stepper.base().reduced().end() || reduced->link_blocks < 2 || reduced->modes > 0) continue;
+    Floors floors;
+    floors.structure = k;
+    floors.first_unknown = first[k];
+    for (int floor = 0; floor < static_cast<int>(s.floors.size()); ++floor)
+      for (int direction = 0; direction < response.directions(k); ++direction)
+        if (s.dimension < 3 || direction < 2) floors.rows.push_back(response.row(k, floor, direction));
+    floors_.push_back(std::move(floors));
+  }
+}
+
+void ReductionErrors::step(bool output_due) {
+  if (floors_.empty()) return;
+  const Instant& end = stepper_.instant_end_minus();
+  compare_forces(end);
+  stepper_.base().observe_shadow(end.motion.leftCols(3), motion_);
+  const Eigen::MatrixXd& own = stepper_.outputs_end_minus().motion;
+  for (Floors& floors : floors_)
+    for (const int row : floors.rows) {
+      floors.displacement = std::max(floors.displacement, std::abs(own(row, 0) - motion_(row, 0)));
+      floors.acceleration = std::max(floors.acceleration, std::abs(own(row, 2) - motion_(row, 2)));
+    }
+  const long every = std::max(1L, std::lround(model_.analysis.duration / model_.analysis.output_step / compared_times));
+  if (!output_due || outputs_++ % every != 0) return;
+  stepper_.base().physical(end.motion.col(Instant::u), u_);
+  stepper_.base().physical_shadow(end.motion.col(Instant::u), shadow_);
+  for (Floors& floors : floors_) compare_members(floors);
+}
+
+void ReductionErrors::compare_forces(const Instant& end) {
+  const std::vector<LinkStep>& steps = stepper_.link_steps();
+  const auto presses = [&](std::size_t i) { return steps[i].force_end != 0; };
+  bool any = false;
+  for (std::size_t i = 0; i < forces_.size(); ++i) any = any || presses(i);
+  if (!any) return;
+  stepper_.base().gather_shadow(end.motion.leftCols(2), closings_);
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    if (!presses(i)) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    const laws::Response law = stepper_.system().contacts[i]->evaluate(steps[i].motion_end);
+    const double difference = law.by_penetration * (end.relative(row, 0) - closings_(row, 0)) + law.by_rate * (end.relative(row, 1) - closings_(row, 1));
+    if (std::isfinite(difference)) forces_[i] = std::max(forces_[i], std::abs(difference));
+  }
+}
+
+void ReductionErrors::compare_members(Floors& floors) {
+  const Structure& s = model_.structures[floors.structure];
+  const auto count = static_cast<Eigen::Index>(s.forces.members.size() * s.forces.components.size());
+  if (count == 0) return;
+  const Eigen::VectorXd own = s.forces.rows * u_.segment(floors.first_unknown, s.size());
+  const Eigen::VectorXd of_shadow = s.forces.rows * shadow_.segment(floors.first_unknown, s.size());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::string& component = s.forces.components[static_cast<std::size_t>(i) % s.forces.components.size()];
+    const char kind = component[component.find(' ') + 1];
+    const int unit = kind == 'M' || kind == 'T' ? 1 : 0;
+    floors.members[unit] = std::max(floors.members[unit], std::abs(own[i] - of_shadow[i]));
+    floors.largest_members[unit] = std::max(floors.largest_members[unit], std::abs(own[i]));
+  }
+}
+
+std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) const {
+  std::vector<ReducedStructure> all(stepper_.base().reduced().begin(), stepper_.base().reduced().end());
+  double peak_force = 0;
+  for (const LinkSummary& link : summary.links) peak_force = std::fmax(peak_force, link.peak_force);
+  const auto peak = [](const std::vector<double>& values) { return values.empty() ? 0.0 : *std::ranges::max_element(values); };
+  for (const Floors& floors : floors_) {
+    const StructureSummary& s = summary.structures[floors.structure];
+    ReducedStructure& one = *std::ranges::find(all, s.name, &ReducedStructure::name);
+    double difference = 0;
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      const Link& link = model_.links[i];
+      if (link.left.structure == floors.structure || link.right.structure == floors.structure) difference = std::max(difference, forces_[i]);
+    }
+    one.error_force = ratio(difference, peak_force);
+    if (!floors.rows.empty()) {
+      one.error_displacement = ratio(floors.displacement, peak(s.peak_displacement));
+      one.error_acceleration = ratio(floors.acceleration, peak(s.peak_acceleration));
+    }
+    if (!model_.structures[floors.structure].forces.members.empty())
+      one.error_members = std::max(ratio(floors.members[0], floors.largest_members[0]), ratio(floors.members[1], floors.largest_members[1]));
+  }
+  return all;
+}
+
+void ReductionErrors::archive(Archive& archive) {
+  archive(forces_);
+  archive(outputs_);
+  for (Floors& floors : floors_) {
+    archive(floors.displacement);
+    archive(floors.acceleration);
+    archive(floors.members);
+    archive(floors.largest_members);
+  }
+}
+
+bool exceeds(const ReducedStructure& errors, const Reduction& asked, double tolerance) {
+  const double bound = asked.error > 0 ? asked.error : share * tolerance;
+  return errors.error_force > bound || errors.error_displacement > bound || (asked.of_acceleration && errors.error_acceleration > bound) ||
+         (asked.of_members && errors.error_members > bound);
+}
+
+}  // namespace pounding

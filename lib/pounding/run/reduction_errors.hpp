@@ -1,0 +1,64 @@
+#pragma once
+/// Estimates of what the reduction of structures costs, while a run goes on.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include <pounding/core/archive.hpp>
+#include <pounding/model/model.hpp>
+#include <pounding/model/reduction.hpp>
+#include <pounding/results/summary.hpp>
+#include <pounding/run/floor_response.hpp>
+#include <pounding/stepping/stepper.hpp>
+
+namespace pounding {
+
+/// Compares the structures with their shadow, which has one block of the links and five of the ground less and feels the same forces of links
+/// and grounds (StructureSolver::counted):
+///
+/// forces of links:  |dF/dd delta + dF/dv delta'| with the difference delta of the closings and the slopes of the law, while a contact presses;
+/// floors:           displacements and accelerations relative to the ground, at the end of every step;
+/// members:          forces and moments at their ends, at some output times.
+///
+/// The largest differences over the largest values of the run, times three, are the reported errors. The run itself is better than its shadow
+/// by the blocks that this lacks.
+class ReductionErrors {
+ public:
+  /// All arguments must outlive this.
+  ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper);
+
+  /// One kept step; `output_due`: there is an output time in it.
+  void step(bool output_due);
+  /// The reduced structures with their errors, by the peaks of a summary whose links and structures are filled.
+  std::vector<ReducedStructure> errors(const Summary& summary) const;
+  /// For a checkpoint.
+  void archive(Archive& archive);
+
+ private:
+  // Largest differences from the shadow, and largest values where no summary has them.
+  struct Floors {
+    int structure = 0;       // of the model
+    int first_unknown = 0;   // of the structure in the system
+    std::vector<int> rows;   // of the outputs: translations of floors
+    double displacement = 0, acceleration = 0;
+    std::array<double, 2> members{}, largest_members{};  // forces, moments
+  };
+
+  void compare_forces(const Instant& end);
+  void compare_members(Floors& floors);
+
+  const Model& model_;
+  const Stepper& stepper_;
+  std::vector<Floors> floors_;          // of the structures that have a shadow
+  std::vector<double> forces_;          // by link [N]
+  long outputs_ = 0;
+  // Room to work in.
+  Eigen::MatrixXd closings_, motion_;
+  Eigen::VectorXd u_, shadow_;
+};
+
+/// Whether the estimated errors exceed what was asked for: a bound of its own, else 0.3 of the tolerance.
+bool exceeds(const ReducedStructure& errors, const Reduction& asked, double tolerance);
+
+}  // namespace pounding

@@ -1,0 +1,103 @@
+// The word `reduction`: its meaning, and the report of each mistake in it.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <pounding/core/error.hpp>
+#include <pounding/input/resolved.hpp>
+#include <pounding/model/reducible.hpp>
+#include "support/models.hpp"
+
+namespace pounding {
+namespace {
+
+using test::model_of;
+
+std::string pair(const std::string& reduction, const std::string& own = "", const std::string& law = "hertz, stiffness: 1e9",
+                 const std::string& damping = "5 %", const std::string& more = "") {
+  const auto frame = [&](const std::string& name, const std::string& origin, const std::string& beside) {
+    return "  " + name + ": {frame: {origin: [" + origin +
+           "], material: {E: 30 GPa}, grid: {storeys: 3, bays: 1, storey_height: 3 m, bay_width: 6 m, columns: {circle: 0.5}, beams: {circle: "
+           "0.5}, floor_mass: 20 t}" +
+           more + "}, damping: " + damping + beside + "}\n";
+  };
+  return "structures:\n" + frame("left", "0", own) + frame("right", "6.02", "") + "links: [{between: [left.3, right.3], gap: 20 mm, law: " + law +
+         "}]\nanalysis: {duration: 1" + reduction + "}\n";
+}
+
+void refused(const std::string& yaml, const std::string& message) {
+  try {
+    model_of(yaml);
+    ADD_FAILURE() << "this was taken: " << yaml << "\nnot refused: " << message;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+  }
+}
+
+TEST(ReductionInput, IsNoneWhereNothingIsSaid) {
+  const Model model = model_of(pair(""));
+  EXPECT_EQ(reduction_of(model, 0).kind, Reduction::Kind::none);
+  EXPECT_EQ(resolved_yaml(model).find("reduction"), std::string::npos);
+}
+
+TEST(ReductionInput, TakesWordsAndNumbers) {
+  EXPECT_EQ(model_of(pair(", reduction: auto")).analysis.reduction.kind, Reduction::Kind::automatic);
+  EXPECT_EQ(model_of(pair(", reduction: all modes")).analysis.reduction.kind, Reduction::Kind::all_modes);
+  EXPECT_EQ(model_of(pair(", reduction: none")).analysis.reduction.kind, Reduction::Kind::none);
+  const Reduction blocks = model_of(pair(", reduction: {links: 6}")).analysis.reduction;
+  EXPECT_EQ(blocks.kind, Reduction::Kind::blocks);
+  EXPECT_EQ(blocks.links, 6);
+  EXPECT_EQ(blocks.ground, 20);
+  const Reduction lowest = model_of(pair(", reduction: {modes: 4}")).analysis.reduction;
+  EXPECT_EQ(lowest.kind, Reduction::Kind::lowest);
+  EXPECT_EQ(lowest.modes, 4);
+  const Reduction bound = model_of(pair(", reduction: {error: 1e-4, of: [members]}")).analysis.reduction;
+  EXPECT_EQ(bound.kind, Reduction::Kind::automatic);
+  EXPECT_EQ(bound.error, 1e-4);
+  EXPECT_TRUE(bound.of_members);
+  EXPECT_FALSE(bound.of_acceleration);
+  EXPECT_EQ(bound.text(), "{error: 0.0001, of: [members]}");
+}
+
+TEST(ReductionInput, MayDifferForOneStructure) {
+  const Model model = model_of(pair(", reduction: auto", ", reduction: {links: 3, ground: 7}"));
+  EXPECT_EQ(reduction_of(model, 0).ground, 7);
+  EXPECT_EQ(reduction_of(model, 1).kind, Reduction::Kind::automatic);
+  EXPECT_NE(resolved_yaml(model).find("reduction:\n    left: \"{links: 3, ground: 7}\"\n    right: auto"), std::string::npos) << resolved_yaml(model);
+}
+
+TEST(ReductionInput, RefusesWhatIsNoDepth) {
+  refused(pair(", reduction: often"), "analysis.reduction: unknown reduction \"often\"");
+  refused(pair(", reduction: {}"), "type reduction: {links: 5, ground: 20}, or reduction: auto");
+  refused(pair(", reduction: {links: 0}"), "analysis.reduction.links:");
+  refused(pair(", reduction: {modes: 5, links: 3}"), "belongs to blocks, and modes is given too; keep one of the two");
+  refused(pair(", reduction: {of: [members]}"), "says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
+  refused(pair(", reduction: {error: 1e-4, ground: 3}"), "is a depth, and error finds the depth by itself; keep one of the two");
+  refused(pair(", reduction: {error: 1e-4, of: [shears]}"), "unknown response \"shears\"");
+  refused(pair(", reduction: {shift: 3}"), "unknown key \"shift\"");
+}
+
+// A word that is kept where it can be is no error; numbers are.
+TEST(ReductionInput, RefusesNumbersForWhatCannotBeReduced) {
+  const std::string own = ", reduction: {links: 5, ground: 20}";
+  const auto both = [&](const std::string& law, const std::string& damping, const std::string& more, const std::string& message) {
+    refused(pair("", own, law, damping, more), "structures.left.reduction: \"left\" cannot be reduced: " + message);
+    EXPECT_NE(why_not_reduced(model_of(pair(", reduction: auto", "", law, damping, more)), 0), "");
+  };
+  both("stereomechanical, restitution: 0.65", "5 %", "", "link \"left.3-right.3\" hits it without a stiffness");
+  both("hertz, stiffness: 1e9, friction: 0.3", "5 %", "", "link \"left.3-right.3\" rubs on it");
+  both("hertz, stiffness: 1e9", "5 %", ", geometry: corotational", "its members turn (corotational)");
+  both("hertz, stiffness: 1e9", "5 %", ", hinges: {columns: {at: both, yield_moment: 200 kN m}}", "it has parts that yield");
+  EXPECT_EQ(why_not_reduced(model_of(pair("")), 0), "");
+  EXPECT_NO_THROW(model_of(pair("", own)));
+}
+
+TEST(ReductionInput, RefusesNumbersForWallsAndBodies) {
+  const std::string pair = "links: [{between: [a, b], gap: 1 mm, law: hertz, stiffness: 1e9}]\nanalysis: {duration: 1}\nstructures:\n";
+  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n", "nothing holds it to the ground");
+  refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}}\n  b: {wall: {}, reduction: {links: 5}}\n", "a wall has no modes");
+}
+
+}  // namespace
+}  // namespace pounding

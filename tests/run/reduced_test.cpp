@@ -1,0 +1,216 @@
+// Runs of frames in a few coordinates against runs in all natural modes, and the errors that such runs tell of themselves.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+#include "support/runs.hpp"
+
+namespace pounding {
+namespace {
+
+struct Pair {
+  int storeys = 20, bays = 3;
+  std::string damping = "5 %";
+  std::string law = "hertz_damped, stiffness: 2.75e9, restitution: 0.65";
+  double tolerance = 1e-5, duration = 4, gap = 20;  // [s], [mm]
+  std::string own = "";  // beside the left frame
+
+  // Two plane frames that are hit at three floors: 160 unknowns with mass each, as many rotations without.
+  std::string text(const std::string& reduction) const {
+    const auto frame = [&](const std::string& name, double origin, double mass, const std::string& beside) {
+      return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: {}, bays: {}, storey_height: 3.2, bay_width: 6, columns: "
+                         "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: {}{}}}\n",
+                         name, origin, storeys, bays, mass, damping, beside);
+    };
+    std::string links;
+    for (const int floor : {storeys, 3 * storeys / 4, storeys / 2})
+      links += fmt::format("  - {{between: [left.{0}, right.{0}], gap: {1} mm, law: {2}}}\n", floor, gap, law);
+    return "ground_motion: {harmonic: {amplitude: 3, period: 1.5, duration: 4}}\nstructures:\n" + frame("left", 0, 40.0 * bays, own) +
+           frame("right", 6 * bays + 1e-3 * gap, 20.0 * bays, "") + "links:\n" + links +
+           fmt::format("analysis: {{duration: {}, tolerance: {}{}}}\n", duration, tolerance, reduction);
+  }
+  Outcome run(const std::string& reduction) const { return test::run_text(text(reduction)); }
+};
+
+double peak_force(const Outcome& outcome) {
+  double peak = 0;
+  for (const LinkSummary& link : outcome.summary.links) peak = std::max(peak, link.peak_force);
+  return peak;
+}
+
+// The largest difference of the peak forces of links, as a part of the largest of all.
+double force_error(const Outcome& found, const Outcome& exact) {
+  double worst = 0;
+  for (std::size_t i = 0; i < exact.summary.links.size(); ++i)
+    worst = std::max(worst, std::abs(found.summary.links[i].peak_force - exact.summary.links[i].peak_force));
+  return worst / peak_force(exact);
+}
+
+double history_error(const std::vector<double>& found, const std::vector<double>& exact) {
+  double worst = 0, largest = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    worst = std::max(worst, std::abs(found[i] - exact[i]));
+    largest = std::max(largest, std::abs(exact[i]));
+  }
+  return worst / largest;
+}
+
+bool says(const Outcome& outcome, const std::string& text) {
+  return std::ranges::any_of(outcome.summary.warnings, [&](const std::string& line) { return line.find(text) != std::string::npos; });
+}
+
+class ReducedRun : public testing::Test {
+ protected:
+  static const Outcome& all_modes() {
+    static const Outcome exact = Pair{}.run("");
+    return exact;
+  }
+};
+
+// Time errors of both runs are about 5e-5: below that nothing is seen.
+constexpr double floor = 5e-5;
+
+TEST_F(ReducedRun, TellsMoreThanItsErrors) {
+  ASSERT_GT(all_modes().results.impacts.size(), 4u);
+  for (const int links : {2, 3, 4, 5}) {
+    const Outcome reduced = Pair{}.run(fmt::format(", reduction: {{links: {}, ground: {}}}", links, 4 * links));
+    ASSERT_EQ(reduced.summary.reduced.size(), 2u);
+    double told = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const ReducedStructure& s = reduced.summary.reduced[k];
+      told = std::max(told, s.error_force);
+      const double displacement = history_error(reduced.results.structures[k].displacement, all_modes().results.structures[k].displacement);
+      const double shear = history_error(reduced.results.structures[k].storey_shear, all_modes().results.structures[k].storey_shear);
+      EXPECT_LT(displacement, s.error_displacement + floor) << links << s.name;
+      EXPECT_LT(s.error_displacement, 500 * (displacement + floor)) << links << s.name;
+      EXPECT_LT(shear, s.error_members + 10 * floor) << links << s.name;
+      EXPECT_GT(s.error_acceleration, 0) << links << s.name;
+      RecordProperty(fmt::format("{}_{}", s.name, links), fmt::format("{} | {:.1e} {:.1e}", s.error_text(), displacement, shear));
+    }
+    const double force = force_error(reduced, all_modes());
+    EXPECT_LT(force, told + floor) << links;
+    EXPECT_LT(told, 500 * (force + floor)) << links;
+    RecordProperty(fmt::format("force_{}", links), fmt::format("{:.1e} told {:.1e}", force, told));
+  }
+}
+
+TEST_F(ReducedRun, WarnsWhereItsErrorsExceedTheirShareOfTheTolerance) {
+  const Outcome shallow = Pair{}.run(", reduction: {links: 2, ground: 6}");
+  EXPECT_TRUE(says(shallow, "The reduction may cost more than 0.3 of the tolerance 1e-05: forces "));
+  EXPECT_TRUE(says(shallow, "take 4 blocks of the links, or reduction: auto"));
+  EXPECT_FALSE(says(Pair{.tolerance = 0.02}.run(", reduction: {links: 5, ground: 20}"), "reduc"));
+  EXPECT_FALSE(says(all_modes(), "reduc"));
+}
+
+TEST_F(ReducedRun, SaysWhereNothingEstimatesItsErrors) {
+  for (const std::string how : {"{links: 1}", "{modes: 30}"}) {
+    const Outcome reduced = Pair{}.run(", reduction: " + how);
+    EXPECT_TRUE(std::isnan(reduced.summary.reduced[0].error_force));
+    EXPECT_TRUE(says(reduced, "The error of the reduction is not estimated")) << how;
+  }
+}
+
+TEST_F(ReducedRun, KeepsTheBitsWhereNothingIsReduced) {
+  for (const std::string how : {", reduction: none", ", reduction: auto", ", reduction: all modes"}) {
+    const Outcome same = Pair{}.run(how);
+    EXPECT_EQ(same.results.structures[0].displacement, all_modes().results.structures[0].displacement) << how;
+    EXPECT_EQ(same.results.links[0].force, all_modes().results.links[0].force) << how;
+    EXPECT_EQ(says(same, "no structure is reduced"), how == ", reduction: auto");
+  }
+}
+
+TEST_F(ReducedRun, MayLeaveOneStructureWhole) {
+  const Outcome mixed = Pair{.own = ", reduction: none"}.run(", reduction: {links: 5, ground: 20}");
+  EXPECT_LT(force_error(mixed, all_modes()), 1e-3);
+  ASSERT_EQ(mixed.summary.reduced.size(), 1u);
+  EXPECT_EQ(mixed.summary.reduced[0].name, "right");
+}
+
+TEST_F(ReducedRun, GoesOnWithTheSameBits) {
+  const std::string file = (std::filesystem::temp_directory_path() / fmt::format("{}_reduced.h5", getpid())).string();
+  const std::string yaml = Pair{.tolerance = 1e-4}.text(", reduction: {links: 4, ground: 10}");
+  {
+    const Model model = test::model_of(yaml);
+    RunOptions options{.output = file};
+    options.stop = [&] { return !model.links[0].contact->impacts().empty(); };
+    EXPECT_THROW(run(model, options), FailedRun);
+  }
+  const Outcome continued = run(test::model_of(yaml), {.output = file, .resume = file}), whole = test::run_text(yaml);
+  std::filesystem::remove(file);
+  EXPECT_EQ(continued.results.structures[1].displacement, whole.results.structures[1].displacement);
+  EXPECT_EQ(continued.results.links[2].force, whole.results.links[2].force);
+  EXPECT_EQ(continued.results.solver.steps, whole.results.solver.steps);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(continued.summary.reduced[k].error_force, whole.summary.reduced[k].error_force);
+    EXPECT_EQ(continued.summary.reduced[k].error_displacement, whole.summary.reduced[k].error_displacement);
+    EXPECT_EQ(continued.summary.reduced[k].error_members, whole.summary.reduced[k].error_members);
+  }
+}
+
+// Frames of 600 unknowns with mass, which `auto` reduces. The left one starts towards the right one.
+const Pair large{.storeys = 30, .bays = 9, .tolerance = 1e-3, .duration = 1, .gap = 2, .own = ", initial_velocity: 0.3"};
+
+int blocks(const Outcome& outcome) { return outcome.summary.reduced.empty() ? 0 : outcome.summary.reduced[0].link_blocks; }
+
+TEST(AutomaticReduction, GoesDeeperUntilItsErrorsAreSmallEnough) {
+  const Outcome wide = large.run(", reduction: {error: 0.05}"), narrow = large.run(", reduction: {error: 1e-6}");
+  ASSERT_GT(wide.results.impacts.size(), 1u);
+  EXPECT_EQ(wide.results.deeper, 0);
+  EXPECT_EQ(blocks(wide), 4);
+  EXPECT_GT(narrow.results.deeper, 0);
+  EXPECT_EQ(blocks(narrow), 6 + narrow.results.deeper);
+  EXPECT_LE(narrow.summary.reduced[0].error_force, 1e-6);
+  EXPECT_LE(narrow.summary.reduced[1].error_displacement, 1e-6);
+  EXPECT_FALSE(says(narrow, "reduc"));
+  EXPECT_NEAR(peak_force(narrow), peak_force(wide), 0.05 * peak_force(narrow));
+  // Contacts begin anew in each run.
+  EXPECT_EQ(narrow.results.impacts.size(), wide.results.impacts.size());
+}
+
+TEST(AutomaticReduction, GoesOnAtTheDepthThatItHadReached) {
+  const std::string file = (std::filesystem::temp_directory_path() / fmt::format("{}_deeper.h5", getpid())).string();
+  const std::string yaml = large.text(", reduction: {error: 1e-6}");
+  int begun = 0;
+  {
+    const Model model = test::model_of(yaml);
+    RunOptions options{.output = file};
+    double last = 0;
+    // In the second run, after its first impact.
+    options.stop = [&] {
+      const bool hit = !model.links[0].contact->impacts().empty();
+      if (!hit && last > 0) ++begun;
+      last = hit ? 1 : 0;
+      return begun > 0 && hit;
+    };
+    EXPECT_THROW(run(model, options), FailedRun);
+  }
+  ASSERT_GT(begun, 0);
+  const Outcome continued = run(test::model_of(yaml), {.output = file, .resume = file}), whole = test::run_text(yaml);
+  std::filesystem::remove(file);
+  EXPECT_EQ(continued.results.deeper, whole.results.deeper);
+  EXPECT_EQ(continued.results.links[0].force, whole.results.links[0].force);
+  EXPECT_EQ(continued.summary.reduced[0].error_force, whole.summary.reduced[0].error_force);
+}
+
+// High modes with 3 % of critical damping ring up to the frequency of the contact.
+TEST(AutomaticReduction, GoesDeeperForLightDamping) {
+  Pair light = large;
+  light.damping = "{rayleigh: {ratio: 3 %, periods: [1.5, 0.02]}}";
+  const Outcome usual = large.run(", reduction: auto"), deep = light.run(", reduction: auto"), fixed = light.run(", reduction: {links: 5, ground: 20}");
+  ASSERT_GT(deep.results.impacts.size(), 1u);
+  EXPECT_TRUE(says(fixed, "The reduction may cost more than 0.3 of the tolerance 0.001"));
+  EXPECT_TRUE(deep.summary.reduced.empty() || blocks(deep) > blocks(usual)) << blocks(deep) << " after " << blocks(usual);
+  EXPECT_TRUE(!deep.summary.reduced.empty() || says(deep, "the links need more blocks than"));
+  RecordProperty("blocks", fmt::format("usual {}, light {}, fixed {}", blocks(usual), blocks(deep), fixed.summary.reduced[0].error_text()));
+}
+
+}  // namespace
+}  // namespace pounding
