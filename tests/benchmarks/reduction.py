@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Errors of reduced structures against all natural modes, and what the runs tell of them, for six pairs of towers in space.
+
+    python3 tests/benchmarks/reduction.py PROGRAM [--models NAME,...] [--tolerances 1e-3,1e-4] [--words "auto" "{links: 5, ground: 20}" ...]
+    python3 tests/benchmarks/reduction.py yaml NAME             # prints a model
+
+Each pair stands on ground that shakes along x and across the links. Of every run a line of JSON: errors against all modes at a tenth of the smallest
+tolerance, those against all modes at the same tolerance (by_reduction: errors of the steps nearly cancel), what the run tells (three times its estimates), coordinates,
+blocks, seconds. Errors are largest differences over largest values: of peak forces and impulses of links, of histories of floors along x and y, of extremes of
+member forces.
+"""
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+HERTZ = "hertz_damped, stiffness: 2.75e9, restitution: 0.65"
+
+
+def kelvin(stiffness):
+    return f"kelvin_voigt, stiffness: {stiffness}, restitution: 0.65"
+
+
+# Name -> storeys, bays, rigid floors, points of a floor, law, damping.
+FIVE = "{rayleigh: {ratio: 5 %, modes: [1, 2]}}"
+LIGHT = "{rayleigh: {ratio: 3 %, periods: [1.5, 0.02]}}"
+MODELS = {"flexible": (10, 4, False, 2, HERTZ, FIVE),
+          "rigid": (10, 4, True, 2, kelvin("3e9"), FIVE),
+          "points": (10, 4, False, 5, HERTZ, FIVE),
+          "kelvin": (10, 4, False, 2, kelvin("1e10"), FIVE),
+          "twenty": (20, 5, False, 2, HERTZ, FIVE),
+          "light": (10, 4, False, 2, HERTZ, LIGHT)}
+DURATION, BAY, GAP = 4.0, 6.0, 0.02
+
+
+def model(name, tolerance, words="none", duration=DURATION):
+    """YAML of a pair; `words`: of reduction."""
+    storeys, bays, rigid, points, law, damping = MODELS[name]
+    lines = ["ground_motion: {components: {x: {harmonic: {amplitude: 3, period: 1.1, duration: 4}}, y: {harmonic: {amplitude: 1.5, period: 0.7, duration: 4}}}}",
+             "structures:"]
+    for i, (tower, bending) in enumerate((("left", 1.0), ("right", 2.0))):
+        lines.append(f"""\
+  {tower}:
+    frame:
+      dimension: 3
+      origin: [{i * (bays * BAY + GAP)!r}, 0]
+      material: {{E: 30 GPa, G: 12.5 GPa}}
+      sections:
+        column: {{area: 0.36, inertia_y: {0.0108 * bending!r}, inertia_z: {0.0108 * bending!r}, torsion: 0.018}}
+        beam: {{area: 0.18, inertia_y: {0.0054 * bending!r}, inertia_z: 0.00135, torsion: 0.0037}}
+      grid: {{storeys: {storeys}, bays: [{bays}, {bays}], storey_height: 3.2, bay_width: {BAY}, columns: column, beams: beam,
+             floor_mass: {20 * bays * bays} t, rigid_floors: {str(rigid).lower()}}}
+    damping: {damping}""")
+    lines.append("links:\n" f"  - {{between: [left, right], floors: all, points: {points}, gap: {GAP}, law: {law}}}")
+    lines.append(f"analysis: {{duration: {duration}, tolerance: {tolerance}, output_step: 0.01, reduction: {words}}}")
+    return "\n".join(lines) + "\n"
+
+
+def run(program, folder, text):
+    """(summary, results, seconds) of a run."""
+    sys.path.insert(0, str(Path(__file__).parents[2] / "python"))
+    import h5py
+
+    (folder / "model.yaml").write_text(text)
+    start = time.perf_counter()
+    done = subprocess.run([program, "run", folder / "model.yaml", "-o", folder / "out.h5", "--json"], capture_output=True, text=True)
+    seconds = time.perf_counter() - start
+    if done.returncode:
+        raise RuntimeError(done.stderr)
+    summary = json.loads(done.stdout)
+    with h5py.File(folder / "out.h5") as file:
+        floors = {name: {key: file[f"structures/{name}/{key}"][..., :2] for key in ("displacement", "acceleration")} for name in ("left", "right")}
+    return summary, floors, seconds
+
+
+def errors(found, exact):
+    """{"force", "impulse", "displacement", "acceleration", "members"} of one run against another."""
+    import numpy as np
+
+    (a, floors, _), (b, expected, _) = found, exact
+
+    def of_links(key):
+        largest = max(link[key] for link in b["links"])
+        return max(abs(x[key] - y[key]) for x, y in zip(a["links"], b["links"])) / largest
+
+    def of_floors(key):
+        return max(float(np.abs(floors[name][key] - expected[name][key]).max() / np.abs(expected[name][key]).max()) for name in floors)
+
+    def of_members():
+        worst = 0.0
+        for name in b["structures"]:
+            x, y = (run["structures"][name]["envelope"] for run in (a, b))
+            moment = np.array([component.split()[1][0] in "MT" for component in y["components"]])
+            for kind in (moment, ~moment):
+                high = [np.array(e["member_force"][end])[:, kind] for e in (x, y) for end in ("min", "max")]
+                worst = max(worst, max(np.abs(high[0] - high[2]).max(), np.abs(high[1] - high[3]).max()) / max(np.abs(high[2]).max(), np.abs(high[3]).max()))
+        return float(worst)
+
+    return {"force": of_links("peak_force"), "impulse": of_links("impulse"), "displacement": of_floors("displacement"),
+            "acceleration": of_floors("acceleration"), "members": of_members()}
+
+
+def told(summary):
+    """{"force", ...} as the run tells them: the largest of both towers."""
+    structures = summary["solver"].get("reduction", {}).values()
+    return {key: max((s[f"error_{key}"] or 0.0 for s in structures), default=None) for key in ("force", "displacement", "acceleration", "members")}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("model", nargs="?")
+    parser.add_argument("--models", default=",".join(MODELS))
+    parser.add_argument("--tolerances", default="1e-3,1e-4,1e-5")
+    parser.add_argument("--words", nargs="+", default=["auto"])
+    parser.add_argument("--steps-alike", action="store_true", help="compare with all modes at the same tolerance alone")
+    parser.add_argument("--duration", type=float, default=DURATION)
+    given = parser.parse_args()
+    if given.program == "yaml":
+        print(model(given.model, 1e-4), end="")
+        return
+    tolerances = [float(t) for t in given.tolerances.split(",")]
+    with tempfile.TemporaryDirectory() as folder:
+        for name in given.models.split(","):
+            compare(given, Path(folder), name, tolerances)
+
+
+def compare(given, folder, name, tolerances):
+    """Prints the lines of one model."""
+    def show(**line):
+        print(json.dumps({"model": name, **line}), flush=True)
+
+    exact = None if given.steps_alike else run(given.program, folder, model(name, min(tolerances) / 10, "all modes", given.duration))
+    for tolerance in tolerances:
+        whole = run(given.program, folder, model(name, tolerance, "all modes", given.duration))
+        show(tolerance=tolerance, words="all modes", errors=exact and errors(whole, exact), seconds=whole[2], impacts=len(whole[0]["impacts"]))
+        for words in given.words:
+            found = run(given.program, folder, model(name, tolerance, words, given.duration))
+            left = found[0]["solver"].get("reduction", {}).get("left", {})
+            show(tolerance=tolerance, words=words, errors=exact and errors(found, exact), by_reduction=errors(found, whole), told=told(found[0]),
+                 coordinates=left.get("coordinates"), unknowns=left.get("unknowns"), blocks=left.get("blocks"), seconds=found[2],
+                 impacts=len(found[0]["impacts"]), warnings=found[0]["warnings"])
+
+
+if __name__ == "__main__":
+    main()
