@@ -21,6 +21,16 @@ def main(arguments: list[str] | None = None) -> int:
     arguments = sys.argv[1:] if arguments is None else arguments
     if arguments and arguments[0] in STUDIES:
         return int(importlib.import_module("pounding.studies.command").main(arguments))
+    if arguments and arguments[0] in ("demo", "lessons"):
+        from pounding import demo
+        from pounding.errors import InputError
+        try:
+            if arguments[0] == "lessons":
+                return demo.copy_lessons(arguments[1:])
+            arguments = demo.demo_words(arguments[1:])
+        except InputError as error:
+            print(f"pounding: error: {error}", file=sys.stderr)
+            return 2
     if PROGRAM.is_file():
         # Pictures are drawn by this Python, which has the package.
         os.environ.setdefault("POUNDING_PYTHON", sys.executable)
