@@ -9,6 +9,7 @@ PART ?= all
 COUNT ?= 10000
 PETSC ?=
 MPI ?= on
+PYTHONS ?= python3
 
 # With PETSC=3.26.1 the build takes that PETSc, which `make petsc` leaves in a folder of the user, and has a folder of its own.
 BUILD = build
@@ -29,8 +30,8 @@ CTEST_FLAGS = --output-on-failure --no-tests=error --parallel $(JOBS)
 CTEST_LEFT_OUT = $(if $(filter 0,$(LONG)),long)$(if $(filter 0,$(CELLS)),|^cells$$)
 CTEST_FLAGS += $(if $(CTEST_LEFT_OUT),--label-exclude '$(patsubst |%,%,$(CTEST_LEFT_OUT))')
 
-.PHONY: build program test test-sanitized test-damage test-faults fuzz demo announce docs wheel test-wheel release python python-test \
-  petsc packages-demo packages clean distclean help
+.PHONY: build program test test-sanitized test-damage test-faults fuzz demo announce docs wheel test-wheel \
+  portable-wheel test-portable-wheel release python python-test petsc packages-demo packages clean distclean help
 
 build: $(BUILD)/with-tests
 	cmake --build $(BUILD) --parallel $(JOBS)
@@ -86,9 +87,22 @@ wheel: .venv-test/ready
 test-wheel: wheel
 	bash tests/install/wheel.sh build/dist/*.whl
 
-# Source archive and wheel of this version, checksums, and its notes from CHANGELOG.md.
-release: wheel
-	python3 cmake/release.py --out build/release build/dist/*.tar.gz build/dist/*.whl
+# Wheels with PETSc without MPI and all other libraries inside, one for each of PYTHONS; 3.26.1 unless PETSC names another version.
+portable_cache = $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pounding
+portable_petsc = $(portable_cache)/petsc-$(or $(PETSC),3.26.1)-nompi
+portable-wheel:
+	@bash cmake/install-debian.sh demo libopenblas0-serial libmetis-dev
+	$(MAKE) petsc PETSC=$(or $(PETSC),3.26.1) MPI=off
+	JOBS=$(JOBS) bash cmake/portable_libraries.sh $(portable_petsc) $(portable_cache)/portable-libraries
+	rm -f build/portable/*.whl
+	python3 cmake/portable_wheel.py --petsc $(portable_petsc) --libraries $(portable_cache)/portable-libraries --out build/portable $(PYTHONS)
+
+test-portable-wheel:
+	bash tests/install/portable.sh build/portable/*.whl
+
+# Source archive and portable wheels of this version, checksums, and its notes from CHANGELOG.md.
+release: wheel portable-wheel
+	python3 cmake/release.py --out build/release build/dist/*.tar.gz build/portable/*.whl
 
 python: .venv/ready
 
@@ -144,7 +158,9 @@ help:
 	@echo "                words make test, build and program use them, in build-petsc-..."
 	@echo "make docs       build, run the tutorials, make the site: build/docs/index.html"
 	@echo "make wheel      the Python package for pip: build/dist; test-wheel installs it into a new environment and runs it there"
-	@echo "make release    source archive and wheel, checksums, notes of the version: build/release"
+	@echo "make portable-wheel   PYTHONS=\"python3.11 python3.12\": wheels with all libraries inside, without MPI: build/portable;"
+	@echo "                test-portable-wheel installs the one of python3 into a new environment and runs it there"
+	@echo "make release    source archive and portable wheels, checksums, notes of the version: build/release"
 	@echo "make python     only the Python environment .venv that draws pictures; python-test: .venv-test, for tests and builds"
 	@echo "make clean      remove build/, build-fuzz/, build-sanitize/ and the demo's files; distclean removes .venv and .venv-test too"
 	@echo "JOBS=$(JOBS) processes are used"

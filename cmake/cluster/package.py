@@ -1,0 +1,45 @@
+"""Recipe for Spack, of the packages that cmake/install-debian.sh names. Not tried: there was no Spack where this was written.
+
+    spack repo create ~/pounding-repo && mkdir ~/pounding-repo/packages/pounding
+    cp cmake/cluster/package.py ~/pounding-repo/packages/pounding/ && spack repo add ~/pounding-repo
+    spack dev-build pounding@0.2.0
+"""
+
+from spack.package import CMakePackage, depends_on, generator, license, variant, version
+
+
+class Pounding(CMakePackage):
+    """Adjacent structures that hit each other in earthquakes."""
+
+    license("BSD-3-Clause")
+    version("0.2.0")
+    variant("mpi", default=True, description="Several processes for one model")
+
+    depends_on("c", type="build")
+    depends_on("cxx", type="build")
+    depends_on("cmake@3.25:", type="build")
+    depends_on("ninja", type="build")
+    depends_on("pkgconfig", type="build")
+    depends_on("petsc@3.18: +suite-sparse~complex~int64")
+    depends_on("petsc +mpi+mumps", when="+mpi")
+    depends_on("petsc ~mpi~hypre~superlu-dist~hdf5", when="~mpi")
+    depends_on("slepc@3.18:")
+    depends_on("hdf5 +mpi", when="+mpi")
+    depends_on("hdf5 ~mpi", when="~mpi")
+    depends_on("mpi", when="+mpi")
+    depends_on("eigen@3.4:3.4.99")
+    depends_on("yaml-cpp")
+    depends_on("cli11")
+    depends_on("fmt")
+    depends_on("nlohmann-json")
+    depends_on("zlib-api")
+
+    generator("ninja")
+
+    def cmake_args(self):
+        return [
+            self.define("POUNDING_BUILD_TESTS", False),
+            self.define("POUNDING_PYTHON", False),
+            self.define_from_variant("POUNDING_MPI", "mpi"),
+            self.define("MPI_HDF5_MODULE", "hdf5"),
+        ]
