@@ -56,12 +56,14 @@ if [ ! -e "$prefix/lib/pkgconfig/hdf5.pc" ]; then
   cp hdf5/COPYING "$prefix/share/licences/HDF5"
 fi
 
-unpack suitesparse
-source=suitesparse/CHOLMOD
-run cc -O2 -fPIC -shared -DNGPL -Wl,-soname,libcholmod.so.3 -Wl,-Bsymbolic -I /usr/include/suitesparse -I "$source/Include" \
-  -o "$prefix/lib/libcholmod.so.3" "$source"/{Core,Check,Cholesky,Partition}/cholmod_*.c \
-  -lccolamd -lcamd -lcolamd -lamd -lmetis -lsuitesparseconfig -lm
-cp "$source/Doc/License.txt" "$prefix/share/licences/CHOLMOD"
+if [ ! -e "$prefix/share/licences/CHOLMOD" ]; then
+  unpack suitesparse
+  source=suitesparse/CHOLMOD
+  run cc -O2 -fPIC -shared -DNGPL -Wl,-soname,libcholmod.so.3 -Wl,-Bsymbolic -I /usr/include/suitesparse -I "$source/Include" \
+    -o "$prefix/lib/libcholmod.so.3" "$source"/{Core,Check,Cholesky,Partition}/cholmod_*.c \
+    -lccolamd -lcamd -lcolamd -lamd -lmetis -lsuitesparseconfig -lm
+  cp "$source/Doc/License.txt" "$prefix/share/licences/CHOLMOD"
+fi
 
 nm --dynamic --undefined-only "$petsc/lib/libpetsc.so" | awk '{print $2}' > asked
 missing() {
@@ -83,7 +85,8 @@ missing() {
 }
 missing umfpack '^umfpack_'
 missing klu '^klu_'
-missing spqr '^SuiteSparseQR_'
+# SPQR works with CHOLMOD of long indices.
+missing spqr '^(SuiteSparseQR_|cholmod_l_)'
 cd "$prefix"
 for library in umfpack klu spqr; do
   name=$(readelf --dynamic "lib/lib$library.so" | sed -n 's/.*SONAME.*\[\(.*\)\].*/\1/p')

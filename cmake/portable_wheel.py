@@ -97,7 +97,8 @@ def repaired(wheel, tool, petsc, libraries, out):
 def debian_package(library, libraries):
     """Name and version of the Debian package that brought a library, by its name before auditwheel gave it another."""
     stem, ending = re.fullmatch(r"(.+?)-[0-9a-f]{8,}(\..+)", library).groups()
-    for folder in (libraries / "lib", Path("/usr/lib/x86_64-linux-gnu"), Path("/lib/x86_64-linux-gnu")):
+    here = {file.resolve().parent for file in (libraries / "lib").glob("*.so*")}
+    for folder in (*here, Path("/usr/lib/x86_64-linux-gnu"), Path("/lib/x86_64-linux-gnu")):
         path = folder / (stem + ending)
         for name in (path, path.resolve(), Path(f"/usr{path.resolve()}")):
             found = subprocess.run(["dpkg-query", "--search", name], capture_output=True, text=True).stdout
