@@ -10,7 +10,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace reduction_input_test {
 
 using test::model_of;
 
@@ -99,5 +99,5 @@ TEST(ReductionInput, RefusesNumbersForWallsAndBodies) {
   refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}}\n  b: {wall: {}, reduction: {links: 5}}\n", "a wall has no modes");
 }
 
-}  // namespace
+}  // namespace reduction_input_test
 }  // namespace pounding

@@ -15,7 +15,7 @@
 #include "support/models.hpp"
 
 namespace pounding {
-namespace {
+namespace shadow_test {
 
 using petsc::ReducedGroups;
 
@@ -140,5 +140,5 @@ TEST(ShadowOfCoupledModes, MovesAsTheRunWhereItsModesAreTheSame) {
   EXPECT_LT(same.stray_floors, 1e-12 * same.largest);
 }
 
-}  // namespace
+}  // namespace shadow_test
 }  // namespace pounding

@@ -14,7 +14,7 @@
 #include "support/runs.hpp"
 
 namespace pounding {
-namespace {
+namespace reduced_test {
 
 struct Pair {
   int storeys = 20, bays = 3;
@@ -212,5 +212,5 @@ TEST(AutomaticReduction, GoesDeeperForLightDamping) {
   RecordProperty("blocks", fmt::format("usual {}, light {}, fixed {}", blocks(usual), blocks(deep), fixed.summary.reduced[0].error_text()));
 }
 
-}  // namespace
+}  // namespace reduced_test
 }  // namespace pounding
