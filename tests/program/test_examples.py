@@ -66,7 +66,7 @@ class Examples(unittest.TestCase):
         return json.loads(done.stdout)
 
     def run_study(self, study):
-        """What `show --json` tells of the table of a study; with the curve of impacts where it has levels."""
+        """The object of `show --json` on the table of a study; with the curve of impacts where it has levels."""
         before = spent_by_children()
         with tempfile.TemporaryDirectory() as folder:
             for words in (["study", study, "-o", f"{folder}/s.h5", "-j", "0", "-q"],

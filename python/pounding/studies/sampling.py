@@ -113,7 +113,9 @@ def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     for cell in head.split(","):
         name, _, unit = cell.strip().removesuffix(")").partition("(")
         factor, si = words.quantity(f"1 {unit.strip()}" if unit else 1.0, f"{path}:1: {cell.strip()}")
-        names.append(name.strip()), factors.append(factor), units.append(si)
+        names.append(name.strip())
+        factors.append(factor)
+        units.append(si)
     try:
         values = np.array([[float(cell) for cell in line.split(",")] for line in lines], dtype=float).reshape(len(lines), -1)
         if values.shape[1] != len(names):
