@@ -8,11 +8,15 @@
 
 #include <fmt/format.h>
 
+#include <pounding/linear/column_sums.hpp>
+
 namespace pounding {
 namespace {
 
 // Off-diagonal modal damping below this fraction of the largest entry is round-off.
 constexpr double rounding = 1e-11;
+// From this number on Eigen goes through the columns of a matrix in pieces, which stay in the cache.
+constexpr Eigen::Index many_modes = 128;
 
 MassSplit split_of(const System& system, const Group& group) {
   for (int i = group.first; i < group.first + group.count; ++i)
@@ -376,12 +380,7 @@ void ModalSolver::observe(const std::vector<View>& views, const Eigen::Ref<const
   for (const View& view : views) {
     const std::size_t count = view.rows.size();
     for (Eigen::Index j = 0; j < x.cols(); ++j) {
-      const double* const modes = x.col(j).data() + view.first;
-      std::fill_n(sums.begin(), count, 0.0);
-      for (Eigen::Index mode = 0; mode < view.factors.cols(); ++mode) {
-        const double* const factors = view.factors.col(mode).data();
-        for (std::size_t i = 0; i < count; ++i) sums[i] += factors[i] * modes[mode];
-      }
+      sum_columns(view.factors, x.col(j).data() + view.first, sums.data());
       for (std::size_t i = 0; i < count; ++i) values(view.rows[i], j) += sums[i];
     }
   }
@@ -394,6 +393,13 @@ Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {
   return x;
 }
 
+void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& u) const {
+  if (shapes.cols() < many_modes)
+    sum_columns(shapes, x.data() + coordinate, u.data() + first);
+  else
+    u.segment(first, shapes.rows()).noalias() = shapes * x.segment(coordinate, shapes.cols());
+}
+
 void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
   u.resize(unknowns_);
   if (single_.size() > 0) {
@@ -401,13 +407,13 @@ void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd&
     return;
   }
   for (const Block& block : blocks_)
-    if (!block.shadow) u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
+    if (!block.shadow) block.displace(x, u);
 }
 
 void ModalSolver::physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
   physical(x, u);
   for (const Block& block : blocks_)
-    if (block.shadow) u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
+    if (block.shadow) block.displace(x, u);
 }
 
 std::string ModalSolver::description() const {

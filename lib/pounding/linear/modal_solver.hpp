@@ -64,6 +64,9 @@ class ModalSolver final : public StructureSolver {
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
     bool shadow = false;
     bool shadowed = false;    // a later block is its shadow
+
+    // The displacements of its unknowns in u, from its modes in x.
+    void displace(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& u) const;
   };
   // A link's column of B in these coordinates, where it is not zero.
   struct Part {
