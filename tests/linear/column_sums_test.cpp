@@ -8,7 +8,7 @@
 #include <pounding/linear/column_sums.hpp>
 
 namespace pounding {
-namespace {
+namespace column_sums_test {
 
 TEST(ColumnSums, HaveTheBitsOfOneLoopForEveryNumberOfRows) {
   std::mt19937 random(1);
@@ -31,5 +31,5 @@ TEST(ColumnSums, HaveTheBitsOfOneLoopForEveryNumberOfRows) {
     }
 }
 
-}  // namespace
+}  // namespace column_sums_test
 }  // namespace pounding
