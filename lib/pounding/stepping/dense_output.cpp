@@ -32,7 +32,7 @@ void DenseOutput::show(const Instant& instant, State& state) const {
   equations_.solver.physical(instant.motion.col(Instant::v), state.v);
   equations_.solver.physical(instant.motion.col(Instant::a), state.a);
   if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(state.u, state.v, state.a);
-  if (const SpringRelief& relief = equations_.solver.relief(); relief.any()) {
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any()) {
     relief.add_way(-1, springs_of(instant.force), state.u);
     relief.add_way(-1, instant.force_rates.col(0), state.v);
     relief.add_way(-1, instant.force_rates.col(1), state.a);
@@ -50,7 +50,7 @@ void DenseOutput::show(const Instant& instant, const State* shown, Eigen::Vector
   equations_.solver.physical(instant.motion.col(Instant::u), u);
   equations_.solver.physical(instant.motion.col(Instant::v), v);
   if (equations_.pseudo_forces.any()) equations_.pseudo_forces.complete(u, v);
-  if (const SpringRelief& relief = equations_.solver.relief(); relief.any()) {
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any()) {
     relief.add_way(-1, springs_of(instant.force), u);
     relief.add_way(-1, instant.force_rates.col(0), v);
   }
@@ -115,7 +115,7 @@ void DenseOutput::interpolate(double time, Eigen::VectorXd& u_out, Eigen::Vector
   const Cubic cubic((time - x.time) / h, h);
   u_out = cubic.begin * x.u + cubic.end * y.u + cubic.slope_begin * x.v + cubic.slope_end * y.v;
   v_out = cubic.begin * x.v + cubic.end * y.v + cubic.slope_begin * x.a + cubic.slope_end * y.a;
-  if (const SpringRelief& relief = equations_.solver.relief(); relief.any()) {
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any()) {
     const Eigen::MatrixXd change = change_at_begin();
     relief.add_way(-1, cubic.slope_begin * change.col(0), u_out);
     relief.add_way(-1, cubic.begin * change.col(0) + cubic.slope_begin * change.col(1), v_out);
@@ -132,7 +132,7 @@ void DenseOutput::interpolate_acceleration(double time, Eigen::VectorXd& out) co
   }
   const Parabola parabola((time - x.time) / h);
   out = parabola.begin * x.a + parabola.middle * middle() + parabola.end * y.a;
-  if (const SpringRelief& relief = equations_.solver.relief(); relief.any())
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any())
     relief.add_way(-1, parabola.begin * change_at_begin().col(1), out);
 }
 
@@ -140,7 +140,7 @@ const Eigen::VectorXd& DenseOutput::middle() const {
   if (std::exchange(has_middle_, true)) return middle_;
   equations_.solver.recover(history_.kept().a_middle);
   equations_.solver.physical(history_.kept().a_middle, middle_);
-  if (const SpringRelief& relief = equations_.solver.relief(); relief.any())
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any())
     relief.add_way(-0.5, history_.kept().force_rates_begin.col(1) + history_.kept().end.force_rates.col(1), middle_);
   if (equations_.pseudo_forces.any()) {
     Eigen::VectorXd u_middle, v_middle;

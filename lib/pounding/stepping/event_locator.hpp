@@ -46,6 +46,8 @@ class EventLocator {
  private:
   struct Search;
 
+  bool shows_nothing(const Instant& now, const Trial& trial) const;
+
   const EventFunctions& functions_;
   const SpringForces& springs_;
   const LinkSet& links_;

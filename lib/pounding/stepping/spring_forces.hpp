@@ -15,10 +15,10 @@ namespace pounding {
 class SpringForces {
  public:
   /// `links` must outlive it.
-  explicit SpringForces(const LinkSet& links) : links_(links), solver_(links) {}
+  explicit SpringForces(const LinkSet& links) : links_(links), any_(links.relief().any()), solver_(links) {}
 
   /// Whether any spring gives way; without, the functions below need not be called.
-  bool any() const { return links_.relief().any(); }
+  bool any() const { return any_; }
 
   /// Forces of all links [N] for `motions`, those of springs without relief; they become those with it. `force` is a guess. Forces of
   /// links that are no springs stay. False where the laws find no equilibrium.
@@ -44,6 +44,7 @@ class SpringForces {
   bool solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const;
 
   const LinkSet& links_;
+  const bool any_;
   mutable LinkSolver solver_;
   // Room to work in.
   mutable Eigen::VectorXd relief_, none_;

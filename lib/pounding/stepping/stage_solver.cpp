@@ -18,22 +18,21 @@ Eigen::MatrixXd relief_of(const SparseMatrix& s, const std::vector<int>& active,
 
 }  // namespace
 
-bool StageSolver::begin(const EffectiveMatrix& matrix, std::optional<int> level, const ActiveSprings& springs) {
-  springs_ = &springs;
+bool StageSolver::begin(const EffectiveMatrix& matrix, std::optional<int> level) {
   failed_link_ = -1;
   active_.clear();
   for (int i = 0; i < links_.size(); ++i)
-    if (links_.is_spring(i) ? springs.is_active(i) : links_.is_active(i)) active_.push_back(i);
-  if (springs.holds()) {
+    if (links_.is_spring(i) ? springs_.is_active(i) : links_.is_active(i)) active_.push_back(i);
+  if (springs_.holds()) {
     held_push_.setZero(equations_.solver.size());
-    equations_.solver.add_forces(1, springs.held(), held_push_);
+    equations_.solver.add_forces(1, springs_.held(), held_push_);
   }
   if (equations_.springs.any()) {
     const bool gives_way = !active_.empty();
     held_relief_.setZero(gives_way ? links_.springs() : 0);
     relief_.resize(0, 0);
     if (gives_way) {
-      links_.relief().add_relief(1, springs.held().segment(links_.contacts(), links_.springs()), held_relief_);
+      links_.relief().add_relief(1, springs_.held().segment(links_.contacts(), links_.springs()), held_relief_);
       relief_ = relief_of(links_.relief().flexibility(), active_, links_);
     }
   }

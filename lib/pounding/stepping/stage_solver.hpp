@@ -34,31 +34,38 @@ struct FreeLink {
 class StageSolver {
  public:
   /// Both must outlive it.
-  StageSolver(Equations& equations, const ErrorNorm& norm) : equations_(equations), norm_(norm), links_(equations.links) {}
+  StageSolver(Equations& equations, const ErrorNorm& norm) : equations_(equations), norm_(norm), links_(equations.links), springs_(links_) {}
 
-  /// Chooses the active links, of the springs these, and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility
-  /// G = B^T A^-1 B could not be found. `springs` must outlive the solves.
-  bool begin(const EffectiveMatrix& matrix, std::optional<int> level, const ActiveSprings& springs);
+  /// For a trial of length h [s] from `now`: chooses the springs that are active.
+  void choose_springs(const Instant& now, double h) {
+    if (equations_.springs.any()) springs_.begin(now, h);  // else all are active for good
+  }
+  /// Whether a trial showed more of them; then it must be solved again, with these.
+  bool add_springs(const Trial& trial) { return equations_.springs.any() && springs_.grow(trial); }
+
+  /// Chooses the active links and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility G = B^T A^-1 B could not
+  /// be found.
+  bool begin(const EffectiveMatrix& matrix, std::optional<int> level);
 
   /// Links whose force is sought, in ascending order.
   const std::vector<int>& active() const { return active_; }
   /// Whether there are any.
   bool linked() const { return !active_.empty(); }
   /// Whether any link may have a force, springs that keep theirs included.
-  bool forced() const { return linked() || springs_->holds(); }
+  bool forced() const { return linked() || springs_.holds(); }
 
   /// `r`, the forces other than those of links, becomes the acceleration of the stage. `force` of all links [N] is a
   /// guess and becomes the solution. False if the equations could not be solved.
   template <class FreeMotion>
   bool solve(const Stage& stage, const FreeMotion& free_motion, Eigen::VectorXd& r, Eigen::VectorXd& force) {
-    if (springs_->holds()) r -= stage.weight * held_push_;
+    if (springs_.holds()) r -= stage.weight * held_push_;
     if (!equations_.solver.solve(r)) return false;
     if (active_.empty()) {
-      if (springs_->holds()) force = springs_->held();
+      if (springs_.holds()) force = springs_.held();
       return true;
     }
     guess_ = force;
-    force = springs_->held();
+    force = springs_.held();
     equations_.solver.gather(r, gathered_);
     free_.resize(active_.size());
     free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
@@ -124,11 +131,11 @@ class StageSolver {
   Equations& equations_;
   const ErrorNorm& norm_;
   const LinkSet& links_;
+  ActiveSprings springs_;
   LinkSolver link_solver_{links_};
   long repetitions_ = 0;
   int failed_link_ = -1;
   std::vector<int> active_;
-  const ActiveSprings* springs_ = nullptr;
   Eigen::VectorXd held_push_, held_relief_;  // B F and S F of the springs that keep their forces; the latter empty for none
   Eigen::MatrixXd flexibility_, relief_;     // G and S of the active links; S empty for none
   std::vector<LinkMotion> free_;       // of the active links

@@ -30,7 +30,6 @@ Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOpt
       equations_(system, solver, carries_acceleration(options.scheme)),
       dyadic_(system, options.max_step),
       norm_(equations_, options.scheme, options.tolerance),
-      active_springs_(equations_.links),
       stages_(equations_, norm_),
       scheme_(make_scheme(options.scheme, equations_, stages_)),
       history_(equations_),
@@ -42,8 +41,7 @@ Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOpt
       budget_(options.tolerance, options.scheme.error_order(), norm_.least_energy()),
       contact_events_(equations_, functions_, norm_, ledger_, options.tolerance),
       output_(equations_, history_),
-      link_steps_(static_cast<std::size_t>(system.links())),
-      ground_after_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()))) {}
+      link_steps_(static_cast<std::size_t>(system.links())) {}
 
 void Stepper::balance_now() {
   equations_.balance(history_.change_now());
@@ -116,11 +114,10 @@ bool Stepper::try_step(double h, std::optional<double> end) {
     supports.relative_motion(trial.end.time, trial.end.ground, trial.end.by_ground);
   }
   if (equations_.short_motions.any()) equations_.short_motions.follow(now, trial);
-  const bool springs_give_way = equations_.springs.any();  // else all are active for good
-  if (springs_give_way) active_springs_.begin(now, h);
+  stages_.choose_springs(now, h);
   do {
     if (!solve_trial()) return false;
-  } while (springs_give_way && active_springs_.grow(trial));
+  } while (stages_.add_springs(trial));
   trial.error = norm_.ratio(trial, error_, stages_.active());
   troublesome_link_ = norm_.worst_link();
   return std::isfinite(trial.error);
@@ -129,7 +126,7 @@ bool Stepper::try_step(double h, std::optional<double> end) {
 // The trial with its springs that are active.
 bool Stepper::solve_trial() {
   const double h = history_.trial().h;
-  if (!stages_.begin(scheme_->matrix(h), step_level(h), active_springs_)) return false;
+  if (!stages_.begin(scheme_->matrix(h), step_level(h))) return false;
   if (scheme_->try_step(history_.now(), history_.kept().h, history_.trial(), error_)) return true;
   if (stages_.failed_link() >= 0) troublesome_link_ = stages_.failed_link();
   return false;
@@ -193,8 +190,7 @@ void Stepper::accept() {
   norm_.learn(kept);
   bool ground_jumps = false;
   if (y.time >= next_break()) {
-    equations_.supports.accelerations(y.time, ground_after_);
-    ground_jumps = ground_after_ != y.ground;
+    ground_jumps = equations_.supports.jump(y.time, y.ground);
     look_ahead();
   }
   if (!located_.empty())

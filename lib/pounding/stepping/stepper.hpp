@@ -10,7 +10,6 @@
 #include <pounding/core/archive_eigen.hpp>
 #include <pounding/linear/structure_solver.hpp>
 #include <pounding/model/scheme.hpp>
-#include <pounding/stepping/active_springs.hpp>
 #include <pounding/stepping/contact_events.hpp>
 #include <pounding/stepping/dense_output.hpp>
 #include <pounding/stepping/dyadic_steps.hpp>
@@ -142,7 +141,6 @@ class Stepper {
   Equations equations_;
   const DyadicSteps dyadic_;
   ErrorNorm norm_;
-  ActiveSprings active_springs_;
   StageSolver stages_;
   std::unique_ptr<TimeScheme> scheme_;
   StepHistory history_;
@@ -156,7 +154,6 @@ class Stepper {
   DenseOutput output_;
   std::vector<LinkStep> link_steps_;
   std::vector<EventId> located_;  // events at the end of the trial
-  Eigen::VectorXd ground_after_;
   int troublesome_link_ = -1;
   bool started_ = false;
 };

@@ -33,6 +33,13 @@ class SupportExcitation {
       ground[static_cast<Eigen::Index>(k)] = system_.grounds[k].acceleration_before(before);
   }
 
+  /// Whether the right limits at `time` are others than these accelerations [m/s^2].
+  bool jump(double time, const Eigen::VectorXd& ground) const {
+    for (std::size_t k = 0; k < system_.grounds.size(); ++k)
+      if (system_.grounds[k].acceleration(time) != ground[static_cast<Eigen::Index>(k)]) return true;
+    return false;
+  }
+
   /// P ag for accelerations of the grounds; overwritten by the next call.
   const Eigen::VectorXd& push(const Eigen::VectorXd& ground) const {
     const Eigen::MatrixXd& load = solver_.load();
