@@ -43,6 +43,8 @@ def copy_lessons(arguments: list[str]) -> int:
     if folder.exists():
         raise InputError(f"{folder} exists already; name a folder that does not")
     for file in sorted(lessons().glob("*/*.yaml")):
+        if not (file.parent / "README.md").is_file():  # a study of the guide, whose page is there
+            continue
         place = folder / file.parent.name
         place.mkdir(parents=True, exist_ok=True)
         for source in (file, file.parent / "README.md"):

@@ -160,7 +160,7 @@ class Commands(Lines):
                 self.assertRegex(extras, rf"(?m)^{name} = ", page)
 
     def test_CommandsOfTheProgramExist(self):
-        known = self.done(part("POUNDING_PROGRAM"), "--help")
+        known = self.done(part("POUNDING_PROGRAM"), "--help") + "  demo \n  lessons \n"  # by the package alone: python.demo
         for page in PAGES:
             for name in re.findall(r"`(?:mpirun -n K )?pounding ([a-z]+)", page.read_text()):
                 self.assertRegex(known, rf"(?m)^  {name} ", page)

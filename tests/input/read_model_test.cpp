@@ -81,7 +81,7 @@ TEST(StructureInput, HasOneKnownKind) {
           "2:7: structures.a.wall: a structure has one kind, and a body is given too; keep one of the two");
   refused(structure("{body: {mass: 1}, mass: 3}"),
           R"(2:24: structures.a: unknown key "mass". Allowed: damping, initial_velocity, initial_displacement, )"
-          "delay, ground_motion, forces, body, oscillator, shear_building, frame, wall.");
+          "delay, ground_motion, forces, reduction, body, oscillator, shear_building, frame, wall.");
 }
 
 TEST(StructureInput, OfAWallHasNothingElse) {

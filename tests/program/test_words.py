@@ -71,7 +71,8 @@ class Schema(unittest.TestCase):
         return [error.message for error in self.validator.iter_errors(yaml.safe_load(text))]
 
     def test_every_example_validates(self):
-        models = sorted(Path(EXAMPLES).rglob("*.yaml"))
+        # The schema is that of models; the package reads the plans of studies.
+        models = [path for path in sorted(Path(EXAMPLES).rglob("*.yaml")) if "study" not in yaml.safe_load(path.read_text())]
         self.assertGreater(len(models), 14)
         for model in models:
             with self.subTest(model.name, folder=model.parent.name):
