@@ -41,6 +41,11 @@ class Map:
     percent: float
 
 
+def finite(value: float) -> float | None:
+    """The number for JSON, which has no infinite ones: None for those and for NaN."""
+    return float(value) if np.isfinite(value) else None
+
+
 def order_statistic(values: np.ndarray, percent: float) -> float:
     """The smallest value that is not below `percent` % of the values: infinite ones are values like others."""
     ordered = np.sort(values[~np.isnan(values)])

@@ -9,6 +9,7 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.studies.engines import STATUSES
+from pounding.studies.percentiles import finite, order_statistic
 from pounding.studies.rows import Rows
 
 PERCENTS = (16, 50, 84)
@@ -25,7 +26,7 @@ def summary(study: Rows, column: str | None = None, limit: float | None = None) 
         if column not in kept:
             raise InputError(f'there is no column "{column}"; there is {", ".join(kept)}')
         curve = study.fragility(column, limit)
-        found["fragility"] = {"theta": _number(curve.theta), "beta": _number(curve.beta), "problem": curve.problem,
+        found["fragility"] = {"theta": finite(curve.theta), "beta": finite(curve.beta), "problem": curve.problem,
                               "share": dict(zip((f"{im:.6g}" for im in curve.im), (curve.exceeded / curve.count).tolist()))}
         if curve.is_finite and curve.boot is not None and len(curve.boot):
             found["fragility"] |= dict(zip(("theta_low", "theta_high"), np.percentile(curve.boot[:, 0], (5, 95)).tolist()))
@@ -33,12 +34,8 @@ def summary(study: Rows, column: str | None = None, limit: float | None = None) 
 
 
 def _of_column(values: np.ndarray) -> dict[str, float | None]:
-    known = np.sort(values[~np.isnan(values)])
+    known = values[~np.isnan(values)]
     if not len(known):
         return {}
-    by_rank = {f"{percent} %": _number(known[max(1, int(np.ceil(percent / 100 * len(known) - 1e-9))) - 1]) for percent in PERCENTS}
-    return {"min": _number(known[0]), "mean": _number(known.mean()), "max": _number(known[-1]), **by_rank, "share above 0": float((known > 0).mean())}
-
-
-def _number(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None
+    by_rank = {f"{percent} %": finite(order_statistic(known, percent)) for percent in PERCENTS}
+    return {"min": finite(known.min()), "mean": finite(known.mean()), "max": finite(known.max()), **by_rank, "share above 0": float((known > 0).mean())}
