@@ -13,10 +13,11 @@ PYTHONS ?= python3
 
 # With PETSC=3.26.1 the build takes that PETSc, which `make petsc` leaves in a folder of the user, and has a folder of its own.
 BUILD = build
+cache = $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pounding
 ifneq ($(PETSC),)
 kind = $(if $(filter off,$(MPI)),nompi,mpi)
 BUILD = build-petsc-$(PETSC)-$(kind)
-petsc_folder = $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pounding/petsc-$(PETSC)-$(kind)
+petsc_folder = $(cache)/petsc-$(PETSC)-$(kind)
 petsc_options = -DPETSC_DIR=$(petsc_folder) -DPOUNDING_MPI=$(MPI)
 petsc_ready = $(petsc_folder)/ready
 else ifeq ($(filter on,$(MPI)),)
@@ -88,14 +89,13 @@ test-wheel: wheel
 	bash tests/install/wheel.sh build/dist/*.whl
 
 # Wheels with PETSc without MPI and all other libraries inside, one for each of PYTHONS; 3.26.1 unless PETSC names another version.
-portable_cache = $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pounding
-portable_petsc = $(portable_cache)/petsc-$(or $(PETSC),3.26.1)-nompi
+portable_petsc = $(cache)/petsc-$(or $(PETSC),3.26.1)-nompi
 portable-wheel:
 	@bash cmake/install-debian.sh demo libopenblas0-serial libmetis-dev
 	$(MAKE) petsc PETSC=$(or $(PETSC),3.26.1) MPI=off
-	JOBS=$(JOBS) bash cmake/portable_libraries.sh $(portable_petsc) $(portable_cache)/portable-libraries
+	JOBS=$(JOBS) bash cmake/portable_libraries.sh $(portable_petsc) $(cache)/portable-libraries
 	rm -f build/portable/*.whl
-	python3 cmake/portable_wheel.py --petsc $(portable_petsc) --libraries $(portable_cache)/portable-libraries --out build/portable $(PYTHONS)
+	python3 cmake/portable_wheel.py --petsc $(portable_petsc) --libraries $(cache)/portable-libraries --out build/portable $(PYTHONS)
 
 test-portable-wheel:
 	bash tests/install/portable.sh build/portable/*.whl
