@@ -5,12 +5,6 @@
 #include <pounding/model/reducible.hpp>
 
 namespace pounding {
-namespace {
-
-// Structures that keep all their natural modes where numbers are given for the whole model: that is exact.
-constexpr int small = 500;
-
-}  // namespace
 
 Reduction read_reduction(const Input& node) {
   Reduction reduction;
@@ -54,7 +48,7 @@ void check_reductions(const Model& model, const Input& root) {
     const auto& [name, place] = structures[i];
     if (const auto own = place.find("reduction"))
       own->fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: none", name, reason));
-    if (model.structures[i].size() > small)
+    if (model.structures[i].size() > small_structure)
       root.at("analysis").at("reduction").fail(fmt::format("\"{}\" cannot be reduced: {}; type reduction: auto, which reduces what can be", name, reason));
   }
 }

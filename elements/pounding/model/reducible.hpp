@@ -7,6 +7,9 @@
 
 namespace pounding {
 
+/// Unknowns with mass of a structure up to which all its natural modes are taken without being asked for: that is exact.
+inline constexpr int small_structure = 500;
+
 /// The reduction that a structure has by itself, else that of the model.
 Reduction reduction_of(const Model& model, int structure);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <pounding/linear/group_modes.hpp>
+#include <pounding/model/reducible.hpp>
 #include <pounding/model/reduction.hpp>
 #include <pounding/model/system.hpp>
 
@@ -25,8 +26,8 @@ struct ReductionPlan {
 /// By group; nothing for all natural modes.
 using ReducedGroups = std::vector<std::optional<ReducedGroup>>;
 
-/// Unknowns with mass of a structure up to which all its modes are taken without being asked for, and where they are asked for.
-inline constexpr int small_structure = 500, most_natural_modes = 5000;
+/// Unknowns with mass of a structure up to which all its modes are taken where they are asked for.
+inline constexpr int most_natural_modes = 5000;
 
 /// The modes of the groups; nothing where the system is to be solved by sparse factors: a large group is not to be reduced, or its basis
 /// would be larger than half of its unknowns with mass, and no numbers were given. Every process makes all of them, with the same bits.

@@ -67,7 +67,7 @@ petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduct
     plan.asked = plan.asked || reduces;
     if (reduces)
       if (const std::string reason = why_not_reduced(model, static_cast<int>(i)); !reason.empty()) {
-        if (own.is_explicit() && s.size() > petsc::small_structure) fail(s.name, reason);
+        if (own.is_explicit() && s.size() > small_structure) fail(s.name, reason);
         own.kind = Reduction::Kind::none;
       }
     plan.names.push_back(s.name);

@@ -18,7 +18,7 @@ Reduction reduction_from_options();
 std::vector<Reduction> asked_reductions(const Model& model);
 
 /// A plan with these reductions, but for structures that cannot be reduced: what is automatic leaves them out, numbers of the options
-/// are an InputError where such a structure has more than petsc::small_structure unknowns. The run starts from displacements u [m] and velocities v [m/s].
+/// are an InputError where such a structure has more than small_structure unknowns. The run starts from displacements u [m] and velocities v [m/s].
 petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduction>& asked, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
                                     double tolerance);
 

@@ -27,6 +27,7 @@
 #include <pounding/run/separation.hpp>
 #include <pounding/run/stopwatch.hpp>
 #include <pounding/run/ts_setup.hpp>
+#include <pounding/stepping/link_memory.hpp>
 #include <pounding/stepping/stepper.hpp>
 #include <pounding/stepping/ts_pounding.hpp>
 
@@ -35,20 +36,6 @@ namespace {
 
 // The next depth where estimated errors were too large: two blocks more of both chains, larger steps far down, where light damping wants many.
 int still_deeper(int deeper) { return deeper + 2 + deeper / 2; }
-
-// Memory of the contacts of a system, and of its parts that yield.
-std::vector<std::byte> memory_of(const System& system) {
-  Archive memory;
-  for (Contact* contact : system.contacts) contact->archive(memory);
-  for (Spring* spring : system.springs) spring->archive(memory);
-  return memory.bytes();
-}
-
-void remember(const System& system, const std::vector<std::byte>& bytes) {
-  Archive memory(bytes);
-  for (Contact* contact : system.contacts) contact->archive(memory);
-  for (Spring* spring : system.springs) spring->archive(memory);
-}
 
 void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
   PetscInt steps = 0, rejected = 0;
@@ -94,7 +81,8 @@ std::optional<Outcome> try_run(const Model& model, const RunOptions& options, co
   if (plan.asked && setup.solver != petsc::SolverKind::automatic)
     throw InputError("a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out");
   results.integrator = setup.stepper.scheme.name();
-  const std::vector<std::byte> at_the_start = memory_of(system);
+  Archive at_the_start;
+  if (plan.asked) archive_memory(system, at_the_start);
   const std::unique_ptr<StructureSolver> solver = petsc::make_solver(system, setup.solver, plan, options.comm);
   Stepper stepper(system, *solver, setup.stepper);
   petsc::check(petsc::set_stepper(setup.ts, &stepper));
@@ -124,7 +112,8 @@ std::optional<Outcome> try_run(const Model& model, const RunOptions& options, co
   if (failure.empty()) {
     recorder.summarize(outcome.summary);
     if (must_be_deeper(plan, outcome.summary.reduced)) {
-      remember(system, at_the_start);
+      Archive memory(at_the_start.bytes());
+      archive_memory(system, memory);
       return std::nullopt;
     }
   }

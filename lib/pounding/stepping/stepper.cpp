@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <pounding/stepping/link_memory.hpp>
+
 namespace pounding {
 namespace {
 
@@ -226,8 +228,7 @@ void Stepper::archive(Archive& archive) {
   contact_events_.archive(archive);
   equations_.supports.archive(archive);
   archive(longest_step_);
-  for (Contact* contact : equations_.system.contacts) contact->archive(archive);
-  for (Spring* spring : equations_.system.springs) spring->archive(archive);
+  archive_memory(equations_.system, archive);
   output_.forget();
 }
 
