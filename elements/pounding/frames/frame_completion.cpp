@@ -1,10 +1,11 @@
 #include <pounding/frames/frame_completion.hpp>
 
 #include <numeric>
-#include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include <pounding/core/refuse.hpp>
 
 namespace pounding {
 namespace {
@@ -20,7 +21,6 @@ void report_all_nodes(FrameModel& model) {
 
 // Nothing acts on it at rest: it would fall. `held`: nodes with a displacement that is fixed or on a spring to the ground.
 void complete_free(FrameModel& model, const std::vector<int>& held) {
-  const auto refuse = [](const std::string& text) { throw std::invalid_argument(text); };
   if (!held.empty() || !model.supports.empty())
     refuse(fmt::format("the frame has no supports, and node {} is held; leave out supports: none, or what holds the node",
                        model.frame.node_name(held.empty() ? model.supports.front().nodes.front() : held.front())));
@@ -47,11 +47,10 @@ void complete(FrameModel& model) {
     common.insert(common.end(), others.begin(), others.end());
   }
   if (model.supports.empty())
-    throw std::invalid_argument("nothing holds the frame to the ground; type supports: {a: fixed}, or supports: none for a frame free in "
-                                "space");
+    refuse("nothing holds the frame to the ground; type supports: {a: fixed}, or supports: none for a frame free in space");
   for (const FrameSupport& support : model.supports)
     if (model.frame.dimension() == 2 && support.motion && !(*support.motion)[1].is_still())
-      throw std::invalid_argument(fmt::format("support {}: the frame is plane; leave the motion along y out", support.name));
+      refuse(fmt::format("support {}: the frame is plane; leave the motion along y out", support.name));
 }
 
 }  // namespace pounding

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/input/fail_at.hpp>
 #include <pounding/input/law_input.hpp>
 #include <pounding/model/contact_law.hpp>
 #include <pounding/model/drawing.hpp>
@@ -86,12 +87,6 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
   }
 }
 
-[[noreturn]] void fail_at_link(const ModelError& error, const Input& link, const Input& between) {
-  const Input place = place_of(error, link, between);
-  if (error.is_idle()) place.fail_at_key(error.what());
-  place.fail(error.what());
-}
-
 // The gap may be left out where it is drawn.
 LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   LinkOptions options;
@@ -130,7 +125,7 @@ void read_link(const Input& node, Model& model) {
     options.stiffness = law.stiffness;
     model.link(left, right, options, law.settings);
   } catch (const ModelError& error) {
-    fail_at_link(error, node, between);
+    fail_at(place_of(error, node, between), error);
   }
 }
 

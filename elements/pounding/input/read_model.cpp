@@ -8,6 +8,7 @@
 
 #include <pounding/input/bare_numbers.hpp>
 #include <pounding/input/device_input.hpp>
+#include <pounding/input/fail_at.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/link_input.hpp>
 #include <pounding/input/reduction_input.hpp>
@@ -76,12 +77,6 @@ Input place_of(const ModelError& error, const Input& input) {
   return input;
 }
 
-[[noreturn]] void fail(const ModelError& error, const Input& input) {
-  const Input place = place_of(error, input);
-  if (error.is_idle()) place.fail_at_key(error.what());
-  place.fail(error.what());
-}
-
 }  // namespace
 
 Model read_model(const Input& input, const ModeSolver& modes, double stiffness_factor, const GroundSection* ground) {
@@ -120,7 +115,7 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   try {
     model.complete();
   } catch (const ModelError& error) {
-    fail(error, root);
+    fail_at(place_of(error, root), error);
   }
   check_reductions(model, root);
   return model;

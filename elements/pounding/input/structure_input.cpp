@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <pounding/input/device_input.hpp>
+#include <pounding/input/fail_at.hpp>
 #include <pounding/input/force_input.hpp>
 #include <pounding/input/frame_input.hpp>
 #include <pounding/input/ground_input.hpp>
@@ -260,8 +261,7 @@ class StructureInput {
       case ModelOption::initial_node_displacements: at = &*node_displacements_; break;
       default: break;
     }
-    if (error.is_idle()) at->fail_at_key(error.what());
-    at->fail(error.what());
+    fail_at(*at, error);
   }
 
   const std::string& name_;

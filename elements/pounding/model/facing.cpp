@@ -171,14 +171,13 @@ Side facing_side(const Structure& a, const Structure& b) {
 }
 
 void require_floor(const Structure& s, int number, const std::string& text) {
-  const auto fail = [](const std::string& refusal) { throw std::invalid_argument(refusal); };
   const int count = static_cast<int>(s.floors.size());
-  if (s.is_rigid()) fail(fmt::format("\"{}\" is a wall and has no floors; type {}", s.name, s.name));
-  if (count == 0) fail(fmt::format("{} has no floors; name a node, as in {{structure: {}, node: NAME}}", s.name, s.name));
+  if (s.is_rigid()) refuse(fmt::format("\"{}\" is a wall and has no floors; type {}", s.name, s.name));
+  if (count == 0) refuse(fmt::format("{} has no floors; name a node, as in {{structure: {}, node: NAME}}", s.name, s.name));
   if (count == 1 && number != 1)
-    fail(fmt::format("\"{}\" names no floor of {}, which has one; type {}", excerpt(text), s.name, s.name));
+    refuse(fmt::format("\"{}\" names no floor of {}, which has one; type {}", excerpt(text), s.name, s.name));
   if (number < 1 || number > count)
-    fail(fmt::format("\"{}\" names no floor of {}, which has the floors 1 to {}; type {}.{}", excerpt(text), s.name, count, s.name, count));
+    refuse(fmt::format("\"{}\" names no floor of {}, which has the floors 1 to {}; type {}.{}", excerpt(text), s.name, count, s.name, count));
 }
 
 std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, const ContactLocation& right,

@@ -1,0 +1,15 @@
+#pragma once
+/// Refusals of a model, told at their place in the input.
+
+#include <pounding/input/input.hpp>
+#include <pounding/model/model_error.hpp>
+
+namespace pounding {
+
+/// Throws InputError at the place of the option that a model has refused: at its key where it should not be there at all.
+[[noreturn]] inline void fail_at(const Input& place, const ModelError& error) {
+  if (error.is_idle()) place.fail_at_key(error.what());
+  place.fail(error.what());
+}
+
+}  // namespace pounding
