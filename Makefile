@@ -66,7 +66,9 @@ fuzz:
 	cmake --build build-fuzz --parallel $(JOBS) --target fuzz
 	bash tests/fuzz/run.sh build-fuzz $(MINUTES)
 
-demo: announce .venv/ready program
+# The compiler and the network work side by side.
+demo: announce packages-demo
+	@$(MAKE) --no-print-directory --jobs=2 .venv/ready program
 	@bash cmake/demo.sh
 
 announce:
