@@ -11,7 +11,7 @@
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 
-namespace pounding::reproduce {
+namespace pounding::reproduce::beyond {
 namespace {
 
 struct Case {
@@ -207,7 +207,7 @@ double spread(const Table& table, const char* heading, const char* exact, std::i
 
 }  // namespace
 
-Item beyond() {
+Item make() {
   const Oscillators two = run_oscillators();
   const Frames frame = run_frames();
   Item item{.name = "beyond",
@@ -248,4 +248,4 @@ Item beyond() {
   return item;
 }
 
-}  // namespace pounding::reproduce
+}  // namespace pounding::reproduce::beyond

@@ -14,7 +14,7 @@
 #include "reproduce/paper.hpp"
 #include "reproduce/proposed_law.hpp"
 
-namespace pounding::reproduce {
+namespace pounding::reproduce::cyclic {
 namespace {
 
 using namespace paper::pair;
@@ -214,7 +214,7 @@ Table velocity_table() {
 
 }  // namespace
 
-Item cyclic() {
+Item make() {
   const Process run = process();
   const Pair pair = pair_of_loops();
   const Eigen::VectorXd fit = quartic(equal_loop_velocity_simple, 1, 10);
@@ -282,4 +282,4 @@ Item cyclic() {
   return item;
 }
 
-}  // namespace pounding::reproduce
+}  // namespace pounding::reproduce::cyclic

@@ -9,13 +9,13 @@
 namespace pounding::reproduce {
 namespace {
 
-constexpr ItemMaker makers[] = {{"sdof", "the equivalent oscillator, Eqs. 1 and 2", &sdof},
-                                {"laws", "every force law, Eqs. 3-14", &force_laws},
-                                {"table2", "the proposed damping, Eqs. 15-17", &table2},
-                                {"section5", "its accuracy, Eq. 18", &section5},
-                                {"cyclic", "the cyclic process, Eq. 19", &cyclic},
-                                {"section7", "the damping ratio, Eqs. 20-38", &section7},
-                                {"beyond", "exact calibration and earthquakes", &beyond}};
+constexpr ItemMaker makers[] = {{"sdof", "the equivalent oscillator, Eqs. 1 and 2", &sdof::make},
+                                {"laws", "every force law, Eqs. 3-14", &force_laws::make},
+                                {"table2", "the proposed damping, Eqs. 15-17", &table2::make},
+                                {"section5", "its accuracy, Eq. 18", &section5::make},
+                                {"cyclic", "the cyclic process, Eq. 19", &cyclic::make},
+                                {"section7", "the damping ratio, Eqs. 20-38", &section7::make},
+                                {"beyond", "exact calibration and earthquakes", &beyond::make}};
 
 }  // namespace
 

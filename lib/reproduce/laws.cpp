@@ -8,7 +8,7 @@
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 
-namespace pounding::reproduce {
+namespace pounding::reproduce::force_laws {
 namespace {
 
 constexpr double mass = 60e3, speed = 0.5, asked = 0.5;
@@ -85,7 +85,7 @@ Verdict obtained(const Table& table, const char* place, const char* row, const c
 
 }  // namespace
 
-Item force_laws() {
+Item make() {
   Item item{.name = "laws",
             .title = "Every force law at the same impact",
             .sections = "Section 4, Eqs. 3-14, Table 1, Figs. 4 and 5"};
@@ -178,4 +178,4 @@ Item force_laws() {
   return item;
 }
 
-}  // namespace pounding::reproduce
+}  // namespace pounding::reproduce::force_laws

@@ -11,7 +11,7 @@
 #include "reproduce/impacts.hpp"
 #include "reproduce/items.hpp"
 
-namespace pounding::reproduce {
+namespace pounding::reproduce::sdof {
 namespace {
 
 using Eigen::Matrix2d, Eigen::Matrix4d, Eigen::Vector2d, Eigen::Vector4d;
@@ -95,7 +95,7 @@ std::vector<std::vector<double>> rows_of(const Matrix2d& m, double unit) {
 
 }  // namespace
 
-Item sdof() {
+Item make() {
   const double c = damping_coefficient(law.made(reduced), speed);
 
   const Loop one = collide(law.settings(), reduced, speed);
@@ -192,4 +192,4 @@ Item sdof() {
   return item;
 }
 
-}  // namespace pounding::reproduce
+}  // namespace pounding::reproduce::sdof

@@ -11,7 +11,7 @@
 #include "reproduce/paper.hpp"
 #include "reproduce/proposed_law.hpp"
 
-namespace pounding::reproduce {
+namespace pounding::reproduce::section5 {
 namespace {
 
 using namespace paper::accuracy;
@@ -86,7 +86,7 @@ Figure error_figure() {
 
 }  // namespace
 
-Item section5() {
+Item make() {
   Item item{.name = "section5",
             .title = "The accuracy of the proposed law",
             .sections = "Section 5.1, Eq. 18, Table 3, Figs. 7 and 8",
@@ -182,4 +182,4 @@ Item section5() {
   return item;
 }
 
-}  // namespace pounding::reproduce
+}  // namespace pounding::reproduce::section5

@@ -10,7 +10,7 @@
 #include "reproduce/items.hpp"
 #include "reproduce/paper.hpp"
 
-namespace pounding::reproduce {
+namespace pounding::reproduce::section7 {
 namespace {
 
 // The paper names no numbers for Figs. 13 and 14.
@@ -128,7 +128,7 @@ Table ratio_table() {
 
 }  // namespace
 
-Item section7() {
+Item make() {
   const Forces run = forces();
   const Table table = ratio_table(), derivation = derivation_table();
   Item item{.name = "section7",
@@ -201,4 +201,4 @@ Item section7() {
   return item;
 }
 
-}  // namespace pounding::reproduce
+}  // namespace pounding::reproduce::section7

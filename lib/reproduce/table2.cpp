@@ -10,7 +10,7 @@
 #include "reproduce/paper.hpp"
 #include "reproduce/proposed_law.hpp"
 
-namespace pounding::reproduce {
+namespace pounding::reproduce::table2 {
 namespace {
 
 using namespace paper::example;
@@ -83,7 +83,7 @@ double best_k_over_v() {
 
 }  // namespace
 
-Item table2() {
+Item make() {
   const double loss = kinetic_loss(mass, speed, restitution) / 1e3, kilonewtons = stiffness / 1e3 / speed;
   Item item{.name = "table2",
             .title = "The proposed damping coefficient and the example of 755.76",
@@ -165,4 +165,4 @@ Item table2() {
   return item;
 }
 
-}  // namespace pounding::reproduce
+}  // namespace pounding::reproduce::table2

@@ -63,7 +63,7 @@ void expect_complete(const Item& item) {
 }
 
 TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
-  const Item item = sdof();
+  const Item item = sdof::make();
   expect_complete(item);
   test::Book book("The paper: two bodies and two oscillators (Eqs. 1, 2)", independent, as_printed);
   // Closed form of a linear spring and dashpot, contact until d = 0: half a period of the damped oscillator.
@@ -101,7 +101,7 @@ TEST(Reproduction, OfTheOscillatorsSolvesBothEquationsAlike) {
 }
 
 TEST(Reproduction, OfTheLawsMeasuresWhatTableOneClaims) {
-  const Item item = force_laws();
+  const Item item = force_laws::make();
   expect_complete(item);
   test::Book book("The paper: every law at the same impact (Eqs. 3-14, Table 1)", independent, as_printed);
   // Reference, restitution obtained for 0.5 asked.
@@ -131,7 +131,7 @@ TEST(Reproduction, OfTheLawsMeasuresWhatTableOneClaims) {
 }
 
 TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
-  const Item item = table2();
+  const Item item = table2::make();
   expect_complete(item);
   test::Book book("The paper: the example of 755.76 (Eqs. 15-17, Table 2, Fig. 6)", independent, as_printed);
   const Table& example = item.table("example");
@@ -162,7 +162,7 @@ TEST(Reproduction, OfTheExampleHasTheDampingOfTheReference) {
 }
 
 TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
-  const Item item = section5();
+  const Item item = section5::make();
   expect_complete(item);
   test::Book book("The paper: accuracy of the proposed law (section 5.1, Table 3)", independent, as_printed);
   const struct {
@@ -209,7 +209,7 @@ TEST(Reproduction, OfSectionFiveHasTheErrorsOfTheReference) {
 }
 
 TEST(Reproduction, OfTheCyclicProcessHasTheCurveOfTheReference) {
-  const Item item = cyclic();
+  const Item item = cyclic::make();
   expect_complete(item);
   test::Book book("The paper: cyclic process (section 6, Eq. 19)", independent, as_printed);
   // Reference: Eq. 19 at these restitutions, its roots, the energies.
@@ -242,7 +242,7 @@ TEST(Reproduction, OfTheCyclicProcessHasTheCurveOfTheReference) {
 }
 
 TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
-  const Item item = section7();
+  const Item item = section7::make();
   expect_complete(item);
   test::Book book("The paper: three damping ratios (section 7, Table 4)", independent, as_printed);
   constexpr reference::Nine eq38{124.79021, 29.33544, 11.71522, 5.61499, 2.86479, 1.44866, 0.67586, 0.25783, 0.05675};
@@ -280,7 +280,7 @@ TEST(Reproduction, OfSectionSevenHasTheRatiosOfTheReference) {
 // Reference: two oscillators by two integrators that agree to six decimals of the displacements and 1e-6 of forces. Forces to 1e-5,
 // the error that the tolerance of 1e-7 leaves in the fifth impact.
 TEST(Reproduction, BeyondThePaperHasTheOscillatorsOfTheReference) {
-  const Item item = beyond();
+  const Item item = beyond::make();
   expect_complete(item);
   test::Book book("Beyond the paper: two oscillators, exact and published damping", independent, as_printed);
   const struct {

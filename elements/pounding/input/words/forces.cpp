@@ -8,20 +8,20 @@ namespace {
 
 constexpr std::string_view since = "0.2.0";
 
-constexpr Word amplitude_word{.key = "amplitude", .takes = Takes::quantity, .dimension = dimension::force, .turning = dimension::energy,
+constexpr Word force_amplitude_word{.key = "amplitude", .takes = Takes::quantity, .dimension = dimension::force, .turning = dimension::energy,
                               .need = Need::required, .since = since,
                               .meaning = "Largest force, of a rotation a moment. Positive begins along the axis, towards +x, the right.",
                               .example = "20 kN"};
-constexpr Word period_word{.key = "period", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+constexpr Word force_period_word{.key = "period", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
                            .need = Need::exactly_one, .since = since, .meaning = "Period T of the force.", .example = "0.5 s"};
 constexpr Word frequency_word{.key = "frequency", .takes = Takes::quantity, .dimension = dimension::frequency, .unit = "Hz",
                               .bounds = bounds::positive, .need = Need::exactly_one, .since = since,
                               .meaning = "Turns in a second, 1/T. Not in rad/s: divide by 2 pi.", .example = "2 Hz"};
-constexpr Word duration_word{.key = "duration", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
+constexpr Word force_duration_word{.key = "duration", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
                              .need = Need::required, .since = since, .meaning = "How long the force acts.", .example = "10 s"};
 constexpr Word start_word{.key = "start", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::non_negative,
                           .otherwise = "0 s", .since = since, .meaning = "Time at which the force begins.", .example = "0.2 s"};
-constexpr Word phase_word{.key = "phase", .takes = Takes::quantity, .unit = "rad",
+constexpr Word force_phase_word{.key = "phase", .takes = Takes::quantity, .unit = "rad",
                           .bounds = {.low = -2 * std::numbers::pi, .high = 2 * std::numbers::pi}, .noun = "an angle", .otherwise = "0",
                           .since = since, .meaning = "Angle of the sine at the start, at most a full turn; a bare number is in rad.",
                           .example = "90 deg"};
@@ -62,14 +62,14 @@ constexpr Word force_words[] = {
     {.key = "start", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::non_negative, .otherwise = "0 s", .since = since,
      .meaning = "Time at which a sum or a record begins.", .example = "0.2 s"}};
 
-constexpr Word harmonic_words[] = {amplitude_word, period_word, frequency_word, duration_word, phase_word, start_word};
-constexpr Word sum_words[] = {amplitude_word, period_word, frequency_word, phase_word};
-constexpr Word pulse_words[] = {
+constexpr Word force_harmonic_words[] = {force_amplitude_word, force_period_word, frequency_word, force_duration_word, force_phase_word, start_word};
+constexpr Word sum_words[] = {force_amplitude_word, force_period_word, frequency_word, force_phase_word};
+constexpr Word force_pulse_words[] = {
     {.key = "shape", .takes = Takes::choice, .choices = pulse_shapes, .noun = "pulse shape", .need = Need::required, .since = since,
      .meaning = "half_sine has one sign, sine is a full wave, rectangle is constant.", .example = "half_sine"},
-    amplitude_word, duration_word, start_word};
+    force_amplitude_word, force_duration_word, start_word};
 constexpr Word step_words[] = {
-    amplitude_word, start_word,
+    force_amplitude_word, start_word,
     {.key = "rise", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::non_negative, .otherwise = "0 s", .since = since,
      .meaning = "Time within which the force grows straight to its amplitude.", .example = "0.5 s"}};
 
@@ -78,11 +78,11 @@ constexpr Word step_words[] = {
 constinit const Section force{.name = "forces", .place = "structures.NAME.forces[]",
                               .meaning = "A force over time on a floor, a node or a body. Several on one place add.", .words = force_words};
 constinit const Section force_harmonic{.name = "force_harmonic", .place = "structures.NAME.forces[].harmonic",
-                                       .meaning = "F = A sin(2 pi (t - start)/T + phase) while it lasts.", .words = harmonic_words};
+                                       .meaning = "F = A sin(2 pi (t - start)/T + phase) while it lasts.", .words = force_harmonic_words};
 constinit const Section force_sum_part{.name = "force_sum", .place = "structures.NAME.forces[].sum[]",
                                        .meaning = "One harmonic of a sum of forces.", .words = sum_words};
 constinit const Section force_pulse{.name = "force_pulse", .place = "structures.NAME.forces[].pulse", .meaning = "One pulse of force.",
-                                    .words = pulse_words};
+                                    .words = force_pulse_words};
 constinit const Section step_force{.name = "step_force", .place = "structures.NAME.forces[].step_force",
                                    .meaning = "A force that sets in and stays; it needs the duration of the analysis.", .words = step_words};
 

@@ -14,13 +14,13 @@ namespace pounding::words {
 namespace {
 
 constexpr std::string_view places[] = {"start", "end", "both", "feet"};
-constexpr std::string_view axes[] = {"y", "z", "both"};
+constexpr std::string_view hinge_axes[] = {"y", "z", "both"};
 
 constexpr Word at_word{.key = "at", .takes = Takes::choice, .choices = places, .noun = "end of a member", .need = Need::required, .since = "0.2.0",
                        .meaning = "Which ends of the member: feet are those at nodes that the ground holds. A member that is cut into parts has its "
                                   "two outer ends.",
                        .example = "both"};
-constexpr Word axis_word{.key = "axis", .takes = Takes::choice, .choices = axes, .noun = "axis", .otherwise = "y in the plane; in space it must be given",
+constexpr Word hinge_axis_word{.key = "axis", .takes = Takes::choice, .choices = hinge_axes, .noun = "axis", .otherwise = "y in the plane; in space it must be given",
                          .since = "0.2.0",
                          .meaning = "Local axis that the member bends about, see reference. both are two hinges that do not know of each other.",
                          .example = "y"};
@@ -44,7 +44,7 @@ Word required(Word word) {
 /// The words of the hinges and of the laws of springs in series.
 struct OfHinges : YieldingWords {
   std::vector<Word> own{at_word,
-                        axis_word,
+                        hinge_axis_word,
                         rigid(moment_word),
                         {.key = "hardening", .takes = Takes::quantity, .bounds = bounds::from_0_below_1, .otherwise = "0", .since = "0.2.0",
                          .meaning = "Part of its stiffness that the member keeps when both ends yield in double curvature. At a joint where all ends yield and "
