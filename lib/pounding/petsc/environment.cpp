@@ -17,6 +17,8 @@ namespace {
 // PETSc calls its error handler once a function on the way up; this keeps the first message.
 thread_local std::string failure;
 thread_local bool lacks_memory = false;
+// Once PETSc has got no memory, what it was about to make is half made for good.
+bool is_half_made = false;
 
 PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char* file, PetscErrorCode code,
                             PetscErrorType type, const char* message, void*) {
@@ -43,6 +45,13 @@ void prepare_single_process() {
   setenv("OMPI_MCA_orte_create_session_dirs", "0", keep_existing);
 }
 
+// Newer versions list options that nothing read when they end; a run tells of its own before it begins.
+void leave_unread_options_out() {
+  PetscBool asked = PETSC_FALSE;
+  check(PetscOptionsHasName(nullptr, nullptr, "-options_left", &asked));
+  if (!asked) check(PetscOptionsSetValue(nullptr, "-options_left", "0"));
+}
+
 }  // namespace
 
 Environment::Environment(const std::vector<std::string>& options) {
@@ -59,14 +68,12 @@ Environment::Environment(const std::vector<std::string>& options) {
     char** arguments = pointers.data();
     check(PetscInitialize(&count, &arguments, nullptr, nullptr));
     owns_petsc_ = true;
-    // Newer versions list options that nothing read when they end; a run tells of its own before it begins.
-    PetscBool asked = PETSC_FALSE;
-    check(PetscOptionsHasName(nullptr, nullptr, "-options_left", &asked));
-    if (!asked) check(PetscOptionsSetValue(nullptr, "-options_left", "0"));
     // PETSc has copied the options into its own table. Signals stay the program's.
     PetscPopSignalHandler();
   }
-  PetscPushErrorHandler(keep_message, nullptr);
+  // Before anything else: PETSc's own handler reads options, and crashes where their table has got no memory.
+  if (PetscPushErrorHandler(keep_message, nullptr) != 0) throw OutOfMemory("out of memory: PETSc takes no error handler");
+  if (owns_petsc_) leave_unread_options_out();
   check(SlepcInitialized(&ready));
   if (!ready) {
     check(SlepcInitialize(nullptr, nullptr, nullptr, nullptr));
@@ -75,6 +82,8 @@ Environment::Environment(const std::vector<std::string>& options) {
 }
 
 Environment::~Environment() {
+  // PETSc crashes when it ends what is half made. A process that talks to itself only may leave that to the system.
+  if (is_half_made && owns_petsc_ && !launch()) return;
   // Our handler stays until the end: a failure there (a full standard output) is told by the program, not by PETSc.
   if (owns_slepc_) SlepcFinalize();
   if (owns_petsc_)
@@ -118,7 +127,10 @@ void check(PetscErrorCode code) {
   if (code == 0) return;
   std::string text = failure.empty() ? "PETSc error " + std::to_string(static_cast<int>(code)) : failure;
   failure.clear();
-  if (std::exchange(lacks_memory, false) || code == PETSC_ERR_MEM) throw OutOfMemory(text);
+  if (std::exchange(lacks_memory, false) || code == PETSC_ERR_MEM) {
+    is_half_made = true;
+    throw OutOfMemory(text);
+  }
   throw SolverError(text);
 }
 
