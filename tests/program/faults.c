@@ -5,7 +5,9 @@
                          these libraries ask for, or the program itself and its libraries of C++, from main on
    POUNDING_FAULT_AT     the number of the call that fails, from 1
    POUNDING_FAULT_KIND   an error number; or short (half is written, then the disk is full), kill, or signal NUMBER as -NUMBER
-   POUNDING_FAULT_COUNT  file to which the number of calls is written at the end */
+   POUNDING_FAULT_COUNT  file to which the number of calls is written at the end
+   POUNDING_FAULT_SERVES when set, the program does not run itself: for each line CALL AT KIND of its input it runs once in a child, which
+                         writes its messages to this file, and answers with the child's status as wait gives it. Libraries load once. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -16,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 static long calls = 0;
@@ -114,9 +117,37 @@ int TSPostStep(void* ts) {
   return real(ts);
 }
 
+/* In the child that is to run the program, back with the messages going to `path`; in the parent never. */
+static void serve(const char* path) {
+  char call[32], number[32], kind[32];
+  unsetenv("POUNDING_FAULT_SERVES");
+  while (scanf("%31s %31s %31s", call, number, kind) == 3) {
+    const pid_t child = fork();
+    if (child == 0) {
+      setenv("POUNDING_FAULT_CALL", call, 1);
+      setenv("POUNDING_FAULT_AT", number, 1);
+      setenv("POUNDING_FAULT_KIND", kind, 1);
+      const int nothing = open("/dev/null", O_RDWR), messages = open(path, O_CREAT | O_TRUNC | O_WRONLY, 0600);
+      dup2(nothing, 0);
+      dup2(nothing, 1);
+      dup2(messages, 2);
+      close(nothing);
+      close(messages);
+      return;
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child) exit(1);
+    printf("%d\n", status);
+    fflush(stdout);
+  }
+  unsetenv("POUNDING_FAULT_COUNT");
+  exit(0);
+}
+
 static int in_main = 0;
 static int (*true_main)(int, char**, char**) = NULL;
 static int counted_main(int count, char** words, char** environment) {
+  if (*setting("POUNDING_FAULT_SERVES")) serve(setting("POUNDING_FAULT_SERVES"));
   in_main = 1;
   const int code = true_main(count, words, environment);
   in_main = 0;

@@ -58,11 +58,22 @@ analysis: {duration: 0.2}
 """
 
 
+def checksum(content):
+    """The beginning of a results file of this content."""
+    return f"results of pounding\nsize {len(content):020}\ncrc32 {zlib.crc32(content[512:]):08x}\n".encode()
+
+
 def seal(path):
     """Gives a results file that a test has changed the checksum of what it holds now."""
     content = path.read_bytes()
-    text = f"results of pounding\nsize {len(content):020}\ncrc32 {zlib.crc32(content[512:]):08x}\n".encode()
+    text = checksum(content)
     path.write_bytes(text + content[len(text):])
+
+
+def is_sealed(path):
+    """Whether a results file is whole."""
+    content = path.read_bytes()
+    return content.startswith(checksum(content))
 
 
 class ProgramTest(unittest.TestCase):

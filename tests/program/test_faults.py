@@ -4,16 +4,22 @@ and a whole file of this run or of an earlier one. Only where HDF5 gets no memor
 POUNDING_ALL_FAULTS=1 takes every one."""
 
 import errno
+import itertools
 import os
+import select
 import signal
 import subprocess
 import unittest
+from collections import Counter
+from types import SimpleNamespace
 
 import h5py
-from support import OSCILLATORS, PROGRAM, ProgramTest
+from support import OSCILLATORS, PROGRAM, ProgramTest, is_sealed
 
 SHIM = os.environ["POUNDING_FAULTS"]
 ALL = os.environ.get("POUNDING_ALL_FAULTS") == "1"
+#: How often runs ended with this exit code, or less than zero by this signal, and with the earlier file replaced or not.
+ENDINGS = Counter()
 #: Written often, so that there are many calls.
 MODEL = OSCILLATORS.replace("analysis: {duration: 3.0}", "analysis: {duration: 3.0, tolerance: 1e-7}\ncompare: no_pounding\n"
                             "checkpoint: {every_simulated: 0.2 s}")
@@ -21,11 +27,41 @@ MODEL = OSCILLATORS.replace("analysis: {duration: 3.0}", "analysis: {duration: 3
 SMALL = OSCILLATORS.replace("analysis: {duration: 3.0}", "analysis: {duration: 0.6}\ncheckpoint: {every_simulated: 0.2 s}")
 
 
+def tearDownModule():
+    if ALL:
+        for (code, replaced), count in sorted(ENDINGS.items()):
+            print(f"exit code {code}, file {'replaced' if replaced else 'as before'}: {count} runs")
+
+
 def contents(path):
     found = {}
     with h5py.File(path) as file:
         file.visititems(lambda place, item: found.update({place: item[()].tobytes()}) if isinstance(item, h5py.Dataset) else None)
         return file.attrs["status"], {place: value for place, value in found.items() if "wall" not in place and "summary" not in place}
+
+
+class Served:
+    """A command of the program that is loaded once and runs in a child for each fault: a third of the time of new processes."""
+
+    #: [s]
+    PATIENCE = 60
+
+    def __init__(self, folder, *words):
+        self.messages = folder / "messages"
+        settings = {"LD_PRELOAD": SHIM, "POUNDING_FAULT_SERVES": str(self.messages), "POUNDING_FAULT_COUNT": str(folder / "count")}
+        self.process = subprocess.Popen([PROGRAM, *words], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+                                        start_new_session=True, env={**os.environ, **settings})
+
+    def run(self, call, number, kind):
+        print(call, number, kind, file=self.process.stdin, flush=True)
+        if not select.select([self.process.stdout], [], [], self.PATIENCE)[0]:
+            os.killpg(self.process.pid, signal.SIGKILL)
+            raise AssertionError(f"{call} {number} {kind}: it took more than {self.PATIENCE} s")
+        status = int(self.process.stdout.readline())
+        return SimpleNamespace(returncode=os.waitstatus_to_exitcode(status), stderr=self.messages.read_text())
+
+    def close(self):
+        self.process.communicate()
 
 
 class FaultTest(ProgramTest):
@@ -40,12 +76,18 @@ class FaultTest(ProgramTest):
         self.write(OSCILLATORS, "earlier.yaml")
         self.assertEqual(self.pounding("run", "earlier.yaml", "-q", "-o", "out.h5").returncode, 0)
         self.before = self.path.read_bytes()
+        self.served = self.serves("run", "model.yaml", "-q", "-o", "out.h5")
+
+    def serves(self, *words):
+        served = Served(self.folder, *words)
+        self.addCleanup(served.close)
+        return served
 
     def run_with(self, call, number, kind):
-        words = {"POUNDING_FAULT_CALL": call, "POUNDING_FAULT_AT": str(number), "POUNDING_FAULT_KIND": str(kind),
-                 "POUNDING_FAULT_COUNT": str(self.folder / "count")}
-        return subprocess.run([PROGRAM, "run", "model.yaml", "-q", "-o", "out.h5"], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, timeout=60, env={**os.environ, "LD_PRELOAD": SHIM, **words})
+        done = self.served.run(call, number, kind)
+        if number:
+            ENDINGS[done.returncode, self.path.read_bytes() != self.before] += 1
+        return done
 
     def count(self, call):
         """How many such calls a run makes."""
@@ -61,17 +103,18 @@ class FaultTest(ProgramTest):
 
     def check_ending(self, done, killed=False):
         """Whole file of the earlier run, of this one on its way, or of its end; nothing beside it."""
-        status, found = contents(self.path)
+        self.assertTrue(is_sealed(self.path))
         if killed:
             self.assertEqual(done.returncode, -signal.SIGKILL)
         elif done.returncode == 0:
+            status, found = contents(self.path)
             self.assertEqual(status, "done")
             self.assertEqual(found.keys(), self.right.keys())
             self.assertEqual([place for place in found if found[place] != self.right[place]], [])
         else:
             self.assertIn(done.returncode, (2, 3), done.stderr)
             self.assertRegex(done.stderr, r"(?m)^pounding: ")
-        if self.path.read_bytes() != self.before:
+        if self.path.read_bytes() != self.before and not ALL:
             checked = self.pounding("spectrum", "out.h5", "--floor", "left.1")
             self.assertNotIn("damaged", checked.stderr)
         leftovers = [path.name for path in self.folder.iterdir() if path.name.endswith(".tmp")]
@@ -136,18 +179,23 @@ class LackOfMemory(FaultTest):
     def test_of_the_program_itself(self):
         self.some("own_memory", 5000, 10, self.tells)
 
+    def costs_no_file(self, done):
+        """A library that crashes where it gets no memory may end the process by a signal; what counts is the file."""
+        # PETSc tells of signals while it starts, and ends its process by this code.
+        if done.returncode < 0 or (done.returncode == 59 and "Caught signal" in done.stderr):
+            self.crashes += 1
+            done.returncode, done.stderr = 3, "pounding: "
+
     def test_of_petsc(self):
-        """Its very first allocation is one before it can tell of errors, and it crashes."""
-        self.some("petsc_memory", 100, 5, lambda done: None)
+        """PETSc 3.18 crashes at some allocations: where the first part of an object got no memory, and at its very first one."""
+        self.crashes = 0
+        self.some("petsc_memory", 100, 5, self.costs_no_file)
+        self.assertLess(self.crashes, 6)
 
     def test_of_hdf5_costs_no_file(self):
-        def look(done):
-            # HDF5 1.10 frees blocks twice after an allocation that failed, and then the process may end by a signal. What counts
-            # is the file.
-            if done.returncode < 0:
-                done.returncode, done.stderr = 3, "pounding: "
-
-        self.some("hdf5_memory", 1000, 10, look)
+        """HDF5 1.10 frees blocks twice after an allocation that failed."""
+        self.crashes = 0
+        self.some("hdf5_memory", 1000, 10, self.costs_no_file)
 
 
 class SignalsAtSteps(FaultTest):
@@ -159,9 +207,9 @@ class SignalsAtSteps(FaultTest):
     def test_end_runs_that_go_on_to_the_same_bits(self):
         count = self.count("step")
         self.assertGreater(count, 100)
-        all_pairs = [(number, step) for step in range(1, count + 1) for number in self.SIGNALS]
-        stopped = 0
-        for number, step in all_pairs if ALL else zip(self.SIGNALS, (1, count // 3, 2 * count // 3, count)):
+        steps = range(1, count + 1) if ALL else (1, count // 3, 2 * count // 3, count)
+        stopped, resumed = 0, self.serves("run", "--resume", "out.h5", "-q")
+        for number, step in zip(itertools.cycle(self.SIGNALS), steps):
             with self.subTest(signal=number, step=step, of=count):
                 self.path.write_bytes(self.before)
                 done = self.run_with("step", step, f"-{int(number)}")
@@ -171,7 +219,7 @@ class SignalsAtSteps(FaultTest):
                 stopped += 1
                 self.assertEqual(done.returncode, 3)
                 self.assertIn("stopped by the user", done.stderr)
-                again = self.pounding("run", "--resume", "out.h5", "-q")
+                again = resumed.run("none", 0, 0)
                 self.assertEqual(again.returncode, 0, again.stderr)
                 _, found = contents(self.path)
                 self.assertEqual([place for place in self.right if found.get(place) != self.right[place]], [])
