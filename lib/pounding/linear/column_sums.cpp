@@ -1,22 +1,11 @@
 #include <pounding/linear/column_sums.hpp>
 
+#include <pounding/linear/wide_vectors.hpp>
+
 namespace pounding {
 namespace {
 
-#if defined(__GNUC__) && defined(__x86_64__)
-#define POUNDING_INLINE inline __attribute__((always_inline))
-#define POUNDING_WIDE __attribute__((target("avx")))
-bool is_wide() { return __builtin_cpu_supports("avx") != 0; }
-#else
-#define POUNDING_INLINE inline
-#define POUNDING_WIDE
-bool is_wide() { return false; }
-#endif
-
-#ifdef __GNUC__
-// Four numbers, anywhere in memory.
-using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
-
+#ifdef POUNDING_HAS_FOUR
 // 4 `blocks` rows from `row` on; the sums stay in registers.
 template <int blocks>
 POUNDING_INLINE Eigen::Index sum_rows(const double* a, Eigen::Index rows, Eigen::Index columns, const double* x, double* y, Eigen::Index row) {
@@ -51,7 +40,6 @@ POUNDING_INLINE void sum_all(const double* a, Eigen::Index rows, Eigen::Index co
   }
 }
 
-// Products and sums are rounded one by one here too: AVX has no fused ones.
 POUNDING_WIDE void sum_by_wide_vectors(const double* a, Eigen::Index rows, Eigen::Index columns, const double* x, double* y) {
   sum_all(a, rows, columns, x, y);
 }
@@ -59,8 +47,7 @@ POUNDING_WIDE void sum_by_wide_vectors(const double* a, Eigen::Index rows, Eigen
 }  // namespace
 
 void sum_columns(const Eigen::MatrixXd& a, const double* x, double* y) {
-  static const bool wide = is_wide();
-  if (wide)
+  if (has_wide_vectors())
     sum_by_wide_vectors(a.data(), a.rows(), a.cols(), x, y);
   else
     sum_all(a.data(), a.rows(), a.cols(), x, y);

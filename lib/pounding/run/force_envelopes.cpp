@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include <pounding/run/beyond_extremes.hpp>
+
 namespace pounding {
 namespace {
 
@@ -14,6 +16,8 @@ namespace {
 constexpr double difference = 1e-7;  // [s]
 // Part of a step over which forces of springs are differentiated.
 constexpr double spring_difference = 1e-6;
+
+constexpr int batch = LinearQuantities::batch;
 
 bool yields(const Structure& s) { return s.dimension > 1 && !s.yielding.empty(); }
 
@@ -289,7 +293,6 @@ void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bo
 // To the knots whose motions wait. While contacts press or parts yield, blocks that are followed apart are further already.
 void ForceEnvelopes::follow() {
   if (times_.empty()) return;
-  constexpr int batch = LinearQuantities::batch;
   const int count = static_cast<int>(times_.size());
   // Between two knots a cubic stays within a third of their distance times the rates from the values.
   Eigen::Array<double, batch, 1> third = Eigen::Array<double, batch, 1>::Zero();
@@ -309,22 +312,14 @@ void ForceEnvelopes::follow() {
   for (Block& block : blocks_) {
     if (block.apart && apart_) continue;
     block.quantities.evaluate<batch>(motions_, times_, plan_.motions, evaluated_);
-    Extremes& extremes = block.extremes;
-    for (int q = 0; q < block.quantities.size(); ++q) {
-      double &value = block.values[q], &rate = block.rates[q];
-      const auto values = evaluated_.col(q).head<batch>().array(), rates = evaluated_.col(q).tail<batch>().array();
-      const Eigen::Array<double, batch, 1> away = third * rates.abs();
-      const double away_begin = third_begin * std::abs(rate);
-      if (std::max((values + away).maxCoeff(), value + away_begin) > extremes.max[q] ||
-          std::min((values - away).minCoeff(), value - away_begin) < extremes.min[q]) {
-        Eigen::Array<double, 2, batch> pairs;
-        pairs << values.transpose(), rates.transpose();
-        extremes.update(static_cast<std::size_t>(q), followed_, times, value, rate, pairs.data());
-      } else {
-        value = values[batch - 1];
-        rate = rates[batch - 1];
-      }
+    find_beyond({evaluated_, block.values, block.rates, third, third_begin}, block.extremes, beyond_);
+    for (const int q : beyond_) {
+      Eigen::Array<double, 2, batch> pairs;
+      pairs << evaluated_.col(q).head<batch>().transpose().array(), evaluated_.col(q).tail<batch>().transpose().array();
+      block.extremes.update(static_cast<std::size_t>(q), followed_, times, block.values[q], block.rates[q], pairs.data());
     }
+    block.values = evaluated_.row(batch - 1);
+    block.rates = evaluated_.row(2 * batch - 1);
   }
   followed_ = times_.back();
   times_.clear();

@@ -85,6 +85,7 @@ class ForceEnvelopes {
   double followed_ = 0;        // knot up to which the extremes are known [s]
   std::vector<double> times_;  // knots after it whose motions wait [s]
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
+  std::vector<int> beyond_;    // quantities that may have new extremes
   LinearQuantities::Instants<1> motion_, evaluated_once_;
   Eigen::VectorXd u_, v_;        // of all unknowns
   Eigen::VectorXd springs_, spring_rates_;    // forces of all springs at the motion in u_ and v_, and their rates

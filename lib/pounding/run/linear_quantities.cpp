@@ -1,7 +1,10 @@
 #include <pounding/run/linear_quantities.hpp>
 
+#include <cstddef>
 #include <map>
 #include <utility>
+
+#include <pounding/linear/wide_vectors.hpp>
 
 namespace pounding {
 namespace {
@@ -27,6 +30,45 @@ std::pair<std::vector<double>, bool> with_positive_front(const RowMajor& rows, i
   for (double& factor : factors) factor = turned ? -factor : factor;
   columns.insert(columns.end(), factors.begin(), factors.end());
   return {std::move(columns), turned};
+}
+
+// Rows in compressed form, and what is added to the first half of the numbers of each.
+struct SparseRows {
+  const int *begins, *columns;
+  const double *factors, *at_rest;
+  int count;
+};
+
+// Makes `numbers` sums of each row over the columns of `of`, which has as many rows; the sums of a row lie beside each other.
+template <int numbers>
+POUNDING_INLINE void sum_rows(const SparseRows& rows, const double* of, double* sums) {
+  for (int row = 0; row < rows.count; ++row, sums += numbers) {
+#ifdef POUNDING_HAS_FOUR
+    if constexpr (numbers % 8 == 0) {
+      constexpr int fours = numbers / 4;
+      const double r = rows.at_rest[row];
+      Four sum[fours];
+#pragma GCC unroll 4
+      for (int k = 0; k < fours; ++k) sum[k] = k < fours / 2 ? Four{r, r, r, r} : Four{};
+      for (int i = rows.begins[row]; i < rows.begins[row + 1]; ++i) {
+        const double f = rows.factors[i], *const column = of + static_cast<std::ptrdiff_t>(numbers) * rows.columns[i];
+#pragma GCC unroll 4
+        for (int k = 0; k < fours; ++k) sum[k] += Four{f, f, f, f} * *reinterpret_cast<const Four*>(column + 4 * k);
+      }
+#pragma GCC unroll 4
+      for (int k = 0; k < fours; ++k) *reinterpret_cast<Four*>(sums + 4 * k) = sum[k];
+      continue;
+    }
+#endif
+    for (int k = 0; k < numbers; ++k) sums[k] = k < numbers / 2 ? rows.at_rest[row] : 0;
+    for (int i = rows.begins[row]; i < rows.begins[row + 1]; ++i)
+      for (int k = 0; k < numbers; ++k) sums[k] += rows.factors[i] * of[static_cast<std::ptrdiff_t>(numbers) * rows.columns[i] + k];
+  }
+}
+
+template <int numbers>
+POUNDING_WIDE void sum_rows_by_wide_vectors(const SparseRows& rows, const double* of, double* sums) {
+  sum_rows<numbers>(rows, of, sums);
 }
 
 }  // namespace
@@ -76,16 +118,12 @@ template <int instants>
 void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
                                 Instants<instants>& quantities) const {
   quantities.resize(Eigen::NoChange, size());
-  const double* const factors = rows_.valuePtr();
-  const int* const columns = rows_.innerIndexPtr();
-  const int* const begins = rows_.outerIndexPtr();
-  for (int row = 0; row < size(); ++row) {
-    Eigen::Matrix<double, 2 * instants, 1> sum;
-    sum.template head<instants>().setConstant(at_rest_[row]);
-    sum.template tail<instants>().setZero();
-    for (int i = begins[row]; i < begins[row + 1]; ++i) sum += factors[i] * motions.col(first_ + columns[i]);
-    quantities.col(row) = sum;
-  }
+  const SparseRows rows{rows_.outerIndexPtr(), rows_.innerIndexPtr(), rows_.valuePtr(), at_rest_.data(), size()};
+  const double* const from = motions.data() + static_cast<std::ptrdiff_t>(2 * instants) * first_;
+  if (has_wide_vectors())
+    sum_rows_by_wide_vectors<2 * instants>(rows, from, quantities.data());
+  else
+    sum_rows<2 * instants>(rows, from, quantities.data());
   if (by_ground_.size() == 0) return;
   for (std::size_t g = 0; g < grounds.size(); ++g)
     for (std::size_t t = 0; t < times.size(); ++t) {
