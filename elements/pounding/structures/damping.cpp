@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace pounding {
 namespace {
@@ -98,11 +99,17 @@ Eigenmodes dense_modes(const SparseMatrix& mass, const SparseMatrix& stiffness, 
   return modes_of_shapes(mass, stiffness, whole);
 }
 
-Eigenmodes eigenmodes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
+Eigenpairs eigenpairs(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
   // The solver does not look whether its own factor of the mass matrix exists.
   if (mass.llt().info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass);
-  return {solver.eigenvalues().cwiseMax(0).cwiseSqrt(), solver.eigenvectors()};
+  if (solver.info() != Eigen::Success) throw std::invalid_argument("the modes of a structure could not be computed");
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+Eigenmodes eigenmodes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
+  Eigenpairs pairs = eigenpairs(mass, stiffness);
+  return {pairs.values.cwiseMax(0).cwiseSqrt(), std::move(pairs.vectors)};
 }
 
 Rayleigh rayleigh_damping(double ratio, double w1, double w2) {

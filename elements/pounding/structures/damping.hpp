@@ -40,7 +40,14 @@ void require_static_stiffness(const SparseMatrix& mass, const SparseMatrix& stif
 /// Throws std::invalid_argument when there are not so many modes.
 void require_mode_count(int count, std::size_t available);
 
-/// Solves K phi = w^2 M phi. Throws std::invalid_argument when M is not positive definite.
+/// All solutions of K phi = w^2 M phi: the w^2 [1/s^2], increasing, and phi as columns with phi^T M phi = 1.
+struct Eigenpairs {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+/// Throws std::invalid_argument when M is not positive definite, or they do not converge.
+Eigenpairs eigenpairs(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
+/// Their frequencies and shapes; a square below zero counts as zero. Throws as eigenpairs does.
 Eigenmodes eigenmodes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
 /// Factors a and b of C = a M + b K.

@@ -1,6 +1,5 @@
 #include <pounding/linear/modal_solver.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/linear/column_sums.hpp>
+#include <pounding/structures/damping.hpp>
 
 namespace pounding {
 namespace {
@@ -129,18 +129,14 @@ void ModalSolver::add_natural(const System& system, const Group& group) {
         !dense_submatrix(system.damping, massless, dynamic, group.first).isZero(0))
       throw std::invalid_argument("a dashpot acts on an unknown without mass");
   }
-  if (Eigen::LLT<Eigen::MatrixXd>(mass).info() != Eigen::Success)
-    throw std::invalid_argument("the mass matrix is not positive definite");
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass);
-  if (modes.info() != Eigen::Success) throw std::invalid_argument("the modes of a structure could not be computed");
-  const Eigen::MatrixXd& phi = modes.eigenvectors();
+  const auto [values, phi] = eigenpairs(mass, stiffness);
   Block block;
   block.shapes = Eigen::MatrixXd::Zero(group.count, count);
   block.shapes(dynamic, Eigen::all) = phi;
   if (recovery.size() > 0) block.shapes(massless, Eigen::all) = recovery * phi;
   block.project = Eigen::MatrixXd::Zero(count, group.count);
   block.project(Eigen::all, dynamic) = phi.transpose() * mass;
-  Eigen::VectorXd squares = modes.eigenvalues().cwiseMax(0);
+  Eigen::VectorXd squares = values.cwiseMax(0);
   squares.head(std::min<Eigen::Index>(group.rigid_motions, count)).setZero();
   group_masses_.push_back(mass.diagonal().sum());
   add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), squares,
