@@ -1,75 +1,21 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <string>
+#include <new>
 #include <string_view>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/core/limits.hpp>
-#include <pounding/petsc/launch.hpp>
-#include <pounding/core/version.hpp>
 #include "blas_threads.hpp"
-#include "commands.hpp"
 #include "exit_code.hpp"
+#include "serve.hpp"
 
 namespace {
 
+using pounding::program::report;
+
 std::terminate_handler usual_end = nullptr;
-
-const pounding::petsc::Launch launched = pounding::petsc::launch().value_or(pounding::petsc::Launch{});
-
-// The first process reports failures, which under mpirun all processes have. MPI may not have begun yet, or be over.
-bool is_root() { return launched.rank == 0; }
-
-int report(const char* text, int code) {
-  if (is_root()) pounding::program::print_failure(text);
-  return code;
-}
-
-// Several processes would print the same text and write the same files, each of them.
-void require_one_process(CLI::App& command) {
-  command.parse_complete_callback([&command] {
-    if (launched.size > 1)
-      throw pounding::InputError(fmt::format("pounding {} works in one process, and {} were started; type it without mpirun",
-                                             command.get_name(), launched.size));
-  });
-}
-
-// The message for a word that stands where a command should and is none; empty when there is no such word.
-std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
-  const CLI::App* level = &app;
-  std::string before;
-  for (const std::string& word : words) {
-    const auto commands = level->get_subcommands([](const CLI::App*) { return true; });
-    if (commands.empty() || word.starts_with('-')) return {};
-    std::vector<std::string_view> names;
-    level = nullptr;
-    for (const CLI::App* command : commands) {
-      names.push_back(command->get_name());
-      if (command->get_name() == word) level = command;
-    }
-    if (level == nullptr) {
-      const bool is_model = word.ends_with(".yaml") || word.ends_with(".yml");
-      return fmt::format("unknown command \"{}{}\".{}", before, pounding::excerpt(word),
-                         is_model ? fmt::format(" To run this model type pounding run {}", pounding::excerpt(word)) : pounding::suggestion(word, names));
-    }
-    before += word + " ";
-  }
-  return {};
-}
-
-// "run", "record info": the commands that were typed.
-std::vector<std::string> commands_of(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* level = &app; !level->get_subcommands().empty(); names.push_back(level->get_name())) level = level->get_subcommands().front();
-  return names;
-}
 
 // Where memory ends in what must not throw, such as the destructor of a tree of JSON, or before main() has begun.
 void end_without_memory() {
@@ -94,53 +40,13 @@ void tell_of_hdf5(int status, void*) {
   _exit(pounding::program::failed_solve);
 }
 
-int serve(int argc, char** argv) {
-  CLI::App app{"Adjacent structures that hit each other in earthquakes"};
-  app.set_version_flag("--version", "pounding " POUNDING_VERSION);
-  app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::help);
-  using namespace pounding::program;
-  add_run(app);
-  add_modes(app);
-  add_pushover(app);
-  add_sensitivity(app);
-  add_study(app);
-  add_words(app);
-  add_laws(app);
-  add_calibrate(app);
-  add_record(app);
-  add_spectrum(app);
-  add_plot(app);
-  add_animate(app);
-  add_export(app);
-  add_reproduce(app);
-  for (CLI::App* command : app.get_subcommands([](const CLI::App* each) { return each->get_name() != "run"; }))
-    require_one_process(*command);
-  app.get_subcommand("run")->parse_complete_callback(pounding::petsc::require_mpi_for_several);
-  try {
-    app.parse(argc, argv);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);
-    return done;
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return is_root() ? app.exit(error) : done;
-    if (const std::string unknown = unknown_command(app, {argv + 1, argv + argc}); !unknown.empty())
-      return report((unknown + "\nType pounding --help.").c_str(), bad_input);
-    return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
-  } catch (const pounding::OutOfMemory&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw pounding::OutOfMemory(fmt::format("pounding {}: out of memory; {} were there", fmt::join(commands_of(app), " "),
-                                            pounding::limits::text_of_bytes(pounding::limits::memory())));
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   pounding::program::use_one_blas_thread();
   on_exit(tell_of_hdf5, nullptr);
   try {
-    return serve(argc, argv);
+    return pounding::program::serve(argc, argv);
   } catch (const pounding::OutOfMemory& error) {
     return report(error.what(), pounding::program::failed_solve);
   } catch (const std::bad_alloc&) {
