@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(config_directory ${CMAKE_INSTALL_LIBDIR}/cmake/Pounding)
-set(parts laws c links elements study lib)
+set(parts laws c links elements lib)
 if(TARGET pounding_fortran)
   list(APPEND parts fortran)
 endif()
@@ -14,9 +14,8 @@ install(TARGETS pounding_laws EXPORT PoundingLawsTargets)
 install(TARGETS pounding_c EXPORT PoundingCTargets)
 install(TARGETS pounding_links pounding_warnings EXPORT PoundingLinksTargets)
 install(TARGETS pounding_elements EXPORT PoundingElementsTargets)
-install(TARGETS pounding_study EXPORT PoundingStudyTargets)
 install(TARGETS pounding_lib EXPORT PoundingLibTargets)
-set(exports Laws C Links Elements Study Lib)
+set(exports Laws C Links Elements Lib)
 if(TARGET pounding_fortran)
   install(TARGETS pounding_fortran EXPORT PoundingFortranTargets)
   install(FILES $<TARGET_PROPERTY:pounding_fortran,Fortran_MODULE_DIRECTORY>/pounding.mod elements/fortran/pounding.f90
@@ -52,7 +51,6 @@ install_pc(pounding-laws "Contact laws of pounding structures, C++20 headers" ""
 install_pc(pounding-links "Gap links between structures" "" "-L\${libdir} -lpounding_links" "")
 install_pc(pounding-elements "Structures, the model and its reader" "pounding-links yaml-cpp fmt eigen3"
   "-L\${libdir} -lpounding_elements" "")
-install_pc(pounding-study "Many histories of linear structures" "pounding-elements" "-L\${libdir} -lpounding_study" "")
 install_pc(pounding "Time integration and results of pounding structures" "pounding-elements slepc PETSc ${MPI_HDF5_MODULE} zlib"
   "-L\${libdir} -lpounding_lib" "")
 install_pc(pounding-c "Contact laws of pounding structures, C interface" "" "-L\${libdir} -lpounding_c" "")

@@ -10,7 +10,8 @@
 
 #include <pounding/run/linear_quantities.hpp>
 
-namespace pounding::beyond_extremes_test {
+namespace pounding {
+namespace beyond_extremes_test {
 
 constexpr int batch = LinearQuantities::batch;
 using Batch = LinearQuantities::Instants<batch>;
@@ -84,4 +85,5 @@ TEST(LinearQuantities, AreTheSameOneByOneAndInBatches) {
   }
 }
 
-}  // namespace pounding::beyond_extremes_test
+}  // namespace beyond_extremes_test
+}  // namespace pounding
