@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include <pounding/results/envelope.hpp>
 
 namespace pounding {
@@ -58,6 +61,37 @@ TEST(Extremes, AreFoundOnTheParabolaThroughBothEndsAndTheMiddle) {
   Extremes straight(1);
   straight.update(0, 0, 1, 0, 1, 2);
   EXPECT_EQ(straight.max[0], 2);
+}
+
+// A step that brings nothing new is found by few operations. Extremes without a value before follow each step to its end.
+TEST(Extremes, OfManyStepsAreThoseOfEachStepAlone) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> any;
+  for (int round = 0; round < 200; ++round) {
+    Extremes cubics(1), parabolas(1);
+    double begin = 0, rate = 1, time = 0, least[2] = {0, 0}, largest[2] = {0, 0};
+    cubics.update(0, time, begin);
+    parabolas.update(0, time, begin);
+    for (int step = 0; step < 20; ++step) {
+      const double h = 0.1, end = any(random), rate_end = 20 * any(random), middle = 0.5 * (begin + end) + 0.5 * any(random);
+      cubics.update(0, time, h, begin, rate, end, rate_end);
+      parabolas.update(0, time, h, begin, middle, end);
+      Extremes alone[2] = {Extremes(1), Extremes(1)};
+      alone[0].update(0, time, h, begin, rate, end, rate_end);
+      alone[1].update(0, time, h, begin, middle, end);
+      for (int i = 0; i < 2; ++i) {
+        least[i] = std::min(least[i], alone[i].min[0]);
+        largest[i] = std::max(largest[i], alone[i].max[0]);
+      }
+      ASSERT_EQ(cubics.min[0], least[0]);
+      ASSERT_EQ(cubics.max[0], largest[0]);
+      ASSERT_EQ(parabolas.min[0], least[1]);
+      ASSERT_EQ(parabolas.max[0], largest[1]);
+      begin = end;
+      rate = rate_end;
+      time += h;
+    }
+  }
 }
 
 }  // namespace envelope_test

@@ -7,30 +7,24 @@ namespace pounding {
 
 double Extremes::peak(std::size_t i) const { return std::max({0.0, -min[i], max[i]}); }
 
-void Extremes::update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
+void Extremes::add_cubic(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
   update(i, time + h, end);
   if (slope_begin * slope_end >= 0) return;
   const double s = slope_begin / (slope_begin - slope_end), r = 1 - s;
   update(i, time + s * h, r * r * (1 + 2 * s) * begin + s * s * (1 + 2 * r) * end + h * s * r * (r * slope_begin - s * slope_end));
 }
 
-void Extremes::update(std::size_t i, double time, std::span<const double> times, double& value, double& slope, const double* pairs) {
-  for (const double next : times) {
-    const double end = *pairs++, slope_end = *pairs++;
-    // The cubic lies between the values at the ends and a third of the step along the slopes there, its points as a Bezier curve. Most
-    // steps bring nothing new.
-    const double third = (next - time) / 3, at_begin = third * std::abs(slope), at_end = third * std::abs(slope_end);
-    const bool is_beyond = end < min[i] || end > max[i];
-    if (is_beyond || (slope * slope_end < 0 && (std::min(value - at_begin, end - at_end) < min[i] ||
-                                                std::max(value + at_begin, end + at_end) > max[i])))
-      update(i, time, next - time, value, slope, end, slope_end);
-    time = next;
-    value = end;
-    slope = slope_end;
+void Extremes::update(std::size_t i, double time, std::span<const double> times, double value, double slope, const double* values,
+                      const double* slopes) {
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    update(i, time, times[k] - time, value, slope, values[k], slopes[k]);
+    time = times[k];
+    value = values[k];
+    slope = slopes[k];
   }
 }
 
-void Extremes::update(std::size_t i, double time, double h, double begin, double middle, double end) {
+void Extremes::add_parabola(std::size_t i, double time, double h, double begin, double middle, double end) {
   update(i, time + 0.5 * h, middle);
   update(i, time + h, end);
   const double slope = end - begin, bend = 2 * (begin - 2 * middle + end);  // of the parabola on [0, 1] at the middle

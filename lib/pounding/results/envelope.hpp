@@ -38,12 +38,21 @@ struct Extremes {
     }
   }
   /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic through them.
-  void update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end);
-  /// Follows one quantity from a time on through values and slopes at several later times, two behind each other for each. `value` and
-  /// `slope` become the last ones.
-  void update(std::size_t i, double time, std::span<const double> times, double& value, double& slope, const double* pairs);
+  void update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
+    // The cubic lies between the values at the ends and a third of the step along the slopes there, its points as a Bezier curve. Most
+    // steps bring nothing new.
+    const double third = h / 3;
+    if (holds(i, end) && (slope_begin * slope_end >= 0 || (holds(i, begin + third * slope_begin) && holds(i, end - third * slope_end)))) return;
+    add_cubic(i, time, h, begin, slope_begin, end, slope_end);
+  }
+  /// Follows one quantity from a time on through its values and slopes at several later times.
+  void update(std::size_t i, double time, std::span<const double> times, double value, double slope, const double* values,
+              const double* slopes);
   /// Values at the beginning, the middle and the end of such a step; an extremum inside is found on the parabola through them.
-  void update(std::size_t i, double time, double h, double begin, double middle, double end);
+  void update(std::size_t i, double time, double h, double begin, double middle, double end) {
+    // So does the parabola between both ends and the point where its tangents there meet.
+    if (!holds(i, middle) || !holds(i, end) || !holds(i, 2 * middle - 0.5 * (begin + end))) add_parabola(i, time, h, begin, middle, end);
+  }
   /// Takes over quantity `from` of others, or its opposite.
   void copy(std::size_t i, const Extremes& others, std::size_t from, bool opposite);
 
@@ -54,6 +63,11 @@ struct Extremes {
     archive(t_min);
     archive(t_max);
   }
+
+ private:
+  bool holds(std::size_t i, double value) const { return value >= min[i] && value <= max[i]; }
+  void add_cubic(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end);
+  void add_parabola(std::size_t i, double time, double h, double begin, double middle, double end);
 };
 
 /// Extremes of one structure over all kept steps, inside the steps too, whatever the output times are. Quantities are in the order of

@@ -12,13 +12,17 @@ constexpr int knots = LinearQuantities::batch;
 POUNDING_INLINE bool goes_beyond(const double* values, const double* rates, const double* third, double least, double largest) {
 #ifdef POUNDING_HAS_FOUR
   const Four low{least, least, least, least}, high{largest, largest, largest, largest};
-  decltype(low < high) beyond{};
+  Four lowest = low, highest = high;
   for (int i = 0; i < knots; i += 4) {
     const auto* const times = reinterpret_cast<const Four*>(third + i);
     const Four value = *reinterpret_cast<const Four*>(values + i), move = *times * *reinterpret_cast<const Four*>(rates + i);
     const Four there = value + move, back = value - move;
-    beyond |= (there > high) | (back > high) | (there < low) | (back < low);
+    highest = there > highest ? there : highest;
+    highest = back > highest ? back : highest;
+    lowest = there < lowest ? there : lowest;
+    lowest = back < lowest ? back : lowest;
   }
+  const auto beyond = (highest > high) | (lowest < low);
   return (beyond[0] | beyond[1] | beyond[2] | beyond[3]) != 0;
 #else
   bool beyond = false;

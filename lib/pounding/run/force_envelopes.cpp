@@ -270,10 +270,8 @@ void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bo
   const double h = end_time - begin_time;
   evaluate(block, end_time, end_, rates_);
   if (!pressed || !block.apart) {
-    for (int q = 0; q < block.quantities.size(); ++q) {
-      const double pair[] = {end_[q], rates_[q]};
-      block.extremes.update(static_cast<std::size_t>(q), begin_time, std::span(&end_time, 1), block.values[q], block.rates[q], pair);
-    }
+    for (int q = 0; q < block.quantities.size(); ++q)
+      block.extremes.update(static_cast<std::size_t>(q), begin_time, h, block.values[q], block.rates[q], end_[q], rates_[q]);
   } else {
     Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_), ends = end_;
     const std::vector<LinkStep>& links = stepper_.link_steps();
@@ -285,9 +283,9 @@ void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bo
       block.extremes.update(i, begin_time, begin[q]);
       block.extremes.update(i, begin_time, h, begin[q], middle[q], ends[q]);
     }
-    block.values.swap(end_);
-    block.rates.swap(rates_);
   }
+  block.values.swap(end_);
+  block.rates.swap(rates_);
 }
 
 // To the knots whose motions wait. While contacts press or parts yield, blocks that are followed apart are further already.
@@ -314,9 +312,8 @@ void ForceEnvelopes::follow() {
     block.quantities.evaluate<batch>(motions_, times_, plan_.motions, evaluated_);
     find_beyond({evaluated_, block.values, block.rates, third, third_begin}, block.extremes, beyond_);
     for (const int q : beyond_) {
-      Eigen::Array<double, 2, batch> pairs;
-      pairs << evaluated_.col(q).head<batch>().transpose().array(), evaluated_.col(q).tail<batch>().transpose().array();
-      block.extremes.update(static_cast<std::size_t>(q), followed_, times, block.values[q], block.rates[q], pairs.data());
+      const double* const values = evaluated_.col(q).data();
+      block.extremes.update(static_cast<std::size_t>(q), followed_, times, block.values[q], block.rates[q], values, values + batch);
     }
     block.values = evaluated_.row(batch - 1);
     block.rates = evaluated_.row(2 * batch - 1);
