@@ -86,6 +86,18 @@ void expect_extremes_of_dense_outputs(const std::function<std::string(const std:
   }
 }
 
+// Velocity and acceleration jump at the end of a step: the next one begins with what is there then.
+TEST(Envelopes, OfABodyThatBouncesAreThoseOfDenseOutputs) {
+  const Outcome run = test::run_text(
+      "structures: {ball: {oscillator: {mass: 100 t, period: 1 s, damping: 50 %}, initial_velocity: 1 m/s}, wall: {wall: {}}}\n"
+      "links: [{between: [ball, wall], gap: 50 mm, law: stereomechanical, restitution: 0.8}]\n"
+      "analysis: {duration: 3, output_step: 0.1 ms}\n");
+  ASSERT_GT(run.results.impacts.size(), 0u);
+  const StructureHistory& ball = run.results.structures[0];
+  EXPECT_NEAR(ball.envelope.displacement.max[0], 0.05, 1e-12);
+  expect_extremes(ball.envelope.acceleration, ball.acceleration, run.results.time, 1e-3, "acceleration");
+}
+
 TEST(Envelopes, OfAFramePairAreThoseOfDenseOutputs) {
   expect_extremes_of_dense_outputs([](const std::string& outputs) { return frames(facing, outputs); }, 1e-3);
 }

@@ -1,5 +1,7 @@
 #include <pounding/run/step_motion.hpp>
 
+#include <utility>
+
 namespace pounding {
 
 StepMotion::StepMotion(const FloorResponse& response, const Stepper& stepper) : response_(response), stepper_(stepper) {}
@@ -8,8 +10,13 @@ void StepMotion::take() {
   const OutputQuantities &first = stepper_.outputs_begin(), &last = stepper_.outputs_end_minus();
   begin_time = first.time;
   h = last.time - first.time;
-  begin = first.motion;
-  response_.complete(begin, first.time, stepper_.ground_begin());
+  // A step begins with the motion that the one before left.
+  if (std::exchange(taken_, true)) {
+    begin.swap(jumps ? end_plus : end_minus);
+  } else {
+    begin = first.motion;
+    response_.complete(begin, first.time, stepper_.ground_begin());
+  }
   end_minus = last.motion;
   response_.complete(end_minus, last.time, stepper_.ground_end_minus());
   has_middle = stepper_.options().scheme.kind == Scheme::Kind::esdirk4 && h > 0;

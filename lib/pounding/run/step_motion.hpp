@@ -14,7 +14,7 @@ class StepMotion {
   /// Both must outlive this.
   StepMotion(const FloorResponse& response, const Stepper& stepper);
 
-  /// Takes the step that the stepper has just kept.
+  /// Takes the step that the stepper has just kept. To be asked for every step.
   void take();
 
   double begin_time = 0, h = 0;  ///< beginning and length [s]
@@ -30,6 +30,7 @@ class StepMotion {
  private:
   const FloorResponse& response_;
   const Stepper& stepper_;
+  bool taken_ = false;  // the step before
 };
 
 }  // namespace pounding
