@@ -18,7 +18,7 @@ def declared():
             name, *rest = words.split()
             keyword, needs = None, []
             for word in rest:
-                if word in ("NEEDS", "WITH", "SOURCES"):
+                if word in ("NEEDS", "WITH", "SOURCES", "BESIDE_THE_STEPS"):
                     keyword = word
                 elif keyword == "NEEDS":
                     needs.append(word)
