@@ -196,6 +196,30 @@ TEST_P(ShortMotions, MoveBuildingsAndFramesByTheirModes) {
       }
 }
 
+// The motion is short for the body on the soft spring alone, and the rule of integration would press it into the other or part them.
+// Together they are one oscillator, in closed form.
+TEST_P(ShortMotions, HoldRigidBodiesTogetherThatFeelThemDifferently) {
+  const auto [scheme, tolerance] = GetParam();
+  const double ground_period = 0.11, stiff = 0.063, soft = 0.47, length = 0.06;
+  const std::string bodies = fmt::format(
+      "  a: {{oscillator: {{mass: 1 t, period: {}, damping: 0}}}}\n  b: {{oscillator: {{mass: 1 t, period: {}, damping: 0}}}}\n"
+      "links:\n  - {{between: [a, b], gap: 0, law: stereomechanical, restitution: 0}}\n", stiff, soft);
+  const std::string ground = fmt::format("harmonic: {{amplitude: {}, period: {}, duration: 1}}", amplitude, ground_period);
+  const Outcome found = test::run_text(text(ground, bodies, tolerance, scheme, length));
+  const double w = std::sqrt(0.5 * (std::pow(2 * pi / stiff, 2) + std::pow(2 * pi / soft, 2))), p = 2 * pi / ground_period;
+  const double expected = -amplitude / (w * w - p * p) * (std::sin(p * length) - p / w * std::sin(w * length));
+  const std::vector<double>& way = found.results.structures[0].displacement;
+  EXPECT_NEAR(way.back(), expected, tolerance * amplitude / (w * w));
+  ASSERT_EQ(found.results.impacts.size(), 1u);
+  const ImpactRow& rest = found.results.impacts[0];
+  EXPECT_TRUE(std::isnan(rest.t_end)) << "until the end";
+  const LinkHistory& link = found.results.links[0];
+  for (std::size_t k = 0; k < link.time.size(); ++k) {
+    if (link.time[k] < rest.t_start) continue;
+    EXPECT_LT(std::abs(link.penetration[k]), 1e-12 * std::abs(expected)) << "at " << link.time[k];
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Schemes, ShortMotions,
                          testing::Values(Case{"esdirk4", 1e-4}, Case{"esdirk4", 1e-6}, Case{"generalized_alpha", 1e-4},
                                          Case{"generalized_alpha", 1e-6}),

@@ -161,6 +161,7 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
     }
     trial.middle[i] = {links.deformation(i, relative_displacement + links.ground_part(trial.by_ground_middle, i, u)),
                        rate + links.ground_part(trial.by_ground_middle, i, v)};
+    if (links.is_held(i) && moves_ends_apart(trial)) trial.middle[i] = {links.motion(i, x).penetration, 0};
   }
   if (slips.any()) slips.find_middle(x, trial);
   const int n = solver.size();
@@ -187,14 +188,14 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   return true;
 }
 
-void Equations::hold_end(const Instant& begin, Instant& end) const {
-  if (!links.moved()) return;
+void Equations::hold_end(const Instant& begin, Trial& trial) const {
+  if (!moves_ends_apart(trial)) return;
   std::vector<int> held;
   for (int i = 0; i < links.contacts(); ++i)
     if (links.is_held(i)) held.push_back(i);
   if (held.empty()) return;
-  solver.gather(end.motion.leftCols(2), relative_);
-  hold_contacts(rigid, begin, relative_, held, end);
+  solver.gather(trial.end.motion.leftCols(2), relative_);
+  hold_contacts(rigid, begin, relative_, held, trial.end);
 }
 
 }  // namespace pounding

@@ -191,7 +191,7 @@ class Esdirk4Scheme final : public TimeScheme {
       }
     }
     if (t.short_motions) correct_end(t, error);
-    eq_.hold_end(x, t.end);
+    eq_.hold_end(x, t);
     if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
     std::copy_n(acceleration(stage_count - 1).data(), n, t.end.at(a));
     eq_.multiply(t.end, u, 3);

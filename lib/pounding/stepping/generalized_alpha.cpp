@@ -119,7 +119,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       t.end.motion.col(u) += eq_.short_motions.shift(missed_.u);
       t.end.motion.col(v) += eq_.short_motions.shift(missed_.v);
     }
-    if (eq_.links.moved()) eq_.hold_end(x, t.end);
+    eq_.hold_end(x, t);
     if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
     if (carries)
       balance_end(t.end);
