@@ -186,5 +186,26 @@ TEST(Driver, StopsWhereNoStepIsShortEnough) {
   }
 }
 
+// Two heavy bodies press a light one between them, by a dashpot that magnifies the round-off of their forces. A stage that Newton's method
+// has solved to that round-off is solved; were such stages tried again, it would take 8,420 trials.
+TEST(RestingRow, IsSolvedThoughADashpotMagnifiesRoundOff) {
+  const Outcome found = test::run_text(R"(
+ground_motion: {pulse: {shape: half_sine, amplitude: -0.49089660325450835, start: 0.0, duration: 1.0}}
+structures:
+  b0: {body: {mass: 1139.1844930340253}}
+  b1: {body: {mass: 803488.4098112632}}
+  b2: {body: {mass: 1330.77104107262}}
+  b3: {body: {mass: 460587.80197487207}}
+  b4: {wall: {}}
+links:
+  - {between: [b0, b1], gap: 0, law: elastoplastic, stiffness: 17016918.92900026, restitution: 0.1, formula: exact}
+  - {between: [b1, b2], gap: 0, law: komodromos, stiffness: 578766897.9454374, restitution: 0.1, formula: anagnostopoulos}
+  - {between: [b2, b3], gap: 0, law: modified_kelvin, stiffness: 81962101688.33119, restitution: 0.2}
+  - {between: [b3, b4], gap: 0, law: adams_impact, stiffness: 5174979.668135877, depth: 0.00018562492983085222, restitution: 0.3}
+analysis: {duration: 2.0, tolerance: 0.0001}
+)");
+  EXPECT_LT(found.results.solver.steps + found.results.solver.rejected, 6000);
+}
+
 }  // namespace step_controller_test
 }  // namespace pounding

@@ -183,6 +183,19 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
   return residual_.norm();
 }
 
+// Largest difference between the answer of a law and its force that the round-off of its motion may leave: of the free motion, and of the
+// forces on a light body between two heavy ones, which take most of each other off. A dashpot magnifies it. With the slopes of the last
+// residual() that asked for them.
+double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& x) const {
+  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  const Eigen::VectorXd relief = links.flexibility.cwiseAbs() * x.cwiseAbs();
+  double largest = 0;
+  for (int i = 0; i < plain_; ++i)
+    largest = std::max(largest, std::abs(by_penetration_[i]) * (std::abs(links.free[i].penetration) + by_u * relief[i]) +
+                                    std::abs(by_rate_[i]) * (std::abs(links.free[i].rate) + by_v * relief[i]));
+  return solved * largest;
+}
+
 // One pass of Gauss-Seidel with the bracketed scalar solve: slower than Newton's method, but it cannot fail on laws whose
 // force grows with penetration and rate.
 bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
@@ -262,7 +275,7 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
     }
     if (better)
       f = trial;
-    else if (size <= 100 * solved * here)  // round-off: Newton's method cannot do better
+    else if (size <= std::max(100 * solved * here, rounding(links, f)))  // Newton's method cannot do better
       return true;
     else if (!sweep(links, f))
       return false;

@@ -52,6 +52,7 @@ class LinkSolver {
   bool solve_one(const CondensedLinks& links, int k, double others, double others_relief, double& force);
   bool solve_many(const CondensedLinks& links, Eigen::VectorXd& force);
   double residual(const CondensedLinks& links, const Eigen::VectorXd& force, bool with_slopes);
+  double rounding(const CondensedLinks& links, const Eigen::VectorXd& force) const;
   bool is_symmetric(const CondensedLinks& links) const;
   bool symmetric_direction(const CondensedLinks& links, Eigen::VectorXd& direction);
   bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
