@@ -1,7 +1,8 @@
-"""scipy.stats, imported where it is first needed: workers of a study and whoever only draws a table do without it."""
+"""Parts of scipy, imported where they are first needed: workers of a study and whoever only draws a table do without them."""
 
 from __future__ import annotations
 
+import importlib
 from types import ModuleType
 
 from pounding.errors import InputError
@@ -9,9 +10,17 @@ from pounding.errors import InputError
 
 def stats() -> ModuleType:
     """scipy.stats. Raises InputError that says what to install."""
+    return _part("scipy.stats")
+
+
+def special() -> ModuleType:
+    """scipy.special, which is imported much sooner than scipy.stats. Raises InputError that says what to install."""
+    return _part("scipy.special")
+
+
+def _part(name: str) -> ModuleType:
     try:
-        import scipy.stats
+        return importlib.import_module(name)
     except ImportError as error:
         raise InputError("samples, distributions and bands of studies need scipy, which is not installed. Type `python3 -m pip install scipy`, "
                          "or `make python-test` in the source directory and set POUNDING_PYTHON to .venv-test/bin/python3") from error
-    return scipy.stats
