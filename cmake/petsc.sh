@@ -52,8 +52,9 @@ options=(--prefix="$prefix" --with-debugging=0 --with-shared-libraries=1 --with-
   --with-blaslapack-lib="-llapack -lblas"
   --with-suitesparse=1 --with-suitesparse-include="${SUITESPARSE_INCLUDE:-/usr/include/suitesparse}"
   --with-suitesparse-lib="-lspqr -lumfpack -lklu -lcholmod -lamd"
-  # Calls inside the library stay inside when another PETSc is in the process.
-  LDFLAGS=-Wl,-Bsymbolic)
+  # Calls inside the library stay inside when another PETSc is in the process. Its data do not: programs may hold PETSC_COMM_WORLD
+  # themselves (copy relocations of executables).
+  LDFLAGS=-Wl,-Bsymbolic-functions)
 if [ "$mpi" = on ]; then
   options+=(--with-cc="${MPICC:-mpicc}" --with-cxx="${MPICXX:-mpicxx}")
   if [ -n "${WITHOUT_MUMPS:-}" ]; then
