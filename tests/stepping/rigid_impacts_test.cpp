@@ -142,7 +142,7 @@ TEST(HoldContacts, TakesTheDriftOfAHeldContactOut) {
   begin.by_ground = Eigen::RowVector3d(0.005, -0.1, 0);
   end.motion = Eigen::RowVector2d(0.016, 0.12);
   end.by_ground = Eigen::RowVector3d(0.0041, -0.13, 0);
-  hold_contacts(rigid, begin, end.motion, {0}, end);
+  hold_contacts(rigid, links, begin, end.motion, {0}, end);
   EXPECT_NEAR(end.motion(0, 0) + end.by_ground(0, 0), 0.02, 1e-16) << "penetration as before";
   EXPECT_NEAR(end.motion(0, 1) + end.by_ground(0, 1), 0, 1e-16) << "rate zero";
 }

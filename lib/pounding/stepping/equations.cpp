@@ -195,7 +195,7 @@ void Equations::hold_end(const Instant& begin, Trial& trial) const {
     if (links.is_held(i)) held.push_back(i);
   if (held.empty()) return;
   solver.gather(trial.end.motion.leftCols(2), relative_);
-  hold_contacts(rigid, begin, relative_, held, trial.end);
+  hold_contacts(rigid, links, begin, relative_, held, trial.end);
 }
 
 }  // namespace pounding

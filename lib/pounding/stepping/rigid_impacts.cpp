@@ -90,18 +90,15 @@ double slowest_bounce(double press, double restitution, double displacement, dou
   return std::max(lowest / restitution, briefest / restitution);
 }
 
-void hold_contacts(const RigidContacts& rigid, const Instant& begin, const Eigen::MatrixXd& relative,
+void hold_contacts(const RigidContacts& rigid, const LinkSet& links, const Instant& begin, const Eigen::MatrixXd& relative,
                    const std::vector<int>& held, Instant& end) {
   using enum Instant::Column;
-  const auto by_ground = [](const Instant& x, int i, Instant::Column column) {
-    return x.by_ground.size() > 0 ? x.by_ground(i, column) : 0;
-  };
   Eigen::MatrixXd drift(static_cast<Eigen::Index>(held.size()), 2);
   for (std::size_t k = 0; k < held.size(); ++k) {
     const int i = held[k];
-    const double before = begin.relative(i, u) + by_ground(begin, i, u);
-    drift.row(static_cast<Eigen::Index>(k)) << relative(i, u) + by_ground(end, i, u) - before,
-        relative(i, v) + by_ground(end, i, v);
+    const double before = begin.relative(i, u) + links.ground_part(begin.by_ground, i, u);
+    drift.row(static_cast<Eigen::Index>(k)) << relative(i, u) + links.ground_part(end.by_ground, i, u) - before,
+        relative(i, v) + links.ground_part(end.by_ground, i, v);
   }
   const Eigen::MatrixXd back = Eigen::MatrixXd(rigid.flexibility(held, held)).completeOrthogonalDecomposition().solve(drift);
   for (std::size_t k = 0; k < held.size(); ++k)

@@ -46,9 +46,8 @@ double slowest_bounce(double press, double restitution, double displacement, dou
 
 /// Sets the rates of held contacts back to zero and their penetrations back to those of `begin`. A scheme keeps them itself
 /// unless the ground moves the two ends of a link differently, or is integrated differently for them; then its error would part
-/// or press the bodies.
-/// `relative` is B^T of the displacements and velocities at the end.
-void hold_contacts(const RigidContacts& rigid, const Instant& begin, const Eigen::MatrixXd& relative,
+/// or press the bodies. `relative` is B^T of the displacements and velocities at the end.
+void hold_contacts(const RigidContacts& rigid, const LinkSet& links, const Instant& begin, const Eigen::MatrixXd& relative,
                    const std::vector<int>& held, Instant& end);
 
 }  // namespace pounding
