@@ -24,7 +24,7 @@ FROM_ELSEWHERE = {"01_ball_on_wall": "closed forms of a free impact",
                   "03_laws_compared": "two integrators that are independent of the program"}
 LARGEST_ENERGY_ERROR = 1e-5
 TABLE = EXAMPLES.parent / "python/docs/lessons.md"
-LONGEST_SECONDS = 10  #: of a processor, the start of the program included: several times what the longest takes, loaded machines are slower
+LONGEST_SECONDS = 2  #: of a processor, the start of the program included: what else runs meanwhile does not count
 LONGEST_STUDY_SECONDS = 30  #: with the start of Python and scipy
 
 
