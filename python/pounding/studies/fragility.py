@@ -128,10 +128,7 @@ def _probit(z: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float, 
 
 
 def _log_pdf(x: np.ndarray) -> np.ndarray:
-    return -x**2 / 2 - _LOG_OF_ROOT_OF_TWO_PI
-
-
-_LOG_OF_ROOT_OF_TWO_PI = np.log(np.sqrt(2 * np.pi))
+    return -x**2 / 2 - np.log(np.sqrt(2 * np.pi))
 
 
 def of_rows(im: np.ndarray, exceeded: np.ndarray, event: np.ndarray, *, bootstrap: int = 1000, seed: int = 1, failed: int = 0) -> Fragility:
