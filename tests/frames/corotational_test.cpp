@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +16,7 @@
 
 #include <pounding/frames/corotational.hpp>
 #include "support/book.hpp"
+#include "support/dense.hpp"
 #include "support/refusal.hpp"
 
 namespace pounding {
@@ -461,7 +462,7 @@ TEST(CorotationalFrame, SwaysUnderAxialLoadAsByGeometricStiffness) {
       const Model model = cantilever(2, {0, 0, 1}, members, section, material);
       const VectorXd down = -unit_load(model, members, Dof::uz), sway = unit_load(model, members, Dof::ux);
       const CorotationalFrame frame = model.corotational();
-      const auto stiffness = [&](const MatrixXd& k) { return 1 / sway.dot(k.ldlt().solve(sway)); };
+      const auto stiffness = [&](const MatrixXd& k) { return 1 / sway.dot(test::dense::solve(k, sway)); };
       const double found = stiffness(frame.tangent(frame.solve(p * down, 1).back().q));
 
       Frame linear(2);
@@ -483,7 +484,7 @@ TEST(CorotationalFrame, HasAStableStraightColumnBelowTheBucklingLoadOnly) {
   const CorotationalFrame frame = model.corotational();
   const auto is_stable = [&](double factor) {
     const MatrixXd k = frame.tangent(frame.solve(factor * push, 1).back().q);
-    return k.llt().info() == Eigen::Success;
+    return test::dense::eigenvalues(k).minCoeff() > 0;
   };
   EXPECT_TRUE(is_stable(0.998));
   EXPECT_FALSE(is_stable(1.002));

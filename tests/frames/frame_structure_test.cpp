@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include <pounding/input/frame_input.hpp>
 #include <pounding/frames/sections.hpp>
 #include "support/book.hpp"
+#include "support/dense.hpp"
 
 namespace pounding {
 namespace frame_structure_test {
@@ -34,7 +35,7 @@ int unknown(const Structure& s, const std::string& label) {
   return static_cast<int>(found - s.unknowns.begin());
 }
 
-VectorXd solve(const Structure& s, const VectorXd& load) { return MatrixXd(s.stiffness).ldlt().solve(load); }
+VectorXd solve(const Structure& s, const VectorXd& load) { return test::dense::solve(s.stiffness, load); }
 
 double relative(const SparseMatrix& a, const SparseMatrix& b) { return (a - b).norm() / b.norm(); }
 

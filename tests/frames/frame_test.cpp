@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include <pounding/frames/frame.hpp>
 #include "support/book.hpp"
+#include "support/dense.hpp"
 #include "support/refusal.hpp"
 
 namespace pounding {
@@ -30,7 +32,7 @@ const double ei = steel.young * section.inertia_y;
 
 double relative(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff(); }
 
-VectorXd solve(const AssembledFrame& f, const VectorXd& load) { return MatrixXd(f.stiffness).ldlt().solve(load); }
+VectorXd solve(const AssembledFrame& f, const VectorXd& load) { return test::dense::solve(f.stiffness, load); }
 
 VectorXd load_at(const AssembledFrame& f, int node, Dof dof, double force) { return force * VectorXd(f.motion(node, dof)); }
 
@@ -38,13 +40,9 @@ double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof do
 
 // Squares of the circular frequencies in ascending order, massless unknowns condensed.
 VectorXd frequencies_squared(const AssembledFrame& f) {
-  std::vector<int> heavy, light;
-  for (int i = 0; i < f.size(); ++i) (f.massless[i] ? light : heavy).push_back(i);
-  const MatrixXd k = f.stiffness, m = f.mass;
-  MatrixXd condensed = k(heavy, heavy);
-  if (!light.empty()) condensed -= k(heavy, light) * MatrixXd(k(light, light)).ldlt().solve(k(light, heavy));
-  using Eigensolver = Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>;
-  return Eigensolver(condensed, m(heavy, heavy), Eigen::EigenvaluesOnly).eigenvalues();
+  const test::dense::Condensed condensed = test::dense::condense(f.stiffness, f.mass);
+  EXPECT_EQ(std::ssize(condensed.light), std::count(f.massless.begin(), f.massless.end(), true));
+  return test::dense::modes(condensed.stiffness, condensed.mass).squares;
 }
 
 double period(const VectorXd& frequencies_squared, int mode) { return 2 * M_PI / std::sqrt(frequencies_squared[mode]); }
@@ -163,7 +161,7 @@ TEST(Frame, BucklesAtEulersLoad) {
     s.shear_area_z = shear_area;
     for (int i = 0; i < n; ++i) frame.add_member(i, i + 1, s, steel, {.axial_force = -load});
     support(frame);
-    return MatrixXd(frame.assemble().stiffness).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < 0;
+    return test::dense::eigenvalues(frame.assemble().stiffness).minCoeff() < 0;
   };
   const auto cantilever = [](Frame& f) { f.fix(0); };
   const auto hinged = [](Frame& f) { f.fix(0, {Dof::ux, Dof::uz}), f.fix(n, {Dof::ux}); };

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +16,7 @@
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/frames/sections.hpp>
 #include "support/book.hpp"
+#include "support/dense.hpp"
 #include "yielding_statics.hpp"
 
 namespace pounding {
@@ -151,22 +152,17 @@ Frame three_storeys(bool with_nodes, double after = 1, bool cut = false) {
   return frame;
 }
 
-MatrixXd condensed(const Structure& s) {
-  std::vector<int> heavy, light;
-  for (int i = 0; i < s.size(); ++i) (has_mass(s.mass, i) ? heavy : light).push_back(i);
-  const MatrixXd k = s.stiffness;
-  return k(heavy, heavy) - k(heavy, light) * k(light, light).ldlt().solve(k(light, heavy));
-}
+MatrixXd condensed(const Structure& s) { return test::dense::condense(s.stiffness, s.mass).stiffness; }
 
 TEST(HingeStatics, SpringsInSeriesAreAsSoftAsSpringsBetweenNodes) {
   test::Book book("Hinges of frames", "frame of three storeys with springs of 10 x 6EI/L between explicit rotations, numpy", "rounding");
   const Structure by_nodes = made(three_storeys(true)), in_series = made(three_storeys(false)), cut = made(three_storeys(false, 1, true));
   const MatrixXd expected = condensed(by_nodes);
   EXPECT_LT((condensed(in_series) - expected).norm(), 1e-11 * expected.norm());
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(condensed(in_series) / 20e3);
+  const VectorXd squares = test::dense::eigenvalues(condensed(in_series) / 20e3);
   const std::array periods{0.6818603273427927, 0.20395156106588447, 0.1121575387117127};
   for (int i = 0; i < 3; ++i)
-    book.near("period " + std::to_string(i + 1) + " [s]", 2 * M_PI / std::sqrt(modes.eigenvalues()[i]), periods[i], 1e-10);
+    book.near("period " + std::to_string(i + 1) + " [s]", 2 * M_PI / std::sqrt(squares[i]), periods[i], 1e-10);
   EXPECT_EQ(cut.yielding.size(), 8u);
 }
 
@@ -179,8 +175,8 @@ TEST(HingeStatics, YieldedSpringsAreAsSoftAsTheirHardening) {
   const int count = static_cast<int>(statics.k.size());
   MatrixXd matrix = -statics.flexibility();
   for (int i = 0; i < count; ++i) matrix(i, i) += 1 / (0.997 * statics.k[i]);
-  const VectorXd forces = -matrix.ldlt().solve(statics.b.transpose() * statics.unknowns(same, VectorXd::Zero(count)));
-  const VectorXd u = statics.unknowns(same, forces), expected = MatrixXd(softer.stiffness).ldlt().solve(load);
+  const VectorXd forces = -test::dense::solve(matrix, statics.b.transpose() * statics.unknowns(same, VectorXd::Zero(count)));
+  const VectorXd u = statics.unknowns(same, forces), expected = test::dense::solve(softer.stiffness, load);
   for (int i = 0; i < 18; ++i) EXPECT_NEAR(u[i], expected[i], 1e-9 * expected.cwiseAbs().maxCoeff()) << i;
 }
 
@@ -371,7 +367,7 @@ TEST(HingeStatics, YieldedHingesUnderPDeltaAreSpringsInTheColumns) {
   load[0] = same[0] = 10e3;
   const double free = statics.b.col(0).dot(statics.unknowns(load, VectorXd::Zero(1)));
   const VectorXd force = VectorXd::Constant(1, -free / (1 / ((1 - ratio) * k) - statics.flexibility()(0, 0)));
-  const VectorXd u = statics.unknowns(load, force), expected = MatrixXd(pinned.stiffness).ldlt().solve(same);
+  const VectorXd u = statics.unknowns(load, force), expected = test::dense::solve(pinned.stiffness, same);
   EXPECT_NEAR(u[0], expected[0], 1e-10 * expected[0]);
   EXPECT_NEAR(u[2], expected[2], 1e-10 * std::abs(expected[2]));
 }

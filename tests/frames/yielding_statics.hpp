@@ -2,8 +2,7 @@
 /// Statics of a structure with bilinear parts, by dense algebra on what the structure says of itself: K u + B F = p and
 /// d = B^T u - R F + d0. Nothing of the engine is used.
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include <pounding/structures/structure.hpp>
+#include "support/dense.hpp"
 
 namespace pounding::test {
 
@@ -31,12 +31,12 @@ struct YieldingStatics {
     }
   }
 
-  VectorXd unknowns(const VectorXd& load, const VectorXd& forces) const { return stiffness.ldlt().solve(load - b * forces); }
+  VectorXd unknowns(const VectorXd& load, const VectorXd& forces) const { return dense::solve(stiffness, load - b * forces); }
   VectorXd deformations(const VectorXd& u, const VectorXd& forces) const { return b.transpose() * u - relief * forces + at_rest; }
   /// k d + F.
   VectorXd moments(const VectorXd& u, const VectorXd& forces) const { return k.cwiseProduct(deformations(u, forces)) + forces; }
   /// Deformations per unit force with the load held.
-  MatrixXd flexibility() const { return b.transpose() * stiffness.ldlt().solve(b) + relief; }
+  MatrixXd flexibility() const { return b.transpose() * dense::solve_columns(stiffness, b) + relief; }
 };
 
 /// The path of a load that grows from zero: the factors at which parts yield for the first time, in their order.
@@ -55,7 +55,7 @@ inline Pushed push(const Structure& s, const VectorXd& load, const VectorXd& yie
   const YieldingStatics statics(s);
   const MatrixXd h = statics.flexibility();
   const int count = static_cast<int>(statics.k.size());
-  const VectorXd by_load = statics.b.transpose() * statics.stiffness.ldlt().solve(load);
+  const VectorXd by_load = statics.b.transpose() * dense::solve(statics.stiffness, load);
   Pushed pushed;
   pushed.forces = VectorXd::Zero(count);
   VectorXd moment = VectorXd::Zero(count);
@@ -71,11 +71,11 @@ inline Pushed push(const Structure& s, const VectorXd& load, const VectorXd& yie
         matrix(i, i) -= 1 / ((1 - ratio[yielded[i]]) * statics.k[yielded[i]]);
       }
       matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
-      if (-matrix.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() < 1e-12) {
+      if (-dense::eigenvalues(matrix).maxCoeff() < 1e-12) {
         pushed.is_mechanism = true;
         break;
       }
-      by_factor(yielded) = scale.cwiseProduct(matrix.ldlt().solve(scale.cwiseProduct(by_load(yielded))));
+      by_factor(yielded) = scale.cwiseProduct(dense::solve(matrix, scale.cwiseProduct(by_load(yielded))));
     }
     const VectorXd rate = statics.k.cwiseProduct(by_load - h * by_factor) + by_factor;
     double next = last - factor;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -15,6 +15,7 @@
 #include <pounding/stepping/step_controller.hpp>
 #include <pounding/structures/damping.hpp>
 #include <pounding/structures/massless.hpp>
+#include "support/dense.hpp"
 
 namespace pounding {
 namespace reduced_modes_test {
@@ -56,7 +57,7 @@ struct Tower {
   // B^T (K + s M)^-1 B of the structure.
   Eigen::MatrixXd flexibility(double s) const {
     const Eigen::MatrixXd a = Eigen::MatrixXd(stiffness) + s * Eigen::MatrixXd(mass);
-    return inputs.links.transpose() * a.ldlt().solve(inputs.links);
+    return inputs.links.transpose() * test::dense::solve_columns(a, inputs.links);
   }
   // And of its modes.
   Eigen::MatrixXd flexibility(const GroupModes& modes, double s) const {
@@ -102,7 +103,7 @@ TEST_P(ReducedTower, AnswersStaticForcesOfLinksAndGroundExactly) {
   EXPECT_EQ(modes.squares.size(), 3);
   Eigen::MatrixXd loads(tower.size(), 3);
   loads << tower.inputs.links, tower.inputs.ground;
-  const Eigen::MatrixXd exact = Eigen::MatrixXd(tower.stiffness).ldlt().solve(loads);
+  const Eigen::MatrixXd exact = test::dense::solve_columns(tower.stiffness, loads);
   const Eigen::MatrixXd found = modes.shapes * modes.squares.cwiseInverse().asDiagonal() * (modes.shapes.transpose() * loads);
   const std::vector<int> dynamic = split_by_mass(tower.mass).dynamic;
   EXPECT_LT((found - exact)(dynamic, Eigen::all).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff());
@@ -118,7 +119,7 @@ TEST_P(ReducedTower, IsNeverSofterAtItsLinksThanTheStructure) {
     double last = 1e300;
     for (const ReducedDepth& depth : depths) {
       const Eigen::MatrixXd missing = exact - tower.flexibility(reduced.modes(depth), s);
-      const Eigen::VectorXd parts = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(missing).eigenvalues();
+      const Eigen::VectorXd parts = test::dense::eigenvalues(missing);
       EXPECT_GT(parts[0], -1e-9 * exact.norm()) << frequency;
       EXPECT_LT(missing.trace(), last + 1e-9 * exact.norm()) << frequency;
       last = missing.trace();
@@ -166,7 +167,7 @@ TEST(ReducedModes, FollowAForceAtAnUnknownWithoutMass) {
   const Eigen::VectorXd pushed = tower.rotation(dofs.massless);
   ASSERT_GT(pushed.norm(), 0);
   const Eigen::MatrixXd own = dense_submatrix(tower.stiffness, dofs.massless, dofs.massless);
-  const double at_once = pushed.dot(own.ldlt().solve(pushed));
+  const double at_once = pushed.dot(test::dense::solve(own, pushed));
   const Eigen::MatrixXd exact = tower.flexibility(0), found = tower.flexibility(modes, 0);
   EXPECT_NEAR(found(2, 2) + at_once, exact(2, 2), 1e-9 * exact(2, 2));
   EXPECT_GT(at_once, 0.1 * exact(2, 2)) << "without it the hinge would be far too stiff";

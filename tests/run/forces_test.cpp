@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "support/book.hpp"
+#include "support/dense.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -121,7 +122,7 @@ TEST_P(Forces, MoveABuildingAsItsModesDo) {
                   "the tolerance of the run, for each period of the motion");
   const Eigen::Vector3d mass(30e3, 25e3, 20e3);
   const Eigen::Matrix3d stiffness{{70e6, -30e6, 0}, {-30e6, 50e6, -20e6}, {0, -20e6, 20e6}};
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(stiffness, Eigen::Matrix3d(mass.asDiagonal()));
+  const test::dense::Modes modes = test::dense::modes(stiffness, mass.asDiagonal().toDenseMatrix());
   const std::vector<Given> given = courses();
   constexpr std::array<std::pair<int, int>, 3> acting{{{2, 2}, {0, 4}, {1, 5}}};  // floor, course
   std::string forces;
@@ -131,10 +132,10 @@ TEST_P(Forces, MoveABuildingAsItsModesDo) {
   Eigen::Vector3d expected = Eigen::Vector3d::Zero();
   double w = 0;
   for (int k = 0; k < 3; ++k) {
-    w = std::sqrt(modes.eigenvalues()[k]);
+    w = std::sqrt(modes.squares[k]);
     for (const auto& [floor, course] : acting)
-      expected += modes.eigenvectors().col(k) *
-                  duhamel(w, 0.04, [&, k](double t) { return modes.eigenvectors()(floor, k) * given[course].force(t); }, given[course].breaks, length).u;
+      expected += modes.shapes.col(k) *
+                  duhamel(w, 0.04, [&, k](double t) { return modes.shapes(floor, k) * given[course].force(t); }, given[course].breaks, length).u;
   }
   const StructureHistory& a = found.results.structures[0];
   double largest = 0;

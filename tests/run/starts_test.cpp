@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -14,6 +13,7 @@
 #include <pounding/model/modes.hpp>
 #include <pounding/structures/massless.hpp>
 #include "support/book.hpp"
+#include "support/dense.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -36,16 +36,13 @@ std::string tower(const std::string& start, double duration, const std::string& 
 
 // Free vibration of a structure from rest at these displacements, by its modes.
 Eigen::VectorXd let_go(const Structure& s, const Eigen::VectorXd& from, double t) {
-  const auto [dynamic, massless] = split_by_mass(s.mass);
-  const Eigen::MatrixXd k = s.stiffness, m = s.mass;
-  const Eigen::MatrixXd following = -Eigen::LLT<Eigen::MatrixXd>(k(massless, massless)).solve(Eigen::MatrixXd(k(massless, dynamic)));
-  const Eigen::MatrixXd condensed = k(dynamic, dynamic) + k(dynamic, massless) * following;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(condensed, Eigen::MatrixXd(m(dynamic, dynamic)));
-  const Eigen::VectorXd w = modes.eigenvalues().cwiseSqrt();
-  const Eigen::VectorXd parts = modes.eigenvectors().transpose() * m(dynamic, dynamic) * from(dynamic);
+  const test::dense::Condensed condensed = test::dense::condense(s.stiffness, s.mass);
+  const test::dense::Modes modes = test::dense::modes(condensed.stiffness, condensed.mass);
+  const Eigen::VectorXd parts = modes.shapes.transpose() * (condensed.mass * from(condensed.heavy));
+  const Eigen::VectorXd heavy = modes.shapes * (parts.array() * (modes.squares.cwiseSqrt() * t).array().cos()).matrix();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(s.size());
-  u(dynamic) = modes.eigenvectors() * (parts.array() * (w * t).array().cos()).matrix();
-  u(massless) = following * u(dynamic);
+  u(condensed.heavy) = heavy;
+  u(condensed.light) = condensed.following * heavy;
   return u;
 }
 

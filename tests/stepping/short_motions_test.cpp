@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,6 +13,7 @@
 
 #include <pounding/model/model.hpp>
 #include "support/book.hpp"
+#include "support/dense.hpp"
 #include "support/runs.hpp"
 
 namespace pounding {
@@ -144,24 +145,16 @@ double error_of_modes(const Kind& kind, double duration, const std::string& stru
   *imbalance = found.summary.energy.error;
   const Model model = test::model_of(yaml);
   const System system = assemble(model);
-  const Eigen::MatrixXd mass(system.mass), stiffness(system.stiffness);
-  std::vector<int> heavy, light;
-  for (int i = 0; i < mass.rows(); ++i) (mass(i, i) > 0 ? heavy : light).push_back(i);
-  Eigen::MatrixXd condensed = stiffness(heavy, heavy);
-  Eigen::MatrixXd follow;
-  if (!light.empty()) {
-    follow = -Eigen::MatrixXd(stiffness(light, light)).ldlt().solve(Eigen::MatrixXd(stiffness(light, heavy)));
-    condensed += Eigen::MatrixXd(stiffness(heavy, light)) * follow;
-  }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(condensed, Eigen::MatrixXd(mass(heavy, heavy)));
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(mass.rows()), largest = u;
-  for (int k = 0; k < modes.eigenvalues().size(); ++k) {
-    const Eigen::VectorXd shape = modes.eigenvectors().col(k);
-    const double part = shape.dot(Eigen::VectorXd(system.load.col(0)(heavy))), w = std::sqrt(modes.eigenvalues()[k]);
+  const test::dense::Condensed condensed = test::dense::condense(system.stiffness, system.mass);
+  const test::dense::Modes modes = test::dense::modes(condensed.stiffness, condensed.mass);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(system.size()), largest = u;
+  for (int k = 0; k < modes.squares.size(); ++k) {
+    const Eigen::VectorXd shape = modes.shapes.col(k);
+    const double part = shape.dot(Eigen::VectorXd(system.load.col(0)(condensed.heavy))), w = std::sqrt(modes.squares[k]);
     const Motion motion = exact(kind, duration, w, later);
-    Eigen::VectorXd whole = Eigen::VectorXd::Zero(mass.rows());
-    whole(heavy) = shape;
-    if (!light.empty()) whole(light) = follow * shape;
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(system.size());
+    whole(condensed.heavy) = shape;
+    whole(condensed.light) = condensed.following * shape;
     u += part * motion.u * whole;
     largest += (part * size(motion, w) * whole).cwiseAbs();
   }
@@ -169,7 +162,7 @@ double error_of_modes(const Kind& kind, double duration, const std::string& stru
   const std::vector<double>& obtained = found.results.structures[0].displacement;
   EXPECT_GE(obtained.size(), static_cast<std::size_t>(expected.size()));
   const Eigen::VectorXd last = Eigen::Map<const Eigen::VectorXd>(obtained.data() + obtained.size() - expected.size(), expected.size());
-  const double first = std::sqrt(modes.eigenvalues()[0]);
+  const double first = std::sqrt(modes.squares[0]);
   return (last - expected).cwiseAbs().maxCoeff() / sizes.maxCoeff() / periods(duration + later, first);
 }
 

@@ -9,12 +9,13 @@
 #include <tuple>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <pounding/links/contact.hpp>
 #include <pounding/model/system.hpp>
 #include <pounding/stepping/step_controller.hpp>
 #include <pounding/structures/bilinear_spring.hpp>
+#include "support/dense.hpp"
 
 namespace pounding::test {
 
@@ -91,11 +92,8 @@ struct HingeFrame {
 
  private:
   static Eigen::VectorXd frequencies(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m) {
-    std::vector<int> heavy, light;
-    for (int i = 0; i < m.rows(); ++i) (m(i, i) > 0 ? heavy : light).push_back(i);
-    const Eigen::MatrixXd coupling = k(light, heavy), own = k(light, light);
-    const Eigen::MatrixXd condensed = Eigen::MatrixXd(k(heavy, heavy)) - coupling.transpose() * own.llt().solve(coupling);
-    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(condensed, Eigen::MatrixXd(m(heavy, heavy))).eigenvalues().cwiseSqrt();
+    const dense::Condensed condensed = dense::condense(k, m);
+    return dense::modes(condensed.stiffness, condensed.mass).squares.cwiseSqrt();
   }
 
   // Euler-Bernoulli, unknowns x z r (counter-clockwise) at both ends; negative for those that are held.
