@@ -269,6 +269,12 @@ void Beam::condense(double force) {
 
 Matrix12 Beam::stiffness() const { return symmetric(to_local_.transpose() * local_stiffness_ * to_local_); }
 
+Matrix12 Beam::end_force_matrix() const { return local_stiffness_ * to_local_; }
+
+Vector12 Beam::end_forces(const Vector12& displacements) const { return end_force_matrix() * displacements; }
+
+Vector12 Beam::at_nodes(const Vector12& on_ends) const { return to_local_.transpose() * on_ends; }
+
 Matrix12 Beam::mass() const {
   if (options_.mass == BeamMass::consistent) {
     const Matrix12 to_ends = follow_ * to_local_;

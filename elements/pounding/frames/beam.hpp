@@ -113,8 +113,8 @@ class Beam {
   Matrix12 mass() const;
   /// Forces [N] and moments [N m] on the two ends of the member in local axes, from the displacements of its nodes in
   /// global axes.
-  Vector12 end_forces(const Vector12& displacements) const { return end_force_matrix() * displacements; }
-  Matrix12 end_force_matrix() const { return local_stiffness_ * to_local_; }
+  Vector12 end_forces(const Vector12& displacements) const;
+  Matrix12 end_force_matrix() const;
   /// In local axes at the ends of the member, with releases and springs condensed.
   const Matrix12& local_stiffness() const { return local_stiffness_; }
 
@@ -130,7 +130,7 @@ class Beam {
   /// Forces and moments on the two ends, local axes, of a unit force along global x, y, z at that point, the nodes held.
   Eigen::Matrix<double, 12, 3> fixed_end_forces_at(double along) const;
   /// Forces on the nodes, global axes, that are equivalent to forces on the ends, local axes.
-  Vector12 at_nodes(const Vector12& on_ends) const { return to_local_.transpose() * on_ends; }
+  Vector12 at_nodes(const Vector12& on_ends) const;
 
  private:
   Beam(const Eigen::Vector3d& start_node, const Eigen::Vector3d& end_node, const Section& section, const Material& material,
