@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <pounding/core/error.hpp>
-#include <pounding/laws/hertz.hpp>
+#include <pounding/laws/all.hpp>
 #include <pounding/links/gap_link.hpp>
 #include <pounding/stepping/event_locator.hpp>
 #include <pounding/structures/bilinear_spring.hpp>
@@ -171,6 +171,23 @@ TEST(EventLocator, WaitsForBodiesThatPartAndComeBack) {
   const auto located = f.locate(0.08);
   ASSERT_TRUE(located);
   EXPECT_NEAR(located->step, 0.05, 1e-11);
+}
+
+// Apart by less than the round-off of the motion, then back: no step sees the bounce of a rigid contact there. A compliant one would
+// begin and end in place, and keep its speed.
+TEST(EventLocator, WaitsInRoundOffForCompliantContactsOnly) {
+  const auto hop = thrown(0, -1e-8, 1e-2);  // 5e-15 m wide, over after 2 us
+  Formulas f;
+  f.add(0, hop);
+  const auto located = f.locate(0.1);
+  ASSERT_TRUE(located);
+  EXPECT_NEAR(located->step, 2e-6, 1e-8);
+  Formulas rigid;
+  rigid.contacts.push_back(make_gap_link(laws::Stereomechanical{.restitution = 0.5}, 0));
+  rigid.paths.push_back(hop);
+  const auto in_place = rigid.locate(0.1);
+  ASSERT_TRUE(in_place);
+  EXPECT_EQ(in_place->step, 0);
 }
 
 TEST(EventLocator, ShortensATrialToTheCornerOfASpring) {

@@ -280,6 +280,45 @@ TEST(RestingContact, EndsHopsThatNoStepCouldSee) {
   EXPECT_NEAR(impulse, 4.0, 1e-6);
 }
 
+// Rows that come to rest: they touch, and part, at speeds that leave no penetration beside the round-off of their motion.
+class TouchesInRoundOff : public testing::TestWithParam<const char*> {};
+
+TEST_P(TouchesInRoundOff, TakeTime) {
+  const Outcome run = run_text(GetParam());
+  expect_sound(run, 1e-3);
+  EXPECT_LT(run.summary.solver.steps, 2000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, TouchesInRoundOff, testing::Values(
+    "ground_motion: {pulse: {shape: sine, amplitude: -1.5766867448399593, start: 0.0, duration: 1.0}}\n"
+    "structures:\n"
+    "  a: {oscillator: {mass: 787270.2189307639, period: 0.15054238912323856, damping: 0.05}}\n"
+    "  w: {wall: {}}\n"
+    "links: [{between: [a, w], gap: 0, law: modified_linear_viscoelastic, stiffness: 74266794058.09273, damping_ratio: 3.9053186018392827}]\n"
+    "analysis: {duration: 2.0, tolerance: 0.001}\n",
+    "ground_motion: {pulse: {shape: sine, amplitude: -3.9703557119392032, start: 0.0, duration: 2.5}}\n"
+    "structures:\n"
+    "  a: {oscillator: {mass: 1251.1399089128977, period: 1.534474334880143, damping: 0.05}}\n"
+    "  b: {oscillator: {mass: 871103.6867257797, period: 0.07189141164425848, damping: 0}}\n"
+    "  w: {wall: {}}\n"
+    "links:\n"
+    "  - {between: [a, b], gap: 0, law: komodromos, stiffness: 145594975.66907328, restitution: 0.3}\n"
+    "  - {between: [b, w], gap: 0, law: hertz, stiffness: 3818242400.489604}\n"
+    "analysis: {duration: 2.0, tolerance: 0.001}\n",
+    "ground_motion: {pulse: {shape: half_sine, amplitude: -1.6749683568450386, start: 0.0, duration: 1.0}}\n"
+    "structures:\n"
+    "  a: {body: {mass: 1259.6998424150443}}\n"
+    "  b: {body: {mass: 1572.4761318339097}}\n"
+    "  c: {body: {mass: 4723.322725683341}}\n"
+    "  d: {body: {mass: 5002.2748551343175}}\n"
+    "  w: {wall: {}}\n"
+    "links:\n"
+    "  - {between: [a, b], gap: 0, law: hertz_damped, stiffness: 5112492.335688482, restitution: 0.3, formula: gonthier}\n"
+    "  - {between: [b, c], gap: 0, law: modified_linear_viscoelastic, stiffness: 82260875544.46341, restitution: 0.05}\n"
+    "  - {between: [c, d], gap: 0, law: komodromos, stiffness: 138040799.85348383, restitution: 0.05}\n"
+    "  - {between: [d, w], gap: 0, law: modified_kelvin, stiffness: 2133935.936728552, restitution: 0.3}\n"
+    "analysis: {duration: 2.0, tolerance: 0.0001}\n"));
+
 // The contact on the other side presses the light body on the rigid one with 1e6 times its weight.
 TEST(LightBody, IsHeldBetweenACompliantContactAndARigidOne) {
   const Outcome run = run_text("structures:\n  a: {body: {mass: 1e5}, initial_velocity: 1.0}\n  b: {body: {mass: 1.0}}\n"

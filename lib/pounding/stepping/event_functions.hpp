@@ -8,6 +8,8 @@ namespace pounding {
 
 /// Round-off of displacements and velocities, relative to their scales.
 inline constexpr double motion_noise = 1e-12;
+/// Time passes in a step or a hop that is longer than this part of the time, and than so many seconds.
+inline constexpr double no_time = 1e-13;
 
 /// An event function is positive while the present phase of its contact lasts (Contact::event_functions). A phase has ended
 /// where one is negative by more than round-off.

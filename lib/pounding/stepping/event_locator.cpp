@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pounding {
 namespace {
@@ -178,19 +179,24 @@ bool EventLocator::Search::touches_now(const EventBracket& bracket) const {
 }
 
 // By round-off a phase may begin on the wrong side of its event function and end properly later in the trial: bodies that
-// part and come back. Looks for a time at which the phase lasts. If there is none, the trial is lost.
+// part and come back. Looks for a time at which the phase lasts. If there is none, the trial is lost. A compliant contact may be so slow
+// that its phase is over before its event function is out of round-off: there the sign counts, or the contact would begin and end
+// without time passing and keep its speed.
 bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) const {
+  const auto from = [&](double h, double value) {
+    bracket.from = h;
+    bracket.at_begin = value;
+    bracket.guess = 0.5 * (h + longest);
+    return try_step(longest, std::nullopt);
+  };
+  std::optional<std::pair<double, double>> by_sign;
   for (double h = longest / 2; h > shortest_look * longest; h /= 4) {
     if (!try_step(h, std::nullopt)) continue;
     const double value = functions.value(bracket.id, trial.end);
-    if (functions.has_ended(bracket.id, -value, at_end(bracket.id.link), now)) {  // clearly positive
-      bracket.from = h;
-      bracket.at_begin = value;
-      bracket.guess = 0.5 * (h + longest);
-      return try_step(longest, std::nullopt);
-    }
+    if (functions.has_ended(bracket.id, -value, at_end(bracket.id.link), now)) return from(h, value);  // clearly positive
+    if (value > 0 && h > no_time * std::max(1.0, now.time) && !by_sign) by_sign = {h, value};
   }
-  return false;
+  return by_sign && !links.contact(bracket.id.link).is_rigid() && from(by_sign->first, by_sign->second);
 }
 
 // Regula falsi of Anderson and Bjorck (1973) on the length of the step.

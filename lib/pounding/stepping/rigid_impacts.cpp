@@ -14,8 +14,6 @@ namespace {
 constexpr int max_rounds = 10000;
 // Least height of a hop, in units of the round-off of the motion: a lower one is over before a step can see it.
 constexpr double min_hop_height = 4;
-// Least duration of a hop, relative to the time: in a shorter one no time would pass.
-constexpr double min_hop_duration = 1e-13;
 
 }  // namespace
 
@@ -86,7 +84,7 @@ double slowest_bounce(double press, double restitution, double displacement, dou
   if (restitution == 0) return std::numeric_limits<double>::infinity();
   if (!(press > 0)) return 0;
   const double lowest = std::sqrt(2 * press * min_hop_height * motion_noise * displacement);
-  const double briefest = 0.5 * press * min_hop_duration * std::max(1.0, time);
+  const double briefest = 0.5 * press * no_time * std::max(1.0, time);
   return std::max(lowest / restitution, briefest / restitution);
 }
 

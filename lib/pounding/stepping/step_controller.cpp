@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/stepping/event_functions.hpp>
 #include <pounding/stepping/event_locator.hpp>
 
 namespace pounding {
@@ -14,8 +15,6 @@ namespace {
 
 // Events one after the other without time passing: more than this is a fault, not a contact.
 constexpr int max_events_in_place = 10000;
-// Time passes in a step that is longer than this part of the time.
-constexpr double no_time = 1e-13;
 // The first step in contact, as part of the last one before it.
 constexpr double first_contact_part = 0.1;
 // A step may be stretched by this part to reach a breakpoint, rather than leave a sliver for the next one.
