@@ -1,6 +1,8 @@
 #pragma once
 /// Event functions of the contacts and their round-off: which phases have ended at an instant.
 
+#include <algorithm>
+
 #include <pounding/stepping/link_set.hpp>
 #include <pounding/stepping/rigid_impacts.hpp>
 
@@ -8,8 +10,8 @@ namespace pounding {
 
 /// Round-off of displacements and velocities, relative to their scales.
 inline constexpr double motion_noise = 1e-12;
-/// Time passes in a step or a hop that is longer than this part of the time, and than so many seconds.
-inline constexpr double no_time = 1e-13;
+/// Time passes in a step or a hop that is longer than this [s]; `time`: where it begins [s].
+inline double no_time(double time) { return 1e-13 * std::max(1.0, time); }
 
 /// An event function is positive while the present phase of its contact lasts (Contact::event_functions). A phase has ended
 /// where one is negative by more than round-off.

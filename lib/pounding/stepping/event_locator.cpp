@@ -194,7 +194,7 @@ bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) 
     if (!try_step(h, std::nullopt)) continue;
     const double value = functions.value(bracket.id, trial.end);
     if (functions.has_ended(bracket.id, -value, at_end(bracket.id.link), now)) return from(h, value);  // clearly positive
-    if (value > 0 && h > no_time * std::max(1.0, now.time) && !by_sign) by_sign = {h, value};
+    if (value > 0 && h > no_time(now.time) && !by_sign) by_sign = {h, value};
   }
   return by_sign && !links.contact(bracket.id.link).is_rigid() && from(by_sign->first, by_sign->second);
 }

@@ -84,7 +84,7 @@ double slowest_bounce(double press, double restitution, double displacement, dou
   if (restitution == 0) return std::numeric_limits<double>::infinity();
   if (!(press > 0)) return 0;
   const double lowest = std::sqrt(2 * press * min_hop_height * motion_noise * displacement);
-  const double briefest = 0.5 * press * no_time * std::max(1.0, time);
+  const double briefest = 0.5 * press * no_time(time);
   return std::max(lowest / restitution, briefest / restitution);
 }
 

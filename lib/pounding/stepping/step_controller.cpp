@@ -113,7 +113,7 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
       wanted = *located / 2;
       continue;
     }
-    if (located && *located < no_time * std::max(1.0, stepper_.time()))
+    if (located && *located < no_time(stepper_.time()))
       count_event_in_place(*located);
     else
       events_in_place_ = 0;
