@@ -41,7 +41,7 @@ double displacement(const AssembledFrame& f, const VectorXd& q, int node, Dof do
 // Squares of the circular frequencies in ascending order, massless unknowns condensed.
 VectorXd frequencies_squared(const AssembledFrame& f) {
   const test::dense::Condensed condensed = test::dense::condense(f.stiffness, f.mass);
-  EXPECT_EQ(std::ssize(condensed.light), std::count(f.massless.begin(), f.massless.end(), true));
+  EXPECT_EQ(std::ssize(condensed.massless), std::count(f.massless.begin(), f.massless.end(), true));
   return test::dense::modes(condensed.stiffness, condensed.mass).squares;
 }
 

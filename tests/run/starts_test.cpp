@@ -38,11 +38,11 @@ std::string tower(const std::string& start, double duration, const std::string& 
 Eigen::VectorXd let_go(const Structure& s, const Eigen::VectorXd& from, double t) {
   const test::dense::Condensed condensed = test::dense::condense(s.stiffness, s.mass);
   const test::dense::Modes modes = test::dense::modes(condensed.stiffness, condensed.mass);
-  const Eigen::VectorXd parts = modes.shapes.transpose() * (condensed.mass * from(condensed.heavy));
-  const Eigen::VectorXd heavy = modes.shapes * (parts.array() * (modes.squares.cwiseSqrt() * t).array().cos()).matrix();
+  const Eigen::VectorXd parts = modes.shapes.transpose() * (condensed.mass * from(condensed.dynamic));
+  const Eigen::VectorXd dynamic = modes.shapes * (parts.array() * (modes.squares.cwiseSqrt() * t).array().cos()).matrix();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(s.size());
-  u(condensed.heavy) = heavy;
-  u(condensed.light) = condensed.following * heavy;
+  u(condensed.dynamic) = dynamic;
+  u(condensed.massless) = condensed.following * dynamic;
   return u;
 }
 

@@ -150,11 +150,11 @@ double error_of_modes(const Kind& kind, double duration, const std::string& stru
   Eigen::VectorXd u = Eigen::VectorXd::Zero(system.size()), largest = u;
   for (int k = 0; k < modes.squares.size(); ++k) {
     const Eigen::VectorXd shape = modes.shapes.col(k);
-    const double part = shape.dot(Eigen::VectorXd(system.load.col(0)(condensed.heavy))), w = std::sqrt(modes.squares[k]);
+    const double part = shape.dot(Eigen::VectorXd(system.load.col(0)(condensed.dynamic))), w = std::sqrt(modes.squares[k]);
     const Motion motion = exact(kind, duration, w, later);
     Eigen::VectorXd whole = Eigen::VectorXd::Zero(system.size());
-    whole(condensed.heavy) = shape;
-    whole(condensed.light) = condensed.following * shape;
+    whole(condensed.dynamic) = shape;
+    whole(condensed.massless) = condensed.following * shape;
     u += part * motion.u * whole;
     largest += (part * size(motion, w) * whole).cwiseAbs();
   }

@@ -22,13 +22,13 @@ Modes modes(const MatrixXd& stiffness, const MatrixXd& mass) {
 
 Condensed condense(const MatrixXd& stiffness, const MatrixXd& mass) {
   Condensed made;
-  for (int i = 0; i < mass.rows(); ++i) (mass(i, i) > 0 ? made.heavy : made.light).push_back(i);
-  const MatrixXd coupling = stiffness(made.light, made.heavy);
-  made.stiffness = stiffness(made.heavy, made.heavy);
-  made.mass = mass(made.heavy, made.heavy);
+  for (int i = 0; i < mass.rows(); ++i) (mass(i, i) > 0 ? made.dynamic : made.massless).push_back(i);
+  const MatrixXd coupling = stiffness(made.massless, made.dynamic);
+  made.stiffness = stiffness(made.dynamic, made.dynamic);
+  made.mass = mass(made.dynamic, made.dynamic);
   made.following = MatrixXd::Zero(coupling.rows(), coupling.cols());
-  if (!made.light.empty()) {
-    made.following = -solve_columns(stiffness(made.light, made.light), coupling);
+  if (!made.massless.empty()) {
+    made.following = -solve_columns(stiffness(made.massless, made.massless), coupling);
     made.stiffness += coupling.transpose() * made.following;
   }
   return made;

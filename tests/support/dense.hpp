@@ -24,13 +24,13 @@ struct Modes {
 /// Modes of a structure whose masses are all positive.
 Modes modes(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass);
 
-/// A structure whose unknowns without mass follow the others: u(light) = following u(heavy) where no force acts on them.
+/// A structure whose unknowns without mass follow the others: u(massless) = following u(dynamic) where no force acts on them.
 struct Condensed {
-  std::vector<int> heavy, light;  ///< unknowns with mass and without
+  std::vector<int> dynamic, massless;  ///< unknowns with mass and without
   Eigen::MatrixXd stiffness, mass;  ///< of those with mass
   Eigen::MatrixXd following;
 };
-/// An unknown has no mass where the diagonal of the mass is zero.
+/// An unknown has no mass where the diagonal of the mass is zero: found without split_by_mass, which belongs to what is tested.
 Condensed condense(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass);
 
 }  // namespace pounding::test::dense
