@@ -9,7 +9,8 @@
 #include <vector>
 
 #include <pounding/core/error.hpp>
-#include <pounding/laws/all.hpp>
+#include <pounding/laws/hertz.hpp>
+#include <pounding/laws/stereomechanical.hpp>
 #include <pounding/links/gap_link.hpp>
 #include <pounding/stepping/event_locator.hpp>
 #include <pounding/structures/bilinear_spring.hpp>
