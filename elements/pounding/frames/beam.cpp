@@ -269,12 +269,6 @@ void Beam::condense(double force) {
 
 Matrix12 Beam::stiffness() const { return symmetric(to_local_.transpose() * local_stiffness_ * to_local_); }
 
-Matrix12 Beam::end_force_matrix() const { return local_stiffness_ * to_local_; }
-
-Vector12 Beam::end_forces(const Vector12& displacements) const { return end_force_matrix() * displacements; }
-
-Vector12 Beam::at_nodes(const Vector12& on_ends) const { return to_local_.transpose() * on_ends; }
-
 Matrix12 Beam::mass() const {
   if (options_.mass == BeamMass::consistent) {
     const Matrix12 to_ends = follow_ * to_local_;
@@ -285,6 +279,10 @@ Matrix12 Beam::mass() const {
   diagonal.segment<3>(6).setConstant(total_mass() / 2);
   return diagonal.asDiagonal();
 }
+
+Vector12 Beam::end_forces(const Vector12& displacements) const { return end_force_matrix() * displacements; }
+
+Matrix12 Beam::end_force_matrix() const { return local_stiffness_ * to_local_; }
 
 Vector12 Beam::fixed_end_forces(const Vector3d& per_length) const {
   const Vector3d local = axes_ * per_length;
@@ -324,5 +322,7 @@ Eigen::Matrix<double, 3, 12> Beam::motion_at(double along) const { return axes_.
 
 // Betti: what a force does to the held ends is what the ends' displacements do to its point.
 Eigen::Matrix<double, 12, 3> Beam::fixed_end_forces_at(double along) const { return -shape_at(along).transpose() * axes_; }
+
+Vector12 Beam::at_nodes(const Vector12& on_ends) const { return to_local_.transpose() * on_ends; }
 
 }  // namespace pounding
