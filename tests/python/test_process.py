@@ -39,7 +39,7 @@ class Importing(unittest.TestCase):
             import sys
             import pounding
             dir(pounding)
-            heavy = {"numpy", "h5py", "matplotlib", "pounding._core", "mpi4py"} & set(sys.modules)
+            heavy = {"numpy", "h5py", "matplotlib", "typing", "pounding._core", "mpi4py"} & set(sys.modules)
             assert not heavy, heavy
             pounding.laws
             assert not {"matplotlib", "h5py"} & set(sys.modules)
