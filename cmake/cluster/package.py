@@ -1,11 +1,16 @@
-"""Recipe for Spack, of the packages that cmake/install-debian.sh names. Not tried: there was no Spack where this was written.
+"""Recipe for Spack 1.0 and later, of the packages that cmake/install-debian.sh names. Not run: there was no Spack where this was written.
+Names of packages and variants are those of spack-packages of July 2026.
 
-    spack repo create ~/pounding-repo && mkdir ~/pounding-repo/packages/pounding
-    cp cmake/cluster/package.py ~/pounding-repo/packages/pounding/ && spack repo add ~/pounding-repo
+    spack repo create ~/recipes pounding_recipes
+    mkdir -p ~/recipes/spack_repo/pounding_recipes/packages/pounding
+    cp cmake/cluster/package.py ~/recipes/spack_repo/pounding_recipes/packages/pounding/
+    spack repo add ~/recipes/spack_repo/pounding_recipes
     spack dev-build pounding@0.2.0
 """
 
-from spack.package import CMakePackage, depends_on, generator, license, variant, version
+from spack_repo.builtin.build_systems.cmake import CMakePackage, generator
+
+from spack.package import depends_on, license, variant, version
 
 
 class Pounding(CMakePackage):
