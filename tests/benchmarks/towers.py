@@ -104,7 +104,7 @@ def process(command, ranks=1):
         child = subprocess.Popen([str(c) for c in command], stdout=subprocess.PIPE, stderr=errors, env=ONE_THREAD, text=True)
         last = start
         for line in child.stdout:
-            if found := re.match(r"\s*\d+ TS dt ([\d.e+-]+) time", line):
+            if found := re.match(r"\s*\d+ TS (?:\(pounding_\) )?dt ([\d.e+-]+) time", line):
                 now = time.perf_counter()
                 steps.append((float(found[1]), now - last))
                 last = now
