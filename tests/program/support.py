@@ -86,9 +86,9 @@ class ProgramTest(unittest.TestCase):
         (self.folder / name).write_text(text)
         return name
 
-    def pounding(self, *words):
+    def pounding(self, *words, **environment):
         return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
-                              text=True, timeout=60)
+                              text=True, timeout=60, env=os.environ | environment)
 
     def summary(self, *words):
         done = self.pounding("run", *words, "--json")

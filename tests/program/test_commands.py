@@ -23,6 +23,12 @@ class ExitCodes(ProgramTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("left-right", done.stdout)
 
+    def test_zero_without_a_word_where_sys_is_missing(self):
+        empty = self.folder / "root"
+        empty.mkdir()
+        done = self.pounding("run", self.write(OSCILLATORS), "-q", HWLOC_FSROOT=str(empty))
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
     def test_two_for_bad_input(self):
         self.write(OSCILLATORS.replace("jankowski", "jankovski"))
         for command in ("run", "check", "modes"):
