@@ -18,14 +18,17 @@ fi
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/pounding
 prefix=${3:-$cache/petsc-$version-$kind}
 jobs=${JOBS:-$(nproc)}
+work=$cache/build/petsc-$version-$kind
+log=$work/log
+mkdir -p "$work"
+# Who asks for the same while it is built waits for it.
+exec 9> "$work/lock"
+flock 9
 if [ -e "$prefix/ready" ]; then
   echo "$prefix"
   exit
 fi
 
-work=$cache/build/petsc-$version-$kind
-log=$work/log
-mkdir -p "$work"
 echo "Building PETSc and SLEPc $version ($kind) into $prefix: about ten minutes on two free cores; the log is $log" >&2
 
 # pip asks a source archive for its metadata, which needs these two; with them it builds nothing.

@@ -10,6 +10,9 @@ petsc=$(realpath "$1")
 mkdir -p "$2"
 prefix=$(realpath "$2")
 jobs=${JOBS:-$(nproc)}
+# Who asks for the same while it is built waits for it.
+exec 9> "$prefix/lock"
+flock 9
 if [ -e "$prefix/ready" ] && [ "$prefix/ready" -nt "$petsc/ready" ]; then
   echo "$prefix"
   exit

@@ -1,8 +1,10 @@
 """The build with another PETSc than the system's: what `make`, its script and CMake say before anything is compiled."""
 
+import fcntl
 import os
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -12,6 +14,15 @@ ROOT = Path(__file__).resolve().parents[2]
 def done(*words, folder=ROOT, **environment):
     clean = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MAKELEVEL", "PETSC", "MPI")}
     return subprocess.run(words, cwd=folder, capture_output=True, text=True, env=clean | environment)
+
+
+def without_python(cache):
+    """A folder with a python3 that fails: what would build ends at once."""
+    folder = Path(cache) / "bin"
+    folder.mkdir()
+    (folder / "python3").write_text("#!/bin/sh\nexit 1\n")
+    (folder / "python3").chmod(0o755)
+    return folder
 
 
 class Make(unittest.TestCase):
@@ -49,6 +60,19 @@ class Script(unittest.TestCase):
             folder.mkdir(parents=True)
             (folder / "ready").touch()
             self.assertEqual(done("bash", "cmake/petsc.sh", "3.26.1", "off", XDG_CACHE_HOME=cache).stdout, f"{folder}\n")
+
+    def test_waits_for_another_that_builds_the_same(self):
+        with tempfile.TemporaryDirectory() as cache:
+            folder, work = Path(cache) / "pounding/petsc-3.26.1-nompi", Path(cache) / "pounding/build/petsc-3.26.1-nompi"
+            folder.mkdir(parents=True)
+            work.mkdir(parents=True)
+            with (work / "lock").open("w") as lock:
+                fcntl.flock(lock, fcntl.LOCK_EX)
+                other = subprocess.Popen(["bash", "cmake/petsc.sh", "3.26.1", "off"], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                         env=os.environ | {"XDG_CACHE_HOME": cache, "PATH": f"{without_python(cache)}:{os.environ['PATH']}"})
+                time.sleep(0.3)
+                (folder / "ready").touch()
+            self.assertEqual(other.communicate(timeout=60), (f"{folder}\n", ""))
 
 
 class Configured(unittest.TestCase):
