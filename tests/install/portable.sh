@@ -25,10 +25,11 @@ told=$(OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=2 venv/bin/pounding run lesso
 case $told in *"was built without MPI"*) ;; *) echo "$told"; exit 1 ;; esac
 export POUNDING_EXAMPLES=$place/lessons
 venv/bin/python3 "$tests/install/test_wheel.py" Wheel Command
-# Tests of the package that need no compiler; those of studies need scipy.
-export POUNDING_PROGRAM
+# Tests of the package that need no compiler, with all that it can use.
+export POUNDING_PROGRAM POUNDING_WITHOUT_MPI=1
 POUNDING_PROGRAM=$(echo "$place"/venv/lib/python3*/site-packages/pounding/bin/pounding)
-venv/bin/python3 -m pip install --quiet --disable-pip-version-check "$wheel[study]"
+venv/bin/python3 -m pip install --quiet --disable-pip-version-check "$wheel[all]"
 cd "$tests/python"
-"$place/venv/bin/python3" -m unittest test_demo test_ground_motions test_laws test_models test_opensees_link test_printing test_process test_pushover \
-  test_run test_study_engines test_study_kernel test_study_plan test_study_readings test_study_rows test_yielding
+"$place/venv/bin/python3" -m unittest test_demo test_device_results test_ground_motions test_laws test_mode_shapes test_models \
+  test_opensees_link test_printing test_process test_pushover test_run test_spring_results test_study_engines test_study_kernel test_study_plan \
+  test_study_readings test_study_rows test_yielding

@@ -110,8 +110,8 @@ int open(const char* path, int flags, ...) {
   return !is_results(path) || fate("open") == passes ? real(path, flags, mode) : -1;
 }
 
-/* What the program has PETSc call after each kept step. PETSc's own call of TSPostStep would not do: a PETSc whose calls are bound inside its
-   library makes it unseen. */
+/* PETSc calls its TSPostStep after each kept step, but one that is bound inside its library does so unseen. The program has it call this one
+   there. */
 static int (*after_step)(void*) = NULL;
 static int after_counted_step(void* ts) {
   fate("step");

@@ -11,6 +11,7 @@ from pathlib import Path
 
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
 ROOT = EXAMPLES.parent
+WITHOUT_MPI = bool(os.environ.get("POUNDING_WITHOUT_MPI"))
 #: Runs a model, and writes and reads a file with h5py's own HDF5.
 RUN = f"""
 def run():
@@ -46,9 +47,10 @@ class Importing(unittest.TestCase):
             with open("/proc/self/maps") as maps:
                 loaded = maps.read()
             # MPI opens its components when it starts.
-            assert "libmpi.so" in loaded and "mca_" not in loaded
+            assert "mca_" not in loaded
+            print("libmpi.so" in loaded)
         """
-        self.assertEqual(python(code), "")
+        self.assertEqual(python(code), f"{not WITHOUT_MPI}\n")
 
     def test_the_package_runs_the_program(self):
         done = subprocess.run([sys.executable, "-m", "pounding", "--version"], capture_output=True, text=True, timeout=60)
@@ -83,6 +85,7 @@ class Importing(unittest.TestCase):
             assert pounding.__version__.count(".") == 2
         """), "")
 
+    @unittest.skipUnless((ROOT / "python").exists(), "the sources are not here")
     def test_pictures_do_without_the_compiled_part(self):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(ROOT / "python/pounding", Path(folder) / "pounding")
@@ -104,15 +107,18 @@ class OneProcess(unittest.TestCase):
         python("import pounding; pounding.laws; import h5py; run()")
 
     def test_both_hdf5_libraries_are_there_and_each_is_used_by_its_own(self):
-        python("""
+        said = python("""
             results = run()
             maps = {line.split()[-1] for line in open("/proc/self/maps") if "libhdf5" in line and "_hl" not in line}
-            assert any("openmpi" in name for name in maps), maps
-            assert any("h5py" in name for name in maps), maps
+            ours = {name for name in maps if "h5py" not in name}
+            assert len(ours) == 1 and len(maps) > 1, maps
             import h5py
             results.save("/dev/null")
+            print("openmpi" in ours.pop())
         """)
+        self.assertEqual(said, f"{not WITHOUT_MPI}\n")
 
+    @unittest.skipIf(WITHOUT_MPI, "without MPI")
     def test_mpi4py_before_after_and_ending_mpi_itself(self):
         python("from mpi4py import MPI; run(); assert MPI.COMM_WORLD.size == 1 and not MPI.Is_finalized()")
         python("run(); from mpi4py import MPI; assert MPI.Is_initialized() and MPI.COMM_WORLD.size == 1; run()")
@@ -147,7 +153,7 @@ class OneProcess(unittest.TestCase):
         """, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
         self.assertEqual(said.split(), ["here", "here"])
 
-    @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
+    @unittest.skipUnless(shutil.which("mpirun") and not WITHOUT_MPI, "mpirun is not installed, or without MPI")
     def test_two_processes_run_one_model(self):
         said = python("""
             import sys
@@ -160,6 +166,7 @@ class OneProcess(unittest.TestCase):
 
 
 class Readme(unittest.TestCase):
+    @unittest.skipUnless((ROOT / "README.md").exists(), "the sources are not here")
     def test_the_example_prints_what_it_says(self):
         text = (ROOT / "README.md").read_text()
         block = text[text.index("```python"):]
