@@ -8,6 +8,7 @@ MINUTES ?= 10
 PART ?= all
 COUNT ?= 10000
 PETSC ?=
+VERSIONS ?= 3.26.1
 MPI ?= on
 PYTHONS ?= python3
 
@@ -31,7 +32,7 @@ CTEST_FLAGS = --output-on-failure --no-tests=error --parallel $(JOBS)
 CTEST_LEFT_OUT = $(if $(filter 0,$(LONG)),long)$(if $(filter 0,$(CELLS)),|^cells$$)
 CTEST_FLAGS += $(if $(CTEST_LEFT_OUT),--label-exclude '$(patsubst |%,%,$(CTEST_LEFT_OUT))')
 
-.PHONY: build program test test-sanitized test-damage test-faults fuzz demo announce docs wheel test-wheel \
+.PHONY: build program test test-sanitized test-damage test-petsc-headers test-faults fuzz demo announce docs wheel test-wheel \
   portable-wheel test-portable-wheel release python python-test petsc packages-demo packages clean distclean help
 
 build: $(BUILD)/with-tests
@@ -56,6 +57,10 @@ test-sanitized: | packages
 # Clang's libFuzzer looks for texts that crash, hang or fill the memory, MINUTES in all.
 test-damage: build
 	POUNDING_PROGRAM=$(CURDIR)/build/pounding PYTHONPATH=$(CURDIR)/python .venv-test/bin/python3 tests/program/damage.py --count $(COUNT)
+
+# Sources that call PETSc are compiled against the headers of other versions, from their archives on PyPI.
+test-petsc-headers: build
+	bash tests/install/petsc_headers.sh build $(VERSIONS)
 
 test-faults: build
 	POUNDING_ALL_FAULTS=1 ctest --test-dir build --output-on-failure --no-tests=error --timeout 100000 -R '^program.(message_)?faults$$'
@@ -154,6 +159,7 @@ help:
 	@echo "                CELLS=0 the cells of the site's pages, which make docs runs, too"
 	@echo "make test-sanitized   unit tests under the address and undefined-behaviour sanitizers; PART=quick some of them"
 	@echo "make test-damage      COUNT=n damaged results files, by every reader; test-faults: writes and allocations that fail, signals and kills, for every n"
+	@echo "make test-petsc-headers   VERSIONS=\"3.22.5 3.26.1\": compile what calls PETSc against their headers, without making code"
 	@echo "make fuzz       MINUTES=n: look for inputs that crash or hang; installs Clang"
 	@echo "make build      compile everything into build/"
 	@echo "make petsc PETSC=3.26.1   build PETSc and SLEPc of that version into ~/.cache/pounding, MPI=off without MPI; with the same"

@@ -4,6 +4,7 @@
 # With what is needed: CHOLMOD of SuiteSparse, and with MPI MUMPS where the system has it for this MPI. Environment: JOBS, number of
 # processes; MPICC, MPICXX, MPIFC, the compilers (mpicc, mpicxx, mpif90); WITHOUT_MUMPS=1 leaves MUMPS out.
 set -euo pipefail
+here=$(realpath "$(dirname "$0")")
 version=$1
 mpi=$2
 case $mpi in
@@ -31,24 +32,12 @@ fi
 
 echo "Building PETSc and SLEPc $version ($kind) into $prefix: about ten minutes on two free cores; the log is $log" >&2
 
-# pip asks a source archive for its metadata, which needs these two; with them it builds nothing.
-if [ ! -x "$work/pip/bin/python3" ]; then
-  python3 -m venv "$work/pip"
-  "$work/pip/bin/python3" -m pip install --quiet --disable-pip-version-check setuptools wheel
-fi
-# SLEPc of the same minor version: the newest of its patches that is not newer than the version asked for may be another one.
-fetch() {
-  "$work/pip/bin/python3" -m pip download --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-binary :all: \
-    --dest "$work" "$1" >> "$log" 2>&1
-}
-minor=${version%.*}
 cd "$work"
-ls petsc-"$version".tar.gz > /dev/null 2>&1 || fetch "petsc==$version"
-ls slepc-"$minor".*.tar.gz > /dev/null 2>&1 || fetch "slepc==$minor.*"
-slepc=$(echo slepc-"$minor".*.tar.gz)
-slepc=${slepc%.tar.gz}
-[ -d "petsc-$version" ] || tar xf "petsc-$version.tar.gz"
-[ -d "$slepc" ] || tar xf "$slepc.tar.gz"
+names=$(bash "$here/petsc_sources.sh" "$version" "$work" 2>> "$log") || { tail -n 30 "$log" >&2; exit 1; }
+slepc=${names##*$'\n'}
+for name in $names; do
+  [ -d "$name" ] || tar xf "$name.tar.gz"
+done
 
 options=(--prefix="$prefix" --with-debugging=0 --with-shared-libraries=1 --with-x=0 --with-ssl=0 --with-c2html=0
   --with-fortran-bindings=0 COPTFLAGS=-O2 CXXOPTFLAGS=-O2
@@ -91,5 +80,5 @@ mkdir -p "$prefix/share/licences"
 cp "$work/petsc-$version/LICENSE" "$prefix/share/licences/PETSc"
 cat "$work/$slepc"/LICENSE* > "$prefix/share/licences/SLEPc"
 touch "$prefix/ready"
-rm -rf "$work/petsc-$version" "$work/$slepc" "$work/pip"
+rm -rf "$work/petsc-$version" "$work/$slepc"
 echo "$prefix"

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Compiles all that calls PETSc against the headers of other versions, without making code of it: what is not there, or has other
+# arguments, is an error, what is deprecated a warning.
+#   petsc_headers.sh BUILD VERSION...     BUILD: a build folder with the PETSc of the system, whose configuration the headers are given
+set -euo pipefail
+root=$(realpath "$(dirname "$0")/../..")
+build=$(realpath "$1")
+shift
+sources=${XDG_CACHE_HOME:-$HOME/.cache}/pounding/sources
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+
+# Findings of configure, from the PETSc of the system; newer versions ask for a little more.
+mkdir "$place/configured"
+for name in petscconf.h petscfix.h petscpkg_version.h slepcconf.h; do
+  found=$(find $(pkg-config --cflags-only-I PETSc slepc | sed 's/-I//g') -maxdepth 1 -name "$name" | head -n 1)
+  cp "$found" "$place/configured"
+done
+touch "$place/configured/petscconf_poison.h"
+cat >> "$place/configured/petscconf.h" << 'END'
+#define PETSC_HAVE_OPENMPI 1
+#define PETSC_PKG_OPENMPI_VERSION_GT(major, minor, subminor) 0
+#define PETSC_PKG_OPENMPI_VERSION_LT(major, minor, subminor) 0
+#define PETSC_DEPRECATED_ENUM_BASE(why) __attribute__((deprecated(why)))
+#define PETSC_DEPRECATED_FUNCTION_BASE(why) __attribute__((deprecated(why)))
+#define PETSC_DEPRECATED_OBJECT_BASE(why) __attribute__((deprecated(why)))
+#define PETSC_DEPRECATED_TYPEDEF_BASE(why) __attribute__((deprecated(why)))
+#define PETSC_DEPRECATED_MACRO_BASE_(why) _Pragma(#why)
+#define PETSC_DEPRECATED_MACRO_BASE(why) PETSC_DEPRECATED_MACRO_BASE_(GCC warning why)
+END
+others=$(pkg-config --cflags-only-I PETSc slepc hdf5-openmpi | tr ' ' '\n' | grep --invert-match --extended-regexp 'petsc|slepc|^$' | sed 's/^-I/-isystem /')
+
+# One text for each module, as the build has them.
+mkdir "$place/texts"
+for file in "$root"/lib/pounding/{petsc,linear,run}/*.cpp "$root"/lib/pounding/stepping/ts_pounding.cpp; do
+  echo "#include \"$file\"" >> "$place/texts/$(basename "$(dirname "$file")").cpp"
+done
+
+for version in "$@"; do
+  names=$(bash "$root/cmake/petsc_sources.sh" "$version" "$sources")
+  headers=()
+  for name in $names; do
+    tar xf "$sources/$name.tar.gz" --directory "$place" "$name/include"
+    headers+=(-isystem "$place/$name/include")
+  done
+  for text in "$place"/texts/*.cpp; do
+    "${CXX:-c++}" -std=c++20 -fsyntax-only -Werror=deprecated-declarations -Wno-subobject-linkage -DFMT_SHARED -I "$root/elements" -I "$root/lib" -I "$build/elements" -I "$build/lib" \
+      "${headers[@]}" -isystem "$place/configured" $others -isystem /usr/include/eigen3 "$text"
+  done
+  echo "compiled against the headers of ${names//$'\n'/ and }"
+done
