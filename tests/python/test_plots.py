@@ -5,6 +5,7 @@ import dataclasses
 import io
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 import warnings
@@ -48,6 +49,12 @@ class Pictures(unittest.TestCase):
 
     def figure(self, kind, **options):
         return plots.standard_figure(read(self.files[kind]), **options)
+
+    def test_need_a_matplotlib_that_is_new_enough(self):
+        code = "import matplotlib\nmatplotlib.__version_info__ = (3, 6, 3)\nimport pounding.plots"
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr.splitlines()[-1], "^ImportError: pictures need matplotlib 3.7 or newer, and .*: type python3 -m pip install --upgrade")
 
     def test_every_kind_of_run_is_drawn(self):
         for kind in KINDS:

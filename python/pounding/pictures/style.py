@@ -9,12 +9,18 @@ from collections.abc import Iterable, Sequence
 from os import PathLike
 from typing import Any
 
+import matplotlib
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from pounding.errors import InputError
 from pounding.outputs import tell
+
+# Legends outside the axes came with it.
+if matplotlib.__version_info__ < (3, 7):
+    raise ImportError(f"pictures need matplotlib 3.7 or newer, and {sys.executable} has {matplotlib.__version__}: type python3 -m pip install "
+                      "--upgrade matplotlib, or set the environment variable POUNDING_PYTHON to a Python that has a newer one")
 
 #: Okabe and Ito's colours, which colour-blind readers can tell apart.
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
