@@ -216,6 +216,13 @@ class Voice(Processes):
         self.assertEqual((wrong.returncode, self.messages(wrong)),
                          (2, ["pounding: 2 unknowns on 3 processes; type mpirun -n 2, or fewer"]))
 
+    def test_names_a_package_that_petsc_has_not_got_once(self):
+        self.write(frames(storeys=2))
+        for count, words in ((1, " to factor a matrix; try -pounding_lev_pc_factor_mat_solver_type cholmod"),
+                             (3, " to factor a matrix on 3 processes; start at most as many processes as there are structures, or build PETSc with MUMPS")):
+            wrong = self.on(count, "run", "model.yaml", "-q", *SPARSE, "-pounding_lev_pc_factor_mat_solver_type", "strumpack")
+            self.assertEqual((wrong.returncode, self.messages(wrong)), (2, [f"pounding: this PETSc has no strumpack{words}"]))
+
     def test_tells_of_a_failing_solve_once_with_the_results_kept(self):
         self.write(UNSOLVABLE)
         failed = self.on(2, "run", "model.yaml", "-q", "-o", "out.h5", *SPARSE)

@@ -38,6 +38,22 @@ class Placed {
   Vec vec_;
 };
 
+// A package that PETSc has not got would look like a singular matrix.
+void require_package(PC pc, Mat matrix, const std::string& prefix) {
+  PetscBool cholesky = PETSC_FALSE, lu = PETSC_FALSE, available = PETSC_FALSE;
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCLU, &lu));
+  if (!cholesky && !lu) return;
+  MatSolverType package = nullptr;
+  check(PCFactorGetMatSolverType(pc, &package));
+  check(MatGetFactorAvailable(matrix, package, cholesky ? MAT_FACTOR_CHOLESKY : MAT_FACTOR_LU, &available));
+  if (available) return;
+  const int count = processes(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)));
+  throw InputError(count > 1 ? fmt::format("this PETSc has no {} to factor a matrix on {} processes; start at most as many processes as there are "
+                                           "structures, or build PETSc with MUMPS", package, count)
+                             : fmt::format("this PETSc has no {} to factor a matrix; try -{}pc_factor_mat_solver_type cholmod", package, prefix));
+}
+
 PetscErrorCode apply_near(PC pc, Vec x, Vec y) {
   void* near = nullptr;
   PetscFunctionBegin;
@@ -106,6 +122,7 @@ Factor::Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> va
     check(PCFactorSetMatSolverType(pc, MATSOLVERCHOLMOD));
   }
   check(KSPSetFromOptions(ksp_));
+  require_package(pc, product_.matrix(), prefix);
   set_up();
   if (ok_) inspect();
 }

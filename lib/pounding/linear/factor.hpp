@@ -64,7 +64,8 @@ class Product {
 /// several. Options with the prefix choose another one.
 class Factor {
  public:
-  /// Collective. ok() tells on each process by itself whether the matrix could be factored.
+  /// Collective. ok() tells on each process by itself whether the matrix could be factored. Throws InputError where PETSc has not got the
+  /// package.
   Factor(MPI_Comm comm, const Pattern& pattern, std::span<const double> values, const std::string& prefix);
 
   /// True if the matrix could be factored.
