@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compiles all that calls PETSc against the headers of other versions, without making code of it: what is not there, or has other
-# arguments, is an error, what is deprecated a warning.
+# Compiles all that calls PETSc against the headers of other versions, without making code of it. A name that is not there, is deprecated or
+# has other arguments is an error.
 #   petsc_headers.sh BUILD VERSION...     BUILD: a build folder with the PETSc of the system, whose configuration the headers are given
 set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")

@@ -33,13 +33,14 @@ PetscErrorCode keep_message(MPI_Comm, int line, const char* function, const char
   return code;
 }
 
-// Open MPI looks for networks and a launcher daemon when it starts, which costs a fifth of a second. A process that no launcher has
-// started talks to itself only and needs neither. It needs no session folder either: processes that start and end at the same time
-// would share one, and now and then one would find it gone. Variables that the user has set stay.
+// Variables that the user has set stay.
 void prepare_mpi() {
   constexpr int keep_existing = 0;
   // hwloc, by which MPI finds the processors, would write to the screen in containers without /sys.
   setenv("HWLOC_HIDE_ERRORS", "2", keep_existing);
+  // Open MPI looks for networks and a launcher daemon when it starts, which costs a fifth of a second. A process that no launcher has
+  // started talks to itself only and needs neither. It needs no session folder either: processes that start and end at the same time
+  // would share one, and now and then one would find it gone.
   if (launch()) return;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_existing);
   setenv("OMPI_MCA_pml", "ob1", keep_existing);
