@@ -104,7 +104,7 @@ class Commands(Lines):
             case ["make", *targets]:
                 known = re.search(r"(?m)^\.PHONY: ((?:.*\\\n)*.*)$", (ROOT / "Makefile").read_text()).group(1).split()
                 for target in targets:
-                    self.assertIn(target.split("=")[0], [*known, "LONG", "JOBS", "MINUTES", "PART", "PETSC", "MPI", "PYTHONS"])
+                    self.assertIn(target.split("=")[0], [*known, "LONG", "JOBS", "MINUTES", "PART", "PETSC", "MPI", "PYTHONS", "VERSIONS"])
             case ["build/pounding", *rest]:
                 self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *rest), "")
             case ["pounding", "run", "towers.yaml", *options]:
@@ -127,7 +127,16 @@ class Commands(Lines):
             case ["ctest", "--test-dir", "build", "--output-on-failure", "-R", name]:
                 area, subject = name.split(".")
                 self.assertTrue((ROOT / "tests" / area / f"test_{subject}.py").is_file(), name)
-            case ["cmake", "-S", ".", "-B", "build", "-G", "Ninja"] | ["cmake", "--install", "build", "--prefix", "DIR"] | ["python3", "-m", "venv", "env"]:
+            case ["cmake", "-S", ".", "-B", "build", "-G", "Ninja", *options]:
+                texts = [path.read_text() for path in (ROOT / "CMakeLists.txt", ROOT / "python/CMakeLists.txt", *(ROOT / "cmake").glob("*.cmake"))]
+                for option in options:
+                    name = re.fullmatch(r"-D(\w+)=.+", option).group(1)
+                    self.assertTrue(any(re.search(rf"\b{name}\b", text) for text in texts), option)
+            case [*settings, "bash", "cmake/petsc.sh", _, "on" | "off", _]:
+                script = (ROOT / "cmake/petsc.sh").read_text()
+                for setting in settings:
+                    self.assertTrue("${" + setting.split("=")[0] + ":-" in script, setting)
+            case ["cmake", "--install", "build", "--prefix", "DIR"] | ["python3", "-m", "venv", "env"]:
                 pass
             case ["env/bin/python3", "-m", "pip", "install", place]:
                 self.assertRegex(place, r"^(\.|pounding-[0-9.]+-cp\d+-cp\d+-manylinux_\d+_\d+_x86_64\.whl)$")
