@@ -38,15 +38,23 @@ class Placed {
   Vec vec_;
 };
 
-// A package that PETSc has not got would look like a singular matrix.
-void require_package(PC pc, Mat matrix, const std::string& prefix) {
-  PetscBool cholesky = PETSC_FALSE, lu = PETSC_FALSE, available = PETSC_FALSE;
+// The factor that a preconditioner is; MAT_FACTOR_NONE where it is none.
+MatFactorType factor_type(PC pc) {
+  PetscBool cholesky = PETSC_FALSE, lu = PETSC_FALSE;
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCLU, &lu));
-  if (!cholesky && !lu) return;
+  return cholesky ? MAT_FACTOR_CHOLESKY : lu ? MAT_FACTOR_LU : MAT_FACTOR_NONE;
+}
+
+// A package that PETSc has not got would look like a singular matrix.
+void require_package(PC pc, Mat matrix, const std::string& prefix) {
+  const MatFactorType type = factor_type(pc);
   MatSolverType package = nullptr;
-  check(PCFactorGetMatSolverType(pc, &package));
-  check(MatGetFactorAvailable(matrix, package, cholesky ? MAT_FACTOR_CHOLESKY : MAT_FACTOR_LU, &available));
+  if (type != MAT_FACTOR_NONE) check(PCFactorGetMatSolverType(pc, &package));
+  // Where an option has named the kind of factor alone, PETSc takes a package that it has.
+  if (!package) return;
+  PetscBool available = PETSC_FALSE;
+  check(MatGetFactorAvailable(matrix, package, type, &available));
   if (available) return;
   const int count = processes(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)));
   throw InputError(count > 1 ? fmt::format("this PETSc has no {} to factor a matrix on {} processes; start at most as many processes as there are "
@@ -167,24 +175,22 @@ void Factor::inspect() {
   MatInfo info;
   check(MatGetInfo(product_.matrix(), MAT_LOCAL, &info));
   memory_ = info.memory;
-  PetscBool cholesky = PETSC_FALSE, lu = PETSC_FALSE;
-  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
-  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCLU, &lu));
+  const MatFactorType type = factor_type(pc);
   KSPType ksp_type = nullptr;
   check(KSPGetType(ksp_, &ksp_type));
-  direct_ = (cholesky || lu) && std::string_view(ksp_type) == KSPPREONLY;
-  if (!cholesky && !lu) {
+  direct_ = type != MAT_FACTOR_NONE && std::string_view(ksp_type) == KSPPREONLY;
+  if (type == MAT_FACTOR_NONE) {
     PCType pc_type = nullptr;
     check(PCGetType(pc, &pc_type));
     package_ = std::string(ksp_type) + " with " + pc_type;
     return;
   }
   Mat factor = nullptr;
-  MatSolverType type = nullptr;
+  MatSolverType package = nullptr;
   check(PCFactorGetMatrix(pc, &factor));
-  check(MatFactorGetSolverType(factor, &type));
+  check(MatFactorGetSolverType(factor, &package));
   check(MatGetInfo(factor, MAT_LOCAL, &info));
-  package_ = std::string(type) + (cholesky ? " Cholesky" : " LU");
+  package_ = std::string(package) + (type == MAT_FACTOR_CHOLESKY ? " Cholesky" : " LU");
   // MUMPS reports the number of entries, not bytes.
   memory_ += std::max<double>(info.memory, info.nz_used * sizeof(PetscScalar));
 }
