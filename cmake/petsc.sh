@@ -5,6 +5,7 @@
 # processes; MPICC, MPICXX, MPIFC, the compilers (mpicc, mpicxx, mpif90); WITHOUT_MUMPS=1 leaves MUMPS out.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
+. "$here/building.sh"
 version=$1
 mpi=$2
 case $mpi in
@@ -23,8 +24,7 @@ work=$cache/build/petsc-$version-$kind
 log=$work/log
 mkdir -p "$work"
 # Who asks for the same while it is built waits for it.
-exec 9> "$work/lock"
-flock 9
+alone_in "$work"
 if [ -e "$prefix/ready" ]; then
   echo "$prefix"
   exit
@@ -33,11 +33,11 @@ fi
 echo "Building PETSc and SLEPc $version ($kind) into $prefix: about ten minutes on two free cores; the log is $log" >&2
 
 cd "$work"
-names=$(bash "$here/petsc_sources.sh" "$version" "$work" 2>> "$log") || { tail -n 30 "$log" >&2; exit 1; }
-slepc=${names##*$'\n'}
-for name in $names; do
-  [ -d "$name" ] || tar xf "$name.tar.gz"
-done
+archives=$(bash "$here/petsc_sources.sh" "$version" 2>> "$log") || { tail -n 30 "$log" >&2; exit 1; }
+while read -r archive; do
+  slepc=$(basename "$archive" .tar.gz)
+  [ -d "$slepc" ] || tar xf "$archive"
+done <<< "$archives"
 
 options=(--prefix="$prefix" --with-debugging=0 --with-shared-libraries=1 --with-x=0 --with-ssl=0 --with-c2html=0
   --with-fortran-bindings=0 COPTFLAGS=-O2 CXXOPTFLAGS=-O2
@@ -60,13 +60,6 @@ else
 fi
 
 unset PETSC_DIR PETSC_ARCH SLEPC_DIR
-run() {
-  if ! nice "$@" >> "$log" 2>&1; then
-    tail -n 30 "$log" >&2
-    echo "failed: $*; the log is $log" >&2
-    exit 1
-  fi
-}
 cd "petsc-$version"
 run python3 ./configure PETSC_ARCH=$kind "${options[@]}"
 run make PETSC_DIR="$PWD" PETSC_ARCH=$kind MAKE_NP="$jobs" all

@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
-# Downloads the source archives of PETSc of one version and of the SLEPc that belongs to it from PyPI into a folder, where they are
-# missing, and prints their names without .tar.gz.
-#   petsc_sources.sh VERSION FOLDER
+# Downloads the source archives of PETSc of one version and of the SLEPc that belongs to it from PyPI into the user's cache, where they
+# are missing, and prints their places, PETSc's first.
+#   petsc_sources.sh VERSION
 set -euo pipefail
+. "$(dirname "$0")/building.sh"
 version=$1
-mkdir -p "$2"
-cd "$2"
+folder=${XDG_CACHE_HOME:-$HOME/.cache}/pounding/sources
+mkdir -p "$folder"
+alone_in "$folder"
+cd "$folder"
 minor=${version%.*}
 missing=()
 [ -e "petsc-$version.tar.gz" ] || missing+=("petsc==$version")
@@ -19,6 +22,4 @@ if [ ${#missing[@]} -gt 0 ]; then
   "$tools/bin/python3" -m pip install --quiet --disable-pip-version-check setuptools wheel >&2
   "$tools/bin/python3" -m pip download --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-binary :all: "${missing[@]}" >&2
 fi
-for archive in petsc-"$version".tar.gz slepc-"$minor".*.tar.gz; do
-  echo "${archive%.tar.gz}"
-done
+printf '%s\n' "$folder/petsc-$version.tar.gz" "$folder"/slepc-"$minor".*.tar.gz

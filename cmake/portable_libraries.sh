@@ -6,13 +6,13 @@
 # - UMFPACK, KLU and SPQR as names alone: PETSc's library asks for them, nothing here calls them, and two are under the GPL;
 # - HDF5 without the reader of files on the network, which brings some thirty libraries.
 set -euo pipefail
+. "$(dirname "$0")/building.sh"
 petsc=$(realpath "$1")
 mkdir -p "$2"
 prefix=$(realpath "$2")
 jobs=${JOBS:-$(nproc)}
 # Who asks for the same while it is built waits for it.
-exec 9> "$prefix/lock"
-flock 9
+alone_in "$prefix"
 if [ -e "$prefix/ready" ] && [ "$prefix/ready" -nt "$petsc/ready" ]; then
   echo "$prefix"
   exit
@@ -22,13 +22,6 @@ log=$prefix/log
 mkdir -p "$work/lists/partial" "$prefix/lib/pkgconfig" "$prefix/include" "$prefix/share/licences"
 cd "$work"
 echo "Building HDF5 and CHOLMOD into $prefix: about three minutes on two free cores; the log is $log" >&2
-run() {
-  if ! nice "$@" >> "$log" 2>&1; then
-    tail -n 30 "$log" >&2
-    echo "failed: $*; the log is $log" >&2
-    exit 1
-  fi
-}
 
 # Sources from the mirror that the system uses, without a change to the system's lists.
 if ! ls hdf5_*.orig.tar.* suitesparse_*.orig.tar.* > /dev/null 2>&1; then

@@ -6,7 +6,6 @@ set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")
 build=$(realpath "$1")
 shift
-sources=${XDG_CACHE_HOME:-$HOME/.cache}/pounding/sources
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 
@@ -37,15 +36,16 @@ for file in "$root"/lib/pounding/{petsc,linear,run}/*.cpp "$root"/lib/pounding/s
 done
 
 for version in "$@"; do
-  names=$(bash "$root/cmake/petsc_sources.sh" "$version" "$sources")
+  archives=$(bash "$root/cmake/petsc_sources.sh" "$version")
   headers=()
-  for name in $names; do
-    tar xf "$sources/$name.tar.gz" --directory "$place" "$name/include"
+  while read -r archive; do
+    name=$(basename "$archive" .tar.gz)
+    tar xf "$archive" --directory "$place" "$name/include"
     headers+=(-isystem "$place/$name/include")
-  done
+  done <<< "$archives"
   for text in "$place"/texts/*.cpp; do
     "${CXX:-c++}" -std=c++20 -fsyntax-only -Werror=deprecated-declarations -Wno-subobject-linkage -DFMT_SHARED -I "$root/elements" -I "$root/lib" -I "$build/elements" -I "$build/lib" \
       "${headers[@]}" -isystem "$place/configured" $others -isystem /usr/include/eigen3 "$text"
   done
-  echo "compiled against the headers of ${names//$'\n'/ and }"
+  echo "compiled against the headers of PETSc $version and ${name/-/ }"
 done
