@@ -313,8 +313,8 @@ void ModalSolver::make_panels() {
 }
 
 void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
-  const Eigen::Index columns = x.cols();
-  relative.resize(static_cast<Eigen::Index>(gap_jacobian_.size()), columns);
+  const Eigen::Index columns = x.cols(), links = static_cast<Eigen::Index>(gap_jacobian_.size());
+  if (relative.rows() != links || relative.cols() != columns) relative.resize(links, columns);
   // Sums in one order, whether four links at once or one.
   for (const Panel& panel : panels_)
     for (Eigen::Index j = 0; j < columns; ++j) {

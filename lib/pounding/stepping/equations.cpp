@@ -134,7 +134,7 @@ void Equations::balance(Instant& x) const {
   acceleration = -push - x.motion.col(ku) - x.motion.col(cv);
   if (pseudo_forces.any()) acceleration -= x.pseudo_force;
   motions_.resize(static_cast<std::size_t>(links.size()));
-  for (int i = 0; i < links.size(); ++i) motions_[i] = links.without_relief(i, x);
+  for (int i = 0; i < links.size(); ++i) links.without_relief(i, x, motions_[i]);
   if (springs.any() && !springs.settle(motions_, x.force))
     throw SolverError("the hinges of a structure find no equilibrium with its unknowns without mass");
   balance(motions_, x.by_ground, false, x.force, acceleration);
@@ -151,17 +151,23 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   const Instant& y = trial.end;
   std::optional<GroundDefect> missed;
   if (trial.short_motions) missed = ShortMotions::of_cubic(*trial.short_motions, h);
-  for (int i = 0; i < links.size(); ++i) {
+  const double eighth = h / 8;
+  const bool apart = moves_ends_apart(trial);
+  for (int i = 0, count = links.size(); i < count; ++i) {
+    LinkMotion& middle = trial.middle[i];
     double relative_displacement =
-        0.5 * (x.relative(i, u) + y.relative(i, u)) + h / 8 * (x.relative(i, v) - y.relative(i, v));
-    double rate = 0.5 * (x.relative(i, v) + y.relative(i, v)) + h / 8 * (x.relative(i, a) - y.relative(i, a));
+        0.5 * (x.relative(i, u) + y.relative(i, u)) + eighth * (x.relative(i, v) - y.relative(i, v));
+    double rate = 0.5 * (x.relative(i, v) + y.relative(i, v)) + eighth * (x.relative(i, a) - y.relative(i, a));
     if (missed) {
       relative_displacement += short_motions.closing(i, missed->u);
       rate += short_motions.closing(i, missed->v);
     }
-    trial.middle[i] = {links.deformation(i, relative_displacement + links.ground_part(trial.by_ground_middle, i, u)),
-                       rate + links.ground_part(trial.by_ground_middle, i, v)};
-    if (links.is_held(i) && moves_ends_apart(trial)) trial.middle[i] = {links.motion(i, x).penetration, 0};
+    if (apart) {
+      relative_displacement += links.ground_part(trial.by_ground_middle, i, u);
+      rate += links.ground_part(trial.by_ground_middle, i, v);
+    }
+    middle = {links.deformation(i, relative_displacement), rate};
+    if (apart && links.is_held(i)) middle = {links.motion(i, x).penetration, 0};
   }
   if (slips.any()) slips.find_middle(x, trial);
   const int n = solver.size();
@@ -171,10 +177,10 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   double* r = trial.a_middle.data();
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i)
-    r[i] = -push[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) - h / 8 * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
+    r[i] = -push[i] - 0.5 * (ku0[i] + ku1[i] + cv0[i] + cv1[i]) - eighth * (kv0[i] - kv1[i] + ca0[i] - ca1[i]);
   if (missed) trial.a_middle -= short_motions.forces(*missed);
   if (pseudo_forces.any()) {
-    displacement_ = 0.5 * (x.motion.col(u) + y.motion.col(u)) + h / 8 * (x.motion.col(v) - y.motion.col(v));
+    displacement_ = 0.5 * (x.motion.col(u) + y.motion.col(u)) + eighth * (x.motion.col(v) - y.motion.col(v));
     if (missed) displacement_ += short_motions.shift(missed->u);
     pseudo_force(displacement_, force_);
     trial.a_middle -= force_;

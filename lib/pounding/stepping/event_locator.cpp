@@ -232,19 +232,18 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
 }
 
 // Most trials show nothing: no event function has changed its sign, and no bodies approach first and part then.
-bool EventLocator::shows_nothing(const Instant& now, const Trial& trial) const {
-  if (links_.springs() > 0) return false;
+bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
+  if (links_.springs() > 0) return true;
   for (int i = 0; i < links_.contacts(); ++i) {
     const LinkMotion end = links_.motion(i, trial.end);
     for (const double value : functions_.values(i, end, trial.end.force[i]))
-      if (value < 0) return false;
-    if (end.rate < 0 && links_.motion(i, now).rate > 0) return false;
+      if (value < 0) return true;
+    if (end.rate < 0 && links_.motion(i, now).rate > 0) return true;
   }
-  return true;
+  return false;
 }
 
 std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
-  if (shows_nothing(now, trial)) return std::nullopt;
   const Search search{functions_, springs_, links_, now, trial, try_step};
   if (links_.springs() > 0) search.stop_at_corner();
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);

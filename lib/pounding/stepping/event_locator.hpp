@@ -38,6 +38,9 @@ class EventLocator {
   EventLocator(const EventFunctions& functions, const SpringForces& springs)
       : functions_(functions), springs_(springs), links_(functions.links()) {}
 
+  /// Whether there can be anything to locate in the solved step `trial` from `now`; where not, locate() would find nothing.
+  bool may_find(const Instant& now, const Trial& trial) const;
+
   /// `trial` is a solved step from `now` that `try_step` replaces. Nothing if no phase ends inside it; the trial may still
   /// have become shorter, because of a corner. Nearly simultaneous events are grouped. Throws LostTrial if a step cannot be
   /// solved while an event is located; the trial must then be made anew.
@@ -45,8 +48,6 @@ class EventLocator {
 
  private:
   struct Search;
-
-  bool shows_nothing(const Instant& now, const Trial& trial) const;
 
   const EventFunctions& functions_;
   const SpringForces& springs_;

@@ -68,8 +68,10 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     if (t.short_motions) r_ -= alpha_f * eq_.short_motions.forces(missed_);
     if (stages_.forced()) eq_.solver.add_forces(alpha_f - 1, x.force, r_);
 
-    t.end.force.setZero();
-    if (stages_.forced()) t.end.force = x.force;
+    if (stages_.forced())
+      t.end.force = x.force;
+    else
+      std::fill_n(t.end.force.data(), t.end.force.size(), 0.0);
     const Stage stage{beta * h * h, gamma * h, alpha_f};
     if (eq_.slips.any()) slip_free_ = x.slip + 0.5 * h * eq_.slips.rates(x);
     const auto free_motion = [&, beta = beta, gamma = gamma, alpha_m = alpha_m, alpha_f = alpha_f](int i, double g) {

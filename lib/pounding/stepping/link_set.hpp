@@ -52,16 +52,26 @@ class LinkSet {
     return link < contacts_ ? system_.contacts[link]->penetration(relative_displacement) : relative_displacement;
   }
   LinkMotion motion(int link, const Instant& x) const {
-    LinkMotion motion = without_relief(link, x);
-    if (is_spring(link) && x.relief.size() > 0) motion.penetration -= x.relief[link - contacts_];
+    LinkMotion motion;
+    this->motion(link, x, motion);
     return motion;
   }
+  /// Written to its place at once: a copy of numbers just stored would wait for them.
+  void motion(int link, const Instant& x, LinkMotion& motion) const {
+    without_relief(link, x, motion);
+    if (is_spring(link) && x.relief.size() > 0) motion.penetration -= x.relief[link - contacts_];
+  }
   /// The motion as if the force of no spring were there; the rate of a spring is that at constant forces in both.
-  LinkMotion without_relief(int link, const Instant& x) const {
-    const double relative_displacement = x.relative(link, Instant::u), rate = x.relative(link, Instant::v);
-    const double slip = x.slip.size() > 0 && is_spring(link) ? x.slip[link - contacts_] : 0;
-    if (!moved_) return {deformation(link, relative_displacement), rate, slip};
-    return {deformation(link, relative_displacement + x.by_ground(link, Instant::u)), rate + x.by_ground(link, Instant::v), slip};
+  void without_relief(int link, const Instant& x, LinkMotion& motion) const {
+    double relative_displacement = x.relative(link, Instant::u), rate = x.relative(link, Instant::v);
+    if (moved_) {
+      relative_displacement += x.by_ground(link, Instant::u);
+      rate += x.by_ground(link, Instant::v);
+    }
+    motion.penetration = deformation(link, relative_displacement);
+    motion.rate = rate;
+    motion.slip = x.slip.size() > 0 && is_spring(link) ? x.slip[link - contacts_] : 0;
+    motion.lag = 0;
   }
   /// Force and slopes of a contact or a spring.
   laws::Response law(int link, const LinkMotion& motion) const {

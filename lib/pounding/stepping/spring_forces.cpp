@@ -143,8 +143,10 @@ void SpringForces::follow_first_slopes(const Instant& begin, const Trial& trial,
   Eigen::MatrixXd free(count, 3), way;  // rate at the beginning, way to the end, rate there
   for (int i = 0; i < count; ++i) {
     first[i] = links_.motion(from + i, begin);
-    const LinkMotion end = links_.without_relief(from + i, trial.end);
-    free.row(i) << first[i].rate, end.penetration - links_.without_relief(from + i, begin).penetration, end.rate;
+    LinkMotion start, end;
+    links_.without_relief(from + i, begin, start);
+    links_.without_relief(from + i, trial.end, end);
+    free.row(i) << first[i].rate, end.penetration - start.penetration, end.rate;
   }
   Eigen::VectorXd slopes = Eigen::VectorXd::Zero(count), before;
   way = free;

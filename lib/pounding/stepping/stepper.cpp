@@ -128,11 +128,14 @@ bool Stepper::try_step(double h, std::optional<double> end) {
 // The trial with its springs that are active.
 bool Stepper::solve_trial() {
   const double h = history_.trial().h;
-  if (!stages_.begin(scheme_->matrix(h), step_level(h))) return false;
+  const EffectiveMatrix matrix = scheme_->matrix(h);
+  if (!stages_.begin(matrix, step_level(h))) return false;
   if (scheme_->try_step(history_.now(), history_.kept().h, history_.trial(), error_)) return true;
   if (stages_.failed_link() >= 0) troublesome_link_ = stages_.failed_link();
   return false;
 }
+
+bool Stepper::may_hold_event() const { return locator_.may_find(history_.now(), history_.trial()); }
 
 std::optional<double> Stepper::locate_event() {
   std::optional<LocatedEvents> found =
@@ -156,9 +159,9 @@ void Stepper::describe(int i, LinkStep& step) const {
   const Trial& kept = history_.kept();
   step.begin = x.time;
   step.end = y.time;
-  step.motion_begin = links.motion(i, x);
+  links.motion(i, x, step.motion_begin);
   step.motion_middle = kept.middle[i];
-  step.motion_end = links.motion(i, y);
+  links.motion(i, y, step.motion_end);
   step.force_begin = x.force[i];
   step.force_middle = kept.force_middle[i];
   step.force_end = y.force[i];

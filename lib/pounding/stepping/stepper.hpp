@@ -58,6 +58,8 @@ class Stepper {
   double error_ratio() const { return history_.trial().error; }
   /// The error falls with this power of the step.
   int error_order() const { return options_.scheme.error_order(); }
+  /// Whether the trial may hold an event; where not, locate_event() would find none.
+  bool may_hold_event() const;
   /// Shortens the trial to the first event inside it, by re-integrated steps. Its length [s] is returned; zero if the event is
   /// at the beginning, nothing if there is none. Throws SolverError if such a step cannot be solved.
   std::optional<double> locate_event();
