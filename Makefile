@@ -2,8 +2,6 @@
 # The demo compiles the program alone; what tests need is installed and compiled in the same folder when they are asked for.
 
 JOBS ?= $(shell nproc)
-LONG ?= 1
-CELLS ?= 1
 MINUTES ?= 10
 PART ?= all
 COUNT ?= 10000
@@ -28,11 +26,9 @@ endif
 # The matrices are small: more BLAS threads would only stand in each other's way.
 export OPENBLAS_NUM_THREADS ?= 1
 
-CTEST_FLAGS = --output-on-failure --no-tests=error --parallel $(JOBS)
-CTEST_LEFT_OUT = $(if $(filter 0,$(LONG)),long)$(if $(filter 0,$(CELLS)),|^cells$$)
-CTEST_FLAGS += $(if $(CTEST_LEFT_OUT),--label-exclude '$(patsubst |%,%,$(CTEST_LEFT_OUT))')
+CTEST = ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel $(JOBS)
 
-.PHONY: build program test test-sanitized test-damage test-petsc-headers test-faults fuzz demo announce docs wheel test-wheel \
+.PHONY: build program test test-all test-sanitized test-damage test-petsc-headers test-faults fuzz demo announce docs wheel test-wheel \
   portable-wheel test-portable-wheel release python python-test petsc packages-demo packages clean distclean help
 
 build: $(BUILD)/with-tests
@@ -42,7 +38,11 @@ program: $(BUILD)/build.ninja
 	cmake --build $(BUILD) --parallel $(JOBS) --target pounding_program
 
 test: build
-	ctest --test-dir $(BUILD) $(CTEST_FLAGS)
+	$(CTEST) --label-exclude '^long$$'
+
+# With the long ones. The cells of the site's pages run when `make docs` makes the site.
+test-all: build
+	$(CTEST) --label-exclude '^cells$$'
 
 # PETSc and SLEPc from their source archives on PyPI: make petsc PETSC=3.26.1 MPI=off
 petsc: $(petsc_ready)
@@ -155,8 +155,7 @@ distclean: clean
 
 help:
 	@echo "make demo       install what the program needs, compile it, run two frames through an earthquake: demo.h5, demo.png"
-	@echo "make test       install what tests need, compile everything, run every test; LONG=0 leaves the long ones out,"
-	@echo "                CELLS=0 the cells of the site's pages, which make docs runs, too"
+	@echo "make test       install what tests need, compile everything, run all tests but the long ones; test-all: those too"
 	@echo "make test-sanitized   unit tests under the address and undefined-behaviour sanitizers; PART=quick some of them"
 	@echo "make test-damage      COUNT=n damaged results files, by every reader; test-faults: writes and allocations that fail, signals and kills, for every n"
 	@echo "make test-petsc-headers   VERSIONS=\"3.22.5 3.26.1\": compile what calls PETSc against their headers, without making code"

@@ -104,7 +104,7 @@ class Commands(Lines):
             case ["make", *targets]:
                 known = re.search(r"(?m)^\.PHONY: ((?:.*\\\n)*.*)$", (ROOT / "Makefile").read_text()).group(1).split()
                 for target in targets:
-                    self.assertIn(target.split("=")[0], [*known, "LONG", "JOBS", "MINUTES", "PART", "PETSC", "MPI", "PYTHONS", "VERSIONS"])
+                    self.assertIn(target.split("=")[0], [*known, "JOBS", "MINUTES", "PART", "PETSC", "MPI", "PYTHONS", "VERSIONS"])
             case ["build/pounding", *rest]:
                 self.assertNotEqual(self.done(part("POUNDING_PROGRAM"), *rest), "")
             case ["pounding", "run", "towers.yaml", *options]:
