@@ -191,6 +191,16 @@ TEST(EventLocator, WaitsInRoundOffForCompliantContactsOnly) {
   EXPECT_EQ(in_place->step, 0);
 }
 
+// A rest that ends and begins again after 2 us, 6e-15 m wide: in place it would end and begin without end.
+TEST(EventLocator, WaitsInRoundOffForRigidBodiesThatPartFromARest) {
+  Formulas f;
+  f.contacts.push_back(make_gap_link(laws::Stereomechanical{.restitution = 0.5}, 0));
+  f.paths.push_back([](double t) { return LinkMotion{-1e-2 * t * t + 5e3 * t * t * t, -2e-2 * t + 1.5e4 * t * t}; });
+  const auto located = f.locate(1e-4);
+  ASSERT_TRUE(located);
+  EXPECT_NEAR(located->step, 2e-6, 1e-7);
+}
+
 TEST(EventLocator, ShortensATrialToTheCornerOfASpring) {
   Formulas f;
   f.springs.push_back(std::make_unique<BilinearSpring>(BilinearSpring::Parameters{1e6, 1e3, 0.1}));  // yields at 1 mm

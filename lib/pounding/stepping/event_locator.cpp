@@ -181,7 +181,8 @@ bool EventLocator::Search::touches_now(const EventBracket& bracket) const {
 // By round-off a phase may begin on the wrong side of its event function and end properly later in the trial: bodies that
 // part and come back. Looks for a time at which the phase lasts. If there is none, the trial is lost. A compliant contact may be so slow
 // that its phase is over before its event function is out of round-off: there the sign counts, or the contact would begin and end
-// without time passing and keep its speed.
+// without time passing and keep its speed. So it counts for rigid bodies that part from a rest, which no bounce ends: else they would rest,
+// part and rest again without end while what presses them together takes a moment to.
 bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) const {
   const auto from = [&](double h, double value) {
     bracket.from = h;
@@ -196,7 +197,9 @@ bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) 
     if (functions.has_ended(bracket.id, -value, at_end(bracket.id.link), now)) return from(h, value);  // clearly positive
     if (value > 0 && h > no_time(now.time) && !by_sign) by_sign = {h, value};
   }
-  return by_sign && !links.contact(bracket.id.link).is_rigid() && from(by_sign->first, by_sign->second);
+  const double rate = links.motion(bracket.id.link, now).rate;
+  const bool rebounds = links.contact(bracket.id.link).is_rigid() && std::abs(rate) > motion_noise * functions.scales().max_velocity();
+  return by_sign && !rebounds && from(by_sign->first, by_sign->second);
 }
 
 // Regula falsi of Anderson and Bjorck (1973) on the length of the step.
