@@ -20,6 +20,9 @@ constexpr double shortest_to_corner = 1e-4;
 // A jump of the slope by a smaller part of the initial stiffness is none.
 constexpr double least_jump = 1e-6;
 constexpr int max_corner_trials = 8;
+// Part of a step that is good with such an error, over the allowed one, is another solution of the stage equations than that of the motion:
+// laws with strong dashpots have several.
+constexpr double beyond_belief = 1e3;
 
 // A trial that was thrown away half solved must not be kept.
 constexpr const char* lost_trial =
@@ -51,8 +54,12 @@ struct EventLocator::Search {
   const LinkSet& links;
   const Instant& now;
   const Trial& trial;
-  const TryStep& try_step;
+  const TryStep& solve_step;
+  const bool was_good;  // the trial as it came
 
+  bool try_step(double h, std::optional<double> end) const {
+    return solve_step(h, end) && !(was_good && trial.error > beyond_belief);
+  }
   std::vector<EventBracket> brackets() const;
   void look_for_inner_touch(int link) const;
   std::optional<double> corner(int link, const LinkMotion& begin, const LinkMotion& end) const;
@@ -247,7 +254,7 @@ bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
 }
 
 std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
-  const Search search{functions_, springs_, links_, now, trial, try_step};
+  const Search search{functions_, springs_, links_, now, trial, try_step, trial.error <= 1};
   if (links_.springs() > 0) search.stop_at_corner();
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
   std::vector<EventBracket> open = search.brackets();
