@@ -6,6 +6,10 @@ import numpy as np
 from stress_cases import LINEAR, SPREAD
 
 
+#: Rounding of velocities where nothing moves [m/s].
+STILL = 1e-15
+
+
 def mass_of(s):
     """Of all floors [kg], of a frame about twice that of them and their members."""
     if s["kind"] == "frame":
@@ -106,7 +110,7 @@ def faults_of_impacts(run, index):
                 yield f"{at} ends before it begins, at {row['t_end']:.17g}"
             if not row["t_start"] <= row["t_release"] <= row["t_end"]:
                 yield f"{at} is released outside itself, at {row['t_release']:.17g}"
-            if not row["v_separation"] >= -spread * run.speed:
+            if not row["v_separation"] >= -spread * run.speed - STILL:
                 yield f"{at} ends while the bodies close, at {-row['v_separation']:.6g} m/s"
             if not row["energy_lost"] >= -spread * run.available:
                 yield f"{at} gives {-row['energy_lost']:.6g} J"

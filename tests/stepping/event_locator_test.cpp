@@ -224,6 +224,16 @@ TEST(EventLocator, FailsWithoutATrialThatCanBeKept) {
   }
 }
 
+// A hop of a millionth of the trial: the false position alone would crawl.
+TEST(EventLocator, FindsTheEndOfATinyHop) {
+  Formulas f;
+  f.add(0, thrown(0, -5e-6, 10));  // back after 1 us
+  const auto located = f.locate(1);
+  ASSERT_TRUE(located);
+  EXPECT_NEAR(located->step, 1e-6, 1e-10);
+  EXPECT_LE(f.trials, 40);
+}
+
 // Stage equations with several solutions: a part of a good step that is far off is none. Of fixed steps nobody says what is good.
 TEST(EventLocator, DoesNotTakeAnotherSolutionForTheMotion) {
   Formulas f;

@@ -215,7 +215,8 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
   // Below the round-off, so that the located event is not taken for an end of the next phase.
   const double zero = noise > 0 ? std::min(zero_part * change, 0.1 * noise) : zero_part * change;
   double low = bracket.from, at_low = bracket.at_begin, high = longest, at_high = bracket.at_end;
-  double guess = bracket.guess;
+  double guess = bracket.guess, last = change;
+  int crawling = 0;  // guesses in a row that hardly came nearer
   enum { lower, upper } replaced = upper;
   for (int iteration = 0; iteration < 100; ++iteration) {
     if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
@@ -235,10 +236,17 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
       at_low = value;
       replaced = lower;
     }
-    // A bisection now and then, should the false position crawl.
-    guess = iteration % 8 == 7 ? 0.5 * (low + high) : low + (high - low) * at_low / (at_low - at_high);
+    crawling = std::abs(value) > 0.5 * std::abs(last) ? crawling + 1 : 0;
+    last = value;
+    if (crawling < 2) {
+      guess = low + (high - low) * at_low / (at_low - at_high);
+    } else {
+      // A hop may be shorter than the trial by many orders of magnitude.
+      guess = low > 0 && high > 16 * low ? std::sqrt(low * high) : 0.5 * (low + high);
+      crawling = 0;
+    }
   }
-  return true;
+  return false;
 }
 
 // Most trials show nothing: no event function has changed its sign, and no bodies approach first and part then.
