@@ -68,6 +68,9 @@ TEST(ContactInput, TakesAWallWithBackfill) {
   refused(link(law), "5:46: links[0].law: backfill needs unloading (stiffness of unloading and reloading K_ur); type unloading: 5e+08 N/m");
   refused(link(law + ", unloading: 200 MN/m"),
           "5:125: links[0].unloading: unloading is 2e+08, but must be finite and at least stiffness, 2.5e+08: flatter unloading would create energy");
+  const std::string soil = "gap: 1 mm, law: backfill, unloading: 500 MN/m, failure_ratio: 0.75, strength: 6 MN, stiffness: ";
+  for (const std::string estimate : {"auto", "{E: 30 GPa, radius: 2 m}"})
+    refused(link(soil + estimate), "5:125: links[0].stiffness: is estimated from two solid bodies, and backfill presses soil; type stiffness: 2.5e+08 N/m");
 }
 
 TEST(ContactInput, TakesZeroRestitutionWhereTheBodiesStick) {

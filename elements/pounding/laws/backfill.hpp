@@ -26,7 +26,7 @@ struct Backfill {
   static constexpr std::string_view beware =
       "the numbers are those of the whole width of the wall; what is pressed in is added to the gap, which is wider for the following impacts of "
       "the run, and these lose nothing unless they press deeper; the wall has no mass, and nothing depends on the speed";
-  static constexpr bool leaves_indentation = true;
+  static constexpr bool leaves_indentation = true, presses_soil = true;
 
   double stiffness = 0;      ///< K > 0 [N/m]
   double unloading = 0;      ///< K_ur >= K [N/m]

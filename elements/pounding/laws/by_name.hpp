@@ -83,6 +83,7 @@ constexpr Entry entry() {
           .leaves_indentation = leaves_indentation<L>,
           .instantaneous = instantaneous<L>,
           .sticks_at_zero = sticks_at_zero<L>,
+          .presses_soil = presses_soil<L>,
           .number = {},
           .coefficient = {}};
   if constexpr (has_formulas<L>) {

@@ -36,6 +36,7 @@ struct Entry {
   bool takes_restitution = false, takes_impact_velocity = false, takes_reduced_mass = false;
   bool may_pull = false, leaves_indentation = false, instantaneous = false;
   bool sticks_at_zero = false;  ///< takes a restitution of 0
+  bool presses_soil = false;    ///< its stiffness is no estimate for two bodies
   Quantity number;       ///< the dimensionless damping number that formulas give; its name is empty without damping
   Quantity coefficient;  ///< what damping_for returns
 

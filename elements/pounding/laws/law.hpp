@@ -83,6 +83,13 @@ inline constexpr bool leaves_indentation = [] {
   return false;
 }();
 
+/// True for a law of soil, whose stiffness follows from no pair of bodies.
+template <class L>
+inline constexpr bool presses_soil = [] {
+  if constexpr (requires { L::presses_soil; }) return L::presses_soil;
+  return false;
+}();
+
 /// True for a law that is a jump of the velocity at the touch; it has no force history.
 template <class L>
 inline constexpr bool instantaneous = [] {

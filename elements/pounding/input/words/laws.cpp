@@ -78,7 +78,7 @@ struct OfLaw {
     const std::string unit = laws::resolved_unit(parameter.unit, exponent == law.parameters.end() ? 1.5 : exponent->typical);
     const std::string_view typical = kept(fmt::format("{:g}{}{}", parameter.typical, unit.empty() ? "" : " ", unit));
     const bool is_optional = parameter.need == laws::Need::optional;
-    const bool may_be_estimated = parameter.name == "stiffness";
+    const bool may_be_estimated = parameter.name == "stiffness" && !law.presses_soil;
     return {.key = parameter.name,
             .takes = Takes::quantity,
             .inside = may_be_estimated ? &stiffness : nullptr,
