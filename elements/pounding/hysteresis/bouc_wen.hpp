@@ -99,6 +99,7 @@ struct BoucWen {
     const double y = std::clamp((d < kept.deformation ? -1 : 1) * kept.elastic / dy, -1.0, 1.0);
     if (way == 0) return y;
     if (!(y < 0)) return loaded(y, way);
+    if (way * slope(y) < -y) return unloaded(y, way);  // the slope falls on the way to zero
     const double to_zero = way_to_zero(y);
     return way < to_zero ? unloaded(y, way) : loaded(0, way - to_zero);
   }
@@ -119,13 +120,27 @@ struct BoucWen {
     if (c == 0) return y + x;
     if (exponent == 1) return y * std::exp(-c * x) - std::expm1(-c * x) / c;
     if (exponent == 2) return std::tan(std::sqrt(c) * x + std::atan(std::sqrt(c) * y)) / std::sqrt(c);
-    double end = std::min(y + x * slope(y), 0.0);
+    double end = std::min(runge_kutta([this](double at) { return slope(at); }, y, x), 0.0);
     for (int i = 0; i < 50; ++i) {
-      const double step = (x - unloading_way(y, end)) * slope(end);
+      const double left = x - unloading_way(y, end);
+      if (std::abs(left) * exponent < 3e-4 * std::min(1.0, -end)) return std::min(unloaded_further(end, left), 0.0);
+      const double step = left * slope(end);
       end = std::min(end + step, 0.0);
       if (std::abs(step) < accuracy) break;
     }
     return end;
+  }
+  /// y < 0 after a short way x, with an error of its fourth power.
+  double unloaded_further(double y, double x) const noexcept {
+    const double power = bend() * std::pow(-y, exponent), s = 1 + power;
+    const double first = exponent * power / y, second = (exponent - 1) * first / y;  // derivatives of the slope
+    return y + x * s * (1 + x / 2 * (first + x / 3 * (second * s + first * first)));
+  }
+  /// Solution of dy/dx = f(y) after one step x of order four.
+  template <class F>
+  static double runge_kutta(const F& f, double y, double x) noexcept {
+    const double k1 = f(y), k2 = f(y + 0.5 * x * k1), k3 = f(y + 0.5 * x * k2), k4 = f(y + x * k3);
+    return y + x / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   /// y >= 0 after a way x.
   double loaded(double y, double x) const noexcept {
@@ -146,9 +161,14 @@ struct BoucWen {
     constexpr double saturated = 20;  // tanh is 1 - 8e-18 there
     if (start >= saturated) return start;
     const auto way = [this](double s) { return way_by_angle(s); };
-    double end = std::min(start + x / std::min(way(start), 1.0), saturated);
+    double end = std::clamp(runge_kutta([&](double s) { return 1 / way(s); }, start, x), start, saturated);
     for (int i = 0; i < 50; ++i) {
-      const double step = (x - integral(way, start, end, accuracy)) / way(end);
+      const double left = x - integral(way, start, end, accuracy), here = way(end);
+      const double step = left / here;
+      if (left != 0 && std::abs(step) < 1e-5) {
+        const double growth = (way(end + step) - here) / left;  // of way, a part of itself for each step
+        return std::clamp(end + step * (1 - 0.5 * growth * step), start, saturated);
+      }
       end = std::clamp(end + step, start, saturated);
       if (std::abs(step) < accuracy || end == saturated) break;
     }
