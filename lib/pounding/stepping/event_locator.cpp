@@ -188,8 +188,8 @@ bool EventLocator::Search::touches_now(const EventBracket& bracket) const {
 // By round-off a phase may begin on the wrong side of its event function and end properly later in the trial: bodies that
 // part and come back. Looks for a time at which the phase lasts. If there is none, the trial is lost. A compliant contact may be so slow
 // that its phase is over before its event function is out of round-off: there the sign counts, or the contact would begin and end
-// without time passing and keep its speed. So it counts for rigid bodies that part from a rest, which no bounce ends: else they would rest,
-// part and rest again without end while what presses them together takes a moment to.
+// without time passing and keep its speed. So it counts for rigid bodies that part from a rest, which no bounce ends: else they would part
+// and rest without end where the force that presses them together is about to grow.
 bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) const {
   const auto from = [&](double h, double value) {
     bracket.from = h;
@@ -218,7 +218,8 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
   double guess = bracket.guess, last = change;
   int crawling = 0;  // guesses in a row that hardly came nearer
   enum { lower, upper } replaced = upper;
-  for (int iteration = 0; iteration < 100; ++iteration) {
+  // Enough for bisections down to the last digit, should the function jump.
+  for (int iteration = 0; iteration < 200; ++iteration) {
     if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
     if (!try_step(guess, std::nullopt)) return false;
     const double value = functions.value(bracket.id, trial.end);
