@@ -68,7 +68,7 @@ LawInput read_law(const Input& node) {
   for (const laws::ParameterInfo& parameter : entry.parameters) {
     const auto value = link.find(parameter.name);
     if (!value) continue;
-    if (parameter.name == "stiffness" && entry.presses_soil && (value->is_map() || value->as_text() == "auto"))
+    if (parameter.name == "stiffness" && entry.presses_soil && is_estimate(*value))
       value->fail(fmt::format("is estimated from two solid bodies, and {} presses soil; type {}: {:g} {}", settings.law, parameter.name,
                               parameter.typical, laws::resolved_unit(parameter.unit, exponent)));
     if (parameter.name == "stiffness") read.stiffness = read_stiffness_estimate(*value);

@@ -28,9 +28,11 @@ void refuse_beside(const Input& node, std::string_view key, std::initializer_lis
 
 }  // namespace
 
+bool is_estimate(const Input& node) { return node.is_map() || (node.is_scalar() && node.as_text() == "auto"); }
+
 std::optional<StiffnessEstimate> read_stiffness_estimate(const Input& node) {
-  if (node.is_scalar() && node.as_text() == "auto") return StiffnessOfBalls{};
-  if (!node.is_map()) return {};
+  if (!is_estimate(node)) return {};
+  if (!node.is_map()) return StiffnessOfBalls{};
   node.only_keys();
   if (const auto penetration = node.find("penetration")) {
     refuse_beside(node, "penetration", {"E", "poisson", "density", "radius", "area", "length"});

@@ -8,6 +8,8 @@
 
 namespace pounding {
 
+/// Whether a stiffness is given as `auto` or as a map, which an estimate follows from.
+bool is_estimate(const Input& node);
 /// The estimate that `stiffness: auto` or a map asks for; nothing for a number. Throws InputError at what is wrong.
 std::optional<StiffnessEstimate> read_stiffness_estimate(const Input& node);
 

@@ -128,8 +128,7 @@ bool Stepper::try_step(double h, std::optional<double> end) {
 // The trial with its springs that are active.
 bool Stepper::solve_trial() {
   const double h = history_.trial().h;
-  const EffectiveMatrix matrix = scheme_->matrix(h);
-  if (!stages_.begin(matrix, step_level(h))) return false;
+  if (!stages_.begin(scheme_->matrix(h), step_level(h))) return false;
   if (scheme_->try_step(history_.now(), history_.kept().h, history_.trial(), error_)) return true;
   if (stages_.failed_link() >= 0) troublesome_link_ = stages_.failed_link();
   return false;
