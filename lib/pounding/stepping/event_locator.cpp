@@ -13,12 +13,6 @@ constexpr double zero_part = 1e-12;
 constexpr double grouped_part = 1e-9;
 // Shortest step, relative to the trial, on which a phase is looked for that seems to end where it begins.
 constexpr double shortest_look = 1e-9;
-// A corner of a spring this near an end of the trial, relative to its length, lies at that end.
-constexpr double corner_part = 1e-3;
-// Where springs give way, so does one this near, relative to the longest step: a step that ends at a corner may leave so much to the next.
-constexpr double shortest_to_corner = 1e-4;
-// A jump of the slope by a smaller part of the initial stiffness is none.
-constexpr double least_jump = 1e-6;
 constexpr int max_corner_trials = 8;
 // Part of a step that is good with such an error, over the allowed one, is another solution of the stage equations than that of the motion:
 // laws with strong dashpots have several.
@@ -27,15 +21,6 @@ constexpr double beyond_belief = 1e3;
 // A trial that was thrown away half solved must not be kept.
 constexpr const char* lost_trial =
     "the link equations could not be solved while the instant of an impact was sought; try a smaller tolerance";
-
-// Whether a spring has no slope wherever the cubic between two motions may go, which is within a third of the step times the rates from its
-// ends. What lies between two elastic deformations is elastic.
-bool stays_elastic(const Spring& spring, const LinkMotion& begin, const LinkMotion& end, double h) {
-  const double third = h / 3 * std::max(std::abs(begin.rate), std::abs(end.rate));
-  const laws::Response low = spring.evaluate({std::min(begin.penetration, end.penetration) - third, 0});
-  const laws::Response high = spring.evaluate({std::max(begin.penetration, end.penetration) + third, 0});
-  return low.by_penetration == 0 && high.by_penetration == 0 && low.force == high.force;
-}
 
 // An event function that is negative at the end of the trial.
 struct EventBracket {
@@ -50,7 +35,7 @@ struct EventBracket {
 // One search; `trial` changes with every call of try_step.
 struct EventLocator::Search {
   const EventFunctions& functions;
-  const SpringForces& springs;
+  const SpringCorners& corners;
   const LinkSet& links;
   const Instant& now;
   const Trial& trial;
@@ -62,8 +47,6 @@ struct EventLocator::Search {
   }
   std::vector<EventBracket> brackets() const;
   void look_for_inner_touch(int link) const;
-  std::optional<double> corner(int link, const LinkMotion& begin, const LinkMotion& end) const;
-  std::optional<double> first_corner() const;
   void stop_at_corner() const;
   bool begins_inside(EventBracket& bracket, double longest) const;
   bool solve(const EventBracket& bracket, double longest) const;
@@ -117,59 +100,11 @@ void EventLocator::Search::look_for_inner_touch(int link) const {
   if (!touches) restore(whole, end_time);
 }
 
-// Position in the trial, from 0 to 1, of the first corner of a spring's force well inside it: by the cubic through both ends.
-std::optional<double> EventLocator::Search::corner(int link, const LinkMotion& begin, const LinkMotion& end) const {
-  const Spring& spring = links.spring(link);
-  if (stays_elastic(spring, begin, end, trial.h)) return std::nullopt;
-  const CubicPenetration between(begin, end, trial.h);
-  const double turn = begin.rate * end.rate < 0 ? std::clamp(between.turn(), 0.0, 1.0) : 1.0;
-  const double near = springs.any() ? std::max(corner_part, shortest_to_corner * functions.longest_step() / trial.h) : corner_part;
-  const auto inside = [near](double s) { return s > near && s < 1 - near; };
-  // The deformation grows or falls all the way between these two.
-  const auto onset = [&](double deformation, double low, double high) {
-    const double way = between.at(high) - between.at(low);
-    while (high - low > 1e-6) {
-      const double middle = 0.5 * (low + high);
-      ((between.at(middle) - deformation) * way > 0 ? high : low) = middle;
-    }
-    return high;
-  };
-  const double turned = turn < 1 ? between.at(turn) : end.penetration;
-  if (const auto deformation = spring.corner(turned))
-    if (const double s = onset(*deformation, 0, turn); inside(s)) return s;
-  // Springs unload with about k, whatever slope they had.
-  const bool turns_sharply = std::abs(spring.slope_lost(turned)) > least_jump * (spring.stiffness() + spring.first_slope());
-  if (turns_sharply) return inside(turn) ? std::optional(turn) : std::nullopt;
-  if (turn < 1)
-    if (const auto deformation = spring.corner(end.penetration))
-      if (const double s = onset(*deformation, turn, 1); inside(s)) return s;
-  return std::nullopt;
-}
-
-// The first position of all springs. Where springs give way the force of one bends the path of another, and after the first corner nothing
-// is as it was.
-std::optional<double> EventLocator::Search::first_corner() const {
-  std::vector<LinkMotion> begin, end;
-  const auto stays = [&](const Eigen::VectorXd& force) {
-    return force.segment(links.contacts(), links.springs()) == now.force.segment(links.contacts(), links.springs());
-  };
-  const bool bends = springs.any() && !(stays(trial.force_middle) && stays(trial.end.force));
-  if (bends) springs.follow_first_slopes(now, trial, begin, end);
-  std::optional<double> first;
-  for (int i = links.contacts(); i < links.frictions_from(); ++i) {
-    if (!links.spring(i).has_corners()) continue;
-    const std::size_t k = i - links.contacts();
-    const std::optional<double> s = bends ? corner(i, begin[k], end[k]) : corner(i, links.motion(i, now), at_end(i));
-    if (s && (!first || *s < *first)) first = s;
-  }
-  return first;
-}
-
 // The force of a spring has corners; a step that ends at one keeps its order.
 void EventLocator::Search::stop_at_corner() const {
   const double whole = trial.h, end_time = trial.end.time;
   for (int trials = 0; trials < max_corner_trials; ++trials) {
-    const std::optional<double> s = first_corner();
+    const std::optional<double> s = corners.first(now, trial, functions.longest_step());
     if (!s) return;
     if (try_step(*s * trial.h, std::nullopt)) continue;
     return restore(whole, end_time);
@@ -263,7 +198,7 @@ bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
 }
 
 std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
-  const Search search{functions_, springs_, links_, now, trial, try_step, trial.error <= 1};
+  const Search search{functions_, corners_, links_, now, trial, try_step, trial.error <= 1};
   if (links_.springs() > 0) search.stop_at_corner();
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
   std::vector<EventBracket> open = search.brackets();

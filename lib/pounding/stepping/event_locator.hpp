@@ -7,7 +7,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/stepping/event_functions.hpp>
-#include <pounding/stepping/spring_forces.hpp>
+#include <pounding/stepping/spring_corners.hpp>
 
 namespace pounding {
 
@@ -36,7 +36,7 @@ class EventLocator {
 
   /// Both must outlive it.
   EventLocator(const EventFunctions& functions, const SpringForces& springs)
-      : functions_(functions), springs_(springs), links_(functions.links()) {}
+      : functions_(functions), corners_(springs, functions.links()), links_(functions.links()) {}
 
   /// Whether there can be anything to locate in the solved step `trial` from `now`; where not, locate() would find nothing.
   bool may_find(const Instant& now, const Trial& trial) const;
@@ -50,7 +50,7 @@ class EventLocator {
   struct Search;
 
   const EventFunctions& functions_;
-  const SpringForces& springs_;
+  const SpringCorners corners_;
   const LinkSet& links_;
 };
 
