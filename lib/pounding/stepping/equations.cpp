@@ -93,12 +93,13 @@ void Equations::balance(std::span<const LinkMotion> motions, const Eigen::Matrix
   bool any = false;
   for (int i = 0; i < links.frictions_from(); ++i) {
     force[i] = 0;
-    if (links.is_held(i))
+    if (links.is_held(i)) {
       held.push_back(i);
-    else if (links.is_active(i))
+    } else if (links.is_active(i)) {
       force[i] = links.law(i, motions[i]).force;
-    if (inside_step && i < links.contacts()) force[i] = links.contact(i).acting_force(force[i]);
-    any = any || force[i] != 0;
+      if (inside_step && i < links.contacts()) force[i] = links.contact(i).acting_force(force[i]);
+      any = any || force[i] != 0;
+    }
   }
   for (const Friction& friction : links.frictions()) {
     Sliding rates{};
@@ -194,8 +195,7 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   return true;
 }
 
-void Equations::hold_end(const Instant& begin, Trial& trial) const {
-  if (!moves_ends_apart(trial)) return;
+void Equations::hold_moved_end(const Instant& begin, Trial& trial) const {
   std::vector<int> held;
   for (int i = 0; i < links.contacts(); ++i)
     if (links.is_held(i)) held.push_back(i);

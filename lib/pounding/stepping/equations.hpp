@@ -62,12 +62,15 @@ struct Equations {
   /// its springs. False if these find no equilibrium.
   bool balance_middle(const Instant& begin, Trial& trial) const;
   /// Corrects displacements and velocities at the end of a step, see hold_contacts().
-  void hold_end(const Instant& begin, Trial& trial) const;
+  void hold_end(const Instant& begin, Trial& trial) const {
+    if (moves_ends_apart(trial)) hold_moved_end(begin, trial);
+  }
 
  private:
   // Whether the rule of integration may take the two ends of a link apart that has no closing acceleration: where the ground moves them
   // differently, or is integrated exactly for one of them (ShortMotions) and by the rule for the other.
   bool moves_ends_apart(const Trial& trial) const { return links.moved() || trial.short_motions; }
+  void hold_moved_end(const Instant& begin, Trial& trial) const;
 
   std::vector<int> own_groups_;  // with coordinates on this process
   // Room to work in.

@@ -17,8 +17,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       : eq_(equations),
         stages_(stages),
         k_(coefficients),
-        work_(Eigen::VectorXd::Zero(equations.solver.size())),
-        r_(work_),
+        r_(Eigen::VectorXd::Zero(equations.solver.size())),
         ground_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations.system.grounds.size()))) {}
 
   EffectiveMatrix matrix(double h) const override {
@@ -33,11 +32,18 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     // With a spectral radius below one the scheme carries the acceleration of (alpha_m - alpha_f) h earlier. That time changes
     // with the step, and so must the acceleration, else each change of the step would cost an order.
     const double part = carries && last_step > 0 ? h / last_step : 1;
-    const Instant::Column own = carries ? carried : a, k_own = carries ? k_carried : ka, c_own = carries ? c_carried : ca;
+    const Instant::Column own = carries ? carried : a;
 
-    const double *u0 = x.at(u), *v0 = x.at(v), *a0 = x.at(a), *c0 = x.at(own);
-    const double *ku0 = x.at(ku), *kv0 = x.at(kv), *ka0 = x.at(ka), *kc0 = x.at(k_own);
-    const double *cv0 = x.at(cv), *ca0 = x.at(ca), *cc0 = x.at(c_own);
+    const double *u0 = x.at(u), *v0 = x.at(v), *ku0 = x.at(ku), *kv0 = x.at(kv), *cv0 = x.at(cv);
+    // The acceleration that the step begins with, and its products with K and C.
+    const double *a0 = x.at(a), *ka0 = x.at(ka), *ca0 = x.at(ca);
+    if (carries) {
+      begin_.resize(n, 3);
+      begin_.col(0) = x.motion.col(a) + part * (x.motion.col(carried) - x.motion.col(a));
+      begin_.col(1) = x.motion.col(ka) + part * (x.motion.col(k_carried) - x.motion.col(ka));
+      begin_.col(2) = x.motion.col(ca) + part * (x.motion.col(c_carried) - x.motion.col(ca));
+      a0 = begin_.col(0).data(), ka0 = begin_.col(1).data(), ca0 = begin_.col(2).data();
+    }
     const double by_c_in_u = h * h * (0.5 - beta), by_c_in_v = h * (1 - gamma);
     ground_ = alpha_f * t.end.ground + (1 - alpha_f) * x.ground;
     if (eq_.short_motions.any()) {
@@ -54,17 +60,13 @@ class GeneralizedAlphaScheme final : public TimeScheme {
                  begin.col(v) + by_c_in_v * first + gamma * h * last - end.col(v)};
     }
 
-    // No two of the arrays overlap, which GCC would make sure of at every step.
-    double *work = work_.data(), *r = r_.data();
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) work[i] = a0[i] + part * (c0[i] - a0[i]);
-    eq_.solver.mass_times(work_, r_);
+    eq_.solver.mass_times(Eigen::Map<const Eigen::VectorXd>(a0, n), r_);
     const double* push = eq_.supports.push(ground_).data();
+    // No two of the arrays overlap, which GCC would make sure of at every step.
+    double* r = r_.data();
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i)
-      r[i] = (alpha_m - 1) * r[i] - push[i] - ku0[i] - cv0[i] -
-             alpha_f * (h * kv0[i] + by_c_in_u * (ka0[i] + part * (kc0[i] - ka0[i])) +
-                        by_c_in_v * (ca0[i] + part * (cc0[i] - ca0[i])));
+      r[i] = (alpha_m - 1) * r[i] - push[i] - ku0[i] - cv0[i] - alpha_f * (h * kv0[i] + by_c_in_u * ka0[i] + by_c_in_v * ca0[i]);
     if (t.short_motions) r_ -= alpha_f * eq_.short_motions.forces(missed_);
     if (stages_.forced()) eq_.solver.add_forces(alpha_f - 1, x.force, r_);
 
@@ -98,7 +100,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     };
     if (eq_.pseudo_forces.any()) {
       r_ -= (1 - alpha_f) * x.pseudo_force;
-      guess_ = x.motion.col(a) + part * (x.motion.col(own) - x.motion.col(a));
+      guess_ = Eigen::Map<const Eigen::VectorXd>(a0, n);
       free_displacement_ = x.motion.col(u) + h * x.motion.col(v) + by_c_in_u * guess_;
       if (t.short_motions) free_displacement_ += eq_.short_motions.shift(missed_.u);
       if (!stages_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, r_, t.end.force)) return false;
@@ -112,9 +114,9 @@ class GeneralizedAlphaScheme final : public TimeScheme {
     double *u1 = t.end.at(u), *v1 = t.end.at(v), *a1 = t.end.at(own);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
-      const double s = a0[i] + part * (c0[i] - a0[i]), acceleration = r[i];
-      u1[i] = u0[i] + h * v0[i] + by_c_in_u * s + beta * h * h * acceleration;
-      v1[i] = v0[i] + by_c_in_v * s + gamma * h * acceleration;
+      const double acceleration = r[i];
+      u1[i] = u0[i] + h * v0[i] + by_c_in_u * a0[i] + beta * h * h * acceleration;
+      v1[i] = v0[i] + by_c_in_v * a0[i] + gamma * h * acceleration;
       a1[i] = acceleration;
     }
     if (t.short_motions) {
@@ -166,7 +168,8 @@ class GeneralizedAlphaScheme final : public TimeScheme {
   Equations& eq_;
   StageSolver& stages_;
   GeneralizedAlpha k_;
-  Eigen::VectorXd work_, r_, ground_, ground_begin_;
+  Eigen::VectorXd r_, ground_, ground_begin_;
+  Eigen::MatrixXd begin_;  // where the scheme carries an acceleration of its own: [coordinate, a K a C a]
   GroundDefect missed_;  // of the short motions of the ground
   Eigen::VectorXd guess_, free_displacement_;
   Eigen::VectorXd slip_free_;  // slip of each spring but for its rate at the end; empty where none slips

@@ -19,6 +19,8 @@ constexpr int max_events_in_place = 10000;
 constexpr double first_contact_part = 0.1;
 // A step may be stretched by this part to reach a breakpoint, rather than leave a sliver for the next one.
 constexpr double max_stretch = 1e-3;
+// Shortest step, as part of the time where it begins, of a second at least.
+constexpr double shortest_part = 1e-16;
 
 constexpr double safety = 0.9, safety_after_rejection = 0.5;
 constexpr double max_shrink = 0.1, max_growth = 10;
@@ -53,14 +55,12 @@ void StepController::give_up(double step, const std::string& reason) const {
       fmt::format("the solve stopped at t = {:.9g} s{} with a step of {:.3g} s: {}", stepper_.time(), at, step, reason));
 }
 
-void StepController::check_length(double step) const {
-  const double shortest = 1e-14 * std::max(1.0, std::abs(stepper_.time())) * 1e-2;
-  if (!(step > shortest))
-    give_up(step, fmt::format("no step is short enough for the tolerance {:g}. {}, or type a larger analysis.tolerance",
-                              stepper_.options().tolerance,
-                              stepper_.troublesome_link() < stepper_.system().contact_count()
-                                  ? "Check the unit of the stiffness of the link"
-                                  : "Give what yields some hardening"));
+void StepController::give_up_too_short(double step) const {
+  give_up(step, fmt::format("no step is short enough for the tolerance {:g}. {}, or type a larger analysis.tolerance",
+                            stepper_.options().tolerance,
+                            stepper_.troublesome_link() < stepper_.system().contact_count()
+                                ? "Check the unit of the stiffness of the link"
+                                : "Give what yields some hardening"));
 }
 
 void StepController::reject(double step, StepSizePolicy& policy) const {
@@ -77,7 +77,7 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
   for (;;) {
     const double longest = stepper_.longest_step();
     const Aim goal = aim(fixed ? wanted : std::min(wanted, longest), end, fixed);
-    check_length(goal.step);
+    if (!(goal.step > shortest_part * std::max(1.0, std::abs(stepper_.time())))) give_up_too_short(goal.step);
     ++trials_;
     if (!stepper_.try_step(goal.step, goal.end)) {
       reject(goal.step, policy);
@@ -118,17 +118,17 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
     else
       events_in_place_ = 0;
     stepper_.accept();
-    const double next = next_step(good, was_in_contact);
+    const bool is_in_contact = located ? stepper_.in_contact() : was_in_contact;  // phases change at events alone
+    const double next = next_step(good, was_in_contact, is_in_contact);
     return fixed ? wanted : next;
   }
 }
 
-double StepController::next_step(double good, bool was_in_contact) {
+double StepController::next_step(double good, bool was_in_contact, bool is_in_contact) {
   (was_in_contact ? step_in_contact_ : step_apart_) = good;
-  const bool in_contact = stepper_.in_contact();
-  const double remembered = in_contact ? step_in_contact_ : step_apart_;
+  const double remembered = is_in_contact ? step_in_contact_ : step_apart_;
   if (remembered != 0) return remembered;
-  return in_contact ? good * first_contact_part : good;
+  return is_in_contact ? good * first_contact_part : good;
 }
 
 void StepController::archive(Archive& archive) {

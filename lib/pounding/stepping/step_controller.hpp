@@ -95,10 +95,10 @@ class StepController {
 
   Aim aim(double wanted, double end, bool fixed) const;
   [[noreturn]] void give_up(double step, const std::string& reason) const;
-  void check_length(double step) const;
+  [[noreturn]] void give_up_too_short(double step) const;
   void reject(double step, StepSizePolicy& policy) const;
   void count_event_in_place(double step);
-  double next_step(double good, bool was_in_contact);
+  double next_step(double good, bool was_in_contact, bool is_in_contact);
 
   Stepper& stepper_;
   double step_apart_ = 0, step_in_contact_ = 0;  // last good steps without and with contact, zero for none [s]
