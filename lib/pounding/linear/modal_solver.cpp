@@ -216,7 +216,7 @@ void ModalSolver::mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eig
 void ModalSolver::accelerate(Eigen::Ref<Eigen::VectorXd>) const {}
 void ModalSolver::recover(Eigen::Ref<Eigen::VectorXd>) const {}
 
-void ModalSolver::set_matrix(const EffectiveMatrix& s, std::optional<int> /*step_level*/) {
+void ModalSolver::set_matrix(const EffectiveMatrix& s, const std::optional<int>& /*step_level*/) {
   if (s.mass == matrix_.mass && s.damping == matrix_.damping && s.stiffness == matrix_.stiffness) return;
   matrix_ = s;
   if (classical_) {
@@ -237,7 +237,10 @@ void ModalSolver::set_matrix(const EffectiveMatrix& s, std::optional<int> /*step
 bool ModalSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
   if (classical_) {
     const Eigen::Index n = x.size();
-    for (Eigen::Index i = 0; i < n; ++i) x[i] *= inverse_[i];
+    const double* const inverse = inverse_.data();
+    double* const to = x.data();
+#pragma GCC ivdep
+    for (Eigen::Index i = 0; i < n; ++i) to[i] *= inverse[i];
     return true;
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {

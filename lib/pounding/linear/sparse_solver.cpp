@@ -60,7 +60,7 @@ void SparseSolver::mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Ei
 void SparseSolver::accelerate(Eigen::Ref<Eigen::VectorXd> r) const { matrices_.accelerate(r); }
 void SparseSolver::recover(Eigen::Ref<Eigen::VectorXd> x) const { matrices_.recover(x); }
 
-void SparseSolver::set_matrix(const EffectiveMatrix& matrix, std::optional<int> step_level) {
+void SparseSolver::set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) {
   factors_.select(matrix, step_level);
 }
 

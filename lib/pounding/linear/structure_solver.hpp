@@ -71,7 +71,7 @@ class StructureSolver {
   /// True if steps that are the longest one over 2^k are cheaper than others.
   virtual bool prefers_dyadic_steps() const { return false; }
   /// Sets A for the next solves. `step_level` = k if the step is the longest over 2^k, so that its factor is cached.
-  virtual void set_matrix(const EffectiveMatrix& matrix, std::optional<int> step_level) = 0;
+  virtual void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) = 0;
   /// Replaces x by A^-1 x. False when the solve failed.
   virtual bool solve(Eigen::Ref<Eigen::VectorXd> x) = 0;
   /// G = B^T A^-1 B of these links, the same on every process. False when a solve failed.

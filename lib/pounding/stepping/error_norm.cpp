@@ -107,20 +107,20 @@ double ErrorNorm::group_error(Trial& trial, const StepError& error) {
       for (int i = s.first; i < s.first + s.count; ++i) sums_[sums_of_group * s.group + 4] += w[i] * slow[i] * slow[i];
   }
   solver.combine(sums_);
-  double square = 0;
+  double square = 0, all = 0;
   const double* const masses = solver.group_masses().data();
   const std::vector<double>& slow_velocity = equations_.short_motions.any() ? slow_velocity_ : scales_.velocity;
-  for (std::size_t k = 0; k < scales_.displacement.size(); ++k) {
+  for (std::size_t k = 0, groups = scales_.displacement.size(); k < groups; ++k) {
     const double* sums = sums_.data() + sums_of_group * k;
-    const double mass = masses[k];
-    const double scale_u = scales_.displacement[k], scale_v = slow_velocity[k];
+    const double mass = masses[k], scale_u = scales_.displacement[k], scale_v = slow_velocity[k];
+    const double slow = trial.short_motions ? sums[4] : sums[3];
     trial.squares_u[k] = sums[2];
     trial.squares_v[k] = sums[3];
-    trial.squares_slow[k] = sums[trial.short_motions ? 4 : 3];
-    square = std::max({square, sums[0] / std::max(scale_u * scale_u * mass, sums[2]),
-                       sums[1] / std::max(scale_v * scale_v * mass, trial.squares_slow[k])});
-    if (!std::isfinite(sums[0] + sums[1] + sums[2] + sums[3])) square = std::numeric_limits<double>::infinity();
+    trial.squares_slow[k] = slow;
+    square = std::max({square, sums[0] / std::max(scale_u * scale_u * mass, sums[2]), sums[1] / std::max(scale_v * scale_v * mass, slow)});
+    all += sums[0] + sums[1] + sums[2] + sums[3];
   }
+  if (!std::isfinite(all)) return std::numeric_limits<double>::infinity();
   return std::sqrt(square);
 }
 
@@ -264,11 +264,12 @@ void add_simpson_error(const ShortMotions& short_motions, const Instant& begin, 
   double *error_u = error.u.data(), *error_v = error.v.data();
   const int n = static_cast<int>(error.u.size());
   const auto add = [&](const auto& ground_in_u, const auto& ground_in_v) {
+#pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double ev = part * (h / 6 * (a0[i] + 4 * am[i] + a1[i]) - (v1[i] - v0[i]) + ground_in_v(i));
       const double eu = part * (h * h / 6 * (a0[i] + 2 * am[i]) - (u1[i] - u0[i] - h * v0[i]) + ground_in_u(i));
-      if (std::abs(ev) > std::abs(error_v[i])) error_v[i] = ev;
-      if (std::abs(eu) > std::abs(error_u[i])) error_u[i] = eu;
+      error_v[i] = std::abs(ev) > std::abs(error_v[i]) ? ev : error_v[i];
+      error_u[i] = std::abs(eu) > std::abs(error_u[i]) ? eu : error_u[i];
     }
   };
   if (!t.short_motions) {

@@ -18,7 +18,7 @@ Eigen::MatrixXd relief_of(const SparseMatrix& s, const std::vector<int>& active,
 
 }  // namespace
 
-bool StageSolver::begin(const EffectiveMatrix& matrix, std::optional<int> level) {
+bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>& level) {
   failed_link_ = -1;
   active_.clear();
   for (int i = 0; i < links_.size(); ++i)

@@ -45,7 +45,7 @@ class StageSolver {
 
   /// Chooses the active links and the matrix; `level` as in StructureSolver::set_matrix. False if their flexibility G = B^T A^-1 B could not
   /// be found.
-  bool begin(const EffectiveMatrix& matrix, std::optional<int> level);
+  bool begin(const EffectiveMatrix& matrix, const std::optional<int>& level);
 
   /// Links whose force is sought, in ascending order.
   const std::vector<int>& active() const { return active_; }

@@ -41,6 +41,7 @@ class SupportExcitation {
   }
 
   /// P ag for accelerations of the grounds; overwritten by the next call.
+  // Its loops store as many numbers at once as the loops read that follow: a wider read of numbers just stored would wait for them.
   const Eigen::VectorXd& push(const Eigen::VectorXd& ground) const {
     const Eigen::MatrixXd& load = solver_.load();
     const int n = solver_.size();
@@ -48,10 +49,13 @@ class SupportExcitation {
     for (Eigen::Index k = 0; k < ground.size(); ++k) {
       const double* const p = load.col(k).data();
       const double a = ground[k];
-      if (k == 0)
+      if (k == 0) {
+#pragma GCC ivdep
         for (int i = 0; i < n; ++i) sum[i] = a * p[i];
-      else if (a != 0)
+      } else if (a != 0) {
+#pragma GCC ivdep
         for (int i = 0; i < n; ++i) sum[i] += a * p[i];
+      }
     }
     return push_;
   }

@@ -2,6 +2,7 @@
 
 #include <petsc/private/tsimpl.h>
 
+#include <cstring>
 #include <exception>
 #include <new>
 #include <optional>
@@ -80,9 +81,9 @@ PetscErrorCode write_vectors(TS ts) {
 PetscErrorCode advance(TS ts) {
   PetscFunctionBegin;
   Data& data = data_of(ts);
-  PetscBool fixed = PETSC_FALSE;
-  PetscCall(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(ts->adapt), TSADAPTNONE, &fixed));
-  AdaptPolicy policy(ts, fixed == PETSC_TRUE);
+  TSAdaptType type = nullptr;
+  PetscCall(TSAdaptGetType(ts->adapt, &type));
+  AdaptPolicy policy(ts, type && std::strcmp(type, TSADAPTNONE) == 0);
   ts->time_step = data.controller->advance(ts->time_step, ts->max_time, policy);
   ts->ptime = data.stepper()->time();
   const bool last = ts->ptime >= ts->max_time || ts->steps + 1 >= ts->max_steps;
