@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -13,6 +12,7 @@
 #include <pounding/study/calibration.hpp>
 #include <pounding/study/contact_run.hpp>
 #include <pounding/study/flight.hpp>
+#include <pounding/study/ground_samples.hpp>
 
 namespace pounding::study {
 
@@ -59,9 +59,8 @@ template <class Law, int M, int L>
 class History {
  public:
   History(const LinearModel& model, const EvenRecord& record, const Settings& settings)
-      : s_(model), record_(record), settings_(settings), outputs_(model, s_),
-        contact_(s_, links_, outputs_, settings), pieces_(pieces(model, record)), refined_(refined(record, pieces_)), ground_(pieces_ == 1 ? record.accelerations : refined_),
-        last_(static_cast<long>(ground_.size()) - 1), flight_(s_, record.step / static_cast<double>(pieces_)), part_(s_) {
+      : ground_(model, record), s_(model, taylor_order_for(ground_.reach())), record_(record), settings_(settings), outputs_(model, s_),
+        contact_(s_, links_, outputs_, settings), flight_(s_, ground_.step()), part_(s_) {
     links_.reserve(model.links.size());
     bool one_formula = true;
     for (const LinkModes& link : model.links)
@@ -83,7 +82,7 @@ class History {
     const auto intervals = static_cast<long>(std::ceil(whole / h * (1 - 1e-13)));
     const double rest = std::min(h, whole - h * static_cast<double>(intervals - 1));
     const long full = rest == h ? intervals : intervals - 1;
-    outputs_.start(x_, ground_in(0));
+    outputs_.start(x_, ground_.in(0));
     for (long n = 0; n < intervals; ++n) {
       if (!contact_.closed() && n < full) n = glide(n, full);
       if (n < intervals) go(n, n < full ? h : rest);
@@ -108,32 +107,6 @@ class History {
       return !(later.gap > 0) || (gap > 0 ? may_dip(gap, rate, later.gap, later.rate, h) : !(rate < 0));
     }
   };
-  // Polynomials of the flight want omega h <= 1.
-  static int pieces(const LinearModel& model, const EvenRecord& record) {
-    double fastest = 0;
-    for (std::size_t j = 0; j < model.stiffness.size(); ++j)
-      fastest = std::max({fastest, std::sqrt(model.stiffness[j]), model.damping[j]});
-    return std::max(1, static_cast<int>(std::ceil(fastest * record.step)));
-  }
-
-  // Samples between which the record is straight, one at each end of an interval.
-  static std::vector<double> refined(const EvenRecord& record, long pieces) {
-    std::vector<double> all;
-    if (pieces == 1) return all;
-    const auto samples = record.accelerations;
-    all.reserve(samples.size() * static_cast<std::size_t>(pieces));
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
-      for (long part = 0; part < pieces; ++part)
-        all.push_back(samples[i] + (samples[i + 1] - samples[i]) * static_cast<double>(part) / static_cast<double>(pieces));
-    all.push_back(samples.back());
-    return all;
-  }
-  // Acceleration of the ground just before the beginning of an interval; after the record it is zero.
-  double before(long n) const noexcept { return n <= last_ ? record_.factor * ground_[static_cast<std::size_t>(n)] : 0; }
-  // The record jumps to zero at its end.
-  double after(long n) const noexcept { return n < last_ ? before(n) : 0; }
-  Ground ground_in(long n) const noexcept { return {after(n), (before(n + 1) - after(n)) / flight_.length()}; }
-
   Closing closing(std::size_t l, const ModalState<M>& x) const noexcept { return {links_[l].gap() - s_.closes(l, x.q), s_.closes(l, x.v)}; }
 
   // Whole intervals without contact, from number n to the first one in which a link may close, or to `end`.
@@ -142,10 +115,10 @@ class History {
     Turns<ModalState<M>, of_pair> x(x_, next_);
     Turns<Numbers<L, Closing>, of_pair> closings(now_, later_);
     for (std::size_t l = 0; l < s_.links(); ++l) closings.now()[l] = closing(l, x.now());
-    double fastest = 0, a0 = after(n);
+    double fastest = 0, a0 = ground_.after(n);
     for (const Closing& link : closings.now()) fastest = std::max(fastest, std::abs(link.rate));
     for (; n < end; ++n) {
-      const double a1 = before(n + 1);
+      const double a1 = ground_.before(n + 1);
       flight_.advance(x.now(), a0, a1, x.next());
       const auto &now = closings.now();
       auto &later = closings.next();
@@ -159,7 +132,7 @@ class History {
       if (!outputs_.goes_on(x.now(), x.next())) x.show([&](const auto& begin, const auto& end_state) { outputs_.flown(begin, end_state, {a0, (a1 - a0) * per_h}, h); });
       x.turn();
       closings.turn();
-      a0 = n + 1 < last_ ? a1 : 0;
+      a0 = ground_.after(n + 1);
     }
     x.leave();
     contact_.saw(fastest);
@@ -168,7 +141,7 @@ class History {
 
   // An interval, or what the history still has of it, with its contacts.
   void go(long n, double length) {
-    const Ground ground = ground_in(n);
+    const Ground ground = ground_.in(n);
     contact_.begin_interval(flight_.length() * static_cast<double>(n));
     double t = 0;
     while (t < length) t = contact_.closed() ? contact_.press(ground, x_, t, length) : fly(ground, t, length);
@@ -199,16 +172,13 @@ class History {
     return t + until;
   }
 
+  const GroundSamples ground_;
   const Structures<M, L> s_;
   const EvenRecord record_;
   const Settings settings_;
   std::vector<LinkContact<Law>> links_;
   OutputPeaks<M, L> outputs_;
   ContactRun<Law, M, L> contact_;
-  const long pieces_;
-  const std::vector<double> refined_;
-  const std::span<const double> ground_;
-  const long last_;  // sample
   const Flight<M, L> flight_;
   PartOfFlight<M, L> part_;
   ModalState<M> x_, next_;

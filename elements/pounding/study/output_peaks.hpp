@@ -60,7 +60,7 @@ class OutputPeaks {
   }
   /// An interval of length h without contact on which something has to be looked at.
   [[gnu::noinline]] void flown(const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground, double h) noexcept {
-    for_turning(begin, end, h, [&](Row& row, double rate) { row.locate(s_, begin, ground, h, rate < 0); });
+    for_turning(begin, end, h, [&](Row& row, double later) { row.locate(s_, begin, ground, h, later); });
     for (Row& row : accelerations_) row.fly(s_, begin, end, ground, h);
   }
 
@@ -100,7 +100,7 @@ class OutputPeaks {
     std::swap(rates_, later_);
     return any;
   }
-  // Calls see(row, rate at the first state) where a displacement turns beyond its peak. A turn at the second state itself is seen here.
+  // Calls see(row, rate at the second state) where a displacement turns beyond its peak. A turn at the second state itself is seen here.
   template <class State, class See>
   void for_turning(const State& begin, const State& end, double h, const See& see) noexcept {
     for (std::size_t i = 0; i < displacements_.size(); ++i) {
@@ -109,7 +109,7 @@ class OutputPeaks {
       const double after = of_oscillators_ ? row.displacement(end.v) : rates_[i / 4].at(i % 4);
       if (before * after > 0) continue;
       const double y = row.displacement(begin.q), y_after = row.displacement(end.q);
-      if (row.reaches(y, before, y_after, after, h)) see(row, before);
+      if (row.reaches(y, before, y_after, after, h)) see(row, after);
       row.see(y_after);
     }
   }
