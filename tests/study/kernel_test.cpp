@@ -191,6 +191,12 @@ TEST(TheShapesOfTheKernel, GiveTheSameBits) {
     row.links[0].closing.push_back(0);
     row.links.push_back({.gap = 0.01, .closing = {0, row.links[0].closing[1], -1.0 / 300}, .law = hertz()});
     expect_same_bits(run_few(pair, record, {}), run_pair(pair, record, {}));
+    LinearModel apart = pair;
+    apart.outputs.resize(2);
+    for (const laws::AnyLaw& law : {laws::AnyLaw(hertz()), laws::AnyLaw(laws::KelvinVoigt{.stiffness = 9e7, .damping_coefficient = 5e5})}) {
+      apart.links[0].law = law;
+      expect_same_bits(run_few(apart, record, {}), run_pair(apart, record, {}));
+    }
     expect_same_bits(run_few(row, record, {}), run_any(row, record, {}));
   }
 }
