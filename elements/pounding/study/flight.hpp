@@ -26,10 +26,17 @@ class Flight {
 
   void advance(const ModalState<M>& from, double a0, double a1, ModalState<M>& to) const noexcept {
     for (std::size_t i = 0; i < qq_.parts(); ++i) {
-      const auto &q = from.q.part(i), &v = from.v.part(i);
-      to.q.part(i) = qq_.part(i) * q + qv_.part(i) * v + (q0_.part(i) * a0 + q1_.part(i) * a1);
-      to.v.part(i) = vq_.part(i) * q + vv_.part(i) * v + (v0_.part(i) * a0 + v1_.part(i) * a1);
+      const Part end = this->end(i, from.q.part(i), from.v.part(i), a0, a1);
+      to.q.part(i) = end.q, to.v.part(i) = end.v;
     }
+  }
+  /// Some of the modes.
+  struct Part {
+    typename Modes<M>::Part q, v;
+  };
+  Part end(std::size_t i, const typename Modes<M>::Part& q, const typename Modes<M>::Part& v, double a0, double a1) const noexcept {
+    return {qq_.part(i) * q + qv_.part(i) * v + (q0_.part(i) * a0 + q1_.part(i) * a1),
+            vq_.part(i) * q + vv_.part(i) * v + (v0_.part(i) * a0 + v1_.part(i) * a1)};
   }
 
  private:

@@ -16,45 +16,6 @@
 
 namespace pounding::study {
 
-/// Two states that take turns. Little ones are copies, which have room in registers; others stay in the two homes.
-template <class State, bool little>
-class Turns {
- public:
-  Turns(State& home, State& other) noexcept : home_(home), other_(other) {
-    if constexpr (little) now_ = home_, next_ = other_;
-  }
-
-  auto& now() noexcept {
-    if constexpr (little) return now_;
-    else return *at_;
-  }
-  auto& next() noexcept {
-    if constexpr (little) return next_;
-    else return *to_;
-  }
-  void turn() noexcept {
-    if constexpr (little) now_ = next_;
-    else std::swap(at_, to_);
-  }
-  /// Calls see(now, next) with states that have addresses.
-  template <class See>
-  void show(const See& see) noexcept {
-    if constexpr (little) home_ = now_, other_ = next_, see(home_, other_);
-    else see(*at_, *to_);
-  }
-  /// The present state goes home.
-  void leave() noexcept {
-    if constexpr (little) home_ = now_;
-    else if (at_ != &home_) std::swap(home_, other_);
-  }
-
- private:
-  struct None {};
-  State &home_, &other_;
-  [[no_unique_address]] std::conditional_t<little, State, None> now_{}, next_{};
-  State *at_ = &home_, *to_ = &other_;
-};
-
 template <class Law, int M, int L>
 class History {
  public:
@@ -97,8 +58,6 @@ class History {
   }
 
  private:
-  static constexpr bool of_pair = M == 2 && L == 1;
-
   // An open link at one instant.
   struct Closing {
     double gap = 0, rate = 0;
@@ -111,30 +70,54 @@ class History {
 
   // Whole intervals without contact, from number n to the first one in which a link may close, or to `end`.
   [[gnu::noinline]] long glide(long n, long end) noexcept {
+    if constexpr (M == 2 && L == 1)
+      if (outputs_.are_of_modes()) return glide_pair(n, end);
     const double h = flight_.length(), per_h = 1 / h;
-    Turns<ModalState<M>, of_pair> x(x_, next_);
-    Turns<Numbers<L, Closing>, of_pair> closings(now_, later_);
-    for (std::size_t l = 0; l < s_.links(); ++l) closings.now()[l] = closing(l, x.now());
+    ModalState<M>*x = &x_, *next = &next_;
+    for (std::size_t l = 0; l < s_.links(); ++l) now_[l] = closing(l, *x);
     double fastest = 0, a0 = ground_.after(n);
-    for (const Closing& link : closings.now()) fastest = std::max(fastest, std::abs(link.rate));
+    for (const Closing& link : now_) fastest = std::max(fastest, std::abs(link.rate));
     for (; n < end; ++n) {
       const double a1 = ground_.before(n + 1);
-      flight_.advance(x.now(), a0, a1, x.next());
-      const auto &now = closings.now();
-      auto &later = closings.next();
+      flight_.advance(*x, a0, a1, *next);
       bool may_close = false;
       for (std::size_t l = 0; l < s_.links(); ++l) {
-        later[l] = closing(l, x.next());
-        may_close = may_close || now[l].may_close_before(later[l], h);
+        later_[l] = closing(l, *next);
+        may_close = may_close || now_[l].may_close_before(later_[l], h);
       }
       if (may_close) break;
-      for (std::size_t l = 0; l < s_.links(); ++l) fastest = std::max(fastest, std::abs(later[l].rate));
-      if (!outputs_.goes_on(x.now(), x.next())) x.show([&](const auto& begin, const auto& end_state) { outputs_.flown(begin, end_state, {a0, (a1 - a0) * per_h}, h); });
-      x.turn();
-      closings.turn();
+      for (std::size_t l = 0; l < s_.links(); ++l) fastest = std::max(fastest, std::abs(later_[l].rate));
+      if (!outputs_.goes_on(*x, *next)) outputs_.flown(*x, *next, {a0, (a1 - a0) * per_h}, h);
+      std::swap(x, next);
+      std::swap(now_, later_);
       a0 = ground_.after(n + 1);
     }
-    x.leave();
+    if (x != &x_) std::swap(x_, next_);
+    contact_.saw(fastest);
+    return n;
+  }
+  // The same with all numbers in registers, where nothing but displacements of modes is looked at.
+  long glide_pair(long n, long end) noexcept {
+    const double h = flight_.length(), per_h = 1 / h, gap = links_[0].gap();
+    const auto closing_by = s_.closing[0].part(0);
+    auto q = x_.q.part(0), v = x_.v.part(0);
+    Closing now = closing(0, x_);
+    double fastest = std::abs(now.rate), a0 = ground_.after(n);
+    for (; n < end; ++n) {
+      const double a1 = ground_.before(n + 1);
+      const auto next = flight_.end(0, q, v, a0, a1);
+      const Closing later{gap - sum(closing_by * next.q), sum(closing_by * next.v)};
+      if (now.may_close_before(later, h)) break;
+      fastest = std::max(fastest, std::abs(later.rate));
+      if (!(smallest(v * next.v) > 0)) {
+        x_.q.part(0) = q, x_.v.part(0) = v, next_.q.part(0) = next.q, next_.v.part(0) = next.v;
+        if (!outputs_.goes_on(x_, next_)) outputs_.flown(x_, next_, {a0, (a1 - a0) * per_h}, h);
+      }
+      q = next.q, v = next.v;
+      now = later;
+      a0 = ground_.after(n + 1);
+    }
+    x_.q.part(0) = q, x_.v.part(0) = v;
     contact_.saw(fastest);
     return n;
   }
