@@ -81,13 +81,24 @@ class SeriesStep : public ContactMotion<Law, M, L> {
   /// The longest step from there [s].
   double longest() const noexcept { return longest_; }
 
+  /// As for other laws, with the slopes of the present phase: where the bodies turn, rounding gives the rate either sign.
+  void complete(const Links& links, const Ground& ground, Moment<M, L>& m) const noexcept {
+    Base::complete(links, ground, m);
+    for (std::size_t l = 0; l < s_.links(); ++l) {
+      if (!links[l].pressed()) continue;
+      LinkMoment& link = m.links[l];
+      link.force.by_rate = links[l].slopes().by_rate;
+      link.force_rate = link.force.by_penetration * link.rate + link.force.by_rate * link.acceleration;
+    }
+  }
+
   /// A step to a time; returns 0, the square of its error.
   double take(const Links& links, const Ground& ground, const Clock&, const Moment<M, L>& begin, double, double, double end_time, double,
               Moment<M, L>& end) noexcept {
     length_ = end_time - begin.time;
     motion(length_, end);
     end.time = end_time;
-    Base::complete(links, ground, end);
+    complete(links, ground, end);
     return 0;
   }
 
