@@ -22,7 +22,7 @@ class GroundSamples {
   GroundSamples(const GroundSamples&) = delete;
   GroundSamples& operator=(const GroundSamples&) = delete;
 
-  /// Of an interval [s].
+  /// Length of an interval [s].
   double step() const noexcept { return step_; }
   /// The largest omega h or 2 zeta omega h of an interval, at most 1.
   double reach() const noexcept { return reach_; }

@@ -96,7 +96,7 @@ class History {
     contact_.saw(fastest);
     return n;
   }
-  // The same with all numbers in registers, where nothing but displacements of modes is looked at.
+  // As glide() with all numbers in registers, where nothing but displacements of modes is looked at.
   long glide_pair(long n, long end) noexcept {
     const double h = flight_.length(), per_h = 1 / h, gap = links_[0].gap();
     const auto closing_by = s_.closing[0].part(0);
