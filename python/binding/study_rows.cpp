@@ -14,6 +14,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <pounding/core/archive.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/read_model.hpp>
@@ -150,7 +151,10 @@ class RowModel {
 
   /// Writes the values of a row, in the order of the places.
   void put(const std::vector<std::string>& values) {
+    if (values == values_) return;
+    kept_.reset();
     for (std::size_t i = 0; i < values.size(); ++i) places_.at(i).rewrite(values[i]);
+    values_ = values;
   }
 
   /// The model as the kernel runs it. Throws InputError for a wrong input, std::invalid_argument for what takes the solver.
@@ -172,7 +176,7 @@ class RowModel {
   }
 
   /// The numbers of the row's run by the solver. Throws InputError, SolverError, and what a signal handler raises.
-  py::dict run(const RowMotion* motion) const {
+  py::dict run(const RowMotion* motion) {
     std::optional<py::error_already_set> raised;
     Summary summary;
     {
@@ -180,7 +184,7 @@ class RowModel {
       const PetscForThisThread mine;
       start_petsc();
       const OptionsOfRun given{{}};
-      const Model model = read(motion, petsc::lowest_modes);
+      const Model& model = made_ready(motion);
       RunOptions options{.numbers_only = true};
       options.stop = [&] {
         const py::gil_scoped_acquire hold;
@@ -200,8 +204,44 @@ class RowModel {
  private:
   Model read(const RowMotion* motion, const ModeSolver& modes) const { return read_model(root_, modes, 1, motion ? &motion->ground : nullptr); }
 
+  // The model of the row as if it had just been read. Rows that differ in the motion of the ground alone share one.
+  const Model& made_ready(const RowMotion* motion) {
+    if (!motion || motion->ground.wave || !kept_ || !kept_->model.can_move_otherwise()) {
+      kept_.reset();
+      kept_.emplace(read(motion, petsc::lowest_modes));
+    } else {
+      try {
+        kept_->take_back();
+        kept_->model.move_otherwise(motion->ground);
+      } catch (const ModelError&) {
+        // The reader says where.
+        kept_.reset();
+        kept_.emplace(read(motion, petsc::lowest_modes));
+      }
+    }
+    return kept_->model;
+  }
+
+  // A model that is run again and again, and what its contacts were before.
+  struct Kept {
+    explicit Kept(Model read) : model(std::move(read)) {
+      Archive archive;
+      for (const Link& link : model.links) link.contact->archive(archive);
+      contacts = archive.bytes();
+    }
+    void take_back() {
+      Archive archive(contacts);
+      for (const Link& link : model.links) link.contact->archive(archive);
+    }
+
+    Model model;
+    std::vector<std::byte> contacts;
+  };
+
   Input root_;
   std::vector<Input> places_;
+  std::vector<std::string> values_;
+  std::optional<Kept> kept_;
 };
 
 }  // namespace
@@ -242,7 +282,7 @@ void bind_study_rows(py::module_& module) {
       .def("run", &RowModel::run, "motion"_a);
   module.def("double_difference", py::vectorize(&double_difference), "period_a"_a, "damping_a"_a, "period_b"_a, "damping_b"_a);
   /// Which numbers the kernel gives: raised when they change in their bits.
-  module.attr("kernel_version") = 2;
+  module.attr("kernel_version") = 3;
 }
 
 }  // namespace pounding::python

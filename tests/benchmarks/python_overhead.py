@@ -9,12 +9,15 @@ import os
 import time
 from pathlib import Path
 
+import numpy as np
+
 import pounding
 from pounding import yaml_text
 from pounding._native import core
 from pounding.studies.engines import run_batch
 from pounding.studies.execution import batch_of
 from pounding.studies.plan import make_plan
+from pounding.studies.prepared import prepared
 
 ROOT = Path(__file__).resolve().parents[2]
 TIMES = 40
@@ -30,6 +33,17 @@ def best(task):
     return 1e3 * min(taken)
 
 
+def frames():
+    """Time of a row of lesson 7's frames, where records and levels change alone, and of its run in it [ms]."""
+    model = pounding.Model.from_file(ROOT / "examples/07_plane_frames/model.yaml")
+    words = {"engine": "solver", "records": {"synthetic": {"count": 2, "duration": "1 s", "pga": "0.35 g"}},
+             "intensity": {"measure": "pga", "levels": ["0.2 g", "0.4 g"]}}
+    batch = batch_of(plan := make_plan(model, words, Path()), np.arange(4))
+    ready = prepared(plan.template)
+    motions = [ready.motion(int(record), float(scale)) for record, scale in zip(batch.record, batch.scale)]
+    return best(lambda: run_batch(batch)) / 4, best(lambda: [ready._rows.run(motion) for motion in motions]) / 4
+
+
 def main():
     model = pounding.Model.from_file(ROOT / "examples/02_two_oscillators/model.yaml")
     source = model._source()
@@ -39,7 +53,7 @@ def main():
     call = best(lambda: pounding.run(model)) - native
     whole = best(lambda: pounding.run(model).time)
     solve = 1e3 * min(pounding.run(model).summary["solver"]["wall_seconds"] for _ in range(TIMES))
-    batch = batch_of(plan := make_plan(model, {"factors": {"gap": {"of": "links.*.gap", "list": ["20 mm"]}}}, Path()), [0])
+    batch = batch_of(plan := make_plan(model, {"factors": {"gap": {"of": "links.*.gap", "list": ["20 mm"]}}}, Path()), np.arange(1))
     row = best(lambda: run_batch(batch))
     case = best(lambda: yaml_text.emit(plan.case(0)))
     print(f"load of the machine {os.getloadavg()[0]:.1f}")
@@ -47,6 +61,8 @@ def main():
     print(f"pounding.run beside that             {call:8.3f} ms; its summary as a dict {summary:.3f} more")
     print(f"pounding.run with all arrays         {whole:8.3f} ms")
     print(f"a row of a study                     {row:8.3f} ms, of which its text {case:.3f}")
+    whole, run = frames()
+    print(f"a row of two frames                  {whole:8.3f} ms, of which its run in C++ {run:.3f}")
 
 
 if __name__ == "__main__":

@@ -27,6 +27,14 @@ def bits(path):
         return {name: data[:].tobytes() for name, data in file["rows"].items()}
 
 
+def chunks_in(folder):
+    """Finished chunks; the study takes the folder away when it has put them together."""
+    try:
+        return sum(name.endswith(".npz") for name in os.listdir(folder))
+    except FileNotFoundError:
+        return 0
+
+
 class Way:
     """One engine and its processes."""
 
@@ -54,8 +62,8 @@ class Way:
     def first_part(self, process, name, seconds):
         """When the first chunk of this process is there, or the process over."""
         parts, end = Path(f"{self.file(name)}.parts"), time.monotonic() + seconds
-        before = len(list(parts.glob("*.npz"))) if parts.is_dir() else 0
-        while process.poll() is None and time.monotonic() < end and len(list(parts.glob("*.npz"))) <= before:
+        before = chunks_in(parts)
+        while process.poll() is None and time.monotonic() < end and chunks_in(parts) <= before:
             time.sleep(0.001)
         return time.monotonic()
 

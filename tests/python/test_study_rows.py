@@ -17,6 +17,7 @@ import h5py
 import numpy as np
 
 import pounding
+from pounding._native import core
 from pounding.errors import InputError, SolverError
 from pounding.studies.engines import DIED, DONE, EXCEEDED, FAILED
 from pounding.studies.execution import run_rows
@@ -25,6 +26,7 @@ from pounding.studies.study import run_plan
 from pounding.studies.table import Table
 from study_samples import FACTORS, WORDS, Deadly, pair
 
+LESSONS = Path(__file__).resolve().parents[2] / "examples"
 #: Kills of the long form; the fast form has one.
 KILLS = int(os.environ.get("POUNDING_STUDY_KILLS", "2"))
 
@@ -73,6 +75,37 @@ class Rows(unittest.TestCase):
         # By hand: row 23 is record 1, ratio 0.8, gap 9 mm, level 0.4 g, of 3 x 2 x 3 x 2.
         np.testing.assert_allclose([study[name][23] for name in ("record", "ratio", "gap", "im")], [1, 0.8, 9e-3, 0.4 * 9.80665], rtol=1e-15)
         self.assertAlmostEqual(study["scale"][23], 4 / 3, places=15)
+
+    def test_rows_that_share_a_model_have_the_bits_of_one_that_is_read_anew(self):
+        def motion(seed, seconds):
+            return core.RowMotion(f"ground_motion: {{synthetic: {{seed: {seed}, duration: {seconds} s, pga: 0.6 g, soil: firm}}}}\n", "row")
+
+        motions = [motion(1, 1.5), motion(2, 1)]
+        # Contacts that move their gap, that press from the start and that are rigid; frames; parts that yield; isolators; dampers.
+        komodromos = [{"between": ["left", "right"], "gap": "1 mm", "law": "komodromos", "stiffness": "93.5e6", "restitution": "0.65"}]
+        rigid = [{"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}]
+        texts = [pair(links=komodromos).to_yaml(), pair(links=rigid).to_yaml()]
+        # A delay of the ground under one structure, which is read anew.
+        texts.append(texts[0].replace("{oscillator:", "{delay: 50 ms, oscillator:", 1))
+        texts += [(LESSONS / name / "model.yaml").read_text() for name in ("07_plane_frames", "19_yielding_pair", "21_isolated_moat",
+                                                                         "22_dampers_between_neighbours")]
+        for text in texts:
+            # As texts, in which a number that is none equals itself.
+            fresh = [repr(core.RowModel(text, "row", []).run(each)) for each in motions]
+            self.assertNotEqual(fresh[0], fresh[1])
+            shared = core.RowModel(text, "row", [])
+            for i in (0, 1, 0):
+                self.assertEqual(repr(shared.run(motions[i])), fresh[i])
+
+    def test_a_row_whose_values_change_is_read_anew(self):
+        ground = core.RowMotion("ground_motion: {synthetic: {seed: 1, duration: 0.8 s, pga: 0.3 g, soil: firm}}\n", "row")
+        model = core.RowModel(pair().to_yaml(), "row", [["links", "0", "gap"]])
+        found = {}
+        for gap in ("1 mm", "3 mm", "1 mm", "1 mm", "3 mm"):
+            model.put([gap])
+            ran = model.run(ground)
+            self.assertEqual(ran, found.setdefault(gap, ran))
+        self.assertNotEqual(*found.values())
 
     def test_a_gap_that_is_just_enough_is_the_required_one(self):
         study = run_plan(plan_of(keep=["required_gap"]), None, workers=0)
@@ -163,6 +196,46 @@ class Rows(unittest.TestCase):
         self.command(study, "-o", "whole.h5", "-j", "0", "-q")
         self.assertEqual(self.command(study, "-o", "full.h5", "-j", "0", "-q").returncode, 0)
         self.assertEqual(bits(self.folder / "full.h5"), bits(self.folder / "whole.h5"))
+
+    def test_a_disk_that_takes_no_chunk_loses_no_chunk_before(self):
+        study = self.write_study()
+
+        def little():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (200, 200))
+
+        self.command(study, "-o", "whole.h5", "-j", "0", "-q")
+        begun = subprocess.Popen([sys.executable, "-m", "pounding", "study", str(study), "-o", "s.h5", "-j", "0", "-q", "--chunk", "1"], cwd=self.folder)
+        parts = self.folder / "s.h5.parts"
+        while begun.poll() is None and len(list(parts.glob("*.npz")) if parts.is_dir() else []) < 3:
+            time.sleep(0.001)
+        begun.kill()
+        begun.wait()
+        before = {path.name: path.read_bytes() for path in parts.glob("*.npz")}
+        full = self.command(study, "-o", "s.h5", "-j", "0", "-q", "--chunk", "1", preexec_fn=little)
+        self.assertEqual(full.returncode, 3, full.stderr)
+        self.assertIn("make room and type the same command again", full.stderr)
+        for name, content in before.items():
+            self.assertEqual((parts / name).read_bytes(), content)
+        self.assertEqual(self.command(study, "-o", "s.h5", "-j", "0", "-q").returncode, 0)
+        self.assertEqual(bits(self.folder / "s.h5"), bits(self.folder / "whole.h5"))
+
+    def test_a_record_that_vanishes_costs_its_rows(self):
+        for engine in ("auto", "solver"):
+            place = self.folder / engine
+            place.mkdir()
+            for i in range(3):
+                (place / f"r{i}.csv").write_text("time,acc (g)\n" + "".join(f"{j * .02:.2f},{np.sin(j * (i + 1))}\n" for j in range(30)))
+            plan = plan_of(records={"files": str(place)}, engine=engine, stop_after="100 %")
+            gone = (place / "r1.csv").read_text()
+            (place / "r1.csv").unlink()
+            study = run_plan(plan, None, workers=0)
+            (place / "r1.csv").write_text(gone)
+            whole = run_plan(plan, None, workers=0)
+            lost = study["record"] == 1
+            self.assertEqual((lost.sum(), len(study.failed), whole.failed), (12, 12, {}))
+            for reason in study.failed.values():
+                self.assertIn("r1.csv", reason)
+            np.testing.assert_array_equal(study["force"][~lost], whole["force"][~lost])
 
     def test_a_worker_that_dies_costs_its_row(self):
         plan = plan_of(records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.3 g"}}, stop_after="100 %", engine="solver")

@@ -61,7 +61,7 @@ TEST(AForceThatIsJustReleased, PressesAgainAtItsNextZeroAndNotAtOnce) {
   begin.d = released, end.d = 0.5 * again;
   begin.rate = end.rate = rate;
   const double h = (begin.d - end.d) / -rate;
-  const double part = crossing(link, LinkEvent::engage, begin, end, h);
+  const double part = crossing(link, LinkEvent::engage, begin, end, [&] { return quintic_path(begin, end, h); });
   EXPECT_NEAR(begin.d + part * h * rate, again, 1e-3 * again);
 }
 
@@ -82,7 +82,10 @@ TEST(APenetrationThatIsNegativeInsideAStep, EndsTheContactAtItsFirstZero) {
   };
   fill(begin, 0), fill(end, h);
   ASSERT_GT(begin.links[0].force_rate, 0);
-  const Found found = first_event(links, begin, end);
+  struct {
+    Quintic path(std::size_t link, const Moment<2, 1>& b, const Moment<2, 1>& e) const { return quintic_path(b.links[link], e.links[link], e.time - b.time); }
+  } step;
+  const Found found = first_event(links, step, begin, end);
   EXPECT_EQ(found.event, LinkEvent::separation);
   EXPECT_NEAR(found.part, zero, 1e-6);
 }

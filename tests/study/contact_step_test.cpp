@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
+#include <utility>
+#include <variant>
 #include <vector>
 
+#include <pounding/laws/compiled.hpp>
 #include <pounding/study/contact_step.hpp>
+#include <pounding/study/series_step.hpp>
 
 namespace pounding::study {
 namespace contact_step_test {
@@ -72,6 +77,92 @@ TEST(TheFirstStepsOfAnImpact, GoByTimeForALinearLaw) {
   Impact impact(laws::KelvinVoigt{.stiffness = 1, .damping_coefficient = 0.2});
   impact.root_ = 1;
   EXPECT_GT(impact.order(1), 4.5);
+}
+
+/// A free body of unit mass that meets a wall by a linear law at unit speed, by the series of its motion in steps of one length.
+template <class Law>
+LinkPeaks series_impact(const Law& law, double end, int count, double& d, double& rate, double tolerance) {
+  LinearModel model;
+  model.stiffness = model.damping = model.load = {0};
+  model.links.push_back({.gap = 0, .closing = {1}, .law = law});
+  const Structures<1, 1> structures(model);
+  SeriesStep<Law, 1, 1> step(structures);
+  std::vector<LinkContact<Law>> links;
+  links.emplace_back(law, 0.0);
+  links[0].apply(LinkEvent::touch, 0, 1);
+  auto begin = step.moment(), after = begin;
+  begin.v[0] = 1;
+  step.complete(links, {}, begin);
+  for (int i = 0; i < count; ++i) {
+    step.begin(links, {}, begin, tolerance);
+    EXPECT_LE(end / count, step.longest() * (1 + 1e-12));
+    step.take(links, {}, Clock(), begin, 0, 0, end * (i + 1) / count, 1, after);
+    step.push(0, links[0]);
+    std::swap(begin, after);
+  }
+  d = begin.q[0], rate = begin.v[0];
+  return links[0].peaks();
+}
+
+TEST(TheSeriesOfALinearLaw, IsTheDampedVibration) {
+  const double c = 0.3, w = std::sqrt(1 - c * c / 4);
+  for (const auto& [tolerance, longest, bound] : {std::tuple{1e-5, 1.75, 3e-8}, {1e-7, 1.25, 3e-10}, {1e-9, 0.9, 3e-12}}) {
+    double d = 0, rate = 0;
+    const double end = 2 * longest;
+    const LinkPeaks peaks = series_impact(laws::KelvinVoigt{.stiffness = 1, .damping_coefficient = c}, end, 2, d, rate, tolerance);
+    const double expected = std::exp(-c / 2 * end) * std::sin(w * end) / w;
+    const double expected_rate = std::exp(-c / 2 * end) * (std::cos(w * end) - c / 2 * std::sin(w * end) / w);
+    EXPECT_NEAR(d, expected, 10 * bound);
+    EXPECT_NEAR(rate, expected_rate, 10 * bound);
+    // The link takes the momentum and the energy of the body.
+    EXPECT_NEAR(peaks.impulse, 1 - expected_rate, 10 * bound);
+    EXPECT_NEAR(peaks.energy_lost, 0.5 * (1 - expected_rate * expected_rate), 1e-7);
+  }
+}
+
+/// Whether the force is k d + c d' with the same numbers at all penetrations and rates of one sign.
+template <class Law>
+bool looks_linear() {
+  const auto law = std::get<Law>(laws::make_law([] {
+    laws::Settings settings = laws::typical_settings(laws::find_law(Law::name));
+    settings.reduced_mass = 1e5;
+    return settings;
+  }()));
+  const laws::Impact impact = laws::touch(law, 0.5);
+  for (const double sign : {1.0, -1.0}) {
+    const laws::Response one = law.contact(1, sign, impact);
+    for (const double d : {1e-5, 1e-3, 0.3})
+      for (const double rate : {1e-4, 0.1, 2.0}) {
+        const laws::Response r = law.contact(d, sign * rate, impact);
+        const double force = one.by_penetration * d + one.by_rate * sign * rate;
+        if (r.by_penetration != one.by_penetration || r.by_rate != one.by_rate || std::abs(r.force - force) > 1e-12 * std::abs(r.force)) return false;
+      }
+  }
+  return true;
+}
+
+template <std::size_t I = 0>
+void compare_linear_laws() {
+  if constexpr (I < std::variant_size_v<laws::AnyLaw>) {
+    using Law = std::variant_alternative_t<I, laws::AnyLaw>;
+    if constexpr (!laws::instantaneous<Law>) {
+      EXPECT_EQ(is_linear<Law>, looks_linear<Law>()) << Law::name;
+    }
+    compare_linear_laws<I + 1>();
+  }
+}
+
+TEST(TheLawsThatTakeASeries, AreThoseWithAForceThatIsLinear) { compare_linear_laws(); }
+
+TEST(TheTermsOfAFlight, AreAsManyAsTheErrorWants) {
+  for (const double reach : {0.01, 0.05, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0}) {
+    const int order = taylor_order_for(reach);
+    const Jet jet = motion(order, 1, 0, 1, 0, 0, 0).at(reach);
+    EXPECT_NEAR(jet.x, std::cos(reach), 1e-12) << reach;
+    EXPECT_NEAR(jet.v, -std::sin(reach), 2e-11) << reach;
+    EXPECT_TRUE(order == 4 || std::pow(reach, order) / std::tgamma(order + 1) > 1e-13) << reach << ": terms for nothing";
+  }
+  EXPECT_EQ(taylor_order_for(1), taylor_order);
 }
 
 TEST(TheClockOfAnImpact, FollowsTheExponentsOfTheLaw) {

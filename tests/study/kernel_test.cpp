@@ -130,6 +130,25 @@ TEST(AWall, IsThePlaneOfSymmetryOfTwoMirroredOscillators) {
   EXPECT_NEAR(2 * wall.links[0].peak_penetration, pair.links[0].peak_penetration, 1e-5 * pair.links[0].peak_penetration);
 }
 
+TEST(ThePeakOfAForce, IsFoundJustBeforeTheBodiesTurn) {
+  // A dashpot that acts in the approach only: the force is largest there, and its slope jumps where the bodies turn.
+  for (const double c : {0.05, 0.3, 0.8}) {
+    LinearModel model;
+    model.stiffness = model.damping = model.load = {0};
+    model.velocity = {1};
+    model.links.push_back({.gap = 0.5, .closing = {1}, .law = laws::ModifiedLinearViscoelastic{.stiffness = 1, .damping_coefficient = c}});
+    const double w = std::sqrt(1 - c * c / 4);
+    double peak = 0;
+    for (double t = 0; t < 0.5 * M_PI / w; t += 1e-5) {
+      const double d = std::exp(-c / 2 * t) * std::sin(w * t) / w, rate = std::exp(-c / 2 * t) * std::cos(w * t) - c / 2 * d;
+      peak = std::max(peak, d + c * std::max(rate, 0.0));
+    }
+    const std::vector<double> still(2, 0.0);
+    const Peaks found = run(model, {.accelerations = still, .step = 1}, {.duration = 5});
+    EXPECT_NEAR(found.links[0].peak_force, peak, 1e-7) << c;
+  }
+}
+
 void expect_same_bits(const Peaks& a, const Peaks& b) {
   EXPECT_EQ(a.outputs, b.outputs);
   EXPECT_EQ(a.steps, b.steps);
@@ -191,6 +210,12 @@ TEST(TheShapesOfTheKernel, GiveTheSameBits) {
     row.links[0].closing.push_back(0);
     row.links.push_back({.gap = 0.01, .closing = {0, row.links[0].closing[1], -1.0 / 300}, .law = hertz()});
     expect_same_bits(run_few(pair, record, {}), run_pair(pair, record, {}));
+    LinearModel apart = pair;
+    apart.outputs.resize(2);
+    for (const laws::AnyLaw& law : {laws::AnyLaw(hertz()), laws::AnyLaw(laws::KelvinVoigt{.stiffness = 9e7, .damping_coefficient = 5e5})}) {
+      apart.links[0].law = law;
+      expect_same_bits(run_few(apart, record, {}), run_pair(apart, record, {}));
+    }
     expect_same_bits(run_few(row, record, {}), run_any(row, record, {}));
   }
 }

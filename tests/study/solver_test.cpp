@@ -78,19 +78,21 @@ double quantile(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
-/// Rows a law; more of them where the environment asks.
-int rows_of_a_law() {
-  const char* asked = std::getenv("POUNDING_STUDY_ROWS");
-  return asked ? std::atoi(asked) : 12;
+/// A number that the environment may ask for.
+int asked(const char* name, int usual) {
+  const char* text = std::getenv(name);
+  return text ? std::atoi(text) : usual;
 }
 
 TEST(TheKernel, AgreesWithTheSolverOnRandomPairsByEveryPenaltyLaw) {
-  std::mt19937 engine(7);
+  // Rows a law, and their seed.
+  const int count = asked("POUNDING_STUDY_ROWS", 12);
+  std::mt19937 engine(static_cast<unsigned>(asked("POUNDING_STUDY_SEED", 7)));
   const auto u = [&] { return static_cast<double>(engine()) / 4294967296.0; };
   std::vector<Row> rows;
   for (const laws::Entry& entry : laws::catalogue()) {
     if (entry.instantaneous) continue;
-    for (int i = 0; i < rows_of_a_law(); ++i) {
+    for (int i = 0; i < count; ++i) {
       const double t1 = 0.2 * std::pow(10, u()), t2 = 0.2 * std::pow(10, u()), m1 = 1e5, m2 = 1e5 * std::pow(4, u() - 0.5);
       Model model;
       const auto left = model.add("left", make_oscillator({.mass = m1, .period = t1, .damping_ratio = 0.05}));

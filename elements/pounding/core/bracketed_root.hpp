@@ -11,9 +11,10 @@ struct Graph {
 };
 
 /// A root of f between low and high, where its signs differ; f(t) has members value and slope. Newton's steps, bisection where they leave the bracket.
+/// The first guess is `start`; a guess that moves by less than `enough` of itself is the last.
 template <class Function>
-double bracketed_root(const Function& f, double low, double high, bool rises) noexcept {
-  double t = 0.5 * (low + high);
+double bracketed_root(const Function& f, double low, double high, bool rises, double start, double enough = 1e-15) noexcept {
+  double t = start;
   for (int i = 0; i < 100; ++i) {
     const auto [value, slope] = f(t);
     if (value == 0) return t;
@@ -25,9 +26,14 @@ double bracketed_root(const Function& f, double low, double high, bool rises) no
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const double moved = std::abs(next - t);
     t = next;
-    if (moved <= 1e-15 * std::abs(t) || high - low <= 1e-15 * high) return t;
+    if (moved <= enough * std::abs(t) || high - low <= 1e-15 * high) return t;
   }
   return t;
+}
+/// The first guess is the middle.
+template <class Function>
+double bracketed_root(const Function& f, double low, double high, bool rises) noexcept {
+  return bracketed_root(f, low, high, rises, 0.5 * (low + high));
 }
 
 }  // namespace pounding

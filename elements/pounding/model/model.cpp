@@ -288,6 +288,29 @@ void Model::complete() {
   check_ground();
   require_devices_on_one_ground(*this);
   press_preloaded(structures, links);
+  given_duration_ = analysis.duration, given_output_step_ = analysis.output_step;
+  fill_in_times();
+  is_complete_ = true;
+}
+
+bool Model::can_move_otherwise() const noexcept {
+  if (!is_complete_ || ground.wave) return false;
+  for (const Structure& s : structures)
+    for (const Support& support : s.supports)
+      if (support.delay != 0) return false;
+  return true;
+}
+
+void Model::move_otherwise(const GroundSection& other) {
+  if (!can_move_otherwise() || other.wave) throw std::logic_error("this model has to be made again for another motion of the ground");
+  ground = other;
+  analysis.duration = given_duration_, analysis.output_step = given_output_step_;
+  check_ground();
+  require_devices_on_one_ground(*this);
+  fill_in_times();
+}
+
+void Model::fill_in_times() {
   const GroundPlan plan = ground_plan(*this);
   if (analysis.duration == 0) analysis.duration = plan.duration();
   if (analysis.duration == 0 || std::isinf(analysis.duration)) throw ModelError(ModelOption::analysis, "the duration is missing; type analysis: {duration: 10 s}");
@@ -296,7 +319,6 @@ void Model::complete() {
     analysis.output_step = sample > 0 ? std::min(sample, analysis.duration) : analysis.duration / 1000;
   }
   require_affordable(*this);
-  is_complete_ = true;
 }
 
 }  // namespace pounding

@@ -251,6 +251,12 @@ class Model {
   void complete();
   bool is_complete() const noexcept { return is_complete_; }
 
+  /// Whether another motion may take the place of the ground's in a complete model: supports have no delay, and no wave passes.
+  bool can_move_otherwise() const noexcept;
+  /// Lets the ground of a complete model move otherwise. Duration and output step follow from the new motion where they were left out. Throws ModelError
+  /// as complete(), and std::logic_error where can_move_otherwise() is false or the other motion is a wave.
+  void move_otherwise(const GroundSection& other);
+
  private:
   // Options of the ground under one structure.
   struct OwnGround {
@@ -262,8 +268,10 @@ class Model {
   void put_on_ground();
   void check_ground() const;
   void check_settings() const;
+  void fill_in_times();
 
   std::vector<OwnGround> own_ground_;
+  double given_duration_ = 0, given_output_step_ = 0;
   bool is_on_ground_ = false, is_complete_ = false;
 };
 

@@ -7,12 +7,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <pounding/core/error.hpp>
 #include <pounding/study/contact_step.hpp>
 #include <pounding/study/output_peaks.hpp>
+#include <pounding/study/series_step.hpp>
 #include <pounding/study/step_events.hpp>
 
 namespace pounding::study {
@@ -103,6 +105,8 @@ class ContactRun {
       clock_ = Clock(), reading_ = begin_->time;
     }
     const double to_end = clock_.reading(length) - reading_;
+    step_.begin(links_, ground, *begin_, settings_.tolerance);
+    if constexpr (is_linear<Law>) ds_ = step_.longest();
     for (;;) {
       const bool ends = ds_ >= to_end * (1 - 1e-12);
       const double ds = ends ? to_end : ds_;
@@ -115,7 +119,7 @@ class ContactRun {
         continue;
       }
       const double wanted = ds * std::min(5.0, growth(std::max(square, 1e-12))) * clock_.shortening(reading_, ds);
-      const Found found = first_event(links_, *begin_, *end_);
+      const Found found = first_event(links_, step_, *begin_, *end_);
       if (found.event == LinkEvent::none) {
         // A step that the interval has cut says little about the next.
         ds_ = ends ? std::max(ds_, wanted) : wanted;
@@ -144,13 +148,8 @@ class ContactRun {
 
   // The state at a part of the last step, with its accelerations.
   const Moment<M, L>& inside(const Ground& ground, double part) noexcept {
-    const Moment<M, L>&b = *begin_, &e = *end_;
-    const double h = e.time - b.time;
-    for (std::size_t j = 0; j < s_.modes(); ++j) {
-      const Jet jet = Quintic({b.q[j], b.v[j], b.a[j]}, {e.q[j], e.v[j], e.a[j]}, h).at(part);
-      middle_->q[j] = jet.x, middle_->v[j] = jet.v;
-    }
-    middle_->time = b.time + part * h;
+    step_.inside(part, *begin_, *end_, *middle_);
+    middle_->time = begin_->time + part * (end_->time - begin_->time);
     step_.complete(links_, ground, *middle_);
     return *middle_;
   }
@@ -166,11 +165,15 @@ class ContactRun {
       LinkContact<Law>& link = links_[l];
       if (!link.closed()) continue;
       const LinkMoment &b = begin_->links[l], &e = end_->links[l];
+      const auto path = [&] { return step_.path(l, *begin_, *end_); };
       if (link.pressed()) {
         step_.push(l, link);
-        if (b.force_rate > 0 && e.force_rate < 0) record_top(link, b, e, h);
+        if (b.force_rate > 0 && e.force_rate < 0) record_top(link, b, e, h, path);
       }
-      if (b.rate > 0 && e.rate < 0) link.record_depth(path(b, e, h).at(path(b, e, h).turn(false)).x);
+      if (b.rate > 0 && e.rate < 0) {
+        const auto way = path();
+        link.record_depth(way.at(way.turn(false)).x);
+      }
       link.keep(e.d, e.rate, e.force.force);
       speed_ = std::max(speed_, std::abs(e.rate));
       saw(e.rate);
@@ -215,7 +218,7 @@ class ContactRun {
   Links& links_;
   OutputPeaks<M, L>& outputs_;
   const Settings settings_;
-  ContactStep<Law, M, L> step_;
+  std::conditional_t<is_linear<Law>, SeriesStep<Law, M, L>, ContactStep<Law, M, L>> step_;
   Moment<M, L> moments_[3];
   Moment<M, L>*begin_ = &moments_[0], *end_ = &moments_[1], *middle_ = &moments_[2];
   Modes<M> jerk_;

@@ -10,66 +10,24 @@
 
 #include <pounding/core/quintic.hpp>
 #include <pounding/study/clock.hpp>
-#include <pounding/study/link_contact.hpp>
-#include <pounding/study/modal_state.hpp>
+#include <pounding/study/contact_moment.hpp>
 
 namespace pounding::study {
 
-/// Motion of one link and its force.
-struct LinkMoment {
-  double d = 0, rate = 0, acceleration = 0;  ///< penetration [m], [m/s], [m/s^2]
-  laws::Response force;
-  double force_rate = 0;  ///< dF/dt [N/s]
-};
-
-/// A state in contact with all that follows from it.
-template <int M, int L>
-struct Moment : ModalState<M> {
-  double time = 0;  ///< in the interval [s]
-  double ground = 0, slope = 0;
-  Modes<M> a;
-  Numbers<L, LinkMoment> links;
-};
-
 template <class Law, int M, int L>
-class ContactStep {
- public:
-  using Links = std::vector<LinkContact<Law>>;
+class ContactStep : public ContactMotion<Law, M, L> {
+  using Base = ContactMotion<Law, M, L>;
+  using Base::s_;
 
-  explicit ContactStep(const Structures<M, L>& structures) : s_(structures) {
+ public:
+  using typename Base::Links;
+
+  explicit ContactStep(const Structures<M, L>& structures) : Base(structures) {
     for (Stage& stage : stages_) stage = {s_.k, s_.k, numbers<L>(s_.link_count), numbers<L>(s_.link_count)};
   }
 
-  Moment<M, L> moment() const {
-    Moment<M, L> m;
-    m.q = m.v = m.a = Modes<M>(s_.count);
-    m.links = numbers<L, LinkMoment>(s_.link_count);
-    return m;
-  }
-
-  /// Fills in what follows from q, v and the time.
-  void complete(const Links& links, const Ground& ground, Moment<M, L>& m) const noexcept {
-    m.ground = ground(m.time), m.slope = ground.slope;
-    pull(m.q, m.v, m.ground, m.a);
-    for (std::size_t l = 0; l < s_.links(); ++l) {
-      LinkMoment& link = m.links[l];
-      link.d = s_.closes(l, m.q) - links[l].gap();
-      link.rate = s_.closes(l, m.v);
-      link.force = links[l].force(link.d, link.rate);
-      if (links[l].pressed()) push(l, link.force.force, m.a);
-    }
-    for (std::size_t l = 0; l < s_.links(); ++l) {
-      LinkMoment& link = m.links[l];
-      link.acceleration = s_.closes(l, m.a);
-      link.force_rate = link.force.by_penetration * link.rate + link.force.by_rate * link.acceleration;
-    }
-  }
-
-  /// da/dt of a complete state.
-  void jerk(const Moment<M, L>& m, Modes<M>& all) const noexcept {
-    pull(m.v, m.a, m.slope, all);
-    for (std::size_t l = 0; l < s_.links(); ++l) push(l, m.links[l].force_rate, all);
-  }
+  /// Steps go on from this complete state.
+  void begin(const Links&, const Ground&, const Moment<M, L>&, double) const noexcept {}
 
   /// A step from `begin` by ds on the clock, ending at the time given; returns the square of the velocity that the error of the modes' energy stands
   /// for, with `time_scale` [s] between displacements and velocities [kg m^2/s^2].
@@ -89,8 +47,20 @@ class ContactStep {
     [&]<int... I>(std::integer_sequence<int, I...>) { (stage(std::integral_constant<int, I + 1>{}), ...); }(std::make_integer_sequence<int, 5>{});
     move<6>(begin, end.q, end.v);
     end.time = end_time;
-    complete(links, ground, end);
+    Base::complete(links, ground, end);
     return error(end, 1 / (time_scale * time_scale));
+  }
+
+  /// The motion of a link in the last step.
+  Quintic path(std::size_t link, const Moment<M, L>& begin, const Moment<M, L>& end) const noexcept {
+    return quintic_path(begin.links[link], end.links[link], end.time - begin.time);
+  }
+  /// Displacements and velocities at a part of the last step.
+  void inside(double part, const Moment<M, L>& b, const Moment<M, L>& e, ModalState<M>& x) const noexcept {
+    for (std::size_t j = 0; j < s_.modes(); ++j) {
+      const Jet jet = Quintic({b.q[j], b.v[j], b.a[j]}, {e.q[j], e.v[j], e.a[j]}, e.time - b.time).at(part);
+      x.q[j] = jet.x, x.v[j] = jet.v;
+    }
   }
 
   /// Impulse [N s] and work [J] of a link in the last step.
@@ -127,15 +97,6 @@ class ContactStep {
       stage.v.part(i) = speed * acceleration.part(i);
     }
   }
-  // Accelerations by the structures and the ground.
-  void pull(const Modes<M>& q, const Modes<M>& v, double ag, Modes<M>& acceleration) const noexcept {
-    for (std::size_t i = 0; i < s_.k.parts(); ++i)
-      acceleration.part(i) = -(s_.c.part(i) * v.part(i) + s_.k.part(i) * q.part(i) + ag * s_.p.part(i));
-  }
-  void push(std::size_t link, double force, Modes<M>& acceleration) const noexcept {
-    for (std::size_t i = 0; i < s_.k.parts(); ++i) acceleration.part(i) -= force * s_.closing[link].part(i);
-  }
-
   // q and v, moved from the beginning of the step by the I stages before.
   template <int I>
   void move(const Moment<M, L>& begin, Modes<M>& q, Modes<M>& v) const noexcept {
@@ -150,7 +111,7 @@ class ContactStep {
 
   // Forces of the links that press and the accelerations, of a state on its way.
   [[gnu::always_inline]] void evaluate(const Links& links, double ag, Stage& stage, Moment<M, L>& x) const noexcept {
-    pull(x.q, x.v, ag, x.a);
+    Base::pull(x.q, x.v, ag, x.a);
     for (std::size_t l = 0; l < s_.links(); ++l) {
       if (!links[l].pressed()) {
         stage.force[l] = 0;
@@ -158,7 +119,7 @@ class ContactStep {
       }
       stage.rate[l] = s_.closes(l, x.v);
       stage.force[l] = links[l].force(s_.closes(l, x.q) - links[l].gap(), stage.rate[l]).force;
-      push(l, stage.force[l], x.a);
+      Base::push(l, stage.force[l], x.a);
     }
   }
 
@@ -174,7 +135,6 @@ class ContactStep {
     return squares_v + of_displacement * squares_q;
   }
 
-  const Structures<M, L>& s_;
   Stage stages_[6];
   double speeds_[6] = {};
 };

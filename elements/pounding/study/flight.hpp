@@ -15,10 +15,10 @@ class Flight {
   /// `h` with omega h <= 1 and 2 zeta omega h <= 1 [s].
   Flight(const Structures<M, L>& s, double h) : h_(h), qq_(s.k), qv_(s.k), vq_(s.k), vv_(s.k), q0_(s.k), q1_(s.k), v0_(s.k), v1_(s.k) {
     for (std::size_t j = 0; j < s.modes(); ++j) {
-      end(motion(s.k[j], s.c[j], 1, 0, 0, 0), qq_[j], vq_[j]);
-      end(motion(s.k[j], s.c[j], 0, 1, 0, 0), qv_[j], vv_[j]);
-      end(motion(s.k[j], s.c[j], 0, 0, s.p[j], -s.p[j] / h), q0_[j], v0_[j]);
-      end(motion(s.k[j], s.c[j], 0, 0, 0, s.p[j] / h), q1_[j], v1_[j]);
+      end(motion(s.order, s.k[j], s.c[j], 1, 0, 0, 0), qq_[j], vq_[j]);
+      end(motion(s.order, s.k[j], s.c[j], 0, 1, 0, 0), qv_[j], vv_[j]);
+      end(motion(s.order, s.k[j], s.c[j], 0, 0, s.p[j], -s.p[j] / h), q0_[j], v0_[j]);
+      end(motion(s.order, s.k[j], s.c[j], 0, 0, 0, s.p[j] / h), q1_[j], v1_[j]);
     }
   }
 
@@ -26,16 +26,23 @@ class Flight {
 
   void advance(const ModalState<M>& from, double a0, double a1, ModalState<M>& to) const noexcept {
     for (std::size_t i = 0; i < qq_.parts(); ++i) {
-      const auto &q = from.q.part(i), &v = from.v.part(i);
-      to.q.part(i) = qq_.part(i) * q + qv_.part(i) * v + (q0_.part(i) * a0 + q1_.part(i) * a1);
-      to.v.part(i) = vq_.part(i) * q + vv_.part(i) * v + (v0_.part(i) * a0 + v1_.part(i) * a1);
+      const Part end = this->end(i, from.q.part(i), from.v.part(i), a0, a1);
+      to.q.part(i) = end.q, to.v.part(i) = end.v;
     }
+  }
+  /// Some of the modes.
+  struct Part {
+    typename Modes<M>::Part q, v;
+  };
+  Part end(std::size_t i, const typename Modes<M>::Part& q, const typename Modes<M>::Part& v, double a0, double a1) const noexcept {
+    return {qq_.part(i) * q + qv_.part(i) * v + (q0_.part(i) * a0 + q1_.part(i) * a1),
+            vq_.part(i) * q + vv_.part(i) * v + (v0_.part(i) * a0 + v1_.part(i) * a1)};
   }
 
  private:
   void end(const Polynomial& p, double& q, double& v) const noexcept {
-    q = p.value(h_);
-    v = p.slope().value(h_);
+    const Jet jet = p.at(h_);
+    q = jet.x, v = jet.v;
   }
 
   double h_;
@@ -50,21 +57,22 @@ class PartOfFlight {
 
   void begin(const ModalState<M>& x, const Ground& ground) noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i)
-      motion_terms(s_.k.part(i), s_.c.part(i), x.q.part(i), x.v.part(i), ground.at * s_.p.part(i), ground.slope * s_.p.part(i),
+      motion_terms(s_.order, s_.k.part(i), s_.c.part(i), x.q.part(i), x.v.part(i), ground.at * s_.p.part(i), ground.slope * s_.p.part(i),
                    [&](std::size_t term, const auto& pack) { terms_[term].part(i) = pack; });
   }
   /// The rest of a link's gap.
   Polynomial gap(std::size_t link, double whole) const noexcept {
-    Polynomial left;
-    for (std::size_t term = 0; term < terms_.size(); ++term) left.c[term] = -s_.closes(link, terms_[term]);
+    Polynomial left{.order = s_.order, .c = {}};
+    for (std::size_t term = 0; term <= static_cast<std::size_t>(s_.order); ++term) left.c[term] = -s_.closes(link, terms_[term]);
     left.c[0] += whole;
     return left;
   }
   /// The state after a time t.
   void end(double t, ModalState<M>& x) const noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i) {
-      auto q = terms_[taylor_order].part(i), v = taylor_order * q;
-      for (std::size_t term = taylor_order - 1; term > 0; --term) {
+      const auto last = static_cast<std::size_t>(s_.order);
+      auto q = terms_[last].part(i), v = static_cast<double>(last) * q;
+      for (std::size_t term = last - 1; term > 0; --term) {
         q = t * q + terms_[term].part(i);
         v = t * v + static_cast<double>(term) * terms_[term].part(i);
       }

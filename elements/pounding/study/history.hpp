@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -13,55 +12,16 @@
 #include <pounding/study/calibration.hpp>
 #include <pounding/study/contact_run.hpp>
 #include <pounding/study/flight.hpp>
+#include <pounding/study/ground_samples.hpp>
 
 namespace pounding::study {
-
-/// Two states that take turns. Little ones are copies, which have room in registers; others stay in the two homes.
-template <class State, bool little>
-class Turns {
- public:
-  Turns(State& home, State& other) noexcept : home_(home), other_(other) {
-    if constexpr (little) now_ = home_, next_ = other_;
-  }
-
-  auto& now() noexcept {
-    if constexpr (little) return now_;
-    else return *at_;
-  }
-  auto& next() noexcept {
-    if constexpr (little) return next_;
-    else return *to_;
-  }
-  void turn() noexcept {
-    if constexpr (little) now_ = next_;
-    else std::swap(at_, to_);
-  }
-  /// Calls see(now, next) with states that have addresses.
-  template <class See>
-  void show(const See& see) noexcept {
-    if constexpr (little) home_ = now_, other_ = next_, see(home_, other_);
-    else see(*at_, *to_);
-  }
-  /// The present state goes home.
-  void leave() noexcept {
-    if constexpr (little) home_ = now_;
-    else if (at_ != &home_) std::swap(home_, other_);
-  }
-
- private:
-  struct None {};
-  State &home_, &other_;
-  [[no_unique_address]] std::conditional_t<little, State, None> now_{}, next_{};
-  State *at_ = &home_, *to_ = &other_;
-};
 
 template <class Law, int M, int L>
 class History {
  public:
   History(const LinearModel& model, const EvenRecord& record, const Settings& settings)
-      : s_(model), record_(record), settings_(settings), outputs_(model, s_),
-        contact_(s_, links_, outputs_, settings), pieces_(pieces(model, record)), refined_(refined(record, pieces_)), ground_(pieces_ == 1 ? record.accelerations : refined_),
-        last_(static_cast<long>(ground_.size()) - 1), flight_(s_, record.step / static_cast<double>(pieces_)), part_(s_) {
+      : ground_(model, record), s_(model, taylor_order_for(ground_.reach())), record_(record), settings_(settings), outputs_(model, s_),
+        contact_(s_, links_, outputs_, settings), flight_(s_, ground_.step()), part_(s_) {
     links_.reserve(model.links.size());
     bool one_formula = true;
     for (const LinkModes& link : model.links)
@@ -83,7 +43,7 @@ class History {
     const auto intervals = static_cast<long>(std::ceil(whole / h * (1 - 1e-13)));
     const double rest = std::min(h, whole - h * static_cast<double>(intervals - 1));
     const long full = rest == h ? intervals : intervals - 1;
-    outputs_.start(x_, ground_in(0));
+    outputs_.start(x_, ground_.in(0));
     for (long n = 0; n < intervals; ++n) {
       if (!contact_.closed() && n < full) n = glide(n, full);
       if (n < intervals) go(n, n < full ? h : rest);
@@ -98,8 +58,6 @@ class History {
   }
 
  private:
-  static constexpr bool of_pair = M == 2 && L == 1;
-
   // An open link at one instant.
   struct Closing {
     double gap = 0, rate = 0;
@@ -108,67 +66,65 @@ class History {
       return !(later.gap > 0) || (gap > 0 ? may_dip(gap, rate, later.gap, later.rate, h) : !(rate < 0));
     }
   };
-  // Polynomials of the flight want omega h <= 1.
-  static int pieces(const LinearModel& model, const EvenRecord& record) {
-    double fastest = 0;
-    for (std::size_t j = 0; j < model.stiffness.size(); ++j)
-      fastest = std::max({fastest, std::sqrt(model.stiffness[j]), model.damping[j]});
-    return std::max(1, static_cast<int>(std::ceil(fastest * record.step)));
-  }
-
-  // Samples between which the record is straight, one at each end of an interval.
-  static std::vector<double> refined(const EvenRecord& record, long pieces) {
-    std::vector<double> all;
-    if (pieces == 1) return all;
-    const auto samples = record.accelerations;
-    all.reserve(samples.size() * static_cast<std::size_t>(pieces));
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
-      for (long part = 0; part < pieces; ++part)
-        all.push_back(samples[i] + (samples[i + 1] - samples[i]) * static_cast<double>(part) / static_cast<double>(pieces));
-    all.push_back(samples.back());
-    return all;
-  }
-  // Acceleration of the ground just before the beginning of an interval; after the record it is zero.
-  double before(long n) const noexcept { return n <= last_ ? record_.factor * ground_[static_cast<std::size_t>(n)] : 0; }
-  // The record jumps to zero at its end.
-  double after(long n) const noexcept { return n < last_ ? before(n) : 0; }
-  Ground ground_in(long n) const noexcept { return {after(n), (before(n + 1) - after(n)) / flight_.length()}; }
-
   Closing closing(std::size_t l, const ModalState<M>& x) const noexcept { return {links_[l].gap() - s_.closes(l, x.q), s_.closes(l, x.v)}; }
 
   // Whole intervals without contact, from number n to the first one in which a link may close, or to `end`.
   [[gnu::noinline]] long glide(long n, long end) noexcept {
+    if constexpr (M == 2 && L == 1)
+      if (outputs_.are_of_modes()) return glide_pair(n, end);
     const double h = flight_.length(), per_h = 1 / h;
-    Turns<ModalState<M>, of_pair> x(x_, next_);
-    Turns<Numbers<L, Closing>, of_pair> closings(now_, later_);
-    for (std::size_t l = 0; l < s_.links(); ++l) closings.now()[l] = closing(l, x.now());
-    double fastest = 0, a0 = after(n);
-    for (const Closing& link : closings.now()) fastest = std::max(fastest, std::abs(link.rate));
+    ModalState<M>*x = &x_, *next = &next_;
+    for (std::size_t l = 0; l < s_.links(); ++l) now_[l] = closing(l, *x);
+    double fastest = 0, a0 = ground_.after(n);
+    for (const Closing& link : now_) fastest = std::max(fastest, std::abs(link.rate));
     for (; n < end; ++n) {
-      const double a1 = before(n + 1);
-      flight_.advance(x.now(), a0, a1, x.next());
-      const auto &now = closings.now();
-      auto &later = closings.next();
+      const double a1 = ground_.before(n + 1);
+      flight_.advance(*x, a0, a1, *next);
       bool may_close = false;
       for (std::size_t l = 0; l < s_.links(); ++l) {
-        later[l] = closing(l, x.next());
-        may_close = may_close || now[l].may_close_before(later[l], h);
+        later_[l] = closing(l, *next);
+        may_close = may_close || now_[l].may_close_before(later_[l], h);
       }
       if (may_close) break;
-      for (std::size_t l = 0; l < s_.links(); ++l) fastest = std::max(fastest, std::abs(later[l].rate));
-      if (!outputs_.goes_on(x.now(), x.next())) x.show([&](const auto& begin, const auto& end_state) { outputs_.flown(begin, end_state, {a0, (a1 - a0) * per_h}, h); });
-      x.turn();
-      closings.turn();
-      a0 = n + 1 < last_ ? a1 : 0;
+      for (std::size_t l = 0; l < s_.links(); ++l) fastest = std::max(fastest, std::abs(later_[l].rate));
+      if (!outputs_.goes_on(*x, *next)) outputs_.flown(*x, *next, {a0, (a1 - a0) * per_h}, h);
+      std::swap(x, next);
+      std::swap(now_, later_);
+      a0 = ground_.after(n + 1);
     }
-    x.leave();
+    if (x != &x_) std::swap(x_, next_);
+    contact_.saw(fastest);
+    return n;
+  }
+  // As glide() with all numbers in registers, where nothing but displacements of modes is looked at.
+  long glide_pair(long n, long end) noexcept {
+    const double h = flight_.length(), per_h = 1 / h, gap = links_[0].gap();
+    const auto closing_by = s_.closing[0].part(0);
+    auto q = x_.q.part(0), v = x_.v.part(0);
+    Closing now = closing(0, x_);
+    double fastest = std::abs(now.rate), a0 = ground_.after(n);
+    for (; n < end; ++n) {
+      const double a1 = ground_.before(n + 1);
+      const auto next = flight_.end(0, q, v, a0, a1);
+      const Closing later{gap - sum(closing_by * next.q), sum(closing_by * next.v)};
+      if (now.may_close_before(later, h)) break;
+      fastest = std::max(fastest, std::abs(later.rate));
+      if (!(smallest(v * next.v) > 0)) {
+        x_.q.part(0) = q, x_.v.part(0) = v, next_.q.part(0) = next.q, next_.v.part(0) = next.v;
+        if (!outputs_.goes_on(x_, next_)) outputs_.flown(x_, next_, {a0, (a1 - a0) * per_h}, h);
+      }
+      q = next.q, v = next.v;
+      now = later;
+      a0 = ground_.after(n + 1);
+    }
+    x_.q.part(0) = q, x_.v.part(0) = v;
     contact_.saw(fastest);
     return n;
   }
 
   // An interval, or what the history still has of it, with its contacts.
   void go(long n, double length) {
-    const Ground ground = ground_in(n);
+    const Ground ground = ground_.in(n);
     contact_.begin_interval(flight_.length() * static_cast<double>(n));
     double t = 0;
     while (t < length) t = contact_.closed() ? contact_.press(ground, x_, t, length) : fly(ground, t, length);
@@ -199,16 +155,13 @@ class History {
     return t + until;
   }
 
+  const GroundSamples ground_;
   const Structures<M, L> s_;
   const EvenRecord record_;
   const Settings settings_;
   std::vector<LinkContact<Law>> links_;
   OutputPeaks<M, L> outputs_;
   ContactRun<Law, M, L> contact_;
-  const long pieces_;
-  const std::vector<double> refined_;
-  const std::span<const double> ground_;
-  const long last_;  // sample
   const Flight<M, L> flight_;
   PartOfFlight<M, L> part_;
   ModalState<M> x_, next_;

@@ -2,8 +2,8 @@
 /// Histories of linear structures that pound, thousands in a second: no allocation, no file and no PETSc in the loop.
 ///
 /// Between impacts the motion of every mode is exact, since the ground's acceleration is straight between samples; touches and peaks are located
-/// on its Taylor polynomial. In contact the modes are integrated by Dormand & Prince's pair 5(4) with the laws of pounding/laws, each step cut
-/// at samples and landed on the events of the contact. Where a law's force grows by a fraction of a power of d (Hertz: d^1.5), it is not smooth in time
+/// on its Taylor polynomial. So is the motion in contact by a law that is linear in each of its phases. With the other laws of pounding/laws the modes are
+/// integrated by Dormand & Prince's pair 5(4). Each step is cut at samples and landed on the events of the contact. Where a law's force grows by a fraction of a power of d (Hertz: d^1.5), it is not smooth in time
 /// after a touch; steps there go by s = (t - touch)^(1/p), in which it is, p = 2 or 4 by the law's own exponents.
 /// Dormand & Prince 1980, J. Comput. Appl. Math. 6:19.
 

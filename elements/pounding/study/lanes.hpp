@@ -73,6 +73,10 @@ inline double sum(const Pack<4>& x) noexcept { return sum(x.low + x.high); }
 inline double smallest(const Pack<2>& x) noexcept { return std::min(x.v[0], x.v[1]); }
 inline double smallest(const Pack<4>& x) noexcept { return std::min(smallest(x.low), smallest(x.high)); }
 
+inline Pack<4> four(double a, double b, double c, double d) noexcept {
+  return {Pack<2>{Pack<2>::Vector{a, b}}, Pack<2>{Pack<2>::Vector{c, d}}};
+}
+
 /// One number for each mode, in packs that end with zeros: M modes at most, or as many as there are where M is 0.
 template <int M>
 class Modes {

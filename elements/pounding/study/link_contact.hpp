@@ -59,6 +59,8 @@ class LinkContact {
   laws::Response force(double penetration, double rate) const noexcept {
     return pressed() ? law().contact(penetration, rate, state_.impact) : laws::Response{};
   }
+  /// Slopes of a linear law in the present phase.
+  laws::Response slopes() const noexcept { return law().contact(1, state_.phase == ContactPhase::approach ? 1 : -1, state_.impact); }
   /// The law's formula, whatever the phase.
   laws::Response uncut(double penetration, double rate) const noexcept { return law().contact(penetration, rate, state_.impact); }
   /// Force between bodies that have come slowly to this penetration [N].

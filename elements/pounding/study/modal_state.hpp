@@ -5,14 +5,16 @@
 
 #include <pounding/study/lanes.hpp>
 #include <pounding/study/linear_model.hpp>
+#include <pounding/study/taylor.hpp>
 
 namespace pounding::study {
 
 /// The modes and how the links close by them.
 template <int M, int L>
 struct Structures {
-  explicit Structures(const LinearModel& model)
-      : count(model.modes()), link_count(static_cast<int>(model.links.size())), k(count), c(count), p(count),
+  /// `order`: of the polynomials of its motion.
+  explicit Structures(const LinearModel& model, int order = taylor_order)
+      : count(model.modes()), link_count(static_cast<int>(model.links.size())), order(order), k(count), c(count), p(count),
         closing(numbers<L, Modes<M>>(link_count, k)) {
     for (std::size_t j = 0; j < model.stiffness.size(); ++j) k[j] = model.stiffness[j], c[j] = model.damping[j], p[j] = model.load[j];
     for (std::size_t l = 0; l < model.links.size(); ++l)
@@ -24,7 +26,7 @@ struct Structures {
   /// closing^T x of a link.
   double closes(std::size_t link, const Modes<M>& x) const noexcept { return dot(closing[link], x); }
 
-  int count, link_count;
+  int count, link_count, order;
   Modes<M> k, c, p;                 ///< stiffness, damping, load
   Numbers<L, Modes<M>> closing;     ///< B
 };

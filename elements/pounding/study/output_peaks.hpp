@@ -2,7 +2,10 @@
 /// Peaks of the outputs of a history: at turns, which are located, and at the ends of motions.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include <pounding/study/output_row.hpp>
@@ -20,6 +23,12 @@ class OutputPeaks {
       order_.push_back(output.kind == Output::Kind::acceleration);
     }
     for (std::size_t j = structures.modes(); j < beyond_.parts() * Modes<M>::width; ++j) beyond_[j] = 1;
+    for (const Row& row : displacements_) {
+      double square = 0;
+      for (std::size_t j = row.first(); j < row.last(); ++j)
+        if (const double r = row.factor(j); r != 0) square += r * r / structures.k[j];
+      energies_.push_back(square > 0 ? 1 / square : std::numeric_limits<double>::infinity());
+    }
     if (of_oscillators_) return;
     rates_.resize((displacements_.size() + 3) / 4);
     later_.resize(rates_.size());
@@ -39,10 +48,14 @@ class OutputPeaks {
     }
   }
 
+  /// Whether only displacements of single modes are asked for: nothing has to be looked at as long as no velocity of a mode changes its sign.
+  bool are_of_modes() const noexcept { return of_oscillators_ && accelerations_.empty(); }
+
   /// The history begins.
   void start(const ModalState<M>& x, const Ground& ground) noexcept {
     for (Row& row : displacements_) row.see(row.displacement(x.q));
-    if (!of_oscillators_) find_rates(x.v, rates_);
+    find_lowest();
+    energy_ = doubled_energy(x);
     resume(x, ground);
   }
   /// The motion goes on without contact from here.
@@ -54,13 +67,21 @@ class OutputPeaks {
     for (Row& row : displacements_) row.see(row.displacement(x.q));
   }
 
-  /// Whether nothing has to be looked at on the way from the last state to `end`: asked once for each of them.
+  /// Whether nothing has to be looked at on the way from the last state to `end`, at most an interval later: asked once for each of them.
   [[gnu::always_inline]] bool goes_on(const ModalState<M>& begin, const ModalState<M>& end) noexcept {
-    return !turns(begin.v, end.v) && accelerations_.empty();
+    if (of_oscillators_) {
+      calm_ = !modes_turn(begin.v, end.v) || stays_low(doubled_energy(begin), doubled_energy(end));
+    } else {
+      const double before = std::exchange(energy_, doubled_energy(end));
+      const bool low = stays_low(before, energy_);
+      calm_ = low || !rates_turn(begin.v, end.v);
+      later_is_last_ = !low;
+    }
+    return calm_ && accelerations_.empty();
   }
   /// An interval of length h without contact on which something has to be looked at.
   [[gnu::noinline]] void flown(const ModalState<M>& begin, const ModalState<M>& end, const Ground& ground, double h) noexcept {
-    for_turning(begin, end, h, [&](Row& row, double rate) { row.locate(s_, begin, ground, h, rate < 0); });
+    for_turning(begin, end, h, [&](Row& row, double later) { row.locate(s_, begin, ground, h, later); });
     for (Row& row : accelerations_) row.fly(s_, begin, end, ground, h);
   }
 
@@ -86,32 +107,53 @@ class OutputPeaks {
  private:
   using Row = OutputRow<M, L>;
 
-  // Whether the rate of a displacement changes its sign from one state to the next.
-  [[gnu::always_inline]] bool turns(const Modes<M>& v, const Modes<M>& later) noexcept {
-    if (!of_oscillators_) return rates_turn(later);
+  // Whether no displacement can get beyond its peak where it turns between two states: y = r^T q with r^T q + h/2 |r^T v| below the peak at both, see
+  // OutputRow::reaches(). Cauchy and Schwarz: (|r^T q| + h/2 |r^T v|)^2 <= sum r^2/k sum k (|q| + h/2 |v|)^2 <= sum r^2/k (1 + (omega h)^2/4) sum (k q^2 + v^2),
+  // and omega h is 1 at most.
+  bool stays_low(double before, double after) const noexcept { return 1.25 * std::max(before, after) < lowest_; }
+  double doubled_energy(const ModalState<M>& x) const noexcept {
+    auto all = s_.k.part(0) * x.q.part(0) * x.q.part(0) + x.v.part(0) * x.v.part(0);
+    for (std::size_t i = 1; i < s_.k.parts(); ++i) all += s_.k.part(i) * x.q.part(i) * x.q.part(i) + x.v.part(i) * x.v.part(i);
+    return sum(all);
+  }
+  // The smallest doubled energy at which a displacement may be at its peak.
+  void find_lowest() noexcept {
+    lowest_ = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < displacements_.size(); ++i)
+      if (const double peak = displacements_[i].peak(); std::isfinite(energies_[i])) lowest_ = std::min(lowest_, peak * peak * energies_[i]);
+  }
+
+  // Whether the velocity of a mode changes its sign.
+  [[gnu::always_inline]] bool modes_turn(const Modes<M>& v, const Modes<M>& later) const noexcept {
     double least = smallest(v.part(0) * later.part(0) + beyond_.part(0));
     for (std::size_t i = 1; i < v.parts(); ++i) least = std::min(least, smallest(v.part(i) * later.part(i) + beyond_.part(i)));
     return !(least > 0);
   }
-  [[gnu::noinline]] bool rates_turn(const Modes<M>& later) noexcept {
+  // Whether the rate of a displacement does.
+  [[gnu::noinline]] bool rates_turn(const Modes<M>& v, const Modes<M>& later) noexcept {
+    if (later_is_last_)
+      std::swap(rates_, later_);
+    else
+      find_rates(v, rates_);
     find_rates(later, later_);
     bool any = false;
     for (std::size_t i = 0; i < blocks_.size(); ++i) any |= !(smallest(rates_[i] * later_[i] + blocks_[i].empty) > 0);
-    std::swap(rates_, later_);
     return any;
   }
-  // Calls see(row, rate at the first state) where a displacement turns beyond its peak. A turn at the second state itself is seen here.
+  // Calls see(row, rate at the second state) where a displacement turns beyond its peak. A turn at the second state itself is seen here.
   template <class State, class See>
   void for_turning(const State& begin, const State& end, double h, const See& see) noexcept {
+    if (calm_) return;
     for (std::size_t i = 0; i < displacements_.size(); ++i) {
       Row& row = displacements_[i];
-      const double before = of_oscillators_ ? row.displacement(begin.v) : later_[i / 4].at(i % 4);
-      const double after = of_oscillators_ ? row.displacement(end.v) : rates_[i / 4].at(i % 4);
+      const double before = of_oscillators_ ? row.displacement(begin.v) : rates_[i / 4].at(i % 4);
+      const double after = of_oscillators_ ? row.displacement(end.v) : later_[i / 4].at(i % 4);
       if (before * after > 0) continue;
       const double y = row.displacement(begin.q), y_after = row.displacement(end.q);
-      if (row.reaches(y, before, y_after, after, h)) see(row, before);
+      if (row.reaches(y, before, y_after, after, h)) see(row, after);
       row.see(y_after);
     }
+    find_lowest();
   }
   void find_rates(const Modes<M>& v, std::vector<Pack<4>>& rates) const noexcept {
     Pack<4>* rate = rates.data();
@@ -136,6 +178,10 @@ class OutputPeaks {
   Modes<M> beyond_;              // 1 in places without a mode
   std::vector<Block> blocks_;
   std::vector<Pack<4>> columns_, rates_, later_;  // rates of the displacements by modes, and in two states
+  std::vector<double> energies_;  // the least doubled energy at a displacement of one
+  double lowest_ = 0, energy_ = 0;  // the latter of the last state
+  bool later_is_last_ = false;   // later_ are the rates of the last state
+  bool calm_ = false;            // no displacement is at a peak between the last two states
 };
 
 }  // namespace pounding::study

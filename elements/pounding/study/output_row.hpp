@@ -56,17 +56,17 @@ class OutputRow {
     const Quintic x({displacement(begin.q), displacement(begin.v), displacement(begin.a)}, {displacement(end.q), later, displacement(end.a)}, h);
     see(x.at(x.turn(later > 0)).x);
   }
-  /// Sees the turn between a state and another one, reached without contact after a time h.
-  void locate(const Structures<M, L>& s, const ModalState<M>& begin, const Ground& g, double h, bool rate_rises) noexcept {
-    Polynomial y;
+  /// Sees the turn between a state and another one, reached without contact after a time h, where the rate is `later`.
+  void locate(const Structures<M, L>& s, const ModalState<M>& begin, const Ground& g, double h, double later) noexcept {
+    Polynomial y{.order = s.order, .c = {}};
     for (std::size_t j = first_; j < last_; ++j) {
-      const Polynomial q = motion(s.k[j], s.c[j], begin.q[j], begin.v[j], s.p[j] * g.at, s.p[j] * g.slope);
+      const Polynomial q = motion(s.order, s.k[j], s.c[j], begin.q[j], begin.v[j], s.p[j] * g.at, s.p[j] * g.slope);
       y.add(by_q_[j], q);
       if (kind_ == Output::Kind::acceleration) y.add(by_v_[j], q.slope());
     }
     y.c[0] += by_ground_ * g.at, y.c[1] += by_ground_ * g.slope;
-    const Polynomial w = y.slope();
-    see(y.value(root_of(w, w.slope(), 0, h, rate_rises)));
+    // A peak is flat: half the digits of its place are enough.
+    see(y.at(turn_of(y, y.c[1], h, later, 1e-4)).x);
   }
 
   /// An acceleration without contact from here.
@@ -80,7 +80,7 @@ class OutputRow {
     const double y = value(end, ground(h)), w = rate(end, ground(h));
     // The ground's slope jumps at samples, and the rate with it.
     const double slope = rate_by_slope_ * ground.slope;
-    if (reaches(y_, w_ + slope, y, w + slope, h)) locate(s, begin, ground, h, w_ + slope < 0);
+    if (reaches(y_, w_ + slope, y, w + slope, h)) locate(s, begin, ground, h, w + slope);
     see(y);
     y_ = y, w_ = w;
   }

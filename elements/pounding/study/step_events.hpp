@@ -19,15 +19,11 @@ struct Found {
   double part = 2;  ///< of the step
 };
 
-/// Motion of a link over a step of length h [s].
-inline Quintic path(const LinkMoment& begin, const LinkMoment& end, double h) noexcept {
-  return Quintic({begin.d, begin.rate, begin.acceleration}, {end.d, end.rate, end.acceleration}, h);
-}
-
-/// Part of the step after which an open link touches; 2 for none.
-inline double touch_inside(const LinkMoment& b, const LinkMoment& e, double h) noexcept {
+/// Part of the step after which an open link touches; 2 for none. `path()` is the motion of the link over the step.
+template <class Path>
+double touch_inside(const LinkMoment& b, const LinkMoment& e, double h, const Path& path) noexcept {
   if (e.d < 0 && !may_dip(std::max(-b.d, 0.0), b.rate, -e.d, e.rate, h)) return 2;
-  const Quintic way = path(b, e, h);
+  const auto way = path();
   double low = 0, high = 1;
   if (e.d < 0) {
     high = way.turn(false);
@@ -53,24 +49,49 @@ Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m)
   }
 }
 
+/// Part of the step where a quantity is flat, from its slopes of opposite signs at both ends and a first guess, to a ten-thousandth: its error is the
+/// square of that. `slope(s)` is asked for at every guess.
+template <class Slope>
+double flat_part(double at_begin, double at_end, double s, const Slope& slope) noexcept {
+  double low = 0, high = 1, at_low = at_begin, at_high = at_end;
+  for (int i = 0; i < 8; ++i) {
+    const double at = slope(s);
+    if ((at > 0) == (at_begin > 0))
+      low = s, at_low = at;
+    else
+      high = s, at_high = at;
+    const double next = straight_root(low, at_low, high, at_high);
+    if (std::abs(next - s) < 1e-4) return s;
+    s = next;
+  }
+  return s;
+}
+
 /// Part of the step at which a closed link is farthest beyond an event whose margin is positive at both ends; 2 where it stays before it. Bodies may part
 /// and meet again within a step.
-template <class Law>
-double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h) noexcept {
+template <class Law, class Path>
+double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h, const Path& path) noexcept {
   if (event == LinkEvent::turn || std::isinf(link.margin(event, e.d, e.rate))) return 2;
   const double sign = event == LinkEvent::engage ? -1 : 1;
   const Graph first = way_to(link, event, b), last = way_to(link, event, e);
   if (!may_dip(sign * first.value, -sign * first.slope, sign * last.value, -sign * last.slope, h)) return 2;
-  const Quintic way = path(b, e, h);
-  const double bottom = event == LinkEvent::separation ? way.turn(true) : top_of_cubic(first.value, h * first.slope, last.value, h * last.slope);
+  const auto way = path();
+  const auto slope = [&](double s) {
+    const Jet jet = way.at(s);
+    const laws::Response f = link.uncut(jet.x, jet.v);
+    return f.by_penetration * jet.v + f.by_rate * jet.a;
+  };
+  const double bottom = event == LinkEvent::separation
+                            ? way.turn(true)
+                            : flat_part(first.slope, last.slope, top_of_cubic(first.value, h * first.slope, last.value, h * last.slope), slope);
   const Jet jet = way.at(bottom);
   return link.margin(event, jet.x, jet.v) < 0 ? bottom : 2;
 }
 
 /// Part of the step after which a closed link meets an event whose margin is negative at a later part.
-template <class Law>
-double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h, double later = 1) noexcept {
-  const Quintic way = path(b, e, h);
+template <class Law, class Path>
+double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, const Path& path, double later = 1) noexcept {
+  const auto way = path();
   const auto margin = [&](double s) {
     const Jet jet = way.at(s);
     return link.margin(event, jet.x, jet.v);
@@ -104,54 +125,45 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
 }
 
 /// The first event of a step from `begin` to `end`; none where the phases of all links last.
-template <class Law, int M, int L>
-Found first_event(const std::vector<LinkContact<Law>>& links, const Moment<M, L>& begin, const Moment<M, L>& end) noexcept {
+template <class Law, int M, int L, class Step>
+Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, const Moment<M, L>& begin, const Moment<M, L>& end) noexcept {
   static constexpr LinkEvent endings[] = {LinkEvent::turn, LinkEvent::release, LinkEvent::engage, LinkEvent::separation};
   const double h = end.time - begin.time;
   Found first;
   for (std::size_t l = 0; l < links.size(); ++l) {
     const LinkContact<Law>& link = links[l];
     const LinkMoment &b = begin.links[l], &e = end.links[l];
+    const auto path = [&] { return step.path(l, begin, end); };
     if (!link.closed()) {
-      if (const double part = touch_inside(b, e, h); part < first.part) first = {LinkEvent::touch, l, part};
+      if (const double part = touch_inside(b, e, h, path); part < first.part) first = {LinkEvent::touch, l, part};
       continue;
     }
     // A margin that is positive at the end has been negative only where it fell at the beginning and rises at the end.
     const bool may_part = b.rate < 0 && e.rate > 0, may_cross = !link.pressed() || (b.force_rate < 0 && e.force_rate > 0);
     if (!may_part && !may_cross && link.goes_on(e.d, e.rate, e.force.force)) continue;
     for (const LinkEvent event : endings) {
-      const double later = link.margin(event, e.d, e.rate) < 0 ? 1 : dip(link, event, b, e, h);
+      const double later = link.margin(event, e.d, e.rate) < 0 ? 1 : dip(link, event, b, e, h, path);
       if (later > 1) continue;
-      if (const double part = crossing(link, event, b, e, h, later); part < first.part) first = {event, l, part};
+      if (const double part = crossing(link, event, b, e, path, later); part < first.part) first = {event, l, part};
     }
   }
   return first;
 }
 
 /// Records the peak of a force that rises at the beginning of a step and falls at its end: where its slope is zero on the path of the link.
-template <class Law>
-void record_top(LinkContact<Law>& link, const LinkMoment& b, const LinkMoment& e, double h) noexcept {
+template <class Law, class Path>
+void record_top(LinkContact<Law>& link, const LinkMoment& b, const LinkMoment& e, double h, const Path& path) noexcept {
   const double p0 = h * b.force_rate, p1 = h * e.force_rate;
   // Tangents at both ends are above the force.
   const double part = (e.force.force - p1 - b.force.force) / (p0 - p1);
   if (b.force.force + p0 * std::clamp(part, 0.0, 1.0) <= link.peaks().peak_force) return;
-  const Quintic way = path(b, e, h);
-  double low = 0, high = 1, s = top_of_cubic(b.force.force, p0, e.force.force, p1);
-  double at_low = p0, at_high = p1;
-  for (int i = 0; i < 8; ++i) {
+  const auto way = path();
+  flat_part(p0, p1, top_of_cubic(b.force.force, p0, e.force.force, p1), [&](double s) {
     const Jet jet = way.at(s);
     const laws::Response f = link.force(jet.x, jet.v);
     link.record(f.force);
-    const double rises = h * (f.by_penetration * jet.v + f.by_rate * jet.a);
-    if (rises > 0)
-      low = s, at_low = rises;
-    else
-      high = s, at_high = rises;
-    // The force is flat there: its error is the square of what is left of the way.
-    const double next = low + (high - low) * at_low / (at_low - at_high);
-    if (std::abs(next - s) < 1e-4) return;
-    s = next;
-  }
+    return h * (f.by_penetration * jet.v + f.by_rate * jet.a);
+  });
 }
 
 }  // namespace pounding::study

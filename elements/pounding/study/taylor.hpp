@@ -6,11 +6,19 @@
 #include <cstddef>
 
 #include <pounding/core/bracketed_root.hpp>
+#include <pounding/core/quintic.hpp>
 
 namespace pounding::study {
 
 /// Terms up to t^14: pieces with omega t <= 1 and 2 zeta omega t <= 1 are right to 1e-12.
 inline constexpr int taylor_order = 14;
+
+/// Terms that are enough for the same error of shorter pieces; `reach` is the larger one of omega t and 2 zeta omega t.
+constexpr int taylor_order_for(double reach) noexcept {
+  int order = 4;
+  for (double left = reach * reach * reach * reach * reach / 120; order < taylor_order && left > 1e-12; ++order) left *= reach / (order + 2);
+  return order;
+}
 
 /// 1/((i + 1)(i + 2)).
 inline constexpr std::array<double, taylor_order - 1> taylor_shares = [] {
@@ -19,33 +27,38 @@ inline constexpr std::array<double, taylor_order - 1> taylor_shares = [] {
   return shares;
 }();
 
-/// sum of c[i] t^i.
+/// sum of c[i] t^i, with terms up to t^order.
 struct Polynomial {
+  int order = taylor_order;
   std::array<double, taylor_order + 1> c{};
 
-  double value(double t) const noexcept {
-    double sum = c[taylor_order];
-    for (int i = taylor_order - 1; i >= 0; --i) sum = sum * t + c[static_cast<std::size_t>(i)];
-    return sum;
+  /// With its first two derivatives.
+  Jet at(double t) const noexcept {
+    double x = c[static_cast<std::size_t>(order)], v = 0, half_a = 0;
+    for (int i = order - 1; i >= 0; --i) {
+      half_a = half_a * t + v;
+      v = v * t + x;
+      x = x * t + c[static_cast<std::size_t>(i)];
+    }
+    return {x, v, 2 * half_a};
   }
-  /// d/dt.
   Polynomial slope() const noexcept {
-    Polynomial s;
-    for (std::size_t i = 1; i < c.size(); ++i) s.c[i - 1] = static_cast<double>(i) * c[i];
+    Polynomial s{.order = order, .c = {}};
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(order); ++i) s.c[i - 1] = static_cast<double>(i) * c[i];
     return s;
   }
   void add(double factor, const Polynomial& other) noexcept {
-    for (std::size_t i = 0; i < c.size(); ++i) c[i] += factor * other.c[i];
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(order); ++i) c[i] += factor * other.c[i];
   }
 };
 
 /// Calls keep(i, c_i) with the terms of q'' + damping q' + stiffness q = -(forcing + forcing_slope t), from q and v at t = 0; a number each, or a pack.
 template <class Number, class Keep>
-void motion_terms(const Number& stiffness, const Number& damping, const Number& q, const Number& v, const Number& forcing, const Number& forcing_slope,
-                  const Keep& keep) noexcept {
+void motion_terms(int order, const Number& stiffness, const Number& damping, const Number& q, const Number& v, const Number& forcing,
+                  const Number& forcing_slope, const Keep& keep) noexcept {
   Number low = q, high = v;
   keep(0, low), keep(1, high);
-  for (std::size_t i = 0; i + 1 < taylor_order; ++i) {
+  for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(order); ++i) {
     Number pull = damping * (static_cast<double>(i + 1) * high) + stiffness * low;
     if (i == 0) pull += forcing;
     if (i == 1) pull += forcing_slope;
@@ -56,38 +69,58 @@ void motion_terms(const Number& stiffness, const Number& damping, const Number& 
 }
 
 /// The motion of one mode.
-inline Polynomial motion(double stiffness, double damping, double q, double v, double forcing, double forcing_slope) noexcept {
-  Polynomial x;
-  motion_terms(stiffness, damping, q, v, forcing, forcing_slope, [&](std::size_t i, double term) { x.c[i] = term; });
+inline Polynomial motion(int order, double stiffness, double damping, double q, double v, double forcing, double forcing_slope) noexcept {
+  Polynomial x{.order = order, .c = {}};
+  motion_terms(order, stiffness, damping, q, v, forcing, forcing_slope, [&](std::size_t i, double term) { x.c[i] = term; });
   return x;
 }
 
-/// A root of p between low and high; `s` is its slope.
-inline double root_of(const Polynomial& p, const Polynomial& s, double low, double high, bool rises) noexcept {
-  return bracketed_root([&](double t) { return Graph{p.value(t), s.value(t)}; }, low, high, rises);
+/// Between values of opposite sign: where the straight line through them is zero.
+constexpr double straight_root(double low, double at_low, double high, double at_high) noexcept {
+  return low + (high - low) * at_low / (at_low - at_high);
+}
+
+/// Where p is zero between low and high, by a first guess. Newton's method doubles the digits of a guess: the last one has all of them.
+inline double root_of(const Polynomial& p, double low, double high, bool rises, double start) noexcept {
+  return bracketed_root(
+      [&](double t) {
+        const Jet j = p.at(t);
+        return Graph{j.x, j.v};
+      },
+      low, high, rises, start, 1e-9);
+}
+/// Where p turns between 0 and high, from its slopes there; a turn that is `enough` of its own time away will do.
+inline double turn_of(const Polynomial& p, double at_zero, double high, double at_high, double enough = 1e-9) noexcept {
+  return bracketed_root(
+      [&](double t) {
+        const Jet j = p.at(t);
+        return Graph{j.v, j.a};
+      },
+      0, high, at_high > 0, at_zero == 0 ? 0.5 * high : straight_root(0, at_zero, high, at_high), enough);
 }
 
 /// First time in [0, end] at which a gap closes, negative for none. A gap of zero at the start that opens is not closed yet. At most one turn of the gap is
 /// looked for.
 inline double first_closing(const Polynomial& gap, double end) noexcept {
-  const Polynomial rate = gap.slope();
-  const double at_end = gap.value(end), out = rate.value(end);
-  double low = 0;
+  const Jet last = gap.at(end);
+  const auto touch = [&](double low, double at_low, double high, double at_high) {
+    return root_of(gap, low, high, false, straight_root(low, at_low, high, at_high));
+  };
   bool opens = gap.c[1] > 0;
   if (gap.c[1] == 0 || (gap.c[0] <= 0 && !opens)) {
-    opens = gap.value(1e-3 * end) > gap.c[0];
+    opens = gap.at(1e-3 * end).x > gap.c[0];
     if (gap.c[0] <= 0 && !opens) return 0;
   }
   if (opens) {
-    if (out >= 0) return at_end > 0 || gap.c[0] <= 0 ? -1 : root_of(gap, rate, 0, end, false);
-    low = root_of(rate, rate.slope(), 0, end, false);
-    if (gap.value(low) <= 0) return low;
-    return at_end > 0 ? -1 : root_of(gap, rate, low, end, false);
+    if (last.v >= 0) return last.x > 0 || gap.c[0] <= 0 ? -1 : root_of(gap, 0, end, false, 0.5 * end);
+    const double turn = turn_of(gap, gap.c[1] > 0 ? gap.c[1] : 0, end, last.v), widest = gap.at(turn).x;
+    if (widest <= 0) return turn;
+    return last.x > 0 ? -1 : touch(turn, widest, end, last.x);
   }
-  if (at_end <= 0) return root_of(gap, rate, 0, end, false);
-  if (out <= 0) return -1;
-  const double turn = root_of(rate, rate.slope(), 0, end, true);
-  return gap.value(turn) > 0 ? -1 : root_of(gap, rate, 0, turn, false);
+  if (last.x <= 0) return touch(0, gap.c[0], end, last.x);
+  if (last.v <= 0) return -1;
+  const double turn = turn_of(gap, gap.c[1], end, last.v), least = gap.at(turn).x;
+  return least > 0 ? -1 : touch(0, gap.c[0], turn, least);
 }
 
 }  // namespace pounding::study

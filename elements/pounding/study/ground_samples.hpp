@@ -1,0 +1,66 @@
+#pragma once
+/// The ground's acceleration as a history wants it: straight in intervals that are short beside the motion of every mode.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <pounding/study/kernel.hpp>
+#include <pounding/study/modal_state.hpp>
+
+namespace pounding::study {
+
+class GroundSamples {
+ public:
+  GroundSamples(const LinearModel& model, const EvenRecord& record)
+      : factor_(record.factor), pieces_(pieces(model, record)), step_(record.step / static_cast<double>(pieces_)),
+        reach_(fastest(model) * step_), refined_(refined(record, pieces_)), samples_(pieces_ == 1 ? record.accelerations : refined_),
+        last_(static_cast<long>(samples_.size()) - 1) {}
+  // It points at its own samples.
+  GroundSamples(const GroundSamples&) = delete;
+  GroundSamples& operator=(const GroundSamples&) = delete;
+
+  /// Length of an interval [s].
+  double step() const noexcept { return step_; }
+  /// The largest omega h or 2 zeta omega h of an interval, at most 1.
+  double reach() const noexcept { return reach_; }
+  /// Just before the beginning of interval n; after the record it is zero.
+  double before(long n) const noexcept { return n <= last_ ? factor_ * samples_[static_cast<std::size_t>(n)] : 0; }
+  /// Just after it: the record jumps to zero at its end.
+  double after(long n) const noexcept { return n < last_ ? before(n) : 0; }
+  /// In interval n.
+  Ground in(long n) const noexcept { return {after(n), (before(n + 1) - after(n)) / step_}; }
+
+ private:
+  static double fastest(const LinearModel& model) {
+    double rate = 0;
+    for (std::size_t j = 0; j < model.stiffness.size(); ++j) rate = std::max({rate, std::sqrt(model.stiffness[j]), model.damping[j]});
+    return rate;
+  }
+  static long pieces(const LinearModel& model, const EvenRecord& record) {
+    return std::max(1L, static_cast<long>(std::ceil(fastest(model) * record.step)));
+  }
+  // Samples between which the record is straight, one at each end of an interval.
+  static std::vector<double> refined(const EvenRecord& record, long pieces) {
+    std::vector<double> all;
+    if (pieces == 1) return all;
+    const auto samples = record.accelerations;
+    all.reserve(samples.size() * static_cast<std::size_t>(pieces));
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+      for (long part = 0; part < pieces; ++part)
+        all.push_back(samples[i] + (samples[i + 1] - samples[i]) * static_cast<double>(part) / static_cast<double>(pieces));
+    all.push_back(samples.back());
+    return all;
+  }
+
+  double factor_;
+  long pieces_;
+  double step_, reach_;
+  std::vector<double> refined_;
+  std::span<const double> samples_;
+  long last_;
+};
+
+}  // namespace pounding::study
