@@ -67,6 +67,13 @@ def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
     return np.asarray(heights, float), known
 
 
+def storey_heights(structure: Structure) -> np.ndarray:
+    """[floor]: heights of the storeys below the floors [m], the lowest one from the lowest node of the structure, or from zero."""
+    heights, _ = floor_heights(structure)
+    ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else min(0.0, heights[0])
+    return np.diff(heights, prepend=ground)
+
+
 def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
     """[time, node, 3]: displacements of the nodes of the line model relative to the ground [m].
 
