@@ -13,7 +13,8 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from pounding.pictures.comparison import require_comparison
-from pounding.pictures.geometry import storey_heights
+from pounding.pictures.drawing import are_many
+from pounding.pictures.geometry import outline, storey_heights
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import FORCE_UNITS, IMPULSE_UNITS, NARROW, STYLE, BadRequest, Picture, engineering, head
 from pounding.results import RunData, Structure
@@ -69,7 +70,7 @@ def plan_figure(run: RunData, title: str | None = None, size: tuple[float, float
                 _draw_structure(axes, name, scene.at_rest(name)[:, :2], values[name], norm, points)
             if number == 0:
                 for contact in sorted(found, key=lambda one: one.strength):
-                    _draw_contact(axes, contact, contact.strength / unit, force_norm)
+                    _draw_contact(axes, contact, contact.strength / unit, force_norm, 0.6 if are_many(scene) else 1.0)
             if len(runs) > 1:
                 axes.set_title(f"({'ab'[number]}) {('With its neighbours', 'Each alone')[number]}")
             _frame(axes, scene, first_column=columns == 1 or number == 0, last_row=rows == 1 or number == len(runs) - 1)
@@ -119,23 +120,6 @@ def _is_rigid(run: RunData) -> bool:
     return bool(run.impacts.size) and not np.isfinite(run.impacts["peak_force"]).any()
 
 
-def outline(points: np.ndarray) -> np.ndarray:
-    """[corner, 2]: the convex outline of points [n, 2] in plan, counter-clockwise."""
-    ordered = sorted(set(map(tuple, np.round(points, 6))))
-    if len(ordered) < 3:
-        return np.array(ordered)
-
-    def half(way: list[tuple[float, ...]]) -> list[tuple[float, ...]]:
-        kept: list[tuple[float, ...]] = []
-        for x, y in way:
-            while len(kept) > 1 and (kept[-1][0] - kept[-2][0]) * (y - kept[-2][1]) <= (kept[-1][1] - kept[-2][1]) * (x - kept[-2][0]):
-                kept.pop()
-            kept.append((x, y))
-        return kept[:-1]
-
-    return np.array(half(ordered) + half(ordered[::-1]))
-
-
 def _draw_structure(axes: Axes, name: str, points: np.ndarray, drift: float, norm: Normalize, points_of_metre: float) -> None:
     corners = outline(points)
     colour = DRIFTS(norm(drift))
@@ -143,7 +127,7 @@ def _draw_structure(axes: Axes, name: str, points: np.ndarray, drift: float, nor
     (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)
     room = points_of_metre * np.array([x1 - x0, y1 - y0])
     ink = "white" if norm(drift) > 0.65 else "black"
-    value = f"{drift:.2f}"
+    value = f"{drift:.{_decimals(norm)}f}"
     size = min(LARGEST, 0.9 * room[0] / (LETTER * len(value)), 0.8 * room[1])
     if size < SMALLEST:
         return
@@ -157,14 +141,20 @@ def _draw_structure(axes: Axes, name: str, points: np.ndarray, drift: float, nor
                       fontweight="bold", zorder=5)
 
 
-def _draw_contact(axes: Axes, contact: Contact, strength: float, norm: Normalize) -> None:
+def _decimals(norm: Normalize) -> int:
+    """Decimals with which the largest drift has two digits at least."""
+    largest = float(norm.vmax or 1.0)
+    return int(np.clip(1 - np.floor(np.log10(largest)), 1, 5)) if largest > 0 else 1
+
+
+def _draw_contact(axes: Axes, contact: Contact, strength: float, norm: Normalize, scale: float) -> None:
     """A bar in the gap; in front of softer ones, which come first."""
     if contact.impacts == 0:
-        axes.plot(*contact.ends.T, color="0.45", linewidth=1.0, linestyle=(0, (2, 1.5)), zorder=3)
+        axes.plot(*contact.ends.T, color="0.45", linewidth=scale, linestyle=(0, (2, 1.5)), zorder=3)
         return
     shorter = contact.ends.mean(axis=0) + 0.92 * (contact.ends - contact.ends.mean(axis=0))
     for colour, width, order in (("black", 4.0, 3.4), (FORCES(norm(strength)), 2.8, 3.5)):
-        axes.plot(*shorter.T, color=colour, linewidth=width, solid_capstyle="round", zorder=order)
+        axes.plot(*shorter.T, color=colour, linewidth=scale * width, solid_capstyle="round", zorder=order)
 
 
 def _frame(axes: Axes, scene: Scene, first_column: bool, last_row: bool) -> None:
@@ -181,4 +171,4 @@ def _frame(axes: Axes, scene: Scene, first_column: bool, last_row: bool) -> None
 def _size(width: float, depth: float, rows: int, columns: int) -> tuple[float, float]:
     """Width and height of the figure [in]: those of the plan in proportion, within a page."""
     panel = 5.6 / columns
-    return 7.5, float(np.clip(rows * panel * depth / max(width, 1e-9) + 0.9, 2.6, 8.5))
+    return 7.5, float(np.clip(rows * panel * depth / max(width, 1e-9) + 1.25, 3.0, 8.5))
