@@ -60,7 +60,8 @@ def row(structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Seq
     place = [_metres(value, "start") for value in start]
     if any(one < 0 for one in gaps):
         raise InputError("gap: takes distances of at least 0; frames that overlap cannot be linked")
-    placed = copy.deepcopy(dict(structures))
+    # One by one: the same words may stand under several names.
+    placed = {name: copy.deepcopy(words) for name, words in structures.items()}
     for name, following in zip(placed, [*gaps, 0.0]):
         frame = _frame(name, placed[name])
         is_plane = not _is_spatial(frame)

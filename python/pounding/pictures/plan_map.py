@@ -4,6 +4,7 @@ the structures by themselves."""
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib import colormaps, rc_context
@@ -74,7 +75,7 @@ def plan_figure(run: RunData, title: str | None = None, size: tuple[float, float
             if len(runs) > 1:
                 axes.set_title(f"({'ab'[number]}) {('With its neighbours', 'Each alone')[number]}")
             _frame(axes, scene, first_column=columns == 1 or number == 0, last_row=rows == 1 or number == len(runs) - 1)
-        horizontal = {"location": "bottom", "shrink": 0.6, "aspect": 30, "pad": 0.02} if size is not None and size[0] < NARROW else {
+        horizontal: dict[str, Any] = {"location": "bottom", "shrink": 0.6, "aspect": 30, "pad": 0.02} if size is not None and size[0] < NARROW else {
             "location": "right", "shrink": 0.75, "aspect": 24, "pad": 0.02}
         figure.colorbar(ScalarMappable(norm, DRIFTS), ax=list(panels), label="Largest storey drift [% of height]", **horizontal)
         if hardest > 0:
