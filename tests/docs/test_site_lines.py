@@ -33,7 +33,7 @@ compare: no_pounding
 YIELDS = STAND_IN.replace("stiffness: 90 MN/m", "stiffness: 90 MN/m, yield_force: 0.5 MN, hardening: 5 %")
 #: Commands that need a Python, a host or a folder of their own, and the test that runs them.
 ELSEWHERE = {"cmake": "program.cpp_lessons and program.hosts", "cc": "program.hosts", "build-lesson/": "program.cpp_lessons",
-             "build/": "program.hosts", "./": "program.hosts", "env/bin/python3": "program.hosts", "python3": "install.wheel"}
+             "build/": "program.hosts", "./": "program.hosts", "env/bin/python3": "program.hosts", "python3": "install.wheel, python.plan"}
 
 
 def indented_lines(page):
