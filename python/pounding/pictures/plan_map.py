@@ -30,7 +30,7 @@ LETTER = 0.62
 
 @dataclass(frozen=True)
 class Contact:
-    """What neighbours share in plan."""
+    """Where two neighbours can touch, in plan."""
 
     ends: np.ndarray  #: [2, 2]: the two outermost points of contact, in the middle of the gap [m]
     strength: float  #: of the hardest impact at any height [N], or [N s] where all are rigid; 0 for none
@@ -95,7 +95,7 @@ def largest_drift(run: RunData, structure: Structure) -> float:
 
 
 def contacts(run: RunData) -> list[Contact]:
-    """Of every pair of structures that links join: in plan, whatever the floor."""
+    """One contact for every pair of structures that links join, whatever the floor."""
     hardest: dict[str, float] = {}
     counts: dict[str, int] = {}
     strength = run.impacts["impulse" if _is_rigid(run) else "peak_force"] if run.impacts.size else np.empty(0)
