@@ -17,6 +17,7 @@
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/model/modes.hpp>
+#include <pounding/model/neighbours.hpp>
 #include <pounding/model/plausible.hpp>
 #include <pounding/model/pushover.hpp>
 #include <pounding/structures/bilinear_spring.hpp>

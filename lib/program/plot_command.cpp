@@ -91,11 +91,12 @@ void add_plot(CLI::App& app) {
                                    "RESULTS-model.png ...)"));
   command->add_option("--title", options->title, "title instead of that of the run");
   command->add_option("--picture", options->kind,
-                      "run (histories and impacts), model (the structures at rest), profiles (extremes over the height), loops (force over deformation "
-                      "of the six parts that yield most) or hinges (a map of what yielded, and the impacts)")
-      ->check(CLI::IsMember({"run", "model", "profiles", "loops", "hinges"}));
+                      "run (histories and impacts), model (the structures at rest), profiles (extremes over the height), plan (a map of drifts and impacts "
+                      "of frames in space), loops (force over deformation of the six parts that yield most) or hinges (a map of what yielded, and the "
+                      "impacts)")
+      ->check(CLI::IsMember({"run", "model", "profiles", "plan", "loops", "hinges"}));
   command->add_option("--floors", options->floors, "of whose displacements `--picture run` shows, as in A.3,B.2");
-  command->add_flag("--compare", options->compare, "also draw the run without links, dashed; profiles do so whenever it is there");
+  command->add_flag("--compare", options->compare, "also draw the run without links, dashed; profiles and plan do so whenever it is there");
   command->callback([options] {
     std::vector<std::string> words;
     if (!options->picture.empty()) words = {"-o", options->picture};

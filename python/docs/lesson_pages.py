@@ -12,8 +12,9 @@ PAGE = re.compile(r"examples/(\d\d_\w+|demo)/README")
 #: The block of commands, indented as on GitHub.
 COMMANDS = re.compile(r"(?m)^    \S.*\n(?:    .*\n)*")
 MODEL = re.compile(r"pounding run examples/\w+/([\w.]+)")
-LANGUAGES = {".yaml": "yaml", ".hpp": "cpp", ".cpp": "cpp"}
-NAMES = {"run": "histories and impacts", "profiles": "extreme values over the height", "model": "the structures at rest"}
+LANGUAGES = {".yaml": "yaml", ".hpp": "cpp", ".cpp": "cpp", ".py": "python"}
+NAMES = {"run": "histories and impacts", "profiles": "extreme values over the height", "model": "the structures at rest",
+         "plan": "drifts and impacts in plan"}
 DOTS_PER_INCH = 128  #: 960 of them make the width of a page
 
 

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from pounding import contact as contact
     from pounding import models as models
     from pounding import opensees as opensees
+    from pounding import plan as plan
     from pounding import results as results
     from pounding._modes import Mode, Modes, modes
     from pounding._pushover import pushover
@@ -49,7 +50,7 @@ __all__ = ["AccuracyWarning", "FreeImpact", "ImplausibleWarning", "InputError", 
            "modes", "pushover", "read", "read_pushover", "record", "record_spectrum", "resume", "run", "study", "sweep"]
 
 #: Modules that are public themselves: `pounding.opensees.link`.
-_PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "results")
+_PUBLIC_MODULES = ("animation", "contact", "models", "opensees", "plan", "results")
 #: The module of every other public name.
 _MODULES = {
     "_modes": ("Mode", "Modes", "modes"),

@@ -31,7 +31,7 @@ from PIL import Image
 from pounding import told
 from pounding.checked_file import NotResults
 from pounding.outputs import cannot_read, output_for, tell
-from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, hide_x, label_axes
+from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, hide_x, label_axes
 from pounding.pictures.panels import legend_below
 from pounding.results import RunData
 from pounding.pictures.scene import Motion, Scene
@@ -151,7 +151,8 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
         if not scene.has_places or scale != 1:
             # Gaps are enlarged, so that coordinates across them would be wrong.
             hide_x(axes)
-        legend_below(figure, list(drawing.lines.values()), list(drawing.lines), 5)
+        if not are_many(scene):
+            legend_below(figure, list(drawing.lines.values()), list(drawing.lines), 5)
         head(figure, run.title if title is None else title)
         clock = axes.set_title("", fontweight="normal")
         gaps = f"displacements{' and gaps' if run.links else ''} {scale:g} times as large"

@@ -20,6 +20,7 @@ from pounding.pictures.histories import draw_balance_error, draw_energies, draw_
 from pounding.pictures.loops import draw_loops, draw_restitution, draw_strongest_loop
 from pounding.pictures.model_picture import model_figure
 from pounding.pictures.panels import label_time
+from pounding.pictures.plan_map import plan_figure
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
 from pounding.pictures.spring_loops import loops_figure
@@ -29,8 +30,10 @@ from pounding.results import RunData
 
 __all__ = ["draw_balance_error", "draw_displacements", "draw_energies", "draw_forces", "draw_ground", "draw_loops",
            "draw_openings", "draw_restitution", "draw_strongest_loop", "hinges_figure", "label_time", "loops_figure", "main", "model_figure",
-           "profiles_figure", "standard_figure"]
+           "plan_figure", "profiles_figure", "standard_figure"]
 
+#: Pictures that show the run without links wherever it is there.
+BESIDE = {"profiles": profiles_figure, "plan": plan_figure}
 #: Pictures of what yields, and what the run without links has none of.
 YIELDING = {"loops": (loops_figure, "a picture of loops"), "hinges": (hinges_figure, "a map")}
 
@@ -57,8 +60,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("-o", "--output", help="picture to write: .png, .pdf or .svg (default: RESULTS.png in the current "
                                                "folder; of the other pictures RESULTS-model.png ...)")
     parser.add_argument("--title", help="title instead of that of the run")
-    parser.add_argument("--picture", choices=("run", "model", "profiles", "loops", "hinges"), default="run",
-                        help="the standard picture, the structures at rest, extreme values over the height, the loops or the map of what yields")
+    parser.add_argument("--picture", choices=("run", "model", "profiles", "plan", "loops", "hinges"), default="run",
+                        help="the standard picture, the structures at rest, extreme values over the height, a map of drifts and impacts in plan, "
+                             "the loops or the map of what yields")
     parser.add_argument("--floors", type=_floor_choice, help="of whose displacements the standard picture shows: A.3,B.2")
     parser.add_argument("--compare", action="store_true", help="also draw the run without links, dashed")
     options = parser.parse_args(arguments)
@@ -72,8 +76,8 @@ def main(arguments: list[str] | None = None) -> int:
             return write_picture(_pushover(options), output_for(options.results, options.output, ".png"))
         if options.picture == "run":
             figure = standard_figure(run, options.title, options.floors, compare=options.compare)
-        elif options.picture == "profiles":
-            figure = profiles_figure(run, options.title, compare=options.compare or None)
+        elif options.picture in BESIDE:
+            figure = BESIDE[options.picture](run, options.title, compare=options.compare or None)
         elif options.picture in YIELDING:
             draw, name = YIELDING[options.picture]
             if options.compare:

@@ -60,13 +60,13 @@ class Run(RunData):
     def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None, *,
              compare: bool | None = None) -> Figure:
         """A picture: "run" (histories and impacts), "displacement", "gap", "force", "loops", "energy", "model" (the
-        structures at rest), "profiles" (extreme values over the height), "springs" (loops of the six parts that lose most energy) or
-        "hinges" (a map of what yielded).
+        structures at rest), "profiles" (extreme values over the height), "plan" (a map of drifts and impacts of frames in space), "springs" (loops of
+        the six parts that lose most energy) or "hinges" (a map of what yielded).
 
         `title` stands instead of that of the run; "" leaves out all titles, for a picture with a caption. `size` is width and
         height [in]: (3.3, 2.4) fits a column of a paper, with type of 8 points. A notebook shows the picture; save it with
-        `.savefig("NAME.pdf")`. `compare` also draws the run without links, dashed, which `compare: no_pounding` keeps; profiles do so
-        whenever it is there, unless it is False. Raises InputError for another name, ImportError without matplotlib."""
+        `.savefig("NAME.pdf")`. `compare` also draws the run without links, dashed, which `compare: no_pounding` keeps; profiles and
+        plan do so whenever it is there, unless it is False. Raises InputError for another name, ImportError without matplotlib."""
         return _needing("matplotlib", "pounding.pictures.figures").figure(self, picture, title, size, compare)
 
     def spectrum(self, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *,

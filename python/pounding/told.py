@@ -119,8 +119,11 @@ def model(one: Any) -> list[str]:
     def kind(words: Any) -> str:
         return next((str(word) for word in words), "") if isinstance(words, dict) else ""
 
+    def ends(between: Any) -> str:
+        return between if isinstance(between, str) else " - ".join(map(str, between))
+
     structures = one.structures or {}
-    links = (f"{' - '.join(map(str, words.get('between', [])))} ({words.get('law', 'no law')}, gap {words.get('gap', 'not given')})"
+    links = (f"{ends(words.get('between', []))} ({words.get('law', 'no law')}, gap {words.get('gap', 'not given')})"
              for words in one.links or ())
     return [f'"{one.title or ""}": {counted(len(structures), "structure")}, {counted(len(one.links or ()), "link")}, '
             f"ground motion {kind(one.ground_motion) or 'none'}",

@@ -272,6 +272,7 @@ inline const std::map<std::string, Keys> beside_word = {
     {"sections.shear_area_y", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
     {"sections.shear_area_z", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
     {"sections.area", {{"inertia_y", "2.1e-3 m^4"}}},
+    {"links.within", {{"between", "neighbours"}}},
     {"links.sliding_velocity", {{"friction", "0.3"}}},
     {"links.preload", {{"gap", "-2 mm"}, {"law", "hertz"}, {"restitution", ""}}},
     {"ties.rigid", {{"master", "b"}, {"nodes", "[c]"}}},

@@ -207,6 +207,30 @@ TEST(ModelByCode, OfRigidFloorsInSpaceIsThatOfTheInput) {
             std::move(model));
 }
 
+TEST(ModelByCode, LinksNeighboursAsTheInputDoes) {
+  GridFrame grid{.storeys = 2, .bays_x = 1, .bays_y = 1, .storey_height = {3.2, 3.0}, .bay_width_x = {6.0}, .bay_width_y = {5.0},
+                 .column = rectangle_section(0.4, 0.4), .beam = rectangle_section(0.3, 0.5), .material = concrete,
+                 .floor_mass = {60e3, 50e3}, .rigid_floors = true};
+  Model model;
+  model.add("corner", make_structure(grid), {.damping = 0.05, .initial_velocity = 0.5});
+  grid.origin = {6.01, 0, 0};
+  model.add("south", make_structure(grid), {.damping = 0.05});
+  grid.origin = {0, 5.02, 0};
+  model.add("west", make_structure(grid), {.damping = 0.05});
+  link_neighbours(model, {.points = 2}, laws::ModifiedKelvin{.stiffness = 9.35e7, .restitution = 0.6});
+  EXPECT_EQ(model.links.size(), 8u);
+  model.analysis.duration = 0.3;
+  const std::string body = "grid: {storeys: 2, bays: [1, 1], storey_height: [3.2, 3], bay_width: {x: 6, y: 5}, columns: {rectangle: [0.4, 0.4]},\n"
+                           "    beams: {rectangle: [0.3, 0.5]}, floor_mass: [60 t, 50 t]}}, damping: 5 %";
+  expect_as("structures:\n"
+            "  corner: {frame: {material: {E: 30 GPa}, " + body + ", initial_velocity: 0.5}\n"
+            "  south: {frame: {material: {E: 30 GPa}, origin: [6.01, 0], " + body + "}\n"
+            "  west: {frame: {material: {E: 30 GPa}, origin: [0, 5.02], " + body + "}\n"
+            "links: [{between: neighbours, points: 2, law: modified_kelvin, stiffness: 9.35e7, restitution: 0.6}]\n"
+            "analysis: {duration: 0.3}\n",
+            std::move(model));
+}
+
 TEST(ModelByCode, OfAFrameByItsNodesIsThatOfTheInput) {
   FrameModel portal{.frame = Frame(2)};
   Frame& frame = portal.frame;

@@ -10,10 +10,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from matplotlib.collections import PolyCollection
 
 import frame_samples
 from pounding import plots
+from pounding.animation import animate, frame_times
+from pounding.pictures import figures
+from pounding.pictures.geometry import outline
 from pounding.pictures.model_picture import model_figure
+from pounding.pictures.plan_map import contacts
 from pounding.pictures.profiles import profiles_figure
 from pounding.runs import read
 from pounding.pictures.scene import Scene
@@ -35,9 +40,10 @@ class FramePictures(unittest.TestCase):
         frame_samples.write(place / "plane.h5", 2, wall=True)
         frame_samples.write(place / "space.h5", 3)
         frame_samples.write(place / "compared.h5", 2, compare=True)
+        frame_samples.write(place / "beside.h5", 3, compare=True)
         for kind in ("towers", "row"):
             subprocess.run([WRITER, kind, place / f"{kind}.h5"], check=True)
-        cls.runs = {kind: read(place / f"{kind}.h5") for kind in ("plane", "space", "compared", "towers", "row")}
+        cls.runs = {kind: read(place / f"{kind}.h5") for kind in ("plane", "space", "compared", "beside", "towers", "row")}
 
     @classmethod
     def tearDownClass(cls):
@@ -56,6 +62,66 @@ class FramePictures(unittest.TestCase):
         self.assertEqual(titles(model_figure(self.runs["space"])),
                          ["(a) View", "(b) Plan", "(c) Elevation along x", "(d) Elevation along y"])
         self.assertEqual(len(model_figure(self.runs["plane"]).axes), 1)
+
+    def test_map_in_plan_shows_drifts_and_the_hardest_impact(self):
+        run = self.runs["beside"]
+        figure = figures.figure(run, "plan")
+        self.assertEqual(titles(figure)[:2], ["(a) With its neighbours", "(b) Each alone"])
+        # A roof's motion in proportion to the height: every storey drifts by a fifth, or a third, of it.
+        expected = [100 * frame_samples.BETWEEN_OUTPUTS * np.abs(frame_samples.sway(name)["x"]).max() / (storeys * frame_samples.STOREY)
+                    for name, storeys in (("tall", 5), ("low", 3))]
+        for axes, part in zip(figure.axes, (1.0, frame_samples.WITHOUT_LINKS)):
+            numbers = [text.get_text() for text in axes.texts if text.get_text()[0].isdigit()]
+            self.assertEqual(numbers, [f"{part * value:.2f}" for value in expected])
+            corners = [patch.get_xy() for patch in axes.patches]
+            np.testing.assert_allclose([corners[0].min(axis=0), corners[0].max(axis=0)], [[0, 0], [10, 4]])
+            np.testing.assert_allclose([corners[1].min(axis=0), corners[1].max(axis=0)], [[10.025, 0], [20.025, 4]])
+        self.assertEqual(len(figures.figure(run, "plan", compare=False).axes), 3)
+        [contact] = contacts(run)
+        self.assertAlmostEqual(contact.strength, run.impacts["peak_force"].max())
+        self.assertEqual(contact.impacts, run.impacts.size)
+        self.assertGreater(contact.impacts, 0)
+        np.testing.assert_allclose(contact.ends[:, 1], [0, 4])
+
+    def test_map_in_plan_fits_a_column_and_asks_for_frames_in_space(self):
+        picture = io.BytesIO()
+        figures.figure(self.runs["beside"], "plan", "", (3.3, 4.5)).savefig(picture, dpi=60)
+        self.assertGreater(picture.tell(), 3000)
+        for kind in ("plane", "towers"):
+            with self.assertRaisesRegex(BadRequest, "no structure of this run is a frame in space. Draw --picture profiles"):
+                figures.figure(self.runs[kind], "plan")
+        with self.assertRaisesRegex(BadRequest, "no run without links"):
+            figures.figure(self.runs["space"], "plan", compare=True)
+
+    def test_links_that_were_never_hit_stay_grey(self):
+        run = replace(self.runs["beside"], impacts=self.runs["beside"].impacts[:0])
+        axes = figures.figure(run, "plan").axes[0]
+        self.assertEqual([line.get_color() for line in axes.lines], ["0.45"])
+
+    def test_outline_is_convex(self):
+        points = np.array([[0, 0], [4, 0], [2, 0], [4, 3], [0, 3], [2, 1], [4, 3]])
+        np.testing.assert_allclose(outline(points), [[0, 0], [4, 0], [4, 3], [0, 3]])
+        self.assertEqual(len(outline(np.array([[0, 0], [0, 0], [0, 2]]))), 2)
+
+    def test_many_structures_are_drawn_from_behind_and_without_a_legend(self):
+        run = self.runs["space"]
+        many = {}
+        for i in range(14):
+            one = run.structures["low"]
+            geometry = replace(one.geometry, nodes=one.geometry.nodes + [25.0 * (i % 7), 25.0 * (i // 7), 0])
+            many[f"n{i}"] = replace(one, name=f"n{i}", geometry=geometry)
+        run = replace(run, structures=many, links={}, impacts=run.impacts[:0], envelopes={})
+        figure = model_figure(run)
+        axes = figure.axes[0]
+        bodies = [each for each in axes.collections if isinstance(each, PolyCollection) and each.get_facecolor().tolist() == [[1, 1, 1, 1]]]
+        self.assertEqual(len(bodies), 14)
+        lines = {lines.get_label(): lines.get_zorder() for lines in axes.collections if lines.get_label() in many}
+        self.assertGreater(lines["n6"], lines["n0"])  # the eye is at large x and small y
+        self.assertGreater(lines["n0"], lines["n7"])
+        self.assertEqual(len(axes.texts), 0)
+        film = animate(run, frame_times(run, 3))
+        self.assertEqual(film.figure.legends, [])
+        self.assertEqual(len(list(film.pictures())), 3)
 
     def test_every_member_and_link_is_drawn_in_place(self):
         run = self.runs["plane"]

@@ -18,6 +18,7 @@
 #include <pounding/model/contact_law.hpp>
 #include <pounding/model/drawing.hpp>
 #include <pounding/model/facing.hpp>
+#include <pounding/model/neighbours.hpp>
 
 namespace pounding {
 namespace {
@@ -62,8 +63,10 @@ ContactLocation read_end(const Input& node, const Model& model) {
   return end;
 }
 
-FacingFloors read_floors(const Input& node) {
-  const std::string choice = node.as_choice();
+std::optional<FacingFloors> read_floors(const Input& link) {
+  const auto floors = link.find("floors");
+  if (!floors) return {};
+  const std::string choice = floors->as_choice();
   return choice == "all" ? FacingFloors::all : choice == "level" ? FacingFloors::level : FacingFloors::any;
 }
 
@@ -72,8 +75,9 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
   const auto at = [&](const char* key) { return link.find(key).value_or(link); };
   switch (error.option()) {
     case ModelOption::between: return between;
-    case ModelOption::left: return between.items()[0];
-    case ModelOption::right: return between.items()[1];
+    case ModelOption::left: return between.is_list() ? between.items()[0] : between;
+    case ModelOption::right: return between.is_list() ? between.items()[1] : between;
+    case ModelOption::within: return at("within");
     case ModelOption::floors: return at("floors");
     case ModelOption::gap: return at("gap");
     case ModelOption::preload: return at("preload");
@@ -100,6 +104,35 @@ LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   return options;
 }
 
+std::pair<LinkOptions, laws::Settings> read_options_and_law(const Input& node, std::optional<FacingFloors> floors, int count, bool is_drawn) {
+  LinkOptions options = read_options(node, count, is_drawn);
+  options.floors = floors;
+  const LawInput law = read_law(node);
+  options.stiffness = law.stiffness;
+  return {options, law.settings};
+}
+
+void require_neighbours(const Input& between) {
+  constexpr std::string_view allowed[] = {"neighbours"};
+  const std::string read = between.as_text();
+  if (read == allowed[0]) return;
+  const bool is_near = !nearest_name(read, allowed).empty();
+  between.fail(is_near ? fmt::format("unknown word \"{}\".{}", excerpt(read), suggestion(read, allowed))
+                       : "takes two structures, the left one first; type between: [left, right], or between: neighbours");
+}
+
+void read_links_of_neighbours(const Input& node, const Input& between, Model& model) {
+  try {
+    const double within = node.quantity("within");
+    if (const auto gap = node.find("gap"); gap && gap->is_list())
+      gap->fail("takes one gap for all neighbours; leave it out, and each pair has the distance that is drawn");
+    const auto [options, law] = read_options_and_law(node, read_floors(node), 1, true);
+    link_neighbours(model, options, law, within);
+  } catch (const ModelError& error) {
+    fail_at(place_of(error, node, between), error);
+  }
+}
+
 }  // namespace
 
 std::pair<ContactLocation, ContactLocation> read_ends(const Input& between, const Model& model) {
@@ -112,18 +145,20 @@ std::pair<ContactLocation, ContactLocation> read_ends(const Input& between, cons
 
 void read_link(const Input& node, Model& model) {
   const Input between = node.at("between");
+  if (between.is_scalar()) {
+    require_neighbours(between);
+    read_links_of_neighbours(node, between, model);
+    return;
+  }
   const auto [left, right] = read_ends(between, model);
+  if (const auto within = node.find("within")) within->fail_at_key("belongs to between: neighbours; leave it out");
   try {
-    std::optional<FacingFloors> floors;
-    if (const auto choice = node.find("floors")) floors = read_floors(*choice);
+    const std::optional<FacingFloors> floors = read_floors(node);
     const std::size_t count = pairs_of(model, left, right, floors).size();
     const Structure &a = model.structures[left.structure], &b = model.structures[right.structure];
     facing_side(a, b);
-    LinkOptions options = read_options(node, static_cast<int>(count), are_drawn(a, b));
-    options.floors = floors;
-    const LawInput law = read_law(node);
-    options.stiffness = law.stiffness;
-    model.link(left, right, options, law.settings);
+    const auto [options, law] = read_options_and_law(node, floors, static_cast<int>(count), are_drawn(a, b));
+    model.link(left, right, options, law);
   } catch (const ModelError& error) {
     fail_at(place_of(error, node, between), error);
   }

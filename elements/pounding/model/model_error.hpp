@@ -27,6 +27,7 @@ enum class ModelOption {
   // of a link
   link,
   between,
+  within,
   left,
   right,
   floors,

@@ -11,7 +11,7 @@ from pounding.pictures.style import ENERGY_UNITS, MM, BadRequest, engineering, l
 from pounding.results import Link, RunData
 
 #: Pictures that have something to show of a run without links.
-COMPARABLE = ("run", "displacement", "gap", "energy", "profiles")
+COMPARABLE = ("run", "displacement", "gap", "energy", "profiles", "plan")
 DASHED = {"linestyle": (0, (3, 2)), "linewidth": 0.8}
 
 

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.markers import MarkerStyle
 
+from pounding.pictures.geometry import outline
 from pounding.pictures.style import YELLOW, structure_colour
 
 if TYPE_CHECKING:
@@ -26,6 +27,16 @@ VIEWS = {
 }
 
 
+#: With more structures names would stand on each other, colours repeat, and in a view from above those behind would be seen through
+#: those in front.
+FEW = 12
+
+
+def are_many(scene: Scene) -> bool:
+    """So many structures that a view is drawn with those in front before those behind, small marks, and few names."""
+    return len(scene.line_models) > FEW
+
+
 def project(points: np.ndarray, view: str) -> np.ndarray:
     """[.., 2] of points [.., 3]."""
     return points @ VIEWS[view].T
@@ -38,25 +49,33 @@ class Drawing:
         self.scene, self.view = scene, view
         self.lines: dict[str, LineCollection] = {}
         self.boxes: dict[str, PolyCollection] = {}
+        #: White under the lines of each structure, where those behind it should not be seen.
+        self.bodies: dict[str, PolyCollection] = {}
+        hides = view == "oblique" and are_many(scene)
+        nearer = _from_behind(scene) if hides else {}
         for number, (name, model) in enumerate(scene.line_models.items()):
             colour = "0.25" if scene.run.structures[name].is_wall else structure_colour(number)
             many = len(model.members) > 300
             width = 3.0 if scene.run.structures[name].is_wall else 0.6 if many else 1.3 if model.has_place else 2.0
-            self.lines[name] = LineCollection([], colors=colour, linewidths=width, capstyle="round", zorder=3, label=name)
+            self.lines[name] = LineCollection([], colors=colour, linewidths=width, capstyle="round", zorder=3 + nearer.get(name, 0), label=name)
             self.boxes[name] = PolyCollection([], facecolors=colour, edgecolors="white", linewidths=0.5, zorder=4)
+            if hides:
+                self.bodies[name] = PolyCollection([], facecolors="white", edgecolors="none", zorder=3 + nearer[name] - 1e-4)
+                axes.add_collection(self.bodies[name])
             axes.add_collection(self.lines[name])
             axes.add_collection(self.boxes[name])
             self._set(name, scene.at_rest(name))
         points = np.array([project(face, view) for face in scene.faces.values()]).reshape(-1, 2)
-        self.marks = axes.scatter(points[:, 0], points[:, 1], s=22, marker="D", facecolor="white", edgecolor="black",
-                                  linewidth=0.8, zorder=6, visible=marks)
+        small = are_many(scene)
+        self.marks = axes.scatter(points[:, 0], points[:, 1], s=3 if small else 22, marker="D", facecolor="white", edgecolor="black",
+                                  linewidth=0.4 if small else 0.8, zorder=6, visible=marks and not hides)
         #: One flash a link, invisible while it is open.
         self.flashes = axes.scatter(points[:, 0], points[:, 1], s=0, marker=MarkerStyle(star()), facecolor=YELLOW,
                                     edgecolor="black", linewidth=0.6, zorder=7)
 
     def artists(self) -> list[Artist]:
         """All that `move` and `flash` change, lowest first."""
-        return sorted([*self.lines.values(), *self.boxes.values(), self.flashes], key=lambda artist: artist.get_zorder())
+        return sorted([*self.bodies.values(), *self.lines.values(), *self.boxes.values(), self.flashes], key=lambda artist: artist.get_zorder())
 
     def move(self, motion: Motion, frame: int) -> None:
         """To where `motion` has the nodes at a frame."""
@@ -68,14 +87,25 @@ class Drawing:
         links = self.scene.run.links.values()
         points = [project(motion.face(link, frame), self.view) for link in links]
         self.flashes.set_offsets(np.array(points).reshape(-1, 2))
-        self.flashes.set_sizes([60 + 500 * strength if strength > 0 else 0 for strength in strengths])
+        size = 0.4 if are_many(self.scene) else 1.0
+        self.flashes.set_sizes([size * (60 + 500 * strength) if strength > 0 else 0 for strength in strengths])
 
     def _set(self, name: str, nodes: np.ndarray) -> None:
         model = self.scene.line_models[name]
         points = project(nodes, self.view)
         self.lines[name].set_segments(points[model.members])
+        if name in self.bodies:
+            self.bodies[name].set_verts([outline(points)])
         corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [model.half_width, model.half_height]
         self.boxes[name].set_verts([corner + corners for corner in points[model.masses]])
+
+
+def _from_behind(scene: Scene) -> dict[str, float]:
+    """0 to below 1 for each structure: what stands nearer to the eye of an oblique view has more."""
+    to_eye = np.cross(*VIEWS["oblique"])
+    middles = {name: scene.at_rest(name).mean(axis=0)[:2] @ to_eye[:2] for name in scene.line_models}
+    order = sorted(middles, key=lambda name: float(middles[name]))
+    return {name: 0.9 * place / len(order) for place, name in enumerate(order)}
 
 
 def star(points: int = 8, inner: float = 0.42) -> np.ndarray:

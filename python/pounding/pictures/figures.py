@@ -16,6 +16,7 @@ from pounding.pictures.histories import draw_energies, draw_forces, draw_opening
 from pounding.pictures.loops import draw_loops
 from pounding.pictures.model_picture import model_figure
 from pounding.pictures.panels import label_time, legend_below
+from pounding.pictures.plan_map import plan_figure
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
 from pounding.pictures.spring_loops import loops_figure
@@ -23,6 +24,7 @@ from pounding.pictures.style import NARROW, STYLE, BadRequest, Picture, head
 from pounding.results import RunData
 
 WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure,
+                                         "plan": plan_figure,
                                          "springs": loops_figure, "hinges": hinges_figure}
 OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
                                              "energy": draw_energies}
@@ -35,10 +37,10 @@ COMPARED: dict[str, Callable[..., None]] = {"displacement": draw_displacements_w
 def figure(run: RunData, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None,
            compare: bool | None = None) -> Figure:
     """One picture of a run; `title` stands instead of that of the run, `size` is width and height [in]. `compare` also draws the run
-    without links; profiles do so where it is there unless this is False. Raises BadRequest for a picture that does not exist, and for
+    without links; profiles and plan do so where it is there unless this is False. Raises BadRequest for a picture that does not exist, and for
     a comparison that is not possible."""
-    if picture == "profiles":
-        return profiles_figure(run, title, size, compare)
+    if picture in ("profiles", "plan"):
+        return WHOLE[picture](run, title, size, compare)
     if compare:
         require_comparison(run, picture)
     if picture == "run":

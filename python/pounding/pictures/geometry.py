@@ -67,6 +67,30 @@ def floor_heights(structure: Structure) -> tuple[np.ndarray, bool]:
     return np.asarray(heights, float), known
 
 
+def storey_heights(structure: Structure) -> np.ndarray:
+    """[floor]: heights of the storeys below the floors [m], the lowest one from the lowest node of the structure, or from zero."""
+    heights, _ = floor_heights(structure)
+    ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else min(0.0, heights[0])
+    return np.diff(heights, prepend=ground)
+
+
+def outline(points: np.ndarray) -> np.ndarray:
+    """[corner, 2]: the convex outline of points [n, 2] counter-clockwise."""
+    ordered = sorted(set(map(tuple, np.round(points, 6))))
+    if len(ordered) < 3:
+        return np.array(ordered)
+
+    def half(way: list[tuple[float, ...]]) -> list[tuple[float, ...]]:
+        kept: list[tuple[float, ...]] = []
+        for x, y in way:
+            while len(kept) > 1 and (kept[-1][0] - kept[-2][0]) * (y - kept[-2][1]) <= (kept[-1][1] - kept[-2][1]) * (x - kept[-2][0]):
+                kept.pop()
+            kept.append((x, y))
+        return kept[:-1]
+
+    return np.array(half(ordered) + half(ordered[::-1]))
+
+
 def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
     """[time, node, 3]: displacements of the nodes of the line model relative to the ground [m].
 

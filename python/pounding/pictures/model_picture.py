@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from pounding.pictures.drawing import Drawing, draw_ground, frame_axes, label_axes, project
+from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, label_axes, project
 from pounding.results import RunData
 from pounding.pictures.geometry import floor_heights
 from pounding.pictures.panels import legend_below
@@ -56,9 +56,21 @@ def draw_model(axes: Axes, scene: Scene, view: str) -> None:
     Drawing(axes, scene, view)
     frame_axes(axes, scene, view)
     label_axes(axes, scene, view)
+    if are_many(scene):
+        if view == "plan":
+            _name_inside(axes, scene)
+        return
     name_structures(axes, scene, view)
     if view == "elevation":
         label_floors(axes, scene)
+
+
+def _name_inside(axes: Axes, scene: Scene) -> None:
+    """The names of many structures in plan, each in small letters along the longer side of its structure."""
+    for number, name in enumerate(scene.line_models):
+        points = scene.at_rest(name)[:, :2]
+        x, y = (points.min(axis=0) + points.max(axis=0)) / 2
+        axes.annotate(name, (x, y), ha="center", va="center", fontsize=4, rotation=45, color=structure_colour(number), zorder=8)
 
 
 def name_structures(axes: Axes, scene: Scene, view: str) -> None:

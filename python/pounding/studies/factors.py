@@ -162,7 +162,7 @@ def link_name(link: Any, i: int) -> str:
     """The name of a link of the input, by which a path calls it."""
     if isinstance(link, Mapping):
         ends = link.get("between")
-        return str(link.get("name") or ("-".join(map(str, ends)) if isinstance(ends, list) else i))
+        return str(link.get("name") or ("-".join(map(str, ends)) if isinstance(ends, list) else ends or i))
     return str(i)
 
 

@@ -6,6 +6,7 @@
 namespace pounding::words {
 namespace {
 
+constexpr std::string_view neighbours[] = {"neighbours"};
 constexpr std::string_view choices_of_floors[] = {"all", "level", "any"};
 
 constexpr auto law_names = [] {
@@ -17,12 +18,15 @@ constexpr auto law_names = [] {
 
 constexpr Word link_words[] = {
     {.key = "between", .takes = Takes::text, .form = Form::list, .least = 2, .most = 2, .inside = &link_end,
-     .need = Need::required,
+     .instead = neighbours, .need = Need::required,
      .meaning = "The two structures, the left one first; A.3 is floor 3 of A, counted from the ground up. An end may be a map "
-                "that names a floor, a node or an elevation.",
+                "that names a floor, a node or an elevation. neighbours links all frames that stand beside each other along x or "
+                "along y, but for pairs that links above it join.",
      .example = "[left, right]"},
+    {.key = "within", .takes = Takes::quantity, .dimension = dimension::length, .bounds = bounds::positive, .otherwise = "1 m",
+     .since = "0.2.0", .meaning = "Neighbours stand at most so far apart.", .example = "1 m"},
     {.key = "floors", .takes = Takes::choice, .choices = choices_of_floors, .noun = "choice of floors",
-     .otherwise = "the one pair that between names",
+     .otherwise = "the one pair that between names; all of neighbours",
      .meaning = "Links several floors: all of them, which must face each other up to the lower roof; those that are level; or any, "
                 "where a floor that faces none hits the column there.",
      .example = "all"},

@@ -1,0 +1,136 @@
+"""Frames placed in plan: rows along streets, blocks with corners. They take the words of a model and give them an `origin`."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from pounding._native import core
+from pounding.errors import InputError
+
+#: Coordinates are rounded to this many decimals of a metre: 12.03, not 12.030000000000001.
+DECIMALS = 9
+
+
+class Extent(NamedTuple):
+    """A rectangle in plan [m]."""
+
+    x0: float
+    x1: float
+    y0: float
+    y1: float
+
+    @property
+    def width(self) -> float:
+        """Along x [m]."""
+        return round(self.x1 - self.x0, DECIMALS)
+
+    @property
+    def depth(self) -> float:
+        """Along y [m]."""
+        return round(self.y1 - self.y0, DECIMALS)
+
+
+def extent(structures: Mapping[str, Any]) -> Extent:
+    """The rectangle around frames, as a model holds them: {name: {"frame": {...}, "damping": ...}}. A plane frame has no depth.
+
+    Raises InputError for a structure that is no frame, and for one without grid and nodes."""
+    if not structures:
+        raise InputError("structures: there is none; give at least one frame")
+    every = [_extent(name, words) for name, words in structures.items()]
+    return Extent(min(one.x0 for one in every), max(one.x1 for one in every), min(one.y0 for one in every), max(one.y1 for one in every))
+
+
+def row(structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Sequence[Any] = (0.0, 0.0), align: str = "low") -> dict[str, Any]:
+    """The frames one after the other along x or y, in their order, as structures of a model.
+
+    gap: between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each frame but the last.
+    start: x, y where the row begins [m].
+    align: which sides of the frames stand in the line through `start`: those where the other coordinate is least (low) or largest (high).
+
+    Nothing that was given is changed; an `origin` that a frame had is replaced. Raises InputError as `extent` does, and for gaps that
+    are negative or too few."""
+    if along not in ("x", "y"):
+        raise InputError(f'along: takes x or y; "{along}" was given')
+    if align not in ("low", "high"):
+        raise InputError(f'align: takes low or high; "{align}" was given')
+    axis = "xy".index(along)
+    gaps = [_metres(one, "gap") for one in _each(gap, len(structures) - 1)]
+    place = [_metres(value, "start") for value in start]
+    if any(one < 0 for one in gaps):
+        raise InputError("gap: takes distances of at least 0; frames that overlap cannot be linked")
+    # One by one: the same words may stand under several names.
+    placed = {name: copy.deepcopy(words) for name, words in structures.items()}
+    for name, following in zip(placed, [*gaps, 0.0]):
+        frame = _frame(name, placed[name])
+        is_plane = not _is_spatial(frame)
+        if is_plane and along == "y":
+            raise InputError(f"structures.{name}: is a plane frame, and these stand in rows along x")
+        height = list(frame.pop("origin", ()))[1 if is_plane else 2:]
+        own = _extent(name, placed[name])
+        corner = [place[0] - own.x0, place[1] - own.y0][:1 if is_plane else 2]
+        if align == "high" and not is_plane:
+            corner[1 - axis] -= (own.width, own.depth)[1 - axis]
+        frame["origin"] = [*(round(value, DECIMALS) for value in corner), *height]
+        place[axis] += (own.width, own.depth)[axis] + following
+    return placed
+
+
+def _each(gap: Any, count: int) -> list[Any]:
+    if isinstance(gap, str) or not isinstance(gap, Sequence):
+        return [gap] * max(count, 0)
+    if len(gap) != count:
+        raise InputError(f"gap: takes one gap, or a list of {count}, one after each frame but the last; {len(gap)} were given")
+    return list(gap)
+
+
+def _frame(name: str, words: Any) -> dict[str, Any]:
+    frame = words.get("frame") if isinstance(words, Mapping) else None
+    if not isinstance(frame, dict):
+        raise InputError(f"structures.{name}: has no place in plan; only frames have: {{\"frame\": {{...}}}}")
+    return frame
+
+
+def _is_spatial(frame: Mapping[str, Any]) -> bool:
+    """Its grid has bays along x and y, or its nodes have three coordinates; the origin of another one is [x, z]."""
+    bays = frame.get("grid", {}).get("bays")
+    return isinstance(bays, (list, tuple)) or any(len(position) == 3 for position in frame.get("nodes", {}).values())
+
+
+def _extent(name: str, words: Any) -> Extent:
+    frame = _frame(name, words)
+    origin = [*(_metres(value, f"structures.{name}.frame.origin") for value in frame.get("origin", ())), 0.0, 0.0]
+    if not _is_spatial(frame):
+        origin[1] = 0.0
+    points = [(0.0, 0.0), _size(f"structures.{name}.frame.grid", frame["grid"])] if "grid" in frame else []
+    for node, position in frame.get("nodes", {}).items():
+        values = [_metres(value, f"structures.{name}.frame.nodes.{node}") for value in position]
+        points.append((values[0], values[1] if len(values) == 3 else 0.0))
+    if not points:
+        raise InputError(f"structures.{name}.frame: has neither grid nor nodes, and so no size in plan")
+    x, y = [value + origin[0] for value, _ in points], [value + origin[1] for _, value in points]
+    return Extent(*(round(value, DECIMALS) for value in (min(x), max(x), min(y), max(y))))
+
+
+def _size(place: str, grid: Mapping[str, Any]) -> tuple[float, float]:
+    """Width and depth of a grid [m]; a plane one has no depth."""
+    bays, width = grid.get("bays"), grid.get("bay_width")
+    if bays is None or width is None:
+        raise InputError(f'{place}: its size needs bays and bay_width, as in "bays": [3, 2], "bay_width": "6 m"')
+    counts = list(bays) if isinstance(bays, Sequence) and not isinstance(bays, str) else [bays]
+    sizes = []
+    for count, axis in zip(counts, "xy"):
+        own = width[axis] if isinstance(width, Mapping) else width
+        widths = own if isinstance(own, Sequence) and not isinstance(own, str) else [own] * int(count)
+        sizes.append(sum(_metres(value, f"{place}.bay_width") for value in widths))
+    return sizes[0], sizes[1] if len(sizes) > 1 else 0.0
+
+
+def _metres(value: Any, place: str) -> float:
+    if not isinstance(value, str):
+        return float(value)
+    try:
+        return float(core.quantity(value, "m"))
+    except InputError as error:
+        raise InputError(f"{place}: {error}") from None
