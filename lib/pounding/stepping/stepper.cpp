@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <pounding/stepping/link_memory.hpp>
 
@@ -57,6 +58,7 @@ void Stepper::look_ahead() {
 }
 
 void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
+  describe_springs();
   const Energies before = started_ ? energies() : Energies{};
   const StructureSolver& solver = equations_.solver;
   Instant& now = history_.change_now();
@@ -77,6 +79,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   }
   for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i)
     equations_.links.spring(i).start(equations_.links.motion(i, now));
+  equations_.ranges.read();
   history_.restart();
   output_.forget();
   const Energies after = energies();
@@ -154,24 +157,34 @@ bool Stepper::in_contact() const {
 // A link in the last kept step.
 void Stepper::describe(int i, LinkStep& step) const {
   const LinkSet& links = equations_.links;
-  const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();
+  const Instant &x = history_.begin(), &y = kept.end;
   step.begin = x.time;
   step.end = y.time;
   links.motion(i, x, step.motion_begin);
-  step.motion_middle = kept.middle[i];
+  if (kept.springs_stay && links.is_spring(i)) {
+    step.motion_middle = Equations::middle_of(i, x, kept);
+    step.motion_middle.penetration -= y.relief[i - links.contacts()];
+  } else {
+    step.motion_middle = kept.middle[i];
+  }
   links.motion(i, y, step.motion_end);
   step.force_begin = x.force[i];
   step.force_middle = kept.force_middle[i];
   step.force_end = y.force[i];
   step.acceleration_begin = x.relative(i, Instant::a) + links.ground_part(x.by_ground, i, Instant::a);
   step.acceleration_end = y.relative(i, Instant::a) + links.ground_part(y.by_ground, i, Instant::a);
-  if (!links.is_spring(i) || !equations_.springs.any()) return;
+  if (!links.is_spring(i) || !equations_.springs.any() || kept.springs_stay) return;
   const auto rates = kept.spring_rates.row(i - links.contacts());
   step.motion_begin.rate = rates[0];
   step.acceleration_begin = rates[1];
   step.motion_end.rate = rates[3];
   step.acceleration_end = rates[4];
+}
+
+void Stepper::describe_springs() const {
+  if (std::exchange(springs_described_, true)) return;
+  for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i) describe(i, link_steps_[i]);
 }
 
 void Stepper::accept() {
@@ -180,8 +193,13 @@ void Stepper::accept() {
   const LinkSet& links = equations_.links;
   const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();
+  springs_described_ = !kept.springs_stay;
   for (int i = 0; i < links.size(); ++i) {
     LinkStep& step = link_steps_[i];
+    if (kept.springs_stay && links.is_spring(i)) {
+      links.spring(i).stay(kept.spring_paths(i - links.contacts(), 1));
+      continue;
+    }
     describe(i, step);
     if (i < links.contacts()) {
       links.contact(i).accept(step);
@@ -190,6 +208,7 @@ void Stepper::accept() {
       links.spring(i).accept(step);
     }
   }
+  if (!kept.springs_stay) equations_.ranges.read();
   ledger_.add_step(equations_, x, kept, link_steps_);
   norm_.learn(kept);
   bool ground_jumps = false;
@@ -207,6 +226,7 @@ void Stepper::accept() {
 }
 
 void Stepper::apply_event() {
+  describe_springs();
   history_.collapse();
   output_.forget();
   apply_located(true);
@@ -219,6 +239,7 @@ void Stepper::apply_located(bool in_place) {
 }
 
 void Stepper::archive(Archive& archive) {
+  describe_springs();
   history_.archive(archive);
   archive(link_steps_);
   ledger_.archive(archive);
@@ -231,6 +252,7 @@ void Stepper::archive(Archive& archive) {
   equations_.supports.archive(archive);
   archive(longest_step_);
   archive_memory(equations_.system, archive);
+  equations_.ranges.read();
   output_.forget();
 }
 

@@ -96,8 +96,18 @@ class Stepper {
   const Eigen::VectorXd& ground_begin() const { return history_.begin().ground; }
   const Eigen::VectorXd& ground_middle() const { return history_.kept().ground_middle; }
   const Eigen::VectorXd& ground_end_minus() const { return history_.kept().end.ground; }
-  /// The last kept step of every link.
-  const std::vector<LinkStep>& link_steps() const { return link_steps_; }
+  /// The last kept step of every link; of one, cheaper where it is no spring.
+  const std::vector<LinkStep>& link_steps() const {
+    describe_springs();
+    return link_steps_;
+  }
+  const LinkStep& link_step(int link) const {
+    if (equations_.links.is_spring(link)) describe_springs();
+    return link_steps_[link];
+  }
+  /// Whether no spring changed its force in the last kept step; their deformations in it then, see Trial::spring_paths.
+  bool springs_stayed() const { return history_.kept().springs_stay; }
+  const Eigen::MatrixXd& spring_paths() const { return history_.kept().spring_paths; }
   /// Forces of all links at the present state [N].
   const Eigen::VectorXd& link_forces() const { return history_.now().force; }
   /// Motion of a link there.
@@ -136,6 +146,7 @@ class Stepper {
   std::optional<int> step_level(double h) const;
   bool solve_trial();
   void describe(int link, LinkStep& step) const;
+  void describe_springs() const;
   void apply_located(bool in_place);
   void balance_now();
 
@@ -154,7 +165,8 @@ class Stepper {
   EnergyBudget budget_;
   ContactEvents contact_events_;
   DenseOutput output_;
-  std::vector<LinkStep> link_steps_;
+  mutable std::vector<LinkStep> link_steps_;
+  mutable bool springs_described_ = true;  // whether link_steps_ has springs of the last kept step, which stayed as they were if not
   std::vector<EventId> located_;  // events at the end of the trial
   int troublesome_link_ = -1;
   bool started_ = false;
