@@ -11,6 +11,7 @@
 #include <pounding/links/gap_link.hpp>
 #include "support/dense.hpp"
 #include "support/hinge_frame.hpp"
+#include "support/without_range.hpp"
 
 namespace pounding {
 namespace hinges_test {
@@ -108,6 +109,50 @@ TEST_P(Hinges, ThatNeverYieldCostNoBit) {
   EXPECT_TRUE(same_bits(a.end.v, b.end.v));
   EXPECT_TRUE(same_bits(a.end.a, b.end.a));
   EXPECT_EQ(a.iterations, 0);
+}
+
+// Steps in which every hinge stays in its elastic range, before the first yield and between two of them, at rest under gravity too.
+TEST_P(Hinges, ThatStayInTheirRangesMoveToTheBitAsByTheLongWay) {
+  for (const bool bears : {false, true}) {
+    HingeFrame quick({.frames = 2, .mirrored = true}, shake), slow({.frames = 2, .mirrored = true}, shake);
+    std::vector<std::unique_ptr<test::WithoutRange>> hidden;
+    for (Spring*& spring : slow.system.springs) spring = hidden.emplace_back(std::make_unique<test::WithoutRange>(*spring)).get();
+    for (HingeFrame* frame : {&quick, &slow}) {
+      frame->add_contact(std::make_unique<GapLink<laws::HertzDamped>>(laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
+      if (!bears) continue;
+      frame->system.gravity_offset.setZero(frame->system.links());
+      for (int i = 0; i < frame->hinges(); ++i) frame->system.gravity_offset[1 + i] = 0.2 * std::sin(1 + i) * frame->springs[i]->yield_deformation();
+    }
+    const auto run = [](HingeFrame& frame, std::vector<double>& numbers, long& stayed) {
+      ModalSolver solver(frame.system);
+      return run_hinge_frame(frame, solver, {.tolerance = 1e-4, .scheme = GetParam(), .max_step = 0.02}, end, 4, [&](StepController& controller) {
+        if (controller.stepper().springs_stayed()) ++stayed;
+        for (const LinkStep& step : controller.stepper().link_steps())
+          for (const double value : {step.motion_begin.penetration, step.motion_begin.rate, step.motion_middle.penetration,
+                                     step.motion_middle.rate, step.motion_end.penetration, step.motion_end.rate, step.force_begin,
+                                     step.force_middle, step.force_end, step.acceleration_begin, step.acceleration_end})
+            numbers.push_back(value);
+      });
+    };
+    std::vector<double> seen, expected;
+    long quickly = 0, slowly = 0;
+    const HingeFrameRun a = run(quick, seen, quickly), b = run(slow, expected, slowly);
+    EXPECT_GT(quickly, 20);
+    EXPECT_LT(quickly, a.steps - 100);
+    EXPECT_EQ(slowly, 0);
+    EXPECT_EQ(seen, expected);
+    EXPECT_EQ(a.trials, b.trials);
+    EXPECT_TRUE(same_bits(a.end.u, b.end.u));
+    EXPECT_TRUE(same_bits(a.end.v, b.end.v));
+    EXPECT_TRUE(same_bits(a.end.a, b.end.a));
+    EXPECT_TRUE(same_bits(a.end.force, b.end.force));
+    EXPECT_EQ(a.slip, b.slip);
+    EXPECT_EQ(a.hinge_work, b.hinge_work);
+    EXPECT_EQ(a.base_shear, b.base_shear);
+    EXPECT_EQ(a.energy.strain, b.energy.strain);
+    EXPECT_EQ(a.energy.hysteretic, b.energy.hysteretic);
+    EXPECT_GT(a.energy.hysteretic, 0);
+  }
 }
 
 TEST_P(Hinges, OfTwoMirroredFramesMoveAlike) {

@@ -26,6 +26,8 @@ class ActiveSprings {
   /// Whether springs were added because they left their forces in this trial.
   bool grow(const Trial& trial);
 
+  /// Whether none is active, for which the ranges of all springs speak.
+  bool rests() const { return rests_ >= 0; }
   /// Whether the force of this spring is sought in the present stage.
   bool is_active(int link) const { return is_active_[link - links_.contacts()]; }
   /// Forces of all links [N]: of the springs that are not active, zero for all others.

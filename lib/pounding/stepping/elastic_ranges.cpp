@@ -7,14 +7,14 @@ using enum Instant::Column;
 
 }  // namespace
 
-// Springs that the ground moves by itself, and those with a dashpot inside, take the long way.
+// Springs of structures that the ground drives apart, and those with a dashpot inside, take the long way.
 ElasticRanges::ElasticRanges(const LinkSet& links) : links_(links) {
   for (Eigen::VectorXd* values : {&low_, &high_, &forces_}) values->setZero(links.springs());
 }
 
 void ElasticRanges::read() {
   ++version_;
-  all_ = links_.relief().any() && !links_.moved();
+  all_ = links_.relief().any() && !links_.driven();
   for (int i = 0; i < links_.springs() && all_; ++i) {
     const std::optional<Spring::Elastic> range = links_.spring(links_.contacts() + i).elastic();
     all_ = range.has_value();
@@ -27,33 +27,54 @@ void ElasticRanges::read() {
 
 bool ElasticRanges::hold(const Instant& now, double ahead) const {
   if (!all_) return false;
-  const auto u0 = springs(now.relative, u), v0 = springs(now.relative, v);
+  const double *const v0 = of_springs(now.relative, v), *const low = low_.data(), *const high = high_.data();
+  room_.resize(low_.size());
+  double* const d = room_.data();
+  deformations(now, d);
   bool inside = true;
-  for (int i = 0; i < links_.springs(); ++i) {
-    const double d = u0[i] - now.relief[i], then = d + ahead * v0[i];
-    inside = inside && d > low_[i] && d < high_[i] && then > low_[i] && then < high_[i];
+  for (Eigen::Index i = 0; i < low_.size(); ++i) {
+    const double then = d[i] + ahead * v0[i];
+    inside = inside & (d[i] > low[i]) & (d[i] < high[i]) & (then > low[i]) & (then < high[i]);
   }
   return inside;
 }
 
 bool ElasticRanges::stay(const Instant& x, Trial& trial) const {
   if (!all_ || trial.short_motions) return false;
-  const int count = links_.springs();
+  const Eigen::Index count = links_.springs();
   const Instant& y = trial.end;
   if (springs(x.force) != forces_ || springs(y.force) != forces_) return false;
   trial.spring_paths.resize(count, 4);
   const double third = trial.h / 3;
-  const auto u0 = springs(x.relative, u), v0 = springs(x.relative, v), u1 = springs(y.relative, u), v1 = springs(y.relative, v);
-  bool inside = true;
-  for (int i = 0; i < count; ++i) {
-    // Bezier's points: the cubic stays between the least and the largest of them.
-    const double d0 = u0[i] - x.relief[i], d1 = u1[i] - y.relief[i], after = d0 + third * v0[i], before = d1 - third * v1[i];
-    const double low = std::min(std::min(d0, after), std::min(before, d1)), high = std::max(std::max(d0, after), std::max(before, d1));
-    inside = inside && low > low_[i] && high < high_[i];
-    double* const path = trial.spring_paths.data() + i;
-    path[0] = d0, path[count] = d1, path[2 * count] = low, path[3 * count] = high;
+  double *const begin = trial.spring_paths.data(), *const end = begin + count, *const least = end + count, *const most = least + count;
+  deformations(x, begin);
+  deformations(y, end);
+  const double *const v0 = of_springs(x.relative, v), *const v1 = of_springs(y.relative, v);
+  // Bezier's points: the cubic stays between the least and the largest of them.
+#pragma GCC ivdep
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double after = begin[i] + third * v0[i], before = end[i] - third * v1[i];
+    const double low0 = after < begin[i] ? after : begin[i], low1 = before < end[i] ? before : end[i];
+    const double high0 = after > begin[i] ? after : begin[i], high1 = before > end[i] ? before : end[i];
+    least[i] = low0 < low1 ? low0 : low1;
+    most[i] = high0 > high1 ? high0 : high1;
   }
+  bool inside = true;
+  for (Eigen::Index i = 0; i < count; ++i) inside = inside & (least[i] > low_[i]) & (most[i] < high_[i]);
   return inside;
+}
+
+// As LinkSet::motion().
+void ElasticRanges::deformations(const Instant& x, double* d) const {
+  const double *const moved = of_springs(x.relative, u), *const relief = x.relief.data();
+  const Eigen::Index count = links_.springs();
+  if (links_.moved()) {
+    const double* const by_ground = of_springs(x.by_ground, u);
+    for (Eigen::Index i = 0; i < count; ++i) d[i] = moved[i] + by_ground[i] - relief[i];
+    return;
+  }
+#pragma GCC ivdep
+  for (Eigen::Index i = 0; i < count; ++i) d[i] = moved[i] - relief[i];
 }
 
 }  // namespace pounding

@@ -29,13 +29,15 @@ class ElasticRanges {
   bool stay(const Instant& begin, Trial& trial) const;
 
  private:
-  auto springs(const Eigen::MatrixXd& by_link, Instant::Column column) const { return by_link.col(column).segment(links_.contacts(), links_.springs()); }
+  const double* of_springs(const Eigen::MatrixXd& by_link, Instant::Column column) const { return by_link.col(column).data() + links_.contacts(); }
   auto springs(const Eigen::VectorXd& by_link) const { return by_link.segment(links_.contacts(), links_.springs()); }
+  void deformations(const Instant& x, double* d) const;
 
   const LinkSet& links_;
   bool all_ = false;  // whether every spring has a range
   long version_ = 0;
   Eigen::VectorXd low_, high_, forces_;
+  mutable Eigen::VectorXd room_;  // to work in
 };
 
 }  // namespace pounding

@@ -164,6 +164,7 @@ void Stepper::describe(int i, LinkStep& step) const {
   links.motion(i, x, step.motion_begin);
   if (kept.springs_stay && links.is_spring(i)) {
     step.motion_middle = Equations::middle_of(i, x, kept);
+    step.motion_middle.penetration += links.ground_part(y.by_ground, i, Instant::u);
     step.motion_middle.penetration -= y.relief[i - links.contacts()];
   } else {
     step.motion_middle = kept.middle[i];
@@ -180,6 +181,19 @@ void Stepper::describe(int i, LinkStep& step) const {
   step.acceleration_begin = rates[1];
   step.motion_end.rate = rates[3];
   step.acceleration_end = rates[4];
+}
+
+void Stepper::deformations(double s, Eigen::VectorXd& d) const {
+  const Trial& kept = history_.kept();
+  const Instant &x = history_.begin(), &y = kept.end;
+  const int first = equations_.links.contacts(), count = equations_.links.springs();
+  const double *const begin = kept.spring_paths.data(), *const end = begin + count, h = y.time - x.time;
+  const auto column = [first](const Instant& at, Instant::Column which) { return at.relative.col(which).data() + first; };
+  const double *v0 = column(x, Instant::v), *a0 = column(x, Instant::a), *v1 = column(y, Instant::v), *a1 = column(y, Instant::a);
+  d.resize(count);
+  double* const at = d.data();
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) at[i] = Quintic({begin[i], v0[i], a0[i]}, {end[i], v1[i], a1[i]}, h).at(s).x;
 }
 
 void Stepper::describe_springs() const {

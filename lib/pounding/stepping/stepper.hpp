@@ -102,9 +102,11 @@ class Stepper {
     return link_steps_;
   }
   const LinkStep& link_step(int link) const {
-    if (equations_.links.is_spring(link)) describe_springs();
+    if (!springs_described_ && equations_.links.is_spring(link)) describe(link, link_steps_[link]);
     return link_steps_[link];
   }
+  /// Deformations of all springs at a part s from 0 to 1 of the last kept step, where none changed its force.
+  void deformations(double s, Eigen::VectorXd& d) const;
   /// Whether no spring changed its force in the last kept step; their deformations in it then, see Trial::spring_paths.
   bool springs_stayed() const { return history_.kept().springs_stay; }
   const Eigen::MatrixXd& spring_paths() const { return history_.kept().spring_paths; }
