@@ -1,6 +1,5 @@
 #include <pounding/stepping/spring_forces.hpp>
 
-#include <Eigen/LU>
 #include <algorithm>
 
 namespace pounding {
@@ -87,18 +86,24 @@ void SpringForces::slopes(const std::vector<LinkMotion>& motions, Eigen::VectorX
 
 void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_springs) const {
   const SparseMatrix& s = links_.relief().flexibility();
-  std::vector<int> soft;
+  soft_.clear();
   for (int i = 0; i < slopes.size(); ++i)
-    if (slopes[i] != 0 && s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]) soft.push_back(i);
-  if (soft.empty()) return;
-  const Eigen::VectorXd own = slopes(soft);
-  Eigen::MatrixXd matrix = dense(s, soft) * own.asDiagonal();
-  matrix.diagonal().array() += 1;
-  const Eigen::MatrixXd solved = matrix.partialPivLu().solve(Eigen::MatrixXd(of_springs(soft, Eigen::all)));
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(slopes.size()), relief;
+    if (slopes[i] != 0 && s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]) soft_.push_back(i);
+  if (soft_.empty()) return;
+  const auto count = static_cast<Eigen::Index>(soft_.size());
+  flexibility_ = dense(s, soft_);
+  right_.resize(count, of_springs.cols());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    flexibility_.col(i) *= slopes[soft_[i]];
+    flexibility_(i, i) += 1;
+    right_.row(i) = of_springs.row(soft_[i]);
+  }
+  lu_.compute(flexibility_);
+  solved_ = lu_.solve(right_);
+  change_.setZero(slopes.size());
   for (Eigen::Index j = 0; j < of_springs.cols(); ++j) {
-    change(soft) = own.cwiseProduct(solved.col(j));
-    links_.relief().add_relief(-1, change, of_springs.col(j));
+    for (Eigen::Index i = 0; i < count; ++i) change_[soft_[i]] = slopes[soft_[i]] * solved_(i, j);
+    links_.relief().add_relief(-1, change_, of_springs.col(j));
   }
 }
 

@@ -2,6 +2,7 @@
 /// Springs that give way to their own forces at once: forces for a given motion, and rates of deformations.
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <vector>
 
 #include <pounding/stepping/link_set.hpp>
@@ -49,6 +50,10 @@ class SpringForces {
   // Room to work in.
   mutable Eigen::VectorXd relief_, none_;
   mutable Eigen::MatrixXd flexibility_, zero_;
+  mutable Eigen::MatrixXd right_, solved_;
+  mutable Eigen::VectorXd change_;
+  mutable Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  mutable std::vector<int> soft_;    // springs
   mutable std::vector<int> active_;  // links
   mutable std::vector<LinkMotion> free_;
 };
