@@ -71,7 +71,7 @@ class Builder:
 
 def analysis(record, scale, period):
     ops.rayleigh(of.by_mass(period), 0.0, 0.0, 0.0)
-    motion = np.loadtxt(record, delimiter="," if Path(record).suffix == ".csv" else None)
+    motion = np.loadtxt(record)
     ops.timeSeries("Path", 1, "-dt", float(motion[1, 0] - motion[0, 0]), "-values", *(scale * motion[:, 1]).tolist())
     ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
     ops.constraints("Transformation")
