@@ -226,6 +226,22 @@ bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
          by_penetration_.maxCoeff() <= 0;
 }
 
+// Newton's step by eliminating the springs first, where that pays and can be done.
+bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
+  int soft = 0;
+  others_.clear();
+  slopes_of_springs_.setZero(by_penetration_.size());
+  for (int k = 0; k < by_penetration_.size(); ++k) {
+    if (!links_.is_spring(links.active[k]) || by_rate_[k] != 0 || by_penetration_[k] > 0) {
+      others_.push_back(k);
+      continue;
+    }
+    slopes_of_springs_[k] = by_penetration_[k];
+    if (by_penetration_[k] < 0) ++soft;
+  }
+  return soft >= SoftSprings::least_by_structure && soft_springs_.solve_beside(links, others_, slopes_, slopes_of_springs_, residual_, direction_);
+}
+
 bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const int count = static_cast<int>(links.active.size());
   residual_.resize(count);
@@ -250,7 +266,7 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
       if (!soft_springs_.solve(links, by_penetration_, residual_, direction_)) break;
     } else if (held > 1) {
       direction_ = slopes_.completeOrthogonalDecomposition().solve(residual_);
-    } else {
+    } else if (!eliminates_springs(links)) {
       direction_ = slopes_.partialPivLu().solve(residual_);
     }
     double length = 1;

@@ -56,6 +56,7 @@ class LinkSolver {
   double rounding(const CondensedLinks& links, const Eigen::VectorXd& force) const;
   bool is_symmetric(const CondensedLinks& links) const;
   void find_slopes(const CondensedLinks& links);
+  bool eliminates_springs(const CondensedLinks& links);
   bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
   void find_sliders(const CondensedLinks& links);
   FrictionForce slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const;
@@ -73,6 +74,8 @@ class LinkSolver {
   Eigen::MatrixXd slopes_;
   Eigen::VectorXd trial_, direction_;
   SoftSprings soft_springs_;
+  std::vector<int> others_;  // active links that are no springs which only soften
+  Eigen::VectorXd slopes_of_springs_;
 };
 
 }  // namespace pounding

@@ -1,5 +1,5 @@
 #pragma once
-/// Newton's step for the forces of springs alone, of which some yield.
+/// Newton's step for the forces of springs, of which some yield.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -17,11 +17,31 @@ class SoftSprings {
   /// is unstable.
   bool solve(const CondensedLinks& links, const Eigen::VectorXd& slopes, const Eigen::VectorXd& residual, Eigen::VectorXd& direction);
 
+  /// The same beside links that are no such springs, `others`, whose equations are rows of `matrix` [link, link]: the springs of one structure
+  /// after another are eliminated. Springs of different structures meet in the others alone.
+  bool solve_beside(const CondensedLinks& links, const std::vector<int>& others, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& slopes,
+                    const Eigen::VectorXd& residual, Eigen::VectorXd& direction);
+
+  /// Forces that the springs, all of which yield with these slopes, answer with to deformations or their rates without these forces [spring,
+  /// column]: of the unknowns without mass alone where links.by_u is 0. They take the place of the deformations.
+  bool answer(const CondensedLinks& links, const Eigen::VectorXd& slopes, Eigen::MatrixXd& deformations);
+
+  /// Fewer springs that yield are solved for with all other links at once, and those of all structures together.
+  static constexpr int least_by_structure = 16;
+
  private:
+  bool solve_blocks(const CondensedLinks& links, Eigen::Ref<Eigen::MatrixXd> right);
+  void choose(const Eigen::VectorXd& slopes);
+  // by_u G + S, and what forces take off all deformations by it.
+  static double flexibility(const CondensedLinks& links, int i, int j);
+  void find_by_others(const CondensedLinks& links, const Eigen::VectorXd& forces);
+  bool factorize(const CondensedLinks& links, Eigen::Index first, Eigen::Index count);
+  Eigen::Index block_from(const CondensedLinks& links, Eigen::Index first) const;
+
   // Room to work in.
   std::vector<int> soft_;
   Eigen::VectorXd root_, by_others_, relief_, right_;
-  Eigen::MatrixXd matrix_;
+  Eigen::MatrixXd matrix_, by_links_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 

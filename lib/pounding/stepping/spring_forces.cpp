@@ -93,18 +93,34 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
   const auto count = static_cast<Eigen::Index>(soft_.size());
   flexibility_ = dense(s, soft_);
   right_.resize(count, of_springs.cols());
-  for (Eigen::Index i = 0; i < count; ++i) {
-    flexibility_.col(i) *= slopes[soft_[i]];
-    flexibility_(i, i) += 1;
-    right_.row(i) = of_springs.row(soft_[i]);
+  for (Eigen::Index i = 0; i < count; ++i) right_.row(i) = of_springs.row(soft_[i]);
+  const Eigen::VectorXd own = slopes(soft_);
+  if (!answer_by_structure(own, right_)) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      flexibility_.col(i) *= own[i];
+      flexibility_(i, i) += 1;
+    }
+    lu_.compute(flexibility_);
+    solved_ = lu_.solve(right_);
+    right_ = own.asDiagonal() * solved_;
   }
-  lu_.compute(flexibility_);
-  solved_ = lu_.solve(right_);
   change_.setZero(slopes.size());
   for (Eigen::Index j = 0; j < of_springs.cols(); ++j) {
-    for (Eigen::Index i = 0; i < count; ++i) change_[soft_[i]] = slopes[soft_[i]] * solved_(i, j);
+    for (Eigen::Index i = 0; i < count; ++i) change_[soft_[i]] = right_(i, j);
     links_.relief().add_relief(-1, change_, of_springs.col(j));
   }
+}
+
+// Rates of the forces of the springs soft_ for these rates of deformation without them, where they are many and all yield.
+bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
+  if (slopes.size() < SoftSprings::least_by_structure || !(slopes.maxCoeff() < 0)) return false;
+  zero_.setZero(slopes.size(), slopes.size());
+  none_.setZero(slopes.size());
+  solved_ = rates;
+  const CondensedLinks condensed{.active = soft_, .free = {}, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
+  if (!soft_springs_.answer(condensed, slopes, solved_)) return false;
+  rates = solved_;
+  return true;
 }
 
 void SpringForces::find_force_rates(Instant& x) const {

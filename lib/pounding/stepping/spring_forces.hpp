@@ -43,6 +43,7 @@ class SpringForces {
 
  private:
   bool solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const;
+  bool answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const;
 
   const LinkSet& links_;
   const bool any_;
@@ -53,6 +54,7 @@ class SpringForces {
   mutable Eigen::MatrixXd right_, solved_;
   mutable Eigen::VectorXd change_;
   mutable Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  mutable SoftSprings soft_springs_;
   mutable std::vector<int> soft_;    // springs
   mutable std::vector<int> active_;  // links
   mutable std::vector<LinkMotion> free_;
