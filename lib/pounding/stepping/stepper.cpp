@@ -139,9 +139,9 @@ bool Stepper::solve_trial() {
 
 bool Stepper::may_hold_event() const { return locator_.may_find(history_.now(), history_.trial()); }
 
-std::optional<double> Stepper::locate_event() {
+std::optional<double> Stepper::locate_event(bool at_corners) {
   std::optional<LocatedEvents> found =
-      locator_.locate(history_.now(), history_.trial(),
+      locator_.locate(history_.now(), history_.trial(), at_corners,
                       [this](double h, std::optional<double> end) { return try_step(h, end); });
   if (!found) return std::nullopt;
   located_ = std::move(found->events);

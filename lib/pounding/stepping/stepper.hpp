@@ -61,8 +61,12 @@ class Stepper {
   /// Whether the trial may hold an event; where not, locate_event() would find none.
   bool may_hold_event() const;
   /// Shortens the trial to the first event inside it, by re-integrated steps. Its length [s] is returned; zero if the event is
-  /// at the beginning, nothing if there is none. Throws SolverError if such a step cannot be solved.
-  std::optional<double> locate_event();
+  /// at the beginning, nothing if there is none. `at_corners`: a corner of a spring's force ends it too. Throws SolverError if such a step
+  /// cannot be solved.
+  std::optional<double> locate_event(bool at_corners = true);
+  /// Whether a step that ends at a corner costs little. Where it needs a factor of its own, the error alone says how long steps are: each
+  /// accepted one follows its springs around their corners.
+  bool locates_corners() const { return !equations_.solver.prefers_dyadic_steps(); }
   /// Keeps the trial and applies the events at its end.
   void accept();
   /// Applies the events at the present state, without a step: after locate_event() returned zero.
