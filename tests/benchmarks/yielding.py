@@ -118,7 +118,7 @@ def tower_steps(program, yield_moment):
         seen = process([program, "run", folder / "model.yaml", "-o", folder / "out.h5", "-q", "-pounding_ts_monitor", "-log_view", f":{folder / 'log'}"])
         with h5py.File(folder / "out.h5") as file:
             springs = [s["springs/summary"] for s in file["structures"].values() if "springs" in s] if yield_moment else []
-            hinges = sum(len(s) for s in springs)
+            hinges = sum(len(s["first_yield"]) for s in springs)
             yielded = sum(int(np.sum(~np.isnan(s["first_yield"][()]))) for s in springs)
             impacts = len(file["impacts"])
         back_solve = solves(folder / "log")
