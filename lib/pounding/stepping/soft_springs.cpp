@@ -28,7 +28,7 @@ void SoftSprings::find_by_others(const CondensedLinks& links, const Eigen::Vecto
   by_others_ += relief_;
 }
 
-// Of `count` soft springs from one on.
+// The factor of `count` soft springs from one on.
 bool SoftSprings::factorize(const CondensedLinks& links, Eigen::Index first, Eigen::Index count) {
   const double by_u = links.by_u * links.weight;
   matrix_.resize(count, count);

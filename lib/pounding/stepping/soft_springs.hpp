@@ -17,7 +17,7 @@ class SoftSprings {
   /// is unstable.
   bool solve(const CondensedLinks& links, const Eigen::VectorXd& slopes, const Eigen::VectorXd& residual, Eigen::VectorXd& direction);
 
-  /// The same beside links that are no such springs, `others`, whose equations are rows of `matrix` [link, link]: the springs of one structure
+  /// As solve(), beside links that are no such springs, `others`, whose equations are rows of `matrix` [link, link]: the springs of one structure
   /// after another are eliminated. Springs of different structures meet in the others alone.
   bool solve_beside(const CondensedLinks& links, const std::vector<int>& others, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& slopes,
                     const Eigen::VectorXd& residual, Eigen::VectorXd& direction);
