@@ -66,7 +66,7 @@ class Stepper {
   std::optional<double> locate_event(bool at_corners = true);
   /// Whether a step that ends at a corner costs little. Where it needs a factor of its own, the error alone says how long steps are: each
   /// accepted one follows its springs around their corners.
-  bool locates_corners() const { return !equations_.solver.prefers_dyadic_steps(); }
+  bool locates_corners() const { return !equations_.solver.needs_dyadic_steps(); }
   /// Keeps the trial and applies the events at its end.
   void accept();
   /// Applies the events at the present state, without a step: after locate_event() returned zero.
