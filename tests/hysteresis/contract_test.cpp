@@ -132,6 +132,39 @@ TYPED_TEST(HysteresisContract, ItDoesNotMatterWhereAWayIsCut) {
   }
 }
 
+TYPED_TEST(HysteresisContract, NothingButTheDeformationChangesInTheElasticRange) {
+  if constexpr (requires(const TypeParam& law, const typename TypeParam::State& kept) { law.elastic(kept); }) {
+    std::mt19937 random(22);
+    std::uniform_real_distribution<double> part(0, 1);
+    for (int i = 0; i < 2000; ++i) {
+      const auto kept = this->follow(random_path(random, this->dy));
+      const Range range = this->law.elastic(kept);
+      ASSERT_GT(range.high - range.low, this->dy) << "path " << i;
+      const double force = excess(this->law, kept, 0.5 * (range.low + range.high)).force;
+      auto moved = kept;
+      for (int j = 0; j < 8; ++j) {
+        const double d = j == 0 ? std::nextafter(range.low, range.high) : j == 1 ? std::nextafter(range.high, range.low)
+                                : range.low + part(random) * (range.high - range.low);
+        const Answer answer = excess(this->law, moved, d);
+        ASSERT_EQ(answer.force, force) << "path " << i << ", at " << d;
+        ASSERT_EQ(answer.slope, 0);
+        ASSERT_EQ(lost(this->law, moved, d), 0);
+        if (kept.deformation > range.low && kept.deformation < range.high) {
+          ASSERT_FALSE(this->law.corner(moved, d));
+        }
+        auto expected = moved;
+        expected.deformation = d;
+        moved = this->law.advance(moved, d);
+        for (const StateValue<TypeParam>& value : TypeParam::state) ASSERT_EQ(value.get(moved), value.get(expected)) << value.info.name;
+        ASSERT_EQ(moved.deformation, d);
+      }
+      ASSERT_NEAR(excess(this->law, kept, range.high + 1e-3 * this->dy).slope, -(1 - this->law.hardening) * this->law.stiffness(), 1e-9 * this->law.stiffness());
+    }
+  } else {
+    GTEST_SKIP() << "it has no such range";
+  }
+}
+
 TYPED_TEST(HysteresisContract, TheMirroredPathHasTheMirroredForce) {
   if (!find_law(TypeParam::name).is_symmetric) GTEST_SKIP() << "not symmetric";
   std::mt19937 random(13);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Random rows of bodies, oscillators, yielding shear buildings and frames, all laws: every run ends, closes its energy and lets
-nobody through.
+"""Random rows of bodies, oscillators, yielding shear buildings and frames with hinges, all laws: every run ends, closes its energy
+and lets nobody through.
 
     python3 tests/program/stress.py build/pounding --seed 1 --count 100000 --jobs 2 --log seed1.jsonl --keep faults
     python3 tests/program/stress.py build/pounding --seed 1 --family yielding --count 1000

@@ -1,4 +1,4 @@
-"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, frames, under all laws."""
+"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, frames with hinges and without, under all laws."""
 import math
 import random
 
@@ -36,7 +36,7 @@ DIRECT = {
     "jankowski": ("damping_ratio", 0, 5),
     "viscous_hertz": ("damping_ratio", 0, 4),
 }
-#: Laws of storeys, with values of what they take beside the yield force and the hardening.
+#: Laws of storeys and of hinges in series, with values of what they take beside the yield force or moment and the hardening.
 SPRINGS = {
     "bilinear": {},
     "menegotto_pinto": {"memory": ["nested", "last"], "R0": [14, 20]},
@@ -170,6 +170,35 @@ def frames(chance):
     return {"structures": structures, "links": links, "ground": ground, "duration": min(2.0, ground["duration"])}
 
 
+def hinges(chance, s):
+    """Hinges of a frame that carries 4 to 40 % of its weight as a sway mechanism of its storeys and feet, by one law for all of them."""
+    weight = 9.81 * s["storeys"] * (s["floor_mass"] + 5e3 * (s["bays"] + 1))
+    moment = chance.uniform(0.04, 0.4) * weight * s["height"] / (2 * (s["bays"] + 1))
+    hardening = chance.choice([0, 0.01, 0.05, 0.2])
+    law, stiff = chance.choice(["rigid_plastic", "rigid_plastic", *SPRINGS]), chance.choice([1, 10, 100])
+
+    def entry(at, strength):
+        if law == "rigid_plastic":
+            return f"{{at: {at}, yield_moment: {strength}, hardening: {hardening}}}"
+        words = {"yield_moment": strength, "hardening": hardening, "stiffness_factor": stiff}
+        words |= {key: chance.choice(values) for key, values in SPRINGS[law].items()}
+        return f"{{at: {at}, {law}: {{{', '.join(f'{key}: {value}' for key, value in words.items())}}}}}"
+
+    beams = moment * chance.uniform(0.3, 1)
+    both_ways = f"[{beams}, {-beams * chance.uniform(0.5, 2)}]" if law == "rigid_plastic" and chance.random() < 0.3 else beams
+    return {"beams": entry(chance.choice(["both", "both", "start"]), both_ways), "columns": entry(chance.choice(["feet", "feet", "both"]), moment)}
+
+
+def hinged(chance):
+    """Two plane frames whose members yield at their ends; the second one sometimes stays elastic."""
+    case = frames(chance)
+    for s in case["structures"]:
+        s["gravity"] = False
+    for s in case["structures"][:chance.choice([1, 2, 2])]:
+        s["hinges"] = hinges(chance, s)
+    return case
+
+
 def shaking(chance):
     if chance.random() < 0.75:
         return {"kind": "harmonic", "amplitude": chance.uniform(0.5, 5), "period": chance.uniform(0.1, 1.5),
@@ -271,11 +300,11 @@ def free(chance):
     return {"structures": structures, "links": links, "ground": None, "duration": 2.0}
 
 
-FAMILIES = {mixed: 35, grazing: 11, resting: 12, together: 13, free: 9, towers: 8, yielding: 8, frames: 4}
+FAMILIES = {mixed: 35, grazing: 11, resting: 12, together: 13, free: 9, towers: 8, yielding: 8, frames: 2, hinged: 2}
 
 
 #: Families with structures that independent.py does not know.
-BEYOND_INDEPENDENT = ("towers", "yielding", "frames")
+BEYOND_INDEPENDENT = ("towers", "yielding", "frames", "hinged")
 
 
 def case_of(seed, number, only=None):
@@ -290,11 +319,13 @@ def case_of(seed, number, only=None):
 
 def frame_text(s):
     """A frame as the program reads it."""
+    hinges = "".join(f"        {group}: {words}\n" for group, words in s.get("hinges", {}).items())
+    hinges = f"      hinges:\n{hinges}" if hinges else ""
     sections = f"columns: {{rectangle: [{s['depth']}, {s['depth']}]}}, beams: {{rectangle: [0.3, 0.5]}}"
     return (f"  {s['name']}:\n    frame:\n      material: {{E: 30 GPa, density: 2500 kg/m^3}}\n      origin: [{s['origin']}]\n"
             f"      gravity: {str(s['gravity']).lower()}\n"
             f"      grid: {{storeys: {s['storeys']}, bays: {s['bays']}, storey_height: {s['height']}, bay_width: {s['width']}, {sections}, "
-            f"floor_mass: {s['floor_mass']}}}\n"
+            f"floor_mass: {s['floor_mass']}}}\n{hinges}"
             f"    damping: {s['damping']}\n    initial_velocity: {s['velocity']}\n")
 
 

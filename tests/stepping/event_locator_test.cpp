@@ -80,7 +80,7 @@ struct Formulas {
     write(0, now);
     try_step(h, end);
     trials = 0;
-    return locator.locate(now, trial, [this](double length, std::optional<double> at) { return try_step(length, at); });
+    return locator.locate(now, trial, true, [this](double length, std::optional<double> at) { return try_step(length, at); });
   }
 };
 

@@ -11,6 +11,7 @@
 #include <pounding/links/gap_link.hpp>
 #include "support/dense.hpp"
 #include "support/hinge_frame.hpp"
+#include "support/without_range.hpp"
 
 namespace pounding {
 namespace hinges_test {
@@ -108,6 +109,50 @@ TEST_P(Hinges, ThatNeverYieldCostNoBit) {
   EXPECT_TRUE(same_bits(a.end.v, b.end.v));
   EXPECT_TRUE(same_bits(a.end.a, b.end.a));
   EXPECT_EQ(a.iterations, 0);
+}
+
+// Steps in which every hinge stays in its elastic range, before the first yield and between two of them, at rest under gravity too.
+TEST_P(Hinges, ThatStayInTheirRangesMoveToTheBitAsByTheLongWay) {
+  for (const bool bears : {false, true}) {
+    HingeFrame quick({.frames = 2, .mirrored = true}, shake), slow({.frames = 2, .mirrored = true}, shake);
+    std::vector<std::unique_ptr<test::WithoutRange>> hidden;
+    for (Spring*& spring : slow.system.springs) spring = hidden.emplace_back(std::make_unique<test::WithoutRange>(*spring)).get();
+    for (HingeFrame* frame : {&quick, &slow}) {
+      frame->add_contact(std::make_unique<GapLink<laws::HertzDamped>>(laws::HertzDamped{.stiffness = 2.75e9, .restitution = 0.65}, 0.02, 0));
+      if (!bears) continue;
+      frame->system.gravity_offset.setZero(frame->system.links());
+      for (int i = 0; i < frame->hinges(); ++i) frame->system.gravity_offset[1 + i] = 0.2 * std::sin(1 + i) * frame->springs[i]->yield_deformation();
+    }
+    const auto run = [](HingeFrame& frame, std::vector<double>& numbers, long& stayed) {
+      ModalSolver solver(frame.system);
+      return run_hinge_frame(frame, solver, {.tolerance = 1e-4, .scheme = GetParam(), .max_step = 0.02}, end, 4, [&](StepController& controller) {
+        if (controller.stepper().springs_stayed()) ++stayed;
+        for (const LinkStep& step : controller.stepper().link_steps())
+          for (const double value : {step.motion_begin.penetration, step.motion_begin.rate, step.motion_middle.penetration,
+                                     step.motion_middle.rate, step.motion_end.penetration, step.motion_end.rate, step.force_begin,
+                                     step.force_middle, step.force_end, step.acceleration_begin, step.acceleration_end})
+            numbers.push_back(value);
+      });
+    };
+    std::vector<double> seen, expected;
+    long quickly = 0, slowly = 0;
+    const HingeFrameRun a = run(quick, seen, quickly), b = run(slow, expected, slowly);
+    EXPECT_GT(quickly, 20);
+    EXPECT_LT(quickly, a.steps - 100);
+    EXPECT_EQ(slowly, 0);
+    EXPECT_EQ(seen, expected);
+    EXPECT_EQ(a.trials, b.trials);
+    EXPECT_TRUE(same_bits(a.end.u, b.end.u));
+    EXPECT_TRUE(same_bits(a.end.v, b.end.v));
+    EXPECT_TRUE(same_bits(a.end.a, b.end.a));
+    EXPECT_TRUE(same_bits(a.end.force, b.end.force));
+    EXPECT_EQ(a.slip, b.slip);
+    EXPECT_EQ(a.hinge_work, b.hinge_work);
+    EXPECT_EQ(a.base_shear, b.base_shear);
+    EXPECT_EQ(a.energy.strain, b.energy.strain);
+    EXPECT_EQ(a.energy.hysteretic, b.energy.hysteretic);
+    EXPECT_GT(a.energy.hysteretic, 0);
+  }
 }
 
 TEST_P(Hinges, OfTwoMirroredFramesMoveAlike) {
@@ -210,6 +255,36 @@ TEST_P(Hinges, MoveAlikeInModesAndInSparseMatrices) {
   EXPECT_LT((a.u - b.u).norm(), 1e-8 * a.u.norm());
   EXPECT_LT((a.v - b.v).norm(), 1e-6 * a.v.norm());
   EXPECT_LT((a.force - b.force).norm(), 1e-8 * a.force.norm());
+}
+
+// A step that ended at a corner would need a factor of its own: the error alone says how long steps are there.
+TEST_P(Hinges, OfFramesWithFactorsKeepTheToleranceWithoutStepsThatEndAtCorners) {
+  constexpr double longest = 0.016;
+  const auto run_with = [&](auto&& make, double tolerance) {
+    HingeFrame frame({.frames = 2}, shake);
+    const auto solver = make(frame.system);
+    int off_levels = 0;
+    const HingeFrameRun done = run_hinge_frame(frame, *solver, {.tolerance = tolerance, .scheme = GetParam(), .max_step = longest}, end, 4,
+                                               [&](StepController& controller) {
+                                                 const double h = controller.stepper().instant_end_minus().time - controller.stepper().instant_begin().time;
+                                                 const double level = std::log2(longest / h);
+                                                 if (std::abs(level - std::round(level)) > 1e-6) ++off_levels;
+                                               });
+    return std::pair(done, off_levels);
+  };
+  const auto modal = [](const System& system) { return std::make_unique<ModalSolver>(system); };
+  const auto sparse = [](const System& system) { return std::make_unique<petsc::SparseSolver>(PETSC_COMM_WORLD, system); };
+  const HingeFrameRun truth = run_with(modal, 1e-6).first;
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const auto [done, off_levels] = run_with(sparse, tolerance);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(done.peak_floor[i], truth.peak_floor[i], tolerance * truth.peak_floor[2]) << tolerance;
+      EXPECT_NEAR(done.end_floor[i], truth.end_floor[i], tolerance * truth.peak_floor[2]) << tolerance;
+    }
+    EXPECT_LT(std::abs(done.imbalance()), tolerance);
+    EXPECT_LT(off_levels, 4) << "breakpoints of the ground and the end of the run";
+    EXPECT_GT(done.energy.hysteretic, 0.2 * done.energy.input);
+  }
 }
 
 }  // namespace hinges_test

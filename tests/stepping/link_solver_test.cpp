@@ -197,6 +197,51 @@ TEST(LinkSolver, FollowsASpringThatYields) {
   EXPECT_LT(expected, -0.9 * (1e6 * 5e-3 - 1e3)) << "beyond the answer to the free motion";
 }
 
+// Sixty springs of two structures, most of which yield, beside three contacts that join them: as by Newton's method on all equations at once,
+// which the springs of each structure leave the contacts alone.
+TEST(SoftSprings, OfEachStructureAreEliminatedBeforeTheOtherLinks) {
+  constexpr int contacts = 3, of_one = 30, springs = 2 * of_one, count = contacts + springs;
+  Eigen::MatrixXd way = Eigen::MatrixXd::Zero(count, 2 * 40);  // of the links by the unknowns of two structures
+  for (int i = 0; i < contacts; ++i)
+    for (int j = 0; j < 80; ++j) way(i, j) = std::sin(1 + 7 * i + 3 * j);
+  for (int i = 0; i < springs; ++i)
+    for (int j = 0; j < 40; ++j) way(contacts + i, (i < of_one ? 0 : 40) + j) = std::cos(2 + 5 * i + 2 * j);
+  const Eigen::MatrixXd flexibility = 1e-3 * way * way.transpose();
+  Eigen::MatrixXd relief = Eigen::MatrixXd::Zero(count, count);
+  relief.bottomRightCorner(springs, springs) = 1e-9 * flexibility.bottomRightCorner(springs, springs);
+  Eigen::VectorXd slopes(count), rates = Eigen::VectorXd::Zero(count), residual(count), only_springs = Eigen::VectorXd::Zero(count);
+  const double by_u = 1e-6, by_v = 2e-3, weight = 0.5;
+  for (int i = 0; i < count; ++i) {
+    residual[i] = 1e3 * std::sin(3.0 + 11 * i);
+    slopes[i] = i < contacts ? 1e8 : i % 7 == 0 ? 0 : -0.1 / (by_u * weight * flexibility(i, i) + relief(i, i)) / of_one;
+    if (i >= contacts) only_springs[i] = slopes[i];
+    if (i < contacts) rates[i] = 1e5;
+  }
+  const Eigen::MatrixXd by_penetration = weight * by_u * flexibility + relief, by_rate = weight * by_v * flexibility;
+  Eigen::MatrixXd matrix = slopes.asDiagonal() * by_penetration;
+  matrix += rates.asDiagonal() * by_rate;
+  matrix.diagonal().array() += 1;
+  const Eigen::VectorXd expected = matrix.partialPivLu().solve(residual);
+  const std::vector<int> active(count, 0), others{0, 1, 2};
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(count);
+  const CondensedLinks links{.active = active, .free = {}, .free_acceleration = none, .flexibility = flexibility, .by_u = by_u, .by_v = by_v,
+                             .weight = weight, .relief = &relief};
+  SoftSprings solver;
+  Eigen::VectorXd direction;
+  ASSERT_TRUE(solver.solve_beside(links, others, matrix, only_springs, residual, direction));
+  EXPECT_LT((direction - expected).norm(), 1e-11 * expected.norm());
+  // Without the contacts.
+  const Eigen::MatrixXd g = flexibility.bottomRightCorner(springs, springs), s = relief.bottomRightCorner(springs, springs);
+  const Eigen::VectorXd own = slopes.tail(springs), left = residual.tail(springs), nothing = none.tail(springs);
+  const CondensedLinks alone{.active = active, .free = {}, .free_acceleration = nothing, .flexibility = g, .by_u = by_u, .by_v = by_v,
+                             .weight = weight, .relief = &s};
+  const Eigen::VectorXd by_themselves = matrix.bottomRightCorner(springs, springs).partialPivLu().solve(left);
+  ASSERT_TRUE(solver.solve(alone, own, left, direction));
+  EXPECT_LT((direction - by_themselves).norm(), 1e-11 * by_themselves.norm());
+  // Springs that soften more than the structure can bear have no factor.
+  EXPECT_FALSE(solver.solve_beside(links, others, matrix, 1e6 * only_springs, residual, direction));
+}
+
 TEST(LinkSolver, FindsTheFrictionOfTheForceThatPresses) {
   for (const double sliding : {1e-1, 1e-4}) {
     Few few;

@@ -111,19 +111,16 @@ double deformation_at_rest(const FrameModel& model, const Hinge& hinge, const Ro
   return deformation.dot(s.at_rest) + model.frame.fixed_end_forces(hinge.member, model.has_gravity())[hinge.place()] / k;
 }
 
-// Laws with corners are straight up to the first one. Others never are: they must be nearly so.
-void require_elastic_at_rest(const YieldingPart& part, const HingeForces& forces) {
-  constexpr double nearly = 1e-6;
+// Laws with corners are straight up to the first one; others give way before they yield, and the run begins there.
+void require_unyielded_at_rest(const YieldingPart& part, const HingeForces& forces) {
   const Spring& spring = *part.spring;
   const double at = part.at_rest, yield = spring.yield_deformation();
-  const std::optional<double> corner = spring.has_corners() ? spring.corner(at) : std::nullopt;
-  if (corner || (!spring.has_corners() && std::abs(at) > yield))
+  const std::optional<double> corner = spring.corner(at);
+  const bool is_smooth = !spring.corner(1e3 * yield) && !spring.corner(-1e3 * yield);
+  if (corner || (is_smooth && std::abs(at) > yield))
     refuse(fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and it yields at {}; give it a yield moment above "
                        "that, or lighten what it carries",
                        part.name, moment(forces.k * at), moment(forces.k * corner.value_or(std::copysign(yield, at)))));
-  if (std::abs(spring.evaluate({at, 0}).force) > nearly * forces.k * yield)
-    refuse(fmt::format("hinge {}: at rest, under gravity and loads alone, its moment is {}, and {} is not straight so far; type bilinear instead",
-                       part.name, moment(forces.k * at), part.law));
 }
 
 Row deformation_row(const Frame& frame, const AssembledFrame& assembled, const Hinge& hinge, const HingeForces& forces) {
@@ -266,7 +263,7 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
                                                  word_of(hinges[i]), parameters_of(hinges[i], k), std::move(springs[i]));
     part.kind = YieldingPart::Kind::hinge;
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
-    require_elastic_at_rest(part, forces[i]);
+    require_unyielded_at_rest(part, forces[i]);
   }
   s.yielding_flexibility = flexibility(model.frame, forces);
   add_to_shears(model, forces, above, s);

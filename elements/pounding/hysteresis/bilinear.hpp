@@ -83,6 +83,11 @@ struct Bilinear {
     return 0.5 * hardening * initial_stiffness * (d + kept.deformation) * (d - kept.deformation) +
            0.5 * yielding() * (after + before) * (after - before) + lost(kept, d);
   }
+  /// Less a part that no round-off fills.
+  Range elastic(const State& kept) const noexcept {
+    constexpr double inner = 1 - 1e-9;
+    return {kept.slip - inner * reach(-1), kept.slip + inner * reach(1)};
+  }
   std::optional<double> corner(const State& kept, double d) const noexcept {
     const double way = d - kept.deformation, yields_at = kept.slip + std::copysign(reach(way), way);
     return is_strictly_between(yields_at, kept.deformation, d) ? std::optional(yields_at) : std::nullopt;

@@ -18,6 +18,7 @@
 ///     Answer excess(const State&, double d) const noexcept;           // optional, see excess() below
 ///     double lost(const State&, double d) const noexcept;             // optional, see lost() below
 ///     double stored_excess(const State&) const noexcept;              // optional, see stored_excess() below
+///     Range elastic(const State&) const noexcept;                     // optional, see Range below
 ///
 /// All are pure: a law holds no history, its State does, and only `advance` makes a new one. The path between two kept states is
 /// followed exactly, so it does not matter where a way without a turn is cut into steps.
@@ -36,6 +37,12 @@ namespace pounding::hysteresis {
 /// no way, that of one of the two directions.
 struct Answer {
   double force = 0, slope = 0;
+};
+
+/// Deformations strictly between which excess() is constant to the bit and advance() changes the deformation alone, on whatever way, and
+/// nothing is lost [m].
+struct Range {
+  double low = 0, high = 0;
 };
 
 /// A law of yielding.

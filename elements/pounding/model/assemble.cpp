@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
+#include <pounding/model/rest_by_yielding.hpp>
 
 namespace pounding {
 namespace {
@@ -28,6 +30,17 @@ SparseMatrix sparse(const Triplets& entries, int rows, int columns) {
   SparseMatrix matrix(rows, columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+// By structure, see rest_by_yielding().
+std::vector<Eigen::VectorXd> rests_by_yielding(const Model& model) {
+  std::vector<Eigen::VectorXd> rests;
+  for (const Structure& s : model.structures) try {
+      rests.push_back(rest_by_yielding(s));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("{}: {}", s.name, error.what()));
+    }
+  return rests;
 }
 
 int total_size(const Model& model) {
@@ -172,6 +185,7 @@ System assemble(const Model& model, bool with_links) {
       system.contacts.push_back(link.contact.get());
       system.names.push_back(link.name);
     }
+  const std::vector<Eigen::VectorXd> given_way = rests_by_yielding(model);
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     add_entries(relief, model.structures[i].yielding_flexibility, static_cast<int>(system.springs.size()));
     for (const YieldingPart& part : model.structures[i].yielding) {
@@ -184,6 +198,7 @@ System assemble(const Model& model, bool with_links) {
       // Preloads leave a device undeformed, as gravity does.
       if (const Structure& s = model.structures[i]; part.is_device() && with_links && s.preload_displacement.size() > 0)
         columns.back().at_rest -= part.deformation.dot(s.preload_displacement);
+      if (part.is_device() && given_way[i].size() > 0) columns.back().at_rest -= part.deformation.dot(given_way[i]);
     }
   }
   for (const Device& device : model.devices) {
@@ -223,6 +238,8 @@ System assemble(const Model& model, bool with_links) {
         // Preloads leave it undeformed, as gravity does.
         if (with_links && s.preload_displacement.size() > 0)
           at_rest[c] -= sign * displacement_along(*end, columns[c].direction, s.preload_displacement);
+        if (given_way[end->structure].size() > 0)
+          at_rest[c] -= sign * displacement_along(*end, columns[c].direction, given_way[end->structure]);
       } else if (s.at_rest.size() > 0) {
         for (int i = 0; i < 3; ++i) at_rest[c] += sign * columns[c].direction[i] * end->point.motion[i].dot(s.at_rest);
       }
@@ -238,10 +255,12 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> initial_state(const Model& model, bo
   const std::vector<int> first = offsets(model);
   const int n = total_size(model);
   Eigen::VectorXd u(n), v(n);
+  const std::vector<Eigen::VectorXd> given_way = rests_by_yielding(model);
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     u.segment(first[i], s.size()) = s.initial_displacement;
     if (with_links && s.preload_displacement.size() > 0) u.segment(first[i], s.size()) += s.preload_displacement;
+    if (given_way[i].size() > 0) u.segment(first[i], s.size()) += given_way[i];
     v.segment(first[i], s.size()) = s.initial_velocity;
   }
   return {u, v};

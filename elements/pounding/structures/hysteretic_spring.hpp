@@ -25,6 +25,18 @@ class HystereticSpring : public Spring {
   double stiffness() const noexcept override { return law_.stiffness(); }
   double yield_deformation() const noexcept override { return law_.yield_deformation(); }
   std::optional<double> corner(double deformation) const noexcept override { return law_.corner(kept_, deformation); }
+  std::optional<Spring::Elastic> elastic() const noexcept override {
+    if constexpr (requires { law_.elastic(kept_); }) {
+      const hysteresis::Range range = law_.elastic(kept_);
+      return Spring::Elastic{range.low, range.high, hysteresis::excess(law_, kept_, 0.5 * (range.low + range.high)).force};
+    }
+    return {};
+  }
+  void stay(double deformation) override {
+    before_ = kept_;
+    given_before_ = given_;
+    kept_.deformation = deformation;
+  }
   /// A spring that was never deformed is brought to where the run begins, which loses nothing that is counted.
   void start(const LinkMotion& motion) override {
     if (kept_.deformation == 0 && motion.penetration != 0) {

@@ -22,6 +22,15 @@ class Spring {
   virtual double stiffness() const noexcept { return 0; }
   /// Slope of evaluate() before anything has yielded: of what the structures are not assembled with [N/m].
   virtual double first_slope() const noexcept { return 0; }
+  /// Deformations between which, on any way from the last kept state, nothing but the deformation changes, and the force of evaluate()
+  /// is this one to the bit. Nothing where there is no such range.
+  struct Elastic {
+    double low = 0, high = 0;  ///< [m]
+    double force = 0;          ///< [N]
+  };
+  virtual std::optional<Elastic> elastic() const noexcept { return {}; }
+  /// As accept(), for a step that stayed strictly inside elastic() and ended at this deformation.
+  virtual void stay(double /*deformation*/) {}
   /// Size of the deformation at which it first yields, what ductility is counted in [m]; infinite for what never does.
   virtual double yield_deformation() const noexcept { return std::numeric_limits<double>::infinity(); }
   /// The first deformation on the straight way from the last kept one to this one at which the slope jumps, itself excluded; nothing

@@ -70,6 +70,8 @@ class StructureSolver {
 
   /// True if steps that are the longest one over 2^k are cheaper than others.
   virtual bool prefers_dyadic_steps() const { return false; }
+  /// Whether a step of any other length costs many times as much, for a sparse factor of its own.
+  virtual bool needs_dyadic_steps() const { return false; }
   /// Sets A for the next solves. `step_level` = k if the step is the longest over 2^k, so that its factor is cached.
   virtual void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) = 0;
   /// Replaces x by A^-1 x. False when the solve failed.

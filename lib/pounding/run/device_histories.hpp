@@ -30,7 +30,7 @@ class DeviceHistories {
   void archive(Archive& archive);
 
  private:
-  const LinkStep& step_of(std::size_t device) const { return stepper_.link_steps()[first_ + device]; }
+  const LinkStep& step_of(std::size_t device) const { return stepper_.link_step(static_cast<int>(first_ + device)); }
   double force_now(std::size_t device) const { return stepper_.link_forces()[static_cast<int>(first_ + device)]; }
 
   const Model& model_;

@@ -230,7 +230,7 @@ void ForceEnvelopes::show() {
 
 bool ForceEnvelopes::presses_on_members() const {
   return std::any_of(fixed_ends_.begin(), fixed_ends_.end(), [&](const FixedEnds& ends) {
-    const LinkStep& step = stepper_.link_steps()[ends.link];
+    const LinkStep& step = stepper_.link_step(ends.link);
     return step.force_begin != 0 || step.force_middle != 0 || step.force_end != 0;
   });
 }
@@ -240,9 +240,14 @@ bool ForceEnvelopes::parts_act() const {
   const int contacts = stepper_.system().contact_count();
   for (std::size_t k = 0; k < first_spring_.size(); ++k) {
     if (!yields(model_.structures[k])) continue;
-    const auto from = stepper_.link_steps().begin() + contacts + first_spring_[k];
+    const int first = contacts + static_cast<int>(first_spring_[k]), count = static_cast<int>(model_.structures[k].yielding.size());
+    if (stepper_.springs_stayed()) {
+      if (!stepper_.instant_end_minus().force.segment(first, count).isZero(0)) return true;
+      continue;
+    }
+    const auto from = stepper_.link_steps().begin() + first;
     const auto acts = [](const LinkStep& step) { return step.force_begin != 0 || step.force_middle != 0 || step.force_end != 0; };
-    if (std::any_of(from, from + static_cast<int>(model_.structures[k].yielding.size()), acts)) return true;
+    if (std::any_of(from, from + count, acts)) return true;
   }
   return false;
 }
@@ -274,10 +279,9 @@ void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bo
       block.extremes.update(static_cast<std::size_t>(q), begin_time, h, block.values[q], block.rates[q], end_[q], rates_[q]);
   } else {
     Eigen::VectorXd begin = block.values, middle = 0.5 * (block.values + end_) + h / 8 * (block.rates - rates_), ends = end_;
-    const std::vector<LinkStep>& links = stepper_.link_steps();
-    add_fixed_end_forces(block, begin, [&](int link) { return links[link].force_begin; });
-    add_fixed_end_forces(block, middle, [&](int link) { return links[link].force_middle; });
-    add_fixed_end_forces(block, ends, [&](int link) { return links[link].force_end; });
+    add_fixed_end_forces(block, begin, [&](int link) { return stepper_.link_step(link).force_begin; });
+    add_fixed_end_forces(block, middle, [&](int link) { return stepper_.link_step(link).force_middle; });
+    add_fixed_end_forces(block, ends, [&](int link) { return stepper_.link_step(link).force_end; });
     for (std::size_t i = 0; i < block.extremes.size(); ++i) {
       const int q = static_cast<int>(i);
       block.extremes.update(i, begin_time, begin[q]);

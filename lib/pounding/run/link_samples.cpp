@@ -113,7 +113,7 @@ LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector
 
 std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::*force) const {
   std::array<double, 2> forces{};
-  for (int j = 0; j < histories_[link].tangents; ++j) forces[j] = stepper_.link_steps()[first_tangent_[link] + j].*force;
+  for (int j = 0; j < histories_[link].tangents; ++j) forces[j] = stepper_.link_step(static_cast<int>(first_tangent_[link] + j)).*force;
   return forces;
 }
 
@@ -128,7 +128,7 @@ void LinkSamples::add_between(std::size_t link, const LinkStep& step, double s, 
   LinkSample sample{step.begin + mid * (step.end - step.begin), motion.penetration, motion.rate, force,
                     contact.work() - work_after(step, mid), {}};
   for (int j = 0; j < histories_[link].tangents; ++j)
-    sample.friction[j] = force_inside(stepper_.link_steps()[first_tangent_[link] + j], mid);
+    sample.friction[j] = force_inside(stepper_.link_step(static_cast<int>(first_tangent_[link] + j)), mid);
   impacts_[link].add(sample);
   if (depth > 1) add_between(link, step, mid, force, e, force_e, depth - 1);
 }
@@ -136,7 +136,7 @@ void LinkSamples::add_between(std::size_t link, const LinkStep& step, double s, 
 void LinkSamples::step(bool output_due) {
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     const Contact& contact = *model_.links[i].contact;
-    const LinkStep& step = stepper_.link_steps()[i];
+    const LinkStep& step = stepper_.link_step(static_cast<int>(i));
     const std::span<const ImpactRow> rows = contact.impacts();
     const bool begun = !rows.empty();
     const bool presses = begun && std::isnan(rows.back().t_end);

@@ -54,8 +54,8 @@ void ReductionErrors::step(bool output_due) {
 }
 
 void ReductionErrors::compare_forces(const Instant& end) {
-  const std::vector<LinkStep>& steps = stepper_.link_steps();
-  const auto presses = [&](std::size_t i) { return steps[i].force_end != 0; };
+  const auto step = [&](std::size_t i) -> const LinkStep& { return stepper_.link_step(static_cast<int>(i)); };
+  const auto presses = [&](std::size_t i) { return step(i).force_end != 0; };
   bool any = false;
   for (std::size_t i = 0; i < forces_.size(); ++i) any = any || presses(i);
   if (!any) return;
@@ -63,7 +63,7 @@ void ReductionErrors::compare_forces(const Instant& end) {
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     if (!presses(i)) continue;
     const auto row = static_cast<Eigen::Index>(i);
-    const laws::Response law = stepper_.system().contacts[i]->evaluate(steps[i].motion_end);
+    const laws::Response law = stepper_.system().contacts[i]->evaluate(step(i).motion_end);
     const double difference = law.by_penetration * (end.relative(row, 0) - closings_(row, 0)) + law.by_rate * (end.relative(row, 1) - closings_(row, 1));
     if (std::isfinite(difference)) forces_[i] = std::max(forces_[i], std::abs(difference));
   }

@@ -102,6 +102,11 @@ void SpringHistories::visit_parts(Visit&& visit) {
 }
 
 void SpringHistories::begin() {
+  for (std::size_t k = 0; k < first_.size(); ++k) {
+    SpringHistory& history = histories_[k].springs;
+    const auto values = static_cast<std::size_t>(model_.analysis.duration / model_.analysis.output_step + 2) * history.size();
+    for (std::vector<double>* all : {&history.deformation, &history.force, &history.hysteretic}) all->reserve(values);
+  }
   visit_parts([&](int k, std::size_t i) {
     SpringHistory& history = histories_[k].springs;
     const int link = static_cast<int>(first_[k] + i);
@@ -115,13 +120,51 @@ void SpringHistories::begin() {
 }
 
 void SpringHistories::step() {
-  visit_parts([&](int k, std::size_t i) { step_part(k, i); });
+  if (stepper_.springs_stayed())
+    stay();
+  else
+    visit_parts([&](int k, std::size_t i) { step_part(k, i); });
+  stayed_ = stepper_.springs_stayed();
   for (const StoreyDamping& damping : dampings_) step_damping(damping);
+}
+
+SpringHistories::Quiet SpringHistories::quiet(int k, std::size_t i) const {
+  const SpringHistory& history = histories_[k].springs;
+  Quiet range{history.deformations.min[i], history.deformations.max[i]};
+  const auto narrow = [&](double low, double high) { range = {std::max(range.low, low), std::min(range.high, high)}; };
+  const double stiffness = assembled(k, i), on_top = stepper_.link_forces()[static_cast<int>(first_[k] + i)];
+  if (stiffness > 0) narrow((history.forces.min[i] - on_top) / stiffness, (history.forces.max[i] - on_top) / stiffness);
+  const double yield = history.yield_deformation[i], count = history.cycles.swings[i], turn = history.cycles.turn[i];
+  if (count == 0 || std::isnan(history.first_yield[i])) narrow(-yield, yield);
+  if (count > 0) narrow(turn - 2 * yield, turn);
+  if (count < 0) narrow(turn, turn + 2 * yield);
+  const double rounding = 1e-12 * (std::abs(range.low) + std::abs(range.high));
+  return {range.low + rounding, range.high - rounding};
+}
+
+// A step in which no spring changed its force.
+void SpringHistories::stay() {
+  // Devices between structures follow the parts.
+  const Eigen::MatrixXd& paths = stepper_.spring_paths();
+  const double *const begin = paths.data(), *const end = begin + paths.rows(), *const least = end + paths.rows(), *const most = least + paths.rows();
+  quiet_.resize(assembled_.size(), {1, -1});
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < first_.size(); ++k) {
+    double* const last = histories_[k].springs.last.data();
+    for (std::size_t i = 0, count = model_.structures[k].yielding.size(); i < count; ++i, ++at) {
+      // The parabola of the force leaves the cubic of the deformation by less than a quarter of the way.
+      const double away = 0.25 * std::abs(end[at] - begin[at]);
+      last[i] = end[at];
+      if (stayed_ && least[at] - away > quiet_[at].low && most[at] + away < quiet_[at].high) continue;
+      step_part(static_cast<int>(k), i);
+      quiet_[at] = quiet(static_cast<int>(k), i);
+    }
+  }
 }
 
 void SpringHistories::step_part(int k, std::size_t i) {
   SpringHistory& history = histories_[k].springs;
-  const LinkStep& step = stepper_.link_steps()[first_[k] + i];
+  const LinkStep& step = stepper_.link_step(static_cast<int>(first_[k] + i));
   const double h = step.end - step.begin, stiffness = assembled(k, i);
   const LinkMotion &begin = step.motion_begin, &end = step.motion_end;
   // A cubic stays within a third of the step times the rates from its ends, a parabola within a quarter of the way. Most steps bring nothing
@@ -167,17 +210,24 @@ void SpringHistories::step_damping(const StoreyDamping& damping) {
 }
 
 void SpringHistories::sample(double time, bool inside) {
+  const bool stayed = stepper_.springs_stayed();
+  if (inside && stayed) {
+    const double begin = stepper_.instant_begin().time, end = stepper_.instant_end_minus().time;
+    stepper_.deformations((time - begin) / (end - begin), deformations_);
+  }
   visit_parts([&](int k, std::size_t i) {
     SpringHistory& history = histories_[k].springs;
     const int link = static_cast<int>(first_[k] + i);
-    double d = stepper_.link_motion(link).penetration, on_top = stepper_.link_forces()[link];
-    const Spring& spring = *model_.structures[k].yielding[i].spring;
-    double lost = lost_by(spring);
-    if (inside) {
-      const LinkStep& step = stepper_.link_steps()[link];
+    double on_top = stepper_.link_forces()[link], lost = stayed ? history.lost[i] : lost_by(*model_.structures[k].yielding[i].spring), d = 0;
+    if (!inside) {
+      d = stepper_.link_motion(link).penetration;
+    } else if (stayed) {
+      d = deformations_[static_cast<Eigen::Index>(place(k, i))];
+    } else {
+      const LinkStep& step = stepper_.link_step(link);
       const double s = (time - step.begin) / (step.end - step.begin);
       d = interpolate(step, s).penetration;
-      const Spring::Instant instant = spring.inside(step, s, d);
+      const Spring::Instant instant = model_.structures[k].yielding[i].spring->inside(step, s, d);
       on_top = instant.force;
       lost = instant.lost;
     }

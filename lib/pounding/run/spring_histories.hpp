@@ -39,8 +39,16 @@ class SpringHistories {
     std::vector<double> yield_force;  // [N]
   };
 
-  double assembled(int structure, std::size_t part) const { return assembled_[first_[structure] - first_.front() + part]; }
+  // Deformations between which a part, while its force on top stays, brings nothing new.
+  struct Quiet {
+    double low = 0, high = 0;
+  };
+
+  std::size_t place(int structure, std::size_t part) const { return first_[structure] - first_.front() + part; }
+  double assembled(int structure, std::size_t part) const { return assembled_[place(structure, part)]; }
   void step_part(int structure, std::size_t part);
+  Quiet quiet(int structure, std::size_t part) const;
+  void stay();
   void step_damping(const StoreyDamping& damping);
   template <class Visit>
   void visit_parts(Visit&& visit);
@@ -52,6 +60,9 @@ class SpringHistories {
   std::vector<std::size_t> first_;        // by structure: link of its first part
   std::vector<double> assembled_;         // by part of all structures: stiffness that K has of it
   std::vector<StoreyDamping> dampings_;
+  std::vector<Quiet> quiet_;              // by part as well; valid between steps in which no spring changed its force
+  Eigen::VectorXd deformations_;          // of all springs, at an output
+  bool stayed_ = false;                   // whether the last step was one of these
 };
 
 }  // namespace pounding

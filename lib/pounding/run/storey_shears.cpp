@@ -55,12 +55,12 @@ void StoreyShears::step(int k, int row, const StepMotion& step) {
       shear.update(i, step.begin_time, step.h, k_i * d0, k_i * v0, k_i * d1, k_i * v1);
       continue;
     }
-    const LinkStep* spring = yields ? &stepper_.link_steps()[first_spring_[k] + i] : nullptr;
+    const LinkStep* spring = yields ? &stepper_.link_step(static_cast<int>(first_spring_[k] + i)) : nullptr;
     const auto update = [&](double part, double d) {
       const double time = step.begin_time + part * step.h;
       double force = k_i * d + (yields ? spring_force(*s.yielding[i].spring, *spring, time, d) : 0);
       force += shear_by_devices(s.floors[i], [&](std::size_t j) {
-        const LinkStep& device = stepper_.link_steps()[first_spring_[k] + j];
+        const LinkStep& device = stepper_.link_step(static_cast<int>(first_spring_[k] + j));
         return spring_force(*s.yielding[j].spring, device, time, interpolate(device, part).penetration);
       });
       shear.update(i, time, force);

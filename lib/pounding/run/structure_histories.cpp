@@ -87,7 +87,7 @@ void StructureHistories::sample_floors(int k, const OutputInstant& at) {
       if (s.storey_stiffness.empty()) continue;
       double shear = s.storey_stiffness[i] * drift;
       if (i < yielding) {
-        const LinkStep& step = stepper_.link_steps()[first_spring_[k] + i];
+        const LinkStep& step = stepper_.link_step(static_cast<int>(first_spring_[k] + i));
         const Spring& spring = *s.yielding[i].spring;
         shear += at.inside ? spring_force(spring, step, at.time, drift) : spring.evaluate({.penetration = drift}).force;
       }
@@ -100,7 +100,7 @@ void StructureHistories::sample_floors(int k, const OutputInstant& at) {
 double StructureHistories::device_force(int k, std::size_t part, const OutputInstant& at) const {
   const std::size_t link = first_spring_[k] + part;
   if (!at.inside) return stepper_.link_forces()[static_cast<int>(link)];
-  const LinkStep& step = stepper_.link_steps()[link];
+  const LinkStep& step = stepper_.link_step(static_cast<int>(link));
   const double d = interpolate(step, (at.time - step.begin) / (step.end - step.begin)).penetration;
   return spring_force(*model_.structures[k].yielding[part].spring, step, at.time, d);
 }
@@ -198,7 +198,7 @@ void StructureHistories::add_fixed_end_forces(int k, std::size_t from, const Out
     const Link& link = model_.links[i];
     for (const auto& [end, sign] : {std::pair(&link.left, -1.0), std::pair(&link.right, 1.0)}) {
       if (end->structure != k || end->point.member < 0) continue;
-      const LinkStep& step = stepper_.link_steps()[i];
+      const LinkStep& step = stepper_.link_step(static_cast<int>(i));
       const double force =
           at.inside ? force_inside(step, (at.time - step.begin) / (step.end - step.begin)) : stepper_.link_forces()[static_cast<int>(i)];
       if (force == 0) continue;

@@ -11,6 +11,8 @@ constexpr double shortly_after = 1e-3;
 void ActiveSprings::begin(const Instant& now, double h) {
   const int first = links_.contacts(), count = links_.springs();
   if (!links_.relief().any()) return;  // all are active
+  if (ranges_.hold(now, shortly_after * h)) return rest();
+  rests_ = -1;
   constant_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const LinkMotion here = links_.motion(first + i, now);
@@ -22,7 +24,17 @@ void ActiveSprings::begin(const Instant& now, double h) {
   hold();
 }
 
+// None is active.
+void ActiveSprings::rest() {
+  if (rests_ == ranges_.version()) return;
+  rests_ = ranges_.version();
+  constant_.assign(ranges_.forces().begin(), ranges_.forces().end());
+  is_active_.assign(is_active_.size(), false);
+  hold();
+}
+
 bool ActiveSprings::grow(const Trial& trial) {
+  if (trial.springs_stay) return false;
   const int first = links_.contacts(), count = links_.springs();
   bool grown = false;
   for (int i = 0; i < count; ++i) {
@@ -31,8 +43,10 @@ bool ActiveSprings::grow(const Trial& trial) {
     if (!leaves(link, trial.force_middle[link]) && !leaves(link, links_.law(link, links_.motion(link, trial.end)).force)) continue;
     is_active_[i] = grown = true;
   }
-  if (grown) hold();
-  return grown;
+  if (!grown) return false;
+  rests_ = -1;
+  hold();
+  return true;
 }
 
 void ActiveSprings::hold() {

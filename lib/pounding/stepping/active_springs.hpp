@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include <pounding/stepping/link_set.hpp>
+#include <pounding/stepping/elastic_ranges.hpp>
 
 namespace pounding {
 
@@ -13,10 +13,11 @@ namespace pounding {
 /// this one too. Springs without corners are always active, and so are all where none gives way to its own force. Depends on the present state and on the trial alone.
 class ActiveSprings {
  public:
-  /// `links` must outlive it. Where none gives way, all are active for good: these are storeys, which are few, and between their yielding
+  /// Both must outlive it. Where none gives way, all are active for good: these are storeys, which are few, and between their yielding
   /// steps stay as short as Simpson's rule asks for where forces act.
-  explicit ActiveSprings(const LinkSet& links)
+  ActiveSprings(const LinkSet& links, const ElasticRanges& ranges)
       : links_(links),
+        ranges_(ranges),
         is_active_(static_cast<std::size_t>(links.springs()), !links.relief().any()),
         held_(Eigen::VectorXd::Zero(links.size())) {}
 
@@ -25,6 +26,8 @@ class ActiveSprings {
   /// Whether springs were added because they left their forces in this trial.
   bool grow(const Trial& trial);
 
+  /// Whether none is active, for which the ranges of all springs speak.
+  bool rests() const { return rests_ >= 0; }
   /// Whether the force of this spring is sought in the present stage.
   bool is_active(int link) const { return is_active_[link - links_.contacts()]; }
   /// Forces of all links [N]: of the springs that are not active, zero for all others.
@@ -34,9 +37,12 @@ class ActiveSprings {
 
  private:
   bool leaves(int link, double force) const { return force != constant_[link - links_.contacts()]; }
+  void rest();
   void hold();
 
   const LinkSet& links_;
+  const ElasticRanges& ranges_;
+  long rests_ = -1;  // version of the ranges in which all springs rest; negative where any is active
   std::vector<bool> is_active_;
   std::vector<double> constant_;  // force of each spring where the trial begins
   Eigen::VectorXd held_;

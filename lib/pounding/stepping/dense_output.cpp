@@ -115,7 +115,7 @@ void DenseOutput::interpolate(double time, Eigen::VectorXd& u_out, Eigen::Vector
   const Cubic cubic((time - x.time) / h, h);
   u_out = cubic.begin * x.u + cubic.end * y.u + cubic.slope_begin * x.v + cubic.slope_end * y.v;
   v_out = cubic.begin * x.v + cubic.end * y.v + cubic.slope_begin * x.a + cubic.slope_end * y.a;
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any()) {
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any() && !keeps_rates()) {
     const Eigen::MatrixXd change = change_at_begin();
     relief.add_way(-1, cubic.slope_begin * change.col(0), u_out);
     relief.add_way(-1, cubic.begin * change.col(0) + cubic.slope_begin * change.col(1), v_out);
@@ -132,7 +132,7 @@ void DenseOutput::interpolate_acceleration(double time, Eigen::VectorXd& out) co
   }
   const Parabola parabola((time - x.time) / h);
   out = parabola.begin * x.a + parabola.middle * middle() + parabola.end * y.a;
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any())
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any() && !keeps_rates())
     relief.add_way(-1, parabola.begin * change_at_begin().col(1), out);
 }
 
@@ -140,7 +140,7 @@ const Eigen::VectorXd& DenseOutput::middle() const {
   if (std::exchange(has_middle_, true)) return middle_;
   equations_.solver.recover(history_.kept().a_middle);
   equations_.solver.physical(history_.kept().a_middle, middle_);
-  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any())
+  if (const SpringRelief& relief = equations_.solver.relief(); equations_.springs.any() && !history_.kept().springs_stay)
     relief.add_way(-0.5, history_.kept().force_rates_begin.col(1) + history_.kept().end.force_rates.col(1), middle_);
   if (equations_.pseudo_forces.any()) {
     Eigen::VectorXd u_middle, v_middle;
@@ -166,6 +166,10 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
   const double h = y.time - x.time;
   if (!(h > 0)) {
     forces = springs_of(history_.now().force);
+    return;
+  }
+  if (history_.kept().springs_stay && keeps_rates() && springs_of(y.force).isZero(0)) {
+    forces.setZero(equations_.links.springs());
     return;
   }
   const double s = (time - x.time) / h;

@@ -89,6 +89,8 @@ class DenseOutput {
   void show(const Instant& instant, State& state) const;
   void show(const Instant& instant, const State* shown, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   // Derivatives of the forces of springs where the last kept step begins, minus those that its state was shown with.
+  // Whether the slopes of springs, none where it began, do not change in the last kept step.
+  bool keeps_rates() const { return history_.kept().springs_stay && history_.begin().force_rates.isZero(0); }
   Eigen::MatrixXd change_at_begin() const { return history_.kept().force_rates_begin - history_.begin().force_rates; }
   Eigen::VectorXd springs_of(const Eigen::VectorXd& of_links) const;
   void show(const Instant& instant, OutputQuantities& outputs) const;

@@ -33,6 +33,7 @@ Equations::Equations(const System& of_system, StructureSolver& of_solver, bool c
       solver(of_solver),
       links(of_system, of_solver.relief()),
       springs(links),
+      ranges(links),
       slips(links),
       supports(of_system, of_solver),
       short_motions(of_system, of_solver),
@@ -87,11 +88,11 @@ void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eig
   solver.add_physical_forces(whole_force_, force);
 }
 
-void Equations::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step,
+void Equations::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step, bool springs_stay,
                         Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
   std::vector<int> held;
-  bool any = false;
-  for (int i = 0; i < links.frictions_from(); ++i) {
+  bool any = springs_stay && !force.segment(links.contacts(), links.springs()).isZero(0);
+  for (int i = 0, last = springs_stay ? links.contacts() : links.frictions_from(); i < last; ++i) {
     force[i] = 0;
     if (links.is_held(i)) {
       held.push_back(i);
@@ -138,12 +139,20 @@ void Equations::balance(Instant& x) const {
   for (int i = 0; i < links.size(); ++i) links.without_relief(i, x, motions_[i]);
   if (springs.any() && !springs.settle(motions_, x.force))
     throw SolverError("the hinges of a structure find no equilibrium with its unknowns without mass");
-  balance(motions_, x.by_ground, false, x.force, acceleration);
+  balance(motions_, x.by_ground, false, false, x.force, acceleration);
   solver.recover(acceleration);
   x.motion.col(carried) = x.motion.col(a);
   multiply(x, a, width - a);
   gather(x);
   if (springs.any()) springs.find_force_rates(x);
+}
+
+LinkMotion Equations::middle_of(int i, const Instant& x, const Trial& trial) {
+  using enum Instant::Column;
+  const Instant& y = trial.end;
+  const double eighth = trial.h / 8;
+  return {0.5 * (x.relative(i, u) + y.relative(i, u)) + eighth * (x.relative(i, v) - y.relative(i, v)),
+          0.5 * (x.relative(i, v) + y.relative(i, v)) + eighth * (x.relative(i, a) - y.relative(i, a))};
 }
 
 bool Equations::balance_middle(const Instant& x, Trial& trial) const {
@@ -154,11 +163,13 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   if (trial.short_motions) missed = ShortMotions::of_cubic(*trial.short_motions, h);
   const double eighth = h / 8;
   const bool apart = moves_ends_apart(trial);
+  trial.springs_stay = ranges.stay(x, trial);
   for (int i = 0, count = links.size(); i < count; ++i) {
+    if (i == links.contacts() && trial.springs_stay) i = links.frictions_from();
+    if (i == count) break;
     LinkMotion& middle = trial.middle[i];
-    double relative_displacement =
-        0.5 * (x.relative(i, u) + y.relative(i, u)) + eighth * (x.relative(i, v) - y.relative(i, v));
-    double rate = 0.5 * (x.relative(i, v) + y.relative(i, v)) + eighth * (x.relative(i, a) - y.relative(i, a));
+    const LinkMotion between = middle_of(i, x, trial);
+    double relative_displacement = between.penetration, rate = between.rate;
     if (missed) {
       relative_displacement += short_motions.closing(i, missed->u);
       rate += short_motions.closing(i, missed->v);
@@ -186,12 +197,17 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
     pseudo_force(displacement_, force_);
     trial.a_middle -= force_;
   }
-  if (springs.any()) {
+  if (trial.springs_stay) {
+    trial.force_middle = x.force;
+    trial.end.spring_slopes.setZero();
+    trial.end.force_rates.setZero();
+    trial.force_rates_begin.setZero(links.springs(), 2);
+  } else if (springs.any()) {
     trial.force_middle = x.force;
     if (!springs.settle(trial.middle, trial.force_middle)) return false;
     springs.find_rates(x, trial);
   }
-  balance(trial.middle, trial.by_ground_middle, true, trial.force_middle, trial.a_middle);
+  balance(trial.middle, trial.by_ground_middle, true, trial.springs_stay, trial.force_middle, trial.a_middle);
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <pounding/linear/structure_solver.hpp>
+#include <pounding/stepping/elastic_ranges.hpp>
 #include <pounding/stepping/link_set.hpp>
 #include <pounding/stepping/pseudo_forces.hpp>
 #include <pounding/stepping/rigid_impacts.hpp>
@@ -29,6 +30,7 @@ struct Equations {
   StructureSolver& solver;
   const LinkSet links;
   const SpringForces springs;
+  ElasticRanges ranges;
   const SpringSlips slips;
   SupportExcitation supports;
   const ShortMotions short_motions;
@@ -52,15 +54,18 @@ struct Equations {
 
   /// Dynamic equilibrium: link forces from the motions of the links, and `r`, the forces of everything else, becomes the
   /// acceleration. Held contacts take the forces that leave no closing acceleration; those that hold the same bodies share
-  /// them. `inside_step`: forces that dip below zero there are zero unless the law may pull.
-  void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step, Eigen::VectorXd& force,
-               Eigen::Ref<Eigen::VectorXd> r) const;
+  /// them. `inside_step`: forces that dip below zero there are zero unless the law may pull. `springs_stay`: those of springs are in
+  /// `force` already.
+  void balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step, bool springs_stay,
+               Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const;
   /// Everything of an instant but displacement, velocity, K u and pseudo-forces, which are given: dynamic equilibrium just
   /// after it.
   void balance(Instant& x) const;
   /// Mid-step motions, forces and accelerations of a trial: cubic interpolation of the motion, then dynamic equilibrium. Then the rates of
   /// its springs. False if these find no equilibrium.
   bool balance_middle(const Instant& begin, Trial& trial) const;
+  /// Cubic interpolation at mid-step of a link's relative motion, before ground and gravity.
+  static LinkMotion middle_of(int link, const Instant& begin, const Trial& trial);
   /// Corrects displacements and velocities at the end of a step, see hold_contacts().
   void hold_end(const Instant& begin, Trial& trial) const {
     if (moves_ends_apart(trial)) hold_moved_end(begin, trial);

@@ -187,7 +187,7 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
 
 // Most trials show nothing: no event function has changed its sign, and no bodies approach first and part then.
 bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
-  if (links_.springs() > 0) return true;
+  if (links_.springs() > 0 && !trial.springs_stay) return true;
   for (int i = 0; i < links_.contacts(); ++i) {
     const LinkMotion end = links_.motion(i, trial.end);
     for (const double value : functions_.values(i, end, trial.end.force[i]))
@@ -197,9 +197,9 @@ bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
   return false;
 }
 
-std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, const TryStep& try_step) const {
+std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, bool at_corners, const TryStep& try_step) const {
   const Search search{functions_, corners_, links_, now, trial, try_step, trial.error <= 1};
-  if (links_.springs() > 0) search.stop_at_corner();
+  if (at_corners && links_.springs() > 0 && !trial.springs_stay) search.stop_at_corner();
   for (int i = 0; i < links_.contacts(); ++i) search.look_for_inner_touch(i);
   std::vector<EventBracket> open = search.brackets();
   if (open.empty()) return std::nullopt;

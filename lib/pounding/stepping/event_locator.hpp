@@ -41,10 +41,10 @@ class EventLocator {
   /// Whether there can be anything to locate in the solved step `trial` from `now`; where not, locate() would find nothing.
   bool may_find(const Instant& now, const Trial& trial) const;
 
-  /// `trial` is a solved step from `now` that `try_step` replaces. Nothing if no phase ends inside it; the trial may still
+  /// `trial` is a solved step from `now` that `try_step` replaces; `at_corners`: corners of springs end it too. Nothing if no phase ends inside it; the trial may still
   /// have become shorter, because of a corner. Nearly simultaneous events are grouped. Throws LostTrial if a step cannot be
   /// solved while an event is located; the trial must then be made anew.
-  std::optional<LocatedEvents> locate(const Instant& now, const Trial& trial, const TryStep& try_step) const;
+  std::optional<LocatedEvents> locate(const Instant& now, const Trial& trial, bool at_corners, const TryStep& try_step) const;
 
  private:
   struct Search;

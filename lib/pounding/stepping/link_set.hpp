@@ -21,7 +21,8 @@ class LinkSet {
         relief_(relief),
         contacts_(system.contact_count()),
         frictions_from_(contacts_ + static_cast<int>(system.springs.size())),
-        moved_(!system.gap_by_ground.isZero(0) || !system.gravity_offset.isZero(0)),
+        driven_(!system.gap_by_ground.isZero(0)),
+        moved_(driven_ || !system.gravity_offset.isZero(0)),
         contact_of_friction_(static_cast<std::size_t>(system.links() - frictions_from_)) {
     for (const Friction& friction : system.frictions)
       for (int i = friction.first; i < friction.first + friction.count; ++i) contact_of_friction_[i - frictions_from_] = friction.contact;
@@ -42,6 +43,8 @@ class LinkSet {
   const SpringRelief& relief() const { return relief_; }
   /// Whether ground or gravity add to the relative motion.
   bool moved() const { return moved_; }
+  /// Whether the ground moves the ends of any link apart by itself.
+  bool driven() const { return driven_; }
   /// One entry of Instant::by_ground, zero where it is empty.
   double ground_part(const Eigen::MatrixXd& by_ground, int link, Instant::Column column) const {
     return moved_ ? by_ground(link, column) : 0;
@@ -95,7 +98,7 @@ class LinkSet {
   const System& system_;
   const SpringRelief& relief_;
   int contacts_, frictions_from_;
-  bool moved_;
+  bool driven_, moved_;
   std::vector<int> contact_of_friction_;  // by link, from frictions_from_ on
 };
 

@@ -1,6 +1,5 @@
 #include <pounding/stepping/link_solver.hpp>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
@@ -147,7 +146,6 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
   for (int i = 0; i < plain_; ++i) {
     if (links_.is_held(links.active[i])) {
       residual_[i] = (links.free_acceleration[i] / links.weight - relief_[i]) / g(i, i);
-      if (with_slopes) slopes_.row(i) = g.row(i) / g(i, i);
       continue;
     }
     const double at_once = links.relief ? relief_at_once_[i] : 0;
@@ -160,9 +158,6 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
     if (!with_slopes) continue;
     by_penetration_[i] = answer.by_penetration;
     by_rate_[i] = answer.by_rate;
-    slopes_.row(i) = (by_u * answer.by_penetration + by_v * answer.by_rate) * g.row(i);
-    if (links.relief) slopes_.row(i) += answer.by_penetration * links.relief->row(i);
-    slopes_(i, i) += 1;
   }
   for (const Slider& slider : sliders_) {
     const FrictionForce answer = slide(links, slider, relief_);
@@ -181,6 +176,21 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
     }
   }
   return residual_.norm();
+}
+
+// Rows of slopes_ of all but the frictions, with the slopes of the last residual() that asked for them.
+void LinkSolver::find_slopes(const CondensedLinks& links) {
+  const Eigen::MatrixXd& g = links.flexibility;
+  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  for (int i = 0; i < plain_; ++i) {
+    if (links_.is_held(links.active[i])) {
+      slopes_.row(i) = g.row(i) / g(i, i);
+      continue;
+    }
+    slopes_.row(i) = (by_u * by_penetration_[i] + by_v * by_rate_[i]) * g.row(i);
+    if (links.relief) slopes_.row(i) += by_penetration_[i] * links.relief->row(i);
+    slopes_(i, i) += 1;
+  }
 }
 
 // Largest difference between the answer of a law and its force that the round-off of its motion may leave: of the free motion, and of the
@@ -216,29 +226,20 @@ bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
          by_penetration_.maxCoeff() <= 0;
 }
 
-// The Newton step over the springs that are softer, scaled by the roots of D; the others take their residual. False where the
-// structure is unstable.
-bool LinkSolver::symmetric_direction(const CondensedLinks& links, Eigen::VectorXd& direction) {
-  std::vector<int> soft;
-  for (int i = 0; i < by_penetration_.size(); ++i)
-    if (by_penetration_[i] < 0) soft.push_back(i);
-  direction = residual_;
-  if (soft.empty()) return true;
-  const double by_u = links.by_u * links.weight;
-  const Eigen::VectorXd root = (-by_penetration_(soft)).cwiseSqrt();
-  direction(soft).setZero();
-  Eigen::VectorXd by_others = by_u * (links.flexibility * direction);
-  if (links.relief) by_others += *links.relief * direction;
-  const Eigen::VectorXd given = by_others(soft);
-  Eigen::MatrixXd matrix = -by_u * links.flexibility(soft, soft);
-  if (links.relief) matrix -= (*links.relief)(soft, soft);
-  matrix = root.asDiagonal() * matrix * root.asDiagonal();
-  matrix.diagonal().array() += 1;
-  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-  if (factor.info() != Eigen::Success) return false;
-  const Eigen::VectorXd right = residual_(soft).cwiseQuotient(root) + root.cwiseProduct(given);
-  direction(soft) = root.cwiseProduct(factor.solve(right));
-  return true;
+// Newton's step by eliminating the springs first, where that pays and can be done.
+bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
+  int soft = 0;
+  others_.clear();
+  slopes_of_springs_.setZero(by_penetration_.size());
+  for (int k = 0; k < by_penetration_.size(); ++k) {
+    if (!links_.is_spring(links.active[k]) || by_rate_[k] != 0 || by_penetration_[k] > 0) {
+      others_.push_back(k);
+      continue;
+    }
+    slopes_of_springs_[k] = by_penetration_[k];
+    if (by_penetration_[k] < 0) ++soft;
+  }
+  return soft >= SoftSprings::least_by_structure && soft_springs_.solve_beside(links, others_, slopes_, slopes_of_springs_, residual_, direction_);
 }
 
 bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
@@ -253,28 +254,29 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   if (!links_.frictions().empty()) find_sliders(links);
   // Held contacts between the same bodies leave their shares open: the slopes are singular then.
   const auto held = std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
-  Eigen::VectorXd trial(count);
+  trial_.resize(count);
   for (int iteration = 0; iteration < 500; ++iteration) {
     const double size = residual(links, f, true);
     if (!std::isfinite(size)) return false;
     if (size <= solved * terms_) return true;
     const double here = terms_;
-    Eigen::VectorXd direction;
-    if (is_symmetric(links)) {
-      if (!symmetric_direction(links, direction)) break;
+    const bool symmetric = is_symmetric(links);
+    if (!symmetric) find_slopes(links);
+    if (symmetric) {
+      if (!soft_springs_.solve(links, by_penetration_, residual_, direction_)) break;
     } else if (held > 1) {
-      direction = slopes_.completeOrthogonalDecomposition().solve(residual_);
-    } else {
-      direction = slopes_.partialPivLu().solve(residual_);
+      direction_ = slopes_.completeOrthogonalDecomposition().solve(residual_);
+    } else if (!eliminates_springs(links)) {
+      direction_ = slopes_.partialPivLu().solve(residual_);
     }
     double length = 1;
     bool better = false;
     for (int halving = 0; halving < 8 && !better; ++halving, length /= 2) {
-      trial = f + length * direction;
-      better = residual(links, trial, false) < size;
+      trial_ = f + length * direction_;
+      better = residual(links, trial_, false) < size;
     }
     if (better)
-      f = trial;
+      f = trial_;
     else if (size <= std::max(100 * solved * here, rounding(links, f)))  // Newton's method cannot do better
       return true;
     else if (!sweep(links, f))

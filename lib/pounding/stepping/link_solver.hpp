@@ -7,6 +7,7 @@
 
 #include <pounding/links/friction.hpp>
 #include <pounding/stepping/link_set.hpp>
+#include <pounding/stepping/soft_springs.hpp>
 
 namespace pounding {
 
@@ -54,7 +55,8 @@ class LinkSolver {
   double residual(const CondensedLinks& links, const Eigen::VectorXd& force, bool with_slopes);
   double rounding(const CondensedLinks& links, const Eigen::VectorXd& force) const;
   bool is_symmetric(const CondensedLinks& links) const;
-  bool symmetric_direction(const CondensedLinks& links, Eigen::VectorXd& direction);
+  void find_slopes(const CondensedLinks& links);
+  bool eliminates_springs(const CondensedLinks& links);
   bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
   void find_sliders(const CondensedLinks& links);
   FrictionForce slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const;
@@ -70,6 +72,10 @@ class LinkSolver {
   Eigen::VectorXd residual_, relief_, relief_at_once_;  // the last two: G F and S F
   Eigen::VectorXd by_penetration_, by_rate_;            // slopes of the laws
   Eigen::MatrixXd slopes_;
+  Eigen::VectorXd trial_, direction_;
+  SoftSprings soft_springs_;
+  std::vector<int> others_;  // active links that are no springs which only soften
+  Eigen::VectorXd slopes_of_springs_;
 };
 
 }  // namespace pounding

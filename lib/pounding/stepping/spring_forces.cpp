@@ -1,6 +1,5 @@
 #include <pounding/stepping/spring_forces.hpp>
 
-#include <Eigen/LU>
 #include <algorithm>
 
 namespace pounding {
@@ -74,6 +73,8 @@ bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd
 
 void SpringForces::relieve(Instant& x) const {
   x.relief.setZero(links_.springs());
+  const double *const first = x.force.data() + links_.contacts(), *const last = first + links_.springs();
+  if (std::all_of(first, last, [](double force) { return force == 0; })) return;
   links_.relief().add_relief(1, x.force.segment(links_.contacts(), links_.springs()), x.relief);
 }
 
@@ -85,19 +86,41 @@ void SpringForces::slopes(const std::vector<LinkMotion>& motions, Eigen::VectorX
 
 void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_springs) const {
   const SparseMatrix& s = links_.relief().flexibility();
-  std::vector<int> soft;
+  soft_.clear();
   for (int i = 0; i < slopes.size(); ++i)
-    if (slopes[i] != 0 && s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]) soft.push_back(i);
-  if (soft.empty()) return;
-  const Eigen::VectorXd own = slopes(soft);
-  Eigen::MatrixXd matrix = dense(s, soft) * own.asDiagonal();
-  matrix.diagonal().array() += 1;
-  const Eigen::MatrixXd solved = matrix.partialPivLu().solve(Eigen::MatrixXd(of_springs(soft, Eigen::all)));
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(slopes.size()), relief;
-  for (Eigen::Index j = 0; j < of_springs.cols(); ++j) {
-    change(soft) = own.cwiseProduct(solved.col(j));
-    links_.relief().add_relief(-1, change, of_springs.col(j));
+    if (slopes[i] != 0 && s.outerIndexPtr()[i + 1] > s.outerIndexPtr()[i]) soft_.push_back(i);
+  if (soft_.empty()) return;
+  const auto count = static_cast<Eigen::Index>(soft_.size());
+  flexibility_ = dense(s, soft_);
+  right_.resize(count, of_springs.cols());
+  for (Eigen::Index i = 0; i < count; ++i) right_.row(i) = of_springs.row(soft_[i]);
+  const Eigen::VectorXd own = slopes(soft_);
+  if (!answer_by_structure(own, right_)) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      flexibility_.col(i) *= own[i];
+      flexibility_(i, i) += 1;
+    }
+    lu_.compute(flexibility_);
+    solved_ = lu_.solve(right_);
+    right_ = own.asDiagonal() * solved_;
   }
+  change_.setZero(slopes.size());
+  for (Eigen::Index j = 0; j < of_springs.cols(); ++j) {
+    for (Eigen::Index i = 0; i < count; ++i) change_[soft_[i]] = right_(i, j);
+    links_.relief().add_relief(-1, change_, of_springs.col(j));
+  }
+}
+
+// Rates of the forces of the springs soft_ for these rates of deformation without them, where they are many and all yield.
+bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
+  if (slopes.size() < SoftSprings::least_by_structure || !(slopes.maxCoeff() < 0)) return false;
+  zero_.setZero(slopes.size(), slopes.size());
+  none_.setZero(slopes.size());
+  solved_ = rates;
+  const CondensedLinks condensed{.active = soft_, .free = {}, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
+  if (!soft_springs_.answer(condensed, slopes, solved_)) return false;
+  rates = solved_;
+  return true;
 }
 
 void SpringForces::find_force_rates(Instant& x) const {

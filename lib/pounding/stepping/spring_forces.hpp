@@ -2,6 +2,7 @@
 /// Springs that give way to their own forces at once: forces for a given motion, and rates of deformations.
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <vector>
 
 #include <pounding/stepping/link_set.hpp>
@@ -42,6 +43,7 @@ class SpringForces {
 
  private:
   bool solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const;
+  bool answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const;
 
   const LinkSet& links_;
   const bool any_;
@@ -49,6 +51,11 @@ class SpringForces {
   // Room to work in.
   mutable Eigen::VectorXd relief_, none_;
   mutable Eigen::MatrixXd flexibility_, zero_;
+  mutable Eigen::MatrixXd right_, solved_;
+  mutable Eigen::VectorXd change_;
+  mutable Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  mutable SoftSprings soft_springs_;
+  mutable std::vector<int> soft_;    // springs
   mutable std::vector<int> active_;  // links
   mutable std::vector<LinkMotion> free_;
 };

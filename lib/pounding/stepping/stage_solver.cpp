@@ -22,7 +22,9 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
   failed_link_ = -1;
   active_.clear();
   for (int i = 0; i < links_.size(); ++i)
-    if (links_.is_spring(i) ? springs_.is_active(i) : links_.is_active(i)) active_.push_back(i);
+    if (i == links_.contacts() && springs_.rests())
+      i = links_.frictions_from() - 1;
+    else if (links_.is_spring(i) ? springs_.is_active(i) : links_.is_active(i)) active_.push_back(i);
   if (springs_.holds()) {
     held_push_.setZero(equations_.solver.size());
     equations_.solver.add_forces(1, springs_.held(), held_push_);

@@ -34,7 +34,7 @@ struct FreeLink {
 class StageSolver {
  public:
   /// Both must outlive it.
-  StageSolver(Equations& equations, const ErrorNorm& norm) : equations_(equations), norm_(norm), links_(equations.links), springs_(links_) {}
+  StageSolver(Equations& equations, const ErrorNorm& norm) : equations_(equations), norm_(norm), links_(equations.links), springs_(links_, equations.ranges) {}
 
   /// For a trial of length h [s] from `now`: chooses the springs that are active.
   void choose_springs(const Instant& now, double h) {

@@ -95,7 +95,7 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
     const bool was_in_contact = stepper_.in_contact();
     std::optional<double> located;
     try {
-      if (stepper_.may_hold_event()) located = stepper_.locate_event();
+      if (stepper_.may_hold_event()) located = stepper_.locate_event(fixed || stepper_.locates_corners());
     } catch (const LostTrial&) {
       if (fixed) throw;
       reject(goal.step, policy);

@@ -102,6 +102,8 @@ struct Trial {
   // Where springs give way, else empty; with the slopes of the middle, as those at the end:
   Eigen::MatrixXd spring_rates;       ///< of the deformation: rate and acceleration at the beginning, rate in the middle, both at the end
   Eigen::MatrixXd force_rates_begin;  ///< as Instant::force_rates
+  bool springs_stay = false;          ///< whether every spring stays in its range (ElasticRanges); then middle has none of them
+  Eigen::MatrixXd spring_paths;       ///< deformation of every spring in such a trial: at its beginning, at its end, below all of it, above
   double error = 0;                   ///< over the allowed one
   std::vector<double> squares_u, squares_v;  ///< sums of m u^2 and m v^2 by group, at the end
   std::vector<double> squares_slow;          ///< as squares_v, without the velocity that short motions of the ground give

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <pounding/stepping/link_memory.hpp>
 
@@ -57,6 +58,7 @@ void Stepper::look_ahead() {
 }
 
 void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
+  describe_springs();
   const Energies before = started_ ? energies() : Energies{};
   const StructureSolver& solver = equations_.solver;
   Instant& now = history_.change_now();
@@ -77,6 +79,7 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
   }
   for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i)
     equations_.links.spring(i).start(equations_.links.motion(i, now));
+  equations_.ranges.read();
   history_.restart();
   output_.forget();
   const Energies after = energies();
@@ -136,9 +139,9 @@ bool Stepper::solve_trial() {
 
 bool Stepper::may_hold_event() const { return locator_.may_find(history_.now(), history_.trial()); }
 
-std::optional<double> Stepper::locate_event() {
+std::optional<double> Stepper::locate_event(bool at_corners) {
   std::optional<LocatedEvents> found =
-      locator_.locate(history_.now(), history_.trial(),
+      locator_.locate(history_.now(), history_.trial(), at_corners,
                       [this](double h, std::optional<double> end) { return try_step(h, end); });
   if (!found) return std::nullopt;
   located_ = std::move(found->events);
@@ -154,24 +157,48 @@ bool Stepper::in_contact() const {
 // A link in the last kept step.
 void Stepper::describe(int i, LinkStep& step) const {
   const LinkSet& links = equations_.links;
-  const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();
+  const Instant &x = history_.begin(), &y = kept.end;
   step.begin = x.time;
   step.end = y.time;
   links.motion(i, x, step.motion_begin);
-  step.motion_middle = kept.middle[i];
+  if (kept.springs_stay && links.is_spring(i)) {
+    step.motion_middle = Equations::middle_of(i, x, kept);
+    step.motion_middle.penetration += links.ground_part(y.by_ground, i, Instant::u);
+    step.motion_middle.penetration -= y.relief[i - links.contacts()];
+  } else {
+    step.motion_middle = kept.middle[i];
+  }
   links.motion(i, y, step.motion_end);
   step.force_begin = x.force[i];
   step.force_middle = kept.force_middle[i];
   step.force_end = y.force[i];
   step.acceleration_begin = x.relative(i, Instant::a) + links.ground_part(x.by_ground, i, Instant::a);
   step.acceleration_end = y.relative(i, Instant::a) + links.ground_part(y.by_ground, i, Instant::a);
-  if (!links.is_spring(i) || !equations_.springs.any()) return;
+  if (!links.is_spring(i) || !equations_.springs.any() || kept.springs_stay) return;
   const auto rates = kept.spring_rates.row(i - links.contacts());
   step.motion_begin.rate = rates[0];
   step.acceleration_begin = rates[1];
   step.motion_end.rate = rates[3];
   step.acceleration_end = rates[4];
+}
+
+void Stepper::deformations(double s, Eigen::VectorXd& d) const {
+  const Trial& kept = history_.kept();
+  const Instant &x = history_.begin(), &y = kept.end;
+  const int first = equations_.links.contacts(), count = equations_.links.springs();
+  const double *const begin = kept.spring_paths.data(), *const end = begin + count, h = y.time - x.time;
+  const auto column = [first](const Instant& at, Instant::Column which) { return at.relative.col(which).data() + first; };
+  const double *v0 = column(x, Instant::v), *a0 = column(x, Instant::a), *v1 = column(y, Instant::v), *a1 = column(y, Instant::a);
+  d.resize(count);
+  double* const at = d.data();
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) at[i] = Quintic({begin[i], v0[i], a0[i]}, {end[i], v1[i], a1[i]}, h).at(s).x;
+}
+
+void Stepper::describe_springs() const {
+  if (std::exchange(springs_described_, true)) return;
+  for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i) describe(i, link_steps_[i]);
 }
 
 void Stepper::accept() {
@@ -180,8 +207,13 @@ void Stepper::accept() {
   const LinkSet& links = equations_.links;
   const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();
+  springs_described_ = !kept.springs_stay;
   for (int i = 0; i < links.size(); ++i) {
     LinkStep& step = link_steps_[i];
+    if (kept.springs_stay && links.is_spring(i)) {
+      links.spring(i).stay(kept.spring_paths(i - links.contacts(), 1));
+      continue;
+    }
     describe(i, step);
     if (i < links.contacts()) {
       links.contact(i).accept(step);
@@ -190,6 +222,7 @@ void Stepper::accept() {
       links.spring(i).accept(step);
     }
   }
+  if (!kept.springs_stay) equations_.ranges.read();
   ledger_.add_step(equations_, x, kept, link_steps_);
   norm_.learn(kept);
   bool ground_jumps = false;
@@ -207,6 +240,7 @@ void Stepper::accept() {
 }
 
 void Stepper::apply_event() {
+  describe_springs();
   history_.collapse();
   output_.forget();
   apply_located(true);
@@ -219,6 +253,7 @@ void Stepper::apply_located(bool in_place) {
 }
 
 void Stepper::archive(Archive& archive) {
+  describe_springs();
   history_.archive(archive);
   archive(link_steps_);
   ledger_.archive(archive);
@@ -231,6 +266,7 @@ void Stepper::archive(Archive& archive) {
   equations_.supports.archive(archive);
   archive(longest_step_);
   archive_memory(equations_.system, archive);
+  equations_.ranges.read();
   output_.forget();
 }
 

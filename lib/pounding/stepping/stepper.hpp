@@ -61,8 +61,12 @@ class Stepper {
   /// Whether the trial may hold an event; where not, locate_event() would find none.
   bool may_hold_event() const;
   /// Shortens the trial to the first event inside it, by re-integrated steps. Its length [s] is returned; zero if the event is
-  /// at the beginning, nothing if there is none. Throws SolverError if such a step cannot be solved.
-  std::optional<double> locate_event();
+  /// at the beginning, nothing if there is none. `at_corners`: a corner of a spring's force ends it too. Throws SolverError if such a step
+  /// cannot be solved.
+  std::optional<double> locate_event(bool at_corners = true);
+  /// Whether a step that ends at a corner costs little. Where it needs a factor of its own, the error alone says how long steps are: each
+  /// accepted one follows its springs around their corners.
+  bool locates_corners() const { return !equations_.solver.needs_dyadic_steps(); }
   /// Keeps the trial and applies the events at its end.
   void accept();
   /// Applies the events at the present state, without a step: after locate_event() returned zero.
@@ -96,8 +100,20 @@ class Stepper {
   const Eigen::VectorXd& ground_begin() const { return history_.begin().ground; }
   const Eigen::VectorXd& ground_middle() const { return history_.kept().ground_middle; }
   const Eigen::VectorXd& ground_end_minus() const { return history_.kept().end.ground; }
-  /// The last kept step of every link.
-  const std::vector<LinkStep>& link_steps() const { return link_steps_; }
+  /// The last kept step of every link; of one, cheaper where it is no spring.
+  const std::vector<LinkStep>& link_steps() const {
+    describe_springs();
+    return link_steps_;
+  }
+  const LinkStep& link_step(int link) const {
+    if (!springs_described_ && equations_.links.is_spring(link)) describe(link, link_steps_[link]);
+    return link_steps_[link];
+  }
+  /// Deformations of all springs at a part s from 0 to 1 of the last kept step, where none changed its force.
+  void deformations(double s, Eigen::VectorXd& d) const;
+  /// Whether no spring changed its force in the last kept step; their deformations in it then, see Trial::spring_paths.
+  bool springs_stayed() const { return history_.kept().springs_stay; }
+  const Eigen::MatrixXd& spring_paths() const { return history_.kept().spring_paths; }
   /// Forces of all links at the present state [N].
   const Eigen::VectorXd& link_forces() const { return history_.now().force; }
   /// Motion of a link there.
@@ -136,6 +152,7 @@ class Stepper {
   std::optional<int> step_level(double h) const;
   bool solve_trial();
   void describe(int link, LinkStep& step) const;
+  void describe_springs() const;
   void apply_located(bool in_place);
   void balance_now();
 
@@ -154,7 +171,8 @@ class Stepper {
   EnergyBudget budget_;
   ContactEvents contact_events_;
   DenseOutput output_;
-  std::vector<LinkStep> link_steps_;
+  mutable std::vector<LinkStep> link_steps_;
+  mutable bool springs_described_ = true;  // whether link_steps_ has springs of the last kept step, which stayed as they were if not
   std::vector<EventId> located_;  // events at the end of the trial
   int troublesome_link_ = -1;
   bool started_ = false;
