@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -87,28 +88,32 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
     if (!block.shadow) add_view(system.outputs, block, views_);
     if (shadow_ > 0 && !block.shadowed) add_view(system.outputs, block, shadow_views_);
   }
-  for (int i = 0; i < system.links(); ++i) {
-    gap_jacobian_.push_back(parts_of(system, i, false));
-    if (shadow_ > 0) shadow_ends_.push_back(parts_of(system, i, true));
-  }
-  make_panels();
+  gap_jacobian_ = columns_of_links(system, false);
+  if (shadow_ > 0) shadow_ends_ = columns_of_links(system, true);
 }
 
-// A link's column of B in the blocks that count, or in the shadow and the blocks that have none.
-std::vector<ModalSolver::Part> ModalSolver::parts_of(const System& system, int link, bool shadow) const {
-  std::vector<Part> parts;
-  const Eigen::VectorXd column(system.gap_jacobian.col(link));
-  const bool springs = is_spring(system, link);
+// In the blocks that count, or in the shadow and the blocks that have none.
+LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) const {
+  LinkColumns made(system.links());
   for (const Block& block : blocks_) {
     if (shadow ? block.shadowed : block.shadow) continue;
-    const auto part = column.segment(block.first, block.shapes.rows());
-    if (part.isZero(0)) continue;
-    for (int k = 0; k < part.size() && !springs; ++k)
-      if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
-        throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", link, block.first + k));
-    parts.push_back({block.coordinate, block.shapes.transpose() * part});
+    std::vector<int> links;
+    Eigen::MatrixXd columns(block.shapes.cols(), system.links());
+    for (int i = 0; i < system.links(); ++i) {
+      Eigen::VectorXd part = Eigen::VectorXd::Zero(block.shapes.rows());
+      for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
+        if (it.row() >= block.first && it.row() < block.first + part.size()) part[it.row() - block.first] = it.value();
+      if (part.isZero(0)) continue;
+      for (int k = 0; k < part.size() && !is_spring(system, i); ++k)
+        if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
+          throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, block.first + k));
+      columns.col(static_cast<Eigen::Index>(links.size())) = block.shapes.transpose() * part;
+      links.push_back(i);
+    }
+    columns.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(links.size()));
+    made.add_block(block.coordinate, std::move(links), std::move(columns));
   }
-  return parts;
+  return made;
 }
 
 void ModalSolver::add_natural(const System& system, const Group& group) {
@@ -217,8 +222,9 @@ void ModalSolver::accelerate(Eigen::Ref<Eigen::VectorXd>) const {}
 void ModalSolver::recover(Eigen::Ref<Eigen::VectorXd>) const {}
 
 void ModalSolver::set_matrix(const EffectiveMatrix& s, std::optional<int> /*step_level*/) {
-  if (s.mass == matrix_.mass && s.damping == matrix_.damping && s.stiffness == matrix_.stiffness) return;
+  if (s == matrix_) return;
   matrix_ = s;
+  has_flexibility_ = false;
   if (classical_) {
     const Eigen::Index n = stiffness_.size();
     for (Eigen::Index i = 0; i < n; ++i) inverse_[i] = 1 / (s.mass + s.damping * damping_[i] + s.stiffness * stiffness_[i]);
@@ -247,117 +253,48 @@ bool ModalSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
   return true;
 }
 
+// Where the damping couples the modes.
+LinkColumns::Solve ModalSolver::solve_block() const {
+  return [this](int first, Eigen::VectorXd& column) {
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      if (blocks_[b].coordinate == first) factors_[b].solveInPlace(column);
+  };
+}
+
 bool ModalSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
-  const int count = static_cast<int>(links.size());
-  g.setZero(count, count);
-  for (int j = 0; j < count; ++j)
-    for (const Part& part : gap_jacobian_[links[j]]) {
-      const Eigen::Index n = part.values.size();
-      Eigen::VectorXd solved;
-      if (!classical_) {
-        solved = part.values;
-        for (std::size_t b = 0; b < blocks_.size(); ++b)
-          if (blocks_[b].coordinate == part.first) factors_[b].solveInPlace(solved);
-      }
-      for (int i = 0; i <= j; ++i)
-        for (const Part& other : gap_jacobian_[links[i]]) {
-          if (other.first != part.first) continue;
-          double sum = 0;
-          if (classical_)
-            for (Eigen::Index k = 0; k < n; ++k) sum += other.values[k] * inverse_[part.first + k] * part.values[k];
-          else
-            sum = other.values.dot(solved);
-          g(i, j) += sum;
-          if (i != j) g(j, i) += sum;
-        }
-    }
+  const bool others = gap_jacobian_.choose(links);
+  if (shadow_ > 0) shadow_ends_.choose(links);
+  if (std::exchange(has_flexibility_, true) && !others) return true;
+  if (classical_)
+    gap_jacobian_.flexibility(inverse_, g);
+  else
+    gap_jacobian_.flexibility(solve_block(), g);
   return true;
 }
 
-void ModalSolver::add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
-                             Eigen::Ref<Eigen::VectorXd> y) const {
-  const auto add = [&](double scale, const Part& part) {
-    const Eigen::Index n = part.values.size();
-    if (classical_) {
-      for (Eigen::Index k = 0; k < n; ++k)
-        y[part.first + k] += scale * inverse_[part.first + k] * part.values[k];
-      return;
-    }
-    for (std::size_t b = 0; b < blocks_.size(); ++b)
-      if (blocks_[b].coordinate == part.first) y.segment(part.first, n) += scale * factors_[b].solve(part.values);
+void ModalSolver::add_response(double factor, std::span<const int> /*links*/, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
+  const auto add = [&](const LinkColumns& columns, int from) {
+    if (classical_)
+      columns.add_response(factor, f, inverse_, y, from);
+    else
+      columns.add_response(factor, f, solve_block(), y, from);
   };
-  for (std::size_t j = 0; j < links.size(); ++j) {
-    const double scale = factor * f[static_cast<Eigen::Index>(j)];
-    for (const Part& part : gap_jacobian_[links[j]]) add(scale, part);
-    if (shadow_ == 0) continue;
-    for (const Part& part : shadow_ends_[links[j]])
-      if (part.first >= counted()) add(scale, part);
-  }
+  add(gap_jacobian_, 0);
+  if (shadow_ > 0) add(shadow_ends_, counted());
 }
 
-void ModalSolver::make_panels() {
-  const int links = static_cast<int>(gap_jacobian_.size());
-  for (int i = 0; i < links;) {
-    const auto fits = [&](int other) {
-      const std::vector<Part>&own = gap_jacobian_[i], &parts = gap_jacobian_[other];
-      return own.size() == 1 && parts.size() == 1 && own[0].first == parts[0].first && own[0].values.size() == parts[0].values.size();
-    };
-    if (i + 4 > links || !fits(i) || !fits(i + 1) || !fits(i + 2) || !fits(i + 3)) {
-      single_links_.push_back(i++);
-      continue;
-    }
-    Panel& panel = panels_.emplace_back(i, gap_jacobian_[i][0].first);
-    panel.values.resize(Eigen::NoChange, gap_jacobian_[i][0].values.size());
-    for (int row = 0; row < 4; ++row) panel.values.row(row) = gap_jacobian_[i++][0].values.transpose();
-  }
-}
-
-void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
-  const Eigen::Index columns = x.cols(), links = static_cast<Eigen::Index>(gap_jacobian_.size());
-  if (relative.rows() != links || relative.cols() != columns) relative.resize(links, columns);
-  // Sums in one order, whether four links at once or one.
-  for (const Panel& panel : panels_)
-    for (Eigen::Index j = 0; j < columns; ++j) {
-      Eigen::Array4d sum = Eigen::Array4d::Zero();
-      for (Eigen::Index k = 0; k < panel.values.cols(); ++k) sum += panel.values.col(k).array() * x(panel.first + k, j);
-      relative.col(j).segment<4>(panel.link) = sum;
-    }
-  for (const int i : single_links_) {
-    double* const sums = relative.data() + i;
-    const Eigen::Index stride = relative.rows();
-    for (Eigen::Index j = 0; j < columns; ++j) sums[j * stride] = 0;
-    for (const Part& part : gap_jacobian_[i]) {
-      const Eigen::Index n = part.values.size();
-      const double *const values = part.values.data(), *of = x.data() + part.first;
-      for (Eigen::Index j = 0; j < columns; ++j, of += x.outerStride()) {
-        double sum = sums[j * stride];
-        for (Eigen::Index k = 0; k < n; ++k) sum += values[k] * of[k];
-        sums[j * stride] = sum;
-      }
-    }
-  }
+void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gap_jacobian_.gather(x, relative); }
+void ModalSolver::gather(std::span<const int> /*links*/, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  gap_jacobian_.gather_chosen(x, relative);
 }
 
 void ModalSolver::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
-  for (std::size_t i = 0; i < gap_jacobian_.size(); ++i) {
-    const double scale = factor * f[static_cast<Eigen::Index>(i)];
-    if (scale == 0) continue;
-    for (const Part& part : gap_jacobian_[i]) {
-      const Eigen::Index n = part.values.size();
-      for (Eigen::Index k = 0; k < n; ++k) y[part.first + k] += scale * part.values[k];
-    }
-    if (shadow_ == 0) continue;
-    for (const Part& part : shadow_ends_[i])
-      if (part.first >= counted()) y.segment(part.first, part.values.size()) += scale * part.values;
-  }
+  gap_jacobian_.add_forces(factor, f, y);
+  if (shadow_ > 0) shadow_ends_.add_forces(factor, f, y, counted());
 }
 
 void ModalSolver::gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
-  if (shadow_ == 0) return gather(x, relative);
-  relative.setZero(static_cast<Eigen::Index>(shadow_ends_.size()), x.cols());
-  for (std::size_t i = 0; i < shadow_ends_.size(); ++i)
-    for (const Part& part : shadow_ends_[i])
-      relative.row(static_cast<Eigen::Index>(i)).noalias() += part.values.transpose() * x.middleRows(part.first, part.values.size());
+  (shadow_ > 0 ? shadow_ends_ : gap_jacobian_).gather(x, relative);
 }
 
 void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {

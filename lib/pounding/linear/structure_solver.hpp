@@ -19,6 +19,8 @@ struct EffectiveMatrix {
   double mass = 1;       ///< [-]
   double damping = 0;    ///< [s]
   double stiffness = 0;  ///< [s^2]
+
+  bool operator==(const EffectiveMatrix&) const = default;
 };
 
 /// Each solver has coordinates of its own, in which vectors have size() entries on this process; coordinates() and physical()
@@ -74,7 +76,8 @@ class StructureSolver {
   virtual void set_matrix(const EffectiveMatrix& matrix, std::optional<int> step_level) = 0;
   /// Replaces x by A^-1 x. False when the solve failed.
   virtual bool solve(Eigen::Ref<Eigen::VectorXd> x) = 0;
-  /// G = B^T A^-1 B of these links, the same on every process. False when a solve failed.
+  /// G = B^T A^-1 B of these links, the same on every process. `g` as the last call has left it may stay, where links and matrix have.
+  /// False when a solve failed.
   virtual bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) = 0;
   /// y += factor A^-1 B f for the links of the last flexibility(); f has one force per link of `links`.
   virtual void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
@@ -82,6 +85,8 @@ class StructureSolver {
 
   /// B^T x for all links [links x columns of x], the same on every process.
   virtual void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const = 0;
+  /// The same for the links of the last flexibility() alone [links of `links` x columns of x].
+  virtual void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const = 0;
   /// y += factor B f; f has one force for each link of the system.
   virtual void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
 
