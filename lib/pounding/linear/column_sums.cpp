@@ -14,6 +14,8 @@ using Eigen::Index;
 constexpr Index many_columns = 4;
 // Rows and columns of A of such a panel, which stays in the cache.
 constexpr Index panel_rows = 16, panel_columns = 512;
+// For fewer, of a tall A so many columns are read side by side.
+constexpr Index tall = 256, streams = 8;
 
 template <int columns>
 POUNDING_INLINE void add_row(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride, Index row) {
@@ -121,11 +123,18 @@ POUNDING_WIDE void scale_by_wide_vectors(std::span<const ScaledColumn> columns, 
 
 void sum_columns(const Eigen::MatrixXd& a, const double* x, double* y) {
   std::fill_n(y, a.rows(), 0.0);
-  add({a.data(), a.rows(), a.cols(), a.rows()}, {x, a.cols(), 1, a.cols()}, y, a.rows());
+  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {x, a.cols(), 1, a.cols()}, y, a.rows());
 }
 
 void add_products(const Columns& a, const Columns& x, double* y, Index y_stride) {
-  if (x.count < many_columns || a.rows <= panel_rows) return add(a, x, y, y_stride);
+  if (x.count < many_columns || a.rows <= panel_rows) {
+    const Index together = a.rows > tall ? streams : a.count;
+    for (Index j = 0; j < a.count; j += together) {
+      const Index count = std::min(together, a.count - j);
+      add({a.values + j * a.stride, a.rows, count, a.stride}, {x.values + j, count, x.count, x.stride}, y, y_stride);
+    }
+    return;
+  }
   std::vector<double> panel(static_cast<std::size_t>(panel_rows * std::min(panel_columns, a.count)));
   for (Index row = 0; row < a.rows; row += panel_rows)
     for (Index j = 0; j < a.count; j += panel_columns) {

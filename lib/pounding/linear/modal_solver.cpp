@@ -159,6 +159,7 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Gr
   const SparseMatrix mass = system.mass.block(group.first, group.first, group.count, group.count);
   Block block;
   block.shadow = shadow;
+  block.reduced = true;
   block.shapes = modes.shapes;
   block.project = (mass * modes.shapes).transpose();
   if (!shadow) group_masses_.push_back(mass.diagonal().sum());
@@ -309,13 +310,12 @@ void ModalSolver::observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Mat
 
 void ModalSolver::observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const {
   values.setZero(outputs_, x.cols());
-  std::vector<double> sums(static_cast<std::size_t>(outputs_));  // of one group, beside each other
   for (const View& view : views) {
-    const std::size_t count = view.rows.size();
-    for (Eigen::Index j = 0; j < x.cols(); ++j) {
-      sum_columns(view.factors, x.col(j).data() + view.first, sums.data());
-      for (std::size_t i = 0; i < count; ++i) values(view.rows[i], j) += sums[i];
-    }
+    const Eigen::Index rows = view.factors.rows(), count = view.factors.cols();
+    sums_.setZero(rows, x.cols());
+    add_products({view.factors.data(), rows, count, rows}, {x.data() + view.first, count, x.cols(), x.outerStride()}, sums_.data(), rows);
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
+      for (Eigen::Index i = 0; i < rows; ++i) values(view.rows[static_cast<std::size_t>(i)], j) += sums_(i, j);
   }
 }
 
@@ -326,11 +326,15 @@ Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {
   return x;
 }
 
-void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& u) const {
-  if (shapes.cols() < many_modes)
-    sum_columns(shapes, x.data() + coordinate, u.data() + first);
-  else
-    u.segment(first, shapes.rows()).noalias() = shapes * x.segment(coordinate, shapes.cols());
+void ModalSolver::Block::displace(const Columns& x, double* u, Eigen::Index u_stride) const {
+  const Eigen::Index rows = shapes.rows(), modes = shapes.cols();
+  if (modes >= many_modes && !few()) {
+    for (Eigen::Index j = 0; j < x.count; ++j)
+      Eigen::VectorXd::Map(u + first + j * u_stride, rows).noalias() = shapes * Eigen::VectorXd::Map(x.values + coordinate + j * x.stride, modes);
+    return;
+  }
+  for (Eigen::Index j = 0; j < x.count; ++j) std::fill_n(u + first + j * u_stride, rows, 0.0);
+  add_products({shapes.data(), rows, modes, rows}, {x.values + coordinate, modes, x.count, x.stride}, u + first, u_stride);
 }
 
 void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
@@ -340,13 +344,26 @@ void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd&
     return;
   }
   for (const Block& block : blocks_)
-    if (!block.shadow) block.displace(x, u);
+    if (!block.shadow) block.displace({x.data(), x.size(), 1, x.size()}, u.data(), unknowns_);
 }
 
-void ModalSolver::physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
-  physical(x, u);
+void ModalSolver::physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
+  if (single_.size() > 0) return StructureSolver::physical_of_columns(x, u);
+  u.resize(unknowns_, x.cols());
   for (const Block& block : blocks_)
-    if (block.shadow) block.displace(x, u);
+    if (!block.shadow) block.displace({x.data(), x.rows(), x.cols(), x.outerStride()}, u.data(), unknowns_);
+}
+
+void ModalSolver::physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
+  u.resize(unknowns_, x.cols());
+  for (const Block& block : blocks_)
+    if (!block.shadowed) block.displace({x.data(), x.rows(), x.cols(), x.outerStride()}, u.data(), unknowns_);
+}
+
+std::optional<StructureSolver::FewModes> ModalSolver::few_modes(int group) const {
+  const Block& block = blocks_[group];
+  if (!block.few()) return std::nullopt;
+  return FewModes{block.shapes, block.coordinate};
 }
 
 std::string ModalSolver::description() const {

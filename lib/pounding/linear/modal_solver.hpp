@@ -11,6 +11,7 @@
 #include <pounding/linear/group_modes.hpp>
 #include <pounding/linear/link_columns.hpp>
 #include <pounding/linear/structure_solver.hpp>
+#include <pounding/model/reducible.hpp>
 
 namespace pounding {
 
@@ -53,7 +54,9 @@ class ModalSolver final : public StructureSolver {
   std::span<const ReducedStructure> reduced() const override { return reduced_; }
   void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
   void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
-  void physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
+  void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const override;
+  void physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const override;
+  std::optional<FewModes> few_modes(int group) const override;
   std::string description() const override;
 
  private:
@@ -64,11 +67,14 @@ class ModalSolver final : public StructureSolver {
     Eigen::MatrixXd shapes;   // Phi: [all degrees of freedom of the group, mode]
     Eigen::MatrixXd project;  // Phi^T M: displacements to modes
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
+    bool reduced = false;     // in fewer modes than unknowns with mass
     bool shadow = false;
     bool shadowed = false;    // a later block is its shadow
 
-    // The displacements of its unknowns in u, from its modes in x.
-    void displace(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& u) const;
+    // Of a large structure: sums over the modes are made in their order, and cost less than those over the unknowns.
+    bool few() const { return reduced || shapes.cols() > small_structure; }
+    // The displacements of its unknowns in u, from its modes in x, `columns` of both.
+    void displace(const Columns& x, double* u, Eigen::Index u_stride) const;
   };
   // Outputs of one group: values[rows[i]] += factors.row(i) * modes from `first` on.
   struct View {
@@ -94,6 +100,7 @@ class ModalSolver final : public StructureSolver {
   std::vector<View> shadow_views_;
   std::vector<ReducedStructure> reduced_;
   int outputs_ = 0;  // number of output quantities
+  mutable Eigen::MatrixXd sums_;  // of the outputs of one group
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;
   int unknowns_ = 0;

@@ -99,15 +99,25 @@ class StructureSolver {
 
   /// The structures that are reduced, without errors.
   virtual std::span<const ReducedStructure> reduced() const { return {}; }
-  /// As gather(), observe() and physical(), from the shadow for structures that have one.
+  /// As gather() and observe(), from the shadow for structures that have one.
   virtual void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gather(x, relative); }
   virtual void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { observe(x, values); }
-  virtual void physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const { physical(x, u); }
 
   /// Coordinates of a displacement or velocity given at all degrees of freedom of the system.
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const = 0;
   /// Values u at all degrees of freedom of the system, on every process, of coordinates x; relief() is to be added.
   virtual void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const = 0;
+  /// The same for several columns, with the same bits: many together cost less each.
+  virtual void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const;
+  /// As physical_of_columns(), from the shadow for structures that have one.
+  virtual void physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const { physical_of_columns(x, u); }
+  /// The modes of a group [unknown of the group, mode] and the first of its coordinates, where these are so few that sums over them cost less
+  /// than sums over its unknowns.
+  struct FewModes {
+    const Eigen::MatrixXd& shapes;
+    int first = 0;
+  };
+  virtual std::optional<FewModes> few_modes(int /*group*/) const { return std::nullopt; }
 
   /// Sums over all processes, in place.
   virtual void combine(std::span<double> /*sums*/) const {}
@@ -128,5 +138,14 @@ class StructureSolver {
   std::vector<Segment> segments_;
   long factorizations_ = 0;
 };
+
+inline void StructureSolver::physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
+  Eigen::VectorXd one;
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    physical(x.col(j), one);
+    if (u.rows() != one.size() || u.cols() != x.cols()) u.resize(one.size(), x.cols());
+    u.col(j) = one;
+  }
+}
 
 }  // namespace pounding

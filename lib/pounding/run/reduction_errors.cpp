@@ -12,6 +12,7 @@ constexpr double safety = 3;
 constexpr double share = 0.3;
 // Times at which forces of members are compared: each takes a product with all shapes.
 constexpr double compared_times = 400;
+constexpr int together = 16;  // of them
 
 double ratio(double difference, double largest) { return difference > 0 ? safety * difference / largest : 0; }
 
@@ -48,9 +49,18 @@ void ReductionErrors::step(bool output_due) {
     }
   const long every = std::max(1L, std::lround(model_.analysis.duration / model_.analysis.output_step / compared_times));
   if (!output_due || outputs_++ % every != 0) return;
-  stepper_.base().physical(end.motion.col(Instant::u), u_);
-  stepper_.base().physical_shadow(end.motion.col(Instant::u), shadow_);
-  for (Floors& floors : floors_) compare_members(floors);
+  waiting_.resize(end.motion.rows(), together);
+  waiting_.col(waits_++) = end.motion.col(Instant::u);
+  if (waits_ == together) compare_waiting();
+}
+
+void ReductionErrors::compare_waiting() {
+  if (waits_ == 0) return;
+  Eigen::MatrixXd own, shadow;
+  stepper_.base().physical_of_columns(waiting_.leftCols(waits_), own);
+  stepper_.base().physical_shadow_of_columns(waiting_.leftCols(waits_), shadow);
+  for (Floors& floors : floors_) compare_members(floors, own, shadow);
+  waits_ = 0;
 }
 
 void ReductionErrors::compare_forces(const Instant& end) {
@@ -69,18 +79,18 @@ void ReductionErrors::compare_forces(const Instant& end) {
   }
 }
 
-void ReductionErrors::compare_members(Floors& floors) {
+void ReductionErrors::compare_members(Floors& floors, const Eigen::MatrixXd& own_motion, const Eigen::MatrixXd& shadow_motion) {
   const Structure& s = model_.structures[floors.structure];
   const auto count = static_cast<Eigen::Index>(s.forces.members.size() * s.forces.components.size());
   if (count == 0) return;
-  const Eigen::VectorXd own = s.forces.rows * u_.segment(floors.first_unknown, s.size());
-  const Eigen::VectorXd of_shadow = s.forces.rows * shadow_.segment(floors.first_unknown, s.size());
+  const Eigen::MatrixXd own = s.forces.rows * own_motion.middleRows(floors.first_unknown, s.size());
+  const Eigen::MatrixXd of_shadow = s.forces.rows * shadow_motion.middleRows(floors.first_unknown, s.size());
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::string& component = s.forces.components[static_cast<std::size_t>(i) % s.forces.components.size()];
     const char kind = component[component.find(' ') + 1];
     const int unit = kind == 'M' || kind == 'T' ? 1 : 0;
-    floors.members[unit] = std::max(floors.members[unit], std::abs(own[i] - of_shadow[i]));
-    floors.largest_members[unit] = std::max(floors.largest_members[unit], std::abs(own[i]));
+    floors.members[unit] = std::max(floors.members[unit], (own.row(i) - of_shadow.row(i)).cwiseAbs().maxCoeff());
+    floors.largest_members[unit] = std::max(floors.largest_members[unit], own.row(i).cwiseAbs().maxCoeff());
   }
 }
 
@@ -109,6 +119,7 @@ std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) co
 }
 
 void ReductionErrors::archive(Archive& archive) {
+  compare_waiting();
   archive(forces_);
   archive(outputs_);
   for (Floors& floors : floors_) {

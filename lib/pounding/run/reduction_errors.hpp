@@ -32,6 +32,8 @@ class ReductionErrors {
   void step(bool output_due);
   /// The reduced structures with their errors, by the peaks of a summary whose links and structures are filled.
   std::vector<ReducedStructure> errors(const Summary& summary) const;
+  /// The run is over: compares what waits. To be called before errors().
+  void end() { compare_waiting(); }
   /// For a checkpoint.
   void archive(Archive& archive);
 
@@ -46,16 +48,17 @@ class ReductionErrors {
   };
 
   void compare_forces(const Instant& end);
-  void compare_members(Floors& floors);
+  void compare_waiting();
+  void compare_members(Floors& floors, const Eigen::MatrixXd& own, const Eigen::MatrixXd& shadow);
 
   const Model& model_;
   const Stepper& stepper_;
   std::vector<Floors> floors_;          // of the structures that have a shadow
   std::vector<double> forces_;          // by link [N]
   long outputs_ = 0;
-  // Room to work in.
-  Eigen::MatrixXd closings_, motion_;
-  Eigen::VectorXd u_, shadow_;
+  Eigen::MatrixXd waiting_;             // coordinates at output times whose members are to be compared, together
+  int waits_ = 0;                       // so many of them
+  Eigen::MatrixXd closings_, motion_;   // room to work in
 };
 
 /// Whether the estimated errors exceed what was asked for: a bound of its own, else 0.3 of the tolerance.
