@@ -144,6 +144,14 @@ void add_products(const Columns& a, const Columns& x, double* y, Index y_stride)
     }
 }
 
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(a.rows(), b.cols());
+  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {b.data(), b.rows(), b.cols(), b.rows()}, made.data(), made.rows());
+  return made;
+}
+
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return product(a.transpose(), b); }
+
 void add_scaled(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {
   if (has_wide_vectors())
     scale_by_wide_vectors(columns, rows, weights, y);

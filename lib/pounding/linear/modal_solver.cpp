@@ -163,8 +163,10 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Gr
   block.shapes = modes.shapes;
   block.project = (mass * modes.shapes).transpose();
   if (!shadow) group_masses_.push_back(mass.diagonal().sum());
-  const Eigen::MatrixXd damped = damping * modes.shapes;
-  add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), modes.squares, modes.shapes.transpose() * damped);
+  const Eigen::Index count = modes.squares.size();
+  const Eigen::MatrixXd rest = damping.nonZeros() == 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count))
+                                                       : transposed_product(modes.shapes, damping * modes.shapes);
+  add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), modes.squares, rest);
 }
 
 // `rest` is the damping of the modes without Rayleigh's.
