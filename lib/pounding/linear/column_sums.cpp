@@ -12,8 +12,8 @@ using Eigen::Index;
 
 // From this number of columns of X on a panel of A is copied first: its columns lie far apart, and each is read several times.
 constexpr Index many_columns = 4;
-// Rows and columns of A of such a panel, which stays in the cache.
-constexpr Index panel_rows = 16, panel_columns = 512;
+// Rows and columns of A of such a panel, which stays in the cache; it is copied by pieces of so many rows, with their columns beside each other.
+constexpr Index panel_rows = 64, panel_columns = 256, piece_rows = 16;
 // For fewer, of a tall A so many columns are read side by side.
 constexpr Index tall = 256, streams = 8;
 
@@ -127,7 +127,7 @@ void sum_columns(const Eigen::MatrixXd& a, const double* x, double* y) {
 }
 
 void add_products(const Columns& a, const Columns& x, double* y, Index y_stride) {
-  if (x.count < many_columns || a.rows <= panel_rows) {
+  if (x.count < many_columns || a.rows <= piece_rows) {
     const Index together = a.rows > tall ? streams : a.count;
     for (Index j = 0; j < a.count; j += together) {
       const Index count = std::min(together, a.count - j);
@@ -139,8 +139,17 @@ void add_products(const Columns& a, const Columns& x, double* y, Index y_stride)
   for (Index row = 0; row < a.rows; row += panel_rows)
     for (Index j = 0; j < a.count; j += panel_columns) {
       const Index rows = std::min(panel_rows, a.rows - row), count = std::min(panel_columns, a.count - j);
-      for (Index k = 0; k < count; ++k) std::copy_n(a.values + row + (j + k) * a.stride, rows, panel.data() + k * rows);
-      add({panel.data(), rows, count, rows}, {x.values + j, count, x.count, x.stride}, y + row, y_stride);
+      for (Index k = 0; k < count; ++k)
+        for (Index i = 0; i < rows; i += piece_rows) {
+          const Index piece = std::min(piece_rows, rows - i);
+          const double* const from = a.values + row + i + (j + k) * a.stride;
+          double* const to = panel.data() + i * count + k * piece;
+          for (Index r = 0; r < piece; ++r) to[r] = from[r];
+        }
+      for (Index i = 0; i < rows; i += piece_rows) {
+        const Index piece = std::min(piece_rows, rows - i);
+        add({panel.data() + i * count, piece, count, piece}, {x.values + j, count, x.count, x.stride}, y + row + i, y_stride);
+      }
     }
 }
 

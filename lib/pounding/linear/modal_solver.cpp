@@ -107,7 +107,14 @@ LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) con
       for (int k = 0; k < part.size() && !is_spring(system, i); ++k)
         if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
           throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, block.first + k));
-      columns.col(static_cast<Eigen::Index>(links.size())) = block.shapes.transpose() * part;
+      auto column = columns.col(static_cast<Eigen::Index>(links.size()));
+      if (block.few()) {
+        column.setZero();
+        for (int k = 0; k < part.size(); ++k)
+          if (part[k] != 0) column += part[k] * block.shapes.row(k).transpose();
+      } else {
+        column = block.shapes.transpose() * part;
+      }
       links.push_back(i);
     }
     columns.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(links.size()));

@@ -155,8 +155,19 @@ struct ReducedModes::Structure {
     return u;
   }
 
-  // The basis, joined, with the starts that it does not hold.
-  Eigen::MatrixXd basis(const ReducedDepth& depth) {
+  // The basis of a depth; it is asked for again when its modes are.
+  const Eigen::MatrixXd& basis(const ReducedDepth& depth) {
+    for (const auto& [of, made] : made_)
+      if (of == depth) return made;
+    if (made_.size() == kept_bases) made_.erase(made_.begin());
+    return made_.emplace_back(depth, joined_basis(depth)).second;
+  }
+
+  static constexpr std::size_t kept_bases = 2;
+  std::vector<std::pair<ReducedDepth, Eigen::MatrixXd>> made_;
+
+  // The chains, joined, with the starts that they do not hold.
+  Eigen::MatrixXd joined_basis(const ReducedDepth& depth) {
     grow(links, inputs.links, depth.links);
     grow(ground, inputs.ground, depth.ground);
     Chain joined;

@@ -1,6 +1,5 @@
 #include <pounding/stepping/link_solver.hpp>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
@@ -30,6 +29,8 @@ LinkMotion relieved(LinkMotion free, double penetration, double rate) {
 
 constexpr double solved = 1e-14;  // relative to the terms of a force
 constexpr int max_doublings = 60;
+// From this number of links on a Cholesky factor is worth its choice.
+constexpr int many_links = 64;
 
 }  // namespace
 
@@ -160,6 +161,7 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
     if (!with_slopes) continue;
     by_penetration_[i] = answer.by_penetration;
     by_rate_[i] = answer.by_rate;
+    if (many_) continue;
     slopes_.row(i) = (by_u * answer.by_penetration + by_v * answer.by_rate) * g.row(i);
     if (links.relief) slopes_.row(i) += answer.by_penetration * links.relief->row(i);
     slopes_(i, i) += 1;
@@ -210,42 +212,10 @@ bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
   return true;
 }
 
-// Springs alone, none of which is stiffer than its linear stiffness or has a dashpot.
-bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
-  return links.active.front() >= links_.contacts() && links.active.back() < links_.frictions_from() && by_rate_.isZero(0) &&
-         by_penetration_.maxCoeff() <= 0;
-}
-
-// The Newton step over the springs that are softer, scaled by the roots of D; the others take their residual. False where the
-// structure is unstable.
-bool LinkSolver::symmetric_direction(const CondensedLinks& links, Eigen::VectorXd& direction) {
-  std::vector<int> soft;
-  for (int i = 0; i < by_penetration_.size(); ++i)
-    if (by_penetration_[i] < 0) soft.push_back(i);
-  direction = residual_;
-  if (soft.empty()) return true;
-  const double by_u = links.by_u * links.weight;
-  const Eigen::VectorXd root = (-by_penetration_(soft)).cwiseSqrt();
-  direction(soft).setZero();
-  Eigen::VectorXd by_others = by_u * (links.flexibility * direction);
-  if (links.relief) by_others += *links.relief * direction;
-  const Eigen::VectorXd given = by_others(soft);
-  Eigen::MatrixXd matrix = -by_u * links.flexibility(soft, soft);
-  if (links.relief) matrix -= (*links.relief)(soft, soft);
-  matrix = root.asDiagonal() * matrix * root.asDiagonal();
-  matrix.diagonal().array() += 1;
-  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-  if (factor.info() != Eigen::Success) return false;
-  const Eigen::VectorXd right = residual_(soft).cwiseQuotient(root) + root.cwiseProduct(given);
-  direction(soft) = root.cwiseProduct(factor.solve(right));
-  return true;
-}
-
 bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const int count = static_cast<int>(links.active.size());
   residual_.resize(count);
   relief_.resize(count);
-  slopes_.resize(count, count);
   by_penetration_.setZero(count);
   by_rate_.setZero(count);
   plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
@@ -253,6 +223,8 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   if (!links_.frictions().empty()) find_sliders(links);
   // Held contacts between the same bodies leave their shares open: the slopes are singular then.
   const auto held = std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
+  many_ = count >= many_links && held == 0 && plain_ == count && !links.relief;
+  if (!many_) slopes_.resize(count, count);
   Eigen::VectorXd trial(count);
   for (int iteration = 0; iteration < 500; ++iteration) {
     const double size = residual(links, f, true);
@@ -262,6 +234,11 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
     Eigen::VectorXd direction;
     if (is_symmetric(links)) {
       if (!symmetric_direction(links, direction)) break;
+    } else if (many_) {
+      if (!direction_by_cholesky(links, direction)) {
+        fill_slopes(links);
+        direction = slopes_.partialPivLu().solve(residual_);
+      }
     } else if (held > 1) {
       direction = slopes_.completeOrthogonalDecomposition().solve(residual_);
     } else {

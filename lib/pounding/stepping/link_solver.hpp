@@ -1,6 +1,7 @@
 #pragma once
 /// The few nonlinear equations for the link forces of one stage, left over when the structures are condensed out.
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <span>
 #include <vector>
@@ -55,6 +56,8 @@ class LinkSolver {
   double rounding(const CondensedLinks& links, const Eigen::VectorXd& force) const;
   bool is_symmetric(const CondensedLinks& links) const;
   bool symmetric_direction(const CondensedLinks& links, Eigen::VectorXd& direction);
+  bool direction_by_cholesky(const CondensedLinks& links, Eigen::VectorXd& direction);
+  void fill_slopes(const CondensedLinks& links);
   bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
   void find_sliders(const CondensedLinks& links);
   FrictionForce slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const;
@@ -70,6 +73,11 @@ class LinkSolver {
   Eigen::VectorXd residual_, relief_, relief_at_once_;  // the last two: G F and S F
   Eigen::VectorXd by_penetration_, by_rate_;            // slopes of the laws
   Eigen::MatrixXd slopes_;
+  // Many contacts and springs alone: a Cholesky factor of 1 + R G R, R the roots of the slopes, takes the place of slopes_. It stays while both do.
+  bool many_ = false;
+  Eigen::VectorXd roots_;
+  Eigen::MatrixXd factored_flexibility_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 
 }  // namespace pounding
