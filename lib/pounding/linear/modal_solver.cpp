@@ -146,12 +146,14 @@ void ModalSolver::add_natural(const System& system, const Group& group) {
   block.shapes = Eigen::MatrixXd::Zero(group.count, count);
   block.shapes(dynamic, Eigen::all) = phi;
   if (recovery.size() > 0) block.shapes(massless, Eigen::all) = recovery * phi;
-  block.project = Eigen::MatrixXd::Zero(count, group.count);
-  block.project(Eigen::all, dynamic) = phi.transpose() * mass;
+  if (!block.few()) {
+    block.project = Eigen::MatrixXd::Zero(count, group.count);
+    block.project(Eigen::all, dynamic) = phi.transpose() * mass;
+  }
   Eigen::VectorXd squares = values.cwiseMax(0);
   squares.head(std::min<Eigen::Index>(group.rigid_motions, count)).setZero();
   group_masses_.push_back(mass.diagonal().sum());
-  add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), squares,
+  add_block(system, group, std::move(block), squares,
             phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi);
 }
 
@@ -168,17 +170,16 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Gr
   block.shadow = shadow;
   block.reduced = true;
   block.shapes = modes.shapes;
-  block.project = (mass * modes.shapes).transpose();
   if (!shadow) group_masses_.push_back(mass.diagonal().sum());
   const Eigen::Index count = modes.squares.size();
   const Eigen::MatrixXd rest = damping.nonZeros() == 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count))
                                                        : transposed_product(modes.shapes, damping * modes.shapes);
-  add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), modes.squares, rest);
+  add_block(system, group, std::move(block), modes.squares, rest);
 }
 
 // `rest` is the damping of the modes without Rayleigh's.
-void ModalSolver::add_block(const Group& group, int number, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest) {
-  const int count = static_cast<int>(squares.size());
+void ModalSolver::add_block(const System& system, const Group& group, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest) {
+  const int count = static_cast<int>(squares.size()), number = static_cast<int>(&group - system.groups.data());
   block.first = group.first;
   block.coordinate = static_cast<int>(stiffness_.size());
   Eigen::VectorXd diagonal = rest.diagonal() + group.by_stiffness * squares;
@@ -193,6 +194,10 @@ void ModalSolver::add_block(const Group& group, int number, Block block, const E
   damping_.conservativeResize(block.coordinate + count);
   stiffness_.tail(count) = squares;
   damping_.tail(count) = diagonal;
+  if (block.few()) {
+    block.by_unknown = block.shapes.transpose();
+    block.mass = system.mass.block(group.first, group.first, group.count, group.count);
+  }
   if (!block.shadow) segments_.push_back({block.coordinate, count, number});
   blocks_.push_back(std::move(block));
 }
@@ -331,19 +336,29 @@ void ModalSolver::observe(const std::vector<View>& views, const Eigen::Ref<const
 Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {
   Eigen::VectorXd x(stiffness_.size());
   for (const Block& block : blocks_)
-    x.segment(block.coordinate, block.project.rows()) = block.project * u.segment(block.first, block.project.cols());
+    x.segment(block.coordinate, block.shapes.cols()) =
+        block.few() ? Eigen::VectorXd(block.by_unknown * (block.mass * u.segment(block.first, block.shapes.rows())))
+                    : Eigen::VectorXd(block.project * u.segment(block.first, block.project.cols()));
   return x;
 }
 
-void ModalSolver::Block::displace(const Columns& x, double* u, Eigen::Index u_stride) const {
+void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const {
   const Eigen::Index rows = shapes.rows(), modes = shapes.cols();
-  if (modes >= many_modes && !few()) {
-    for (Eigen::Index j = 0; j < x.count; ++j)
-      Eigen::VectorXd::Map(u + first + j * u_stride, rows).noalias() = shapes * Eigen::VectorXd::Map(x.values + coordinate + j * x.stride, modes);
+  if (few()) {
+    const Eigen::MatrixXd own = x.middleRows(coordinate, modes).transpose();
+    auto to = u.middleCols(first, rows);
+    to.setZero();
+    add_products({own.data(), own.rows(), modes, own.rows()}, {by_unknown.data(), modes, rows, modes}, to.data(), u.outerStride());
     return;
   }
-  for (Eigen::Index j = 0; j < x.count; ++j) std::fill_n(u + first + j * u_stride, rows, 0.0);
-  add_products({shapes.data(), rows, modes, rows}, {x.values + coordinate, modes, x.count, x.stride}, u + first, u_stride);
+  Eigen::VectorXd one(rows);
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    if (modes < many_modes)
+      sum_columns(shapes, x.col(j).data() + coordinate, one.data());
+    else
+      one.noalias() = shapes * x.col(j).segment(coordinate, modes);
+    u.row(j).segment(first, rows) = one;
+  }
 }
 
 void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
@@ -352,21 +367,28 @@ void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd&
     for (Eigen::Index i = 0; i < single_.size(); ++i) u[i] = single_[i] * x[i];
     return;
   }
-  for (const Block& block : blocks_)
-    if (!block.shadow) block.displace({x.data(), x.size(), 1, x.size()}, u.data(), unknowns_);
+  for (const Block& block : blocks_) {
+    if (block.shadow) continue;
+    if (block.few())
+      block.displace(x, Eigen::Map<Eigen::MatrixXd>(u.data(), 1, unknowns_));
+    else if (block.shapes.cols() < many_modes)
+      sum_columns(block.shapes, x.data() + block.coordinate, u.data() + block.first);
+    else
+      u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
+  }
 }
 
 void ModalSolver::physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
   if (single_.size() > 0) return StructureSolver::physical_of_columns(x, u);
-  u.resize(unknowns_, x.cols());
+  u.resize(x.cols(), unknowns_);
   for (const Block& block : blocks_)
-    if (!block.shadow) block.displace({x.data(), x.rows(), x.cols(), x.outerStride()}, u.data(), unknowns_);
+    if (!block.shadow) block.displace(x, u);
 }
 
 void ModalSolver::physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
-  u.resize(unknowns_, x.cols());
+  u.resize(x.cols(), unknowns_);
   for (const Block& block : blocks_)
-    if (!block.shadowed) block.displace({x.data(), x.rows(), x.cols(), x.outerStride()}, u.data(), unknowns_);
+    if (!block.shadowed) block.displace(x, u);
 }
 
 std::optional<StructureSolver::FewModes> ModalSolver::few_modes(int group) const {

@@ -65,7 +65,10 @@ class ModalSolver final : public StructureSolver {
     int first = 0;            // degree of freedom
     int coordinate = 0;       // first mode
     Eigen::MatrixXd shapes;   // Phi: [all degrees of freedom of the group, mode]
-    Eigen::MatrixXd project;  // Phi^T M: displacements to modes
+    Eigen::MatrixXd project;  // Phi^T M: displacements to modes; empty where few()
+    // Where few() instead: Phi^T and M.
+    Eigen::MatrixXd by_unknown;
+    SparseMatrix mass;
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
     bool reduced = false;     // in fewer modes than unknowns with mass
     bool shadow = false;
@@ -73,8 +76,8 @@ class ModalSolver final : public StructureSolver {
 
     // Of a large structure: sums over the modes are made in their order, and cost less than those over the unknowns.
     bool few() const { return reduced || shapes.cols() > small_structure; }
-    // The displacements of its unknowns in u, from its modes in x, `columns` of both.
-    void displace(const Columns& x, double* u, Eigen::Index u_stride) const;
+    // The displacements of its unknowns, [columns of x, unknown of the system], from its modes in x.
+    void displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const;
   };
   // Outputs of one group: values[rows[i]] += factors.row(i) * modes from `first` on.
   struct View {
@@ -86,7 +89,7 @@ class ModalSolver final : public StructureSolver {
   void add_natural(const System& system, const Group& group);
   void add_reduced(const System& system, const Group& group, const GroupModes& modes, bool shadow);
   LinkColumns columns_of_links(const System& system, bool shadow) const;
-  void add_block(const Group& group, int number, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest);
+  void add_block(const System& system, const Group& group, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest);
   void add_view(const SparseMatrix& outputs, const Block& block, std::vector<View>& views) const;
   LinkColumns::Solve solve_block() const;
   void observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const;

@@ -107,7 +107,7 @@ class StructureSolver {
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const = 0;
   /// Values u at all degrees of freedom of the system, on every process, of coordinates x; relief() is to be added.
   virtual void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const = 0;
-  /// The same for several columns, with the same bits: many together cost less each.
+  /// The same for several columns, with the same bits, a row of `u` each: many together cost less each.
   virtual void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const;
   /// As physical_of_columns(), from the shadow for structures that have one.
   virtual void physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const { physical_of_columns(x, u); }
@@ -143,8 +143,8 @@ inline void StructureSolver::physical_of_columns(Eigen::Ref<const Eigen::MatrixX
   Eigen::VectorXd one;
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     physical(x.col(j), one);
-    if (u.rows() != one.size() || u.cols() != x.cols()) u.resize(one.size(), x.cols());
-    u.col(j) = one;
+    if (u.rows() != x.cols() || u.cols() != one.size()) u.resize(x.cols(), one.size());
+    u.row(j) = one;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <pounding/core/archive.hpp>
@@ -10,6 +11,7 @@
 #include <pounding/model/reduction.hpp>
 #include <pounding/results/summary.hpp>
 #include <pounding/run/floor_response.hpp>
+#include <pounding/run/linear_quantities.hpp>
 #include <pounding/stepping/stepper.hpp>
 
 namespace pounding {
@@ -41,7 +43,8 @@ class ReductionErrors {
   // Largest differences from the shadow, and largest values where no summary has them.
   struct Floors {
     int structure = 0;       // of the model
-    int first_unknown = 0;   // of the structure in the system
+    std::optional<LinearQuantities> forces;  // of its members, without those at rest
+    std::vector<int> units;  // of each of them: 0 for forces, 1 for moments
     std::vector<int> rows;   // of the outputs: translations of floors
     double displacement = 0, acceleration = 0;
     std::array<double, 2> members{}, largest_members{};  // forces, moments
@@ -49,7 +52,6 @@ class ReductionErrors {
 
   void compare_forces(const Instant& end);
   void compare_waiting();
-  void compare_members(Floors& floors, const Eigen::MatrixXd& own, const Eigen::MatrixXd& shadow);
 
   const Model& model_;
   const Stepper& stepper_;
@@ -58,7 +60,9 @@ class ReductionErrors {
   long outputs_ = 0;
   Eigen::MatrixXd waiting_;             // coordinates at output times whose members are to be compared, together
   int waits_ = 0;                       // so many of them
-  Eigen::MatrixXd closings_, motion_;   // room to work in
+  // Room to work in.
+  Eigen::MatrixXd closings_, motion_, unknowns_;
+  LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
 };
 
 /// Whether the estimated errors exceed what was asked for: a bound of its own, else 0.3 of the tolerance.
