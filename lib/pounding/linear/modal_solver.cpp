@@ -268,7 +268,7 @@ bool ModalSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
   return true;
 }
 
-// Where the damping couples the modes.
+// Coupled modes: each block has a factor.
 LinkColumns::Solve ModalSolver::solve_block() const {
   return [this](int first, Eigen::VectorXd& column) {
     for (std::size_t b = 0; b < blocks_.size(); ++b)

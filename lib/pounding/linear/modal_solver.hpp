@@ -74,7 +74,7 @@ class ModalSolver final : public StructureSolver {
     bool shadow = false;
     bool shadowed = false;    // a later block is its shadow
 
-    // Of a large structure: sums over the modes are made in their order, and cost less than those over the unknowns.
+    // Whether sums over the modes cost less than those over the unknowns; they are made in the order of the modes then.
     bool few() const { return reduced || shapes.cols() > small_structure; }
     // The displacements of its unknowns, [columns of x, unknown of the system], from its modes in x.
     void displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const;

@@ -20,6 +20,7 @@ struct EffectiveMatrix {
   double damping = 0;    ///< [s]
   double stiffness = 0;  ///< [s^2]
 
+  /// Same coefficients to the last bit.
   bool operator==(const EffectiveMatrix&) const = default;
 };
 
@@ -85,7 +86,7 @@ class StructureSolver {
 
   /// B^T x for all links [links x columns of x], the same on every process.
   virtual void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const = 0;
-  /// The same for the links of the last flexibility() alone [links of `links` x columns of x].
+  /// B^T x for the links of the last flexibility() alone [links of `links` x columns of x].
   virtual void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const = 0;
   /// y += factor B f; f has one force for each link of the system.
   virtual void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
@@ -107,8 +108,15 @@ class StructureSolver {
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const = 0;
   /// Values u at all degrees of freedom of the system, on every process, of coordinates x; relief() is to be added.
   virtual void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const = 0;
-  /// The same for several columns, with the same bits, a row of `u` each: many together cost less each.
-  virtual void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const;
+  /// Values of several columns as physical() gives them, to the bit, a row of `u` each: many together cost less each.
+  virtual void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
+    Eigen::VectorXd one;
+    for (Eigen::Index j = 0; j < x.cols(); ++j) {
+      physical(x.col(j), one);
+      if (u.rows() != x.cols() || u.cols() != one.size()) u.resize(x.cols(), one.size());
+      u.row(j) = one;
+    }
+  }
   /// As physical_of_columns(), from the shadow for structures that have one.
   virtual void physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const { physical_of_columns(x, u); }
   /// The modes of a group [unknown of the group, mode] and the first of its coordinates, where these are so few that sums over them cost less
@@ -138,14 +146,5 @@ class StructureSolver {
   std::vector<Segment> segments_;
   long factorizations_ = 0;
 };
-
-inline void StructureSolver::physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
-  Eigen::VectorXd one;
-  for (Eigen::Index j = 0; j < x.cols(); ++j) {
-    physical(x.col(j), one);
-    if (u.rows() != x.cols() || u.cols() != one.size()) u.resize(x.cols(), one.size());
-    u.row(j) = one;
-  }
-}
 
 }  // namespace pounding

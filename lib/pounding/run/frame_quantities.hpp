@@ -23,7 +23,7 @@ std::vector<int> reported_forces(const Structure& structure);
 FrameQuantities frame_quantities(const Structure& structure, const std::vector<int>& reported, const Eigen::VectorXd& u, const Eigen::VectorXd& v,
                                  const Eigen::VectorXd& a);
 
-/// The same of a frame with few modes as sums over these: the displacements of all its unknowns are not needed.
+/// Quantities of a frame with few modes as sums over these: the displacements of all its unknowns are not needed.
 class FrameRows {
  public:
   FrameRows(const Structure& structure, const std::vector<int>& reported, const StructureSolver::FewModes& modes);

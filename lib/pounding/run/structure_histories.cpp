@@ -149,7 +149,7 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
   }
 }
 
-// What parts that turn or yield add to the reported forces.
+// Parts that turn or yield add this to the reported forces.
 Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& u) const {
   const InternalForces& of = model_.structures[k].forces;
   Eigen::VectorXd all = Eigen::VectorXd::Zero(of.rows.rows());
