@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/linear/all_modes.hpp>
 #include <pounding/linear/column_sums.hpp>
 #include <pounding/structures/damping.hpp>
 
@@ -141,7 +142,7 @@ void ModalSolver::add_natural(const System& system, const Group& group) {
         !dense_submatrix(system.damping, massless, dynamic, group.first).isZero(0))
       throw std::invalid_argument("a dashpot acts on an unknown without mass");
   }
-  const auto [values, phi] = eigenpairs(mass, stiffness);
+  const auto [values, phi] = count > small_structure ? petsc::all_modes(mass, stiffness) : eigenpairs(mass, stiffness);
   Block block;
   block.shapes = Eigen::MatrixXd::Zero(group.count, count);
   block.shapes(dynamic, Eigen::all) = phi;
