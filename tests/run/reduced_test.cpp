@@ -92,6 +92,8 @@ TEST_F(ReducedRun, TellsMoreThanItsErrors) {
       EXPECT_LT(displacement, s.error_displacement + floor) << links << s.name;
       EXPECT_LT(s.error_displacement, 500 * (displacement + floor)) << links << s.name;
       EXPECT_LT(shear, s.error_members + 10 * floor) << links << s.name;
+      EXPECT_LT(history_error(reduced.results.structures[k].reaction, all_modes().results.structures[k].reaction), s.error_members + 10 * floor)
+          << links << s.name;
       EXPECT_GT(s.error_acceleration, 0) << links << s.name;
       RecordProperty(fmt::format("{}_{}", s.name, links), fmt::format("{} | {:.1e} {:.1e}", s.error_text(), displacement, shear));
     }

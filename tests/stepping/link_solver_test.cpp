@@ -258,6 +258,39 @@ TEST(LinkSolver, FindsTheFrictionOfTheForceThatPresses) {
   }
 }
 
+// So many that a symmetric factor takes the place of the slopes, and stays while they do.
+TEST(LinkSolver, FindsTheForcesOfAHundredLinksThatPressTogether) {
+  constexpr int count = 100;
+  Few few;
+  for (int i = 0; i < count; ++i) {
+    if (i % 3 == 0)
+      few.press(laws::Hertz{.stiffness = 1e9});
+    else
+      few.press(Linear{1e6 * (1 + i % 7), 1e3 * (i % 2)});
+    few.free.push_back({1e-3 * (1 + i % 5), 0.1});
+  }
+  const Eigen::MatrixXd b = Eigen::MatrixXd::Random(count, 40);
+  few.flexibility = b * b.transpose() + 0.1 * Eigen::MatrixXd::Identity(count, count);
+  const auto worst = [&] {
+    double largest = 0;
+    for (int i = 0; i < count; ++i)
+      largest = std::max(largest, std::abs(few.contacts[static_cast<std::size_t>(i)]->evaluate(few.motion(i)).force - few.force[i]) / few.force.norm());
+    return largest;
+  };
+  ASSERT_TRUE(few.solve());
+  EXPECT_LT(worst(), 1e-12);
+  const Eigen::VectorXd first = few.force;
+  few.flexibility *= 2;
+  const CondensedLinks softer{few.active, few.free, few.free_acceleration, few.flexibility, few.by_u, few.by_v, few.weight};
+  ASSERT_TRUE(few.solver->solve(softer, few.force));
+  EXPECT_LT(worst(), 1e-12);
+  EXPECT_GT((few.force - first).norm(), 1e-3 * first.norm());
+  const Eigen::VectorXd second = few.force;
+  few.force.setConstant(few.force.mean());
+  ASSERT_TRUE(few.solver->solve(softer, few.force));
+  EXPECT_LT((few.force - second).norm(), 1e-10 * second.norm()) << "from another guess";
+}
+
 TEST(LinkSolver, SaysThatALawWithoutAnAnswerFailed) {
   Few few;
   few.press(Lost{});

@@ -1,56 +1,171 @@
 #include <pounding/linear/column_sums.hpp>
 
+#include <algorithm>
+#include <vector>
+
 #include <pounding/linear/wide_vectors.hpp>
 
 namespace pounding {
 namespace {
 
+using Eigen::Index;
+
+// From this number of columns of X on a panel of A is copied first: its columns lie far apart, and each is read several times.
+constexpr Index many_columns = 4;
+// Rows and columns of A of such a panel, which stays in the cache; it is copied by pieces of so many rows, with their columns beside each other.
+constexpr Index panel_rows = 64, panel_columns = 256, piece_rows = 16;
+// For fewer, of a tall A so many columns are read side by side.
+constexpr Index tall = 256, streams = 8;
+
+template <int columns>
+POUNDING_INLINE void add_row(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride, Index row) {
+  double sum[columns];
+  for (int c = 0; c < columns; ++c) sum[c] = y[row + c * y_stride];
+  const double* of = a.values + row;
+  for (Index j = 0; j < a.count; ++j, of += a.stride)
+    for (int c = 0; c < columns; ++c) sum[c] += *of * x[j + c * x_stride];
+  for (int c = 0; c < columns; ++c) y[row + c * y_stride] = sum[c];
+}
+
 #ifdef POUNDING_HAS_FOUR
+POUNDING_INLINE Four& four(double* at) { return *reinterpret_cast<Four*>(at); }
+POUNDING_INLINE const Four& four(const double* at) { return *reinterpret_cast<const Four*>(at); }
+
 // 4 `blocks` rows from `row` on; the sums stay in registers.
-template <int blocks>
-POUNDING_INLINE Eigen::Index sum_rows(const double* a, Eigen::Index rows, Eigen::Index columns, const double* x, double* y, Eigen::Index row) {
-  for (; row + 4 * blocks <= rows; row += 4 * blocks) {
-    Four sum[blocks] = {};
-    const double* of = a + row;
-    for (Eigen::Index j = 0; j < columns; ++j, of += rows) {
-      const Four factor{x[j], x[j], x[j], x[j]};
+template <int blocks, int columns>
+POUNDING_INLINE Index add_rows(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride, Index row) {
+  for (; row + 4 * blocks <= a.rows; row += 4 * blocks) {
+    Four sum[columns][blocks];
 #pragma GCC unroll 4
-      for (int k = 0; k < blocks; ++k) sum[k] += *reinterpret_cast<const Four*>(of + 4 * k) * factor;
+    for (int c = 0; c < columns; ++c)
+#pragma GCC unroll 4
+      for (int k = 0; k < blocks; ++k) sum[c][k] = four(y + row + c * y_stride + 4 * k);
+    const double* of = a.values + row;
+    for (Index j = 0; j < a.count; ++j, of += a.stride) {
+#pragma GCC unroll 4
+      for (int k = 0; k < blocks; ++k) {
+        const Four value = four(of + 4 * k);
+#pragma GCC unroll 4
+        for (int c = 0; c < columns; ++c) sum[c][k] += value * x[j + c * x_stride];
+      }
     }
 #pragma GCC unroll 4
-    for (int k = 0; k < blocks; ++k) *reinterpret_cast<Four*>(y + row + 4 * k) = sum[k];
+    for (int c = 0; c < columns; ++c)
+#pragma GCC unroll 4
+      for (int k = 0; k < blocks; ++k) four(y + row + c * y_stride + 4 * k) = sum[c][k];
   }
   return row;
 }
 #else
-template <int blocks>
-Eigen::Index sum_rows(const double*, Eigen::Index, Eigen::Index, const double*, double*, Eigen::Index row) {
+template <int blocks, int columns>
+Index add_rows(const Columns&, const double*, Index, double*, Index, Index row) {
   return row;
 }
 #endif
 
-POUNDING_INLINE void sum_all(const double* a, Eigen::Index rows, Eigen::Index columns, const double* x, double* y) {
-  Eigen::Index row = sum_rows<4>(a, rows, columns, x, y, 0);
-  row = sum_rows<2>(a, rows, columns, x, y, row);
-  row = sum_rows<1>(a, rows, columns, x, y, row);
-  for (; row < rows; ++row) {
-    double sum = 0;
-    for (Eigen::Index j = 0; j < columns; ++j) sum += a[row + j * rows] * x[j];
-    y[row] = sum;
+template <int columns>
+POUNDING_INLINE void add_few(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride) {
+  Index row = add_rows<4, columns>(a, x, x_stride, y, y_stride, 0);
+  row = add_rows<2, columns>(a, x, x_stride, y, y_stride, row);
+  row = add_rows<1, columns>(a, x, x_stride, y, y_stride, row);
+  for (; row < a.rows; ++row) add_row<columns>(a, x, x_stride, y, y_stride, row);
+}
+
+POUNDING_INLINE void add_all(const Columns& a, const Columns& x, double* y, Index y_stride) {
+  Index c = 0;
+  for (; c + 3 <= x.count; c += 3) add_few<3>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
+  if (c + 2 == x.count) add_few<2>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
+  if (c + 1 == x.count) add_few<1>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
+}
+
+POUNDING_WIDE void add_by_wide_vectors(const Columns& a, const Columns& x, double* y, Index y_stride) { add_all(a, x, y, y_stride); }
+
+void add(const Columns& a, const Columns& x, double* y, Index y_stride) {
+  if (has_wide_vectors())
+    add_by_wide_vectors(a, x, y, y_stride);
+  else
+    add_all(a, x, y, y_stride);
+}
+
+POUNDING_INLINE void scale_all(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {
+  Index k = 0;
+#ifdef POUNDING_HAS_FOUR
+  constexpr int blocks = 4;
+  for (; k + 4 * blocks <= rows; k += 4 * blocks) {
+    Four sum[blocks], weight[blocks];
+#pragma GCC unroll 4
+    for (int b = 0; b < blocks; ++b) {
+      sum[b] = four(y + k + 4 * b);
+      weight[b] = weights ? four(weights + k + 4 * b) : Four{1, 1, 1, 1};
+    }
+    for (const ScaledColumn& column : columns) {
+      const Four factor{column.factor, column.factor, column.factor, column.factor};
+#pragma GCC unroll 4
+      for (int b = 0; b < blocks; ++b) sum[b] += factor * weight[b] * four(column.values + k + 4 * b);
+    }
+#pragma GCC unroll 4
+    for (int b = 0; b < blocks; ++b) four(y + k + 4 * b) = sum[b];
+  }
+#endif
+  for (; k < rows; ++k) {
+    double sum = y[k];
+    const double weight = weights ? weights[k] : 1;
+    for (const ScaledColumn& column : columns) sum += column.factor * weight * column.values[k];
+    y[k] = sum;
   }
 }
 
-POUNDING_WIDE void sum_by_wide_vectors(const double* a, Eigen::Index rows, Eigen::Index columns, const double* x, double* y) {
-  sum_all(a, rows, columns, x, y);
+POUNDING_WIDE void scale_by_wide_vectors(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {
+  scale_all(columns, rows, weights, y);
 }
 
 }  // namespace
 
 void sum_columns(const Eigen::MatrixXd& a, const double* x, double* y) {
+  std::fill_n(y, a.rows(), 0.0);
+  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {x, a.cols(), 1, a.cols()}, y, a.rows());
+}
+
+void add_products(const Columns& a, const Columns& x, double* y, Index y_stride) {
+  if (x.count < many_columns || a.rows <= piece_rows) {
+    const Index together = a.rows > tall ? streams : a.count;
+    for (Index j = 0; j < a.count; j += together) {
+      const Index count = std::min(together, a.count - j);
+      add({a.values + j * a.stride, a.rows, count, a.stride}, {x.values + j, count, x.count, x.stride}, y, y_stride);
+    }
+    return;
+  }
+  std::vector<double> panel(static_cast<std::size_t>(panel_rows * std::min(panel_columns, a.count)));
+  for (Index row = 0; row < a.rows; row += panel_rows)
+    for (Index j = 0; j < a.count; j += panel_columns) {
+      const Index rows = std::min(panel_rows, a.rows - row), count = std::min(panel_columns, a.count - j);
+      for (Index k = 0; k < count; ++k)
+        for (Index i = 0; i < rows; i += piece_rows) {
+          const Index piece = std::min(piece_rows, rows - i);
+          const double* const from = a.values + row + i + (j + k) * a.stride;
+          double* const to = panel.data() + i * count + k * piece;
+          for (Index r = 0; r < piece; ++r) to[r] = from[r];
+        }
+      for (Index i = 0; i < rows; i += piece_rows) {
+        const Index piece = std::min(piece_rows, rows - i);
+        add({panel.data() + i * count, piece, count, piece}, {x.values + j, count, x.count, x.stride}, y + row + i, y_stride);
+      }
+    }
+}
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(a.rows(), b.cols());
+  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {b.data(), b.rows(), b.cols(), b.rows()}, made.data(), made.rows());
+  return made;
+}
+
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return product(a.transpose(), b); }
+
+void add_scaled(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {
   if (has_wide_vectors())
-    sum_by_wide_vectors(a.data(), a.rows(), a.cols(), x, y);
+    scale_by_wide_vectors(columns, rows, weights, y);
   else
-    sum_all(a.data(), a.rows(), a.cols(), x, y);
+    scale_all(columns, rows, weights, y);
 }
 
 }  // namespace pounding

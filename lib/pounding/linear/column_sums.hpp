@@ -1,12 +1,34 @@
 #pragma once
-/// A small dense matrix times a vector, many times over.
+/// Products of dense matrices with one vector or a few, many times over. Each number is one sum in a fixed order, so all of them have the same
+/// bits on every machine and for any number of vectors at a time; they take fewer instructions where vectors hold four numbers.
 
 #include <Eigen/Core>
+#include <span>
 
 namespace pounding {
 
-/// y = A x, the columns of A added one after the other: the same bits on every machine, by fewer instructions where its vectors hold four
-/// numbers. `y` has room for the rows of A and overlaps neither.
+/// y = A x, the columns of A added one after the other. `y` has room for the rows of A and overlaps neither.
 void sum_columns(const Eigen::MatrixXd& a, const double* x, double* y);
+
+/// A matrix by columns, `stride` numbers from one to the next.
+struct Columns {
+  const double* values;
+  Eigen::Index rows, count, stride;
+};
+
+/// Y += A X, the columns of A added one after the other to each column of Y, `y_stride` numbers from one to the next. `x` has as many rows as A
+/// has columns. Y overlaps neither.
+void add_products(const Columns& a, const Columns& x, double* y, Eigen::Index y_stride);
+
+/// y_k += (f_j w_k) a_kj for one column j of A after the other; without weights y_k += f_j a_kj. `weights` is one number a row, or empty.
+struct ScaledColumn {
+  const double* values;
+  double factor;
+};
+void add_scaled(std::span<const ScaledColumn> columns, Eigen::Index rows, const double* weights, double* y);
+
+/// A B, and A^T B, by such sums.
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 }  // namespace pounding

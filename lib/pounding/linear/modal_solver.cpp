@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include <pounding/linear/all_modes.hpp>
 #include <pounding/linear/column_sums.hpp>
 #include <pounding/structures/damping.hpp>
 
@@ -87,28 +89,39 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
     if (!block.shadow) add_view(system.outputs, block, views_);
     if (shadow_ > 0 && !block.shadowed) add_view(system.outputs, block, shadow_views_);
   }
-  for (int i = 0; i < system.links(); ++i) {
-    gap_jacobian_.push_back(parts_of(system, i, false));
-    if (shadow_ > 0) shadow_ends_.push_back(parts_of(system, i, true));
-  }
-  make_panels();
+  gap_jacobian_ = columns_of_links(system, false);
+  if (shadow_ > 0) shadow_ends_ = columns_of_links(system, true);
 }
 
-// A link's column of B in the blocks that count, or in the shadow and the blocks that have none.
-std::vector<ModalSolver::Part> ModalSolver::parts_of(const System& system, int link, bool shadow) const {
-  std::vector<Part> parts;
-  const Eigen::VectorXd column(system.gap_jacobian.col(link));
-  const bool springs = is_spring(system, link);
+// In the blocks that count, or in the shadow and the blocks that have none.
+LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) const {
+  LinkColumns made(system.links());
   for (const Block& block : blocks_) {
     if (shadow ? block.shadowed : block.shadow) continue;
-    const auto part = column.segment(block.first, block.shapes.rows());
-    if (part.isZero(0)) continue;
-    for (int k = 0; k < part.size() && !springs; ++k)
-      if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
-        throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", link, block.first + k));
-    parts.push_back({block.coordinate, block.shapes.transpose() * part});
+    std::vector<int> links;
+    Eigen::MatrixXd columns(block.shapes.cols(), system.links());
+    for (int i = 0; i < system.links(); ++i) {
+      Eigen::VectorXd part = Eigen::VectorXd::Zero(block.shapes.rows());
+      for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
+        if (it.row() >= block.first && it.row() < block.first + part.size()) part[it.row() - block.first] = it.value();
+      if (part.isZero(0)) continue;
+      for (int k = 0; k < part.size() && !is_spring(system, i); ++k)
+        if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
+          throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, block.first + k));
+      auto column = columns.col(static_cast<Eigen::Index>(links.size()));
+      if (block.few()) {
+        column.setZero();
+        for (int k = 0; k < part.size(); ++k)
+          if (part[k] != 0) column += part[k] * block.shapes.row(k).transpose();
+      } else {
+        column = block.shapes.transpose() * part;
+      }
+      links.push_back(i);
+    }
+    columns.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(links.size()));
+    made.add_block(block.coordinate, std::move(links), std::move(columns));
   }
-  return parts;
+  return made;
 }
 
 void ModalSolver::add_natural(const System& system, const Group& group) {
@@ -129,17 +142,19 @@ void ModalSolver::add_natural(const System& system, const Group& group) {
         !dense_submatrix(system.damping, massless, dynamic, group.first).isZero(0))
       throw std::invalid_argument("a dashpot acts on an unknown without mass");
   }
-  const auto [values, phi] = eigenpairs(mass, stiffness);
+  const auto [values, phi] = count > small_structure ? petsc::all_modes(mass, stiffness) : eigenpairs(mass, stiffness);
   Block block;
   block.shapes = Eigen::MatrixXd::Zero(group.count, count);
   block.shapes(dynamic, Eigen::all) = phi;
   if (recovery.size() > 0) block.shapes(massless, Eigen::all) = recovery * phi;
-  block.project = Eigen::MatrixXd::Zero(count, group.count);
-  block.project(Eigen::all, dynamic) = phi.transpose() * mass;
+  if (!block.few()) {
+    block.project = Eigen::MatrixXd::Zero(count, group.count);
+    block.project(Eigen::all, dynamic) = phi.transpose() * mass;
+  }
   Eigen::VectorXd squares = values.cwiseMax(0);
   squares.head(std::min<Eigen::Index>(group.rigid_motions, count)).setZero();
   group_masses_.push_back(mass.diagonal().sum());
-  add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), squares,
+  add_block(system, group, std::move(block), squares,
             phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi);
 }
 
@@ -154,16 +169,18 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Gr
   const SparseMatrix mass = system.mass.block(group.first, group.first, group.count, group.count);
   Block block;
   block.shadow = shadow;
+  block.reduced = true;
   block.shapes = modes.shapes;
-  block.project = (mass * modes.shapes).transpose();
   if (!shadow) group_masses_.push_back(mass.diagonal().sum());
-  const Eigen::MatrixXd damped = damping * modes.shapes;
-  add_block(group, static_cast<int>(&group - system.groups.data()), std::move(block), modes.squares, modes.shapes.transpose() * damped);
+  const Eigen::Index count = modes.squares.size();
+  const Eigen::MatrixXd rest = damping.nonZeros() == 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count))
+                                                       : transposed_product(modes.shapes, damping * modes.shapes);
+  add_block(system, group, std::move(block), modes.squares, rest);
 }
 
 // `rest` is the damping of the modes without Rayleigh's.
-void ModalSolver::add_block(const Group& group, int number, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest) {
-  const int count = static_cast<int>(squares.size());
+void ModalSolver::add_block(const System& system, const Group& group, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest) {
+  const int count = static_cast<int>(squares.size()), number = static_cast<int>(&group - system.groups.data());
   block.first = group.first;
   block.coordinate = static_cast<int>(stiffness_.size());
   Eigen::VectorXd diagonal = rest.diagonal() + group.by_stiffness * squares;
@@ -178,6 +195,10 @@ void ModalSolver::add_block(const Group& group, int number, Block block, const E
   damping_.conservativeResize(block.coordinate + count);
   stiffness_.tail(count) = squares;
   damping_.tail(count) = diagonal;
+  if (block.few()) {
+    block.by_unknown = block.shapes.transpose();
+    block.mass = system.mass.block(group.first, group.first, group.count, group.count);
+  }
   if (!block.shadow) segments_.push_back({block.coordinate, count, number});
   blocks_.push_back(std::move(block));
 }
@@ -217,8 +238,9 @@ void ModalSolver::accelerate(Eigen::Ref<Eigen::VectorXd>) const {}
 void ModalSolver::recover(Eigen::Ref<Eigen::VectorXd>) const {}
 
 void ModalSolver::set_matrix(const EffectiveMatrix& s, const std::optional<int>& /*step_level*/) {
-  if (s.mass == matrix_.mass && s.damping == matrix_.damping && s.stiffness == matrix_.stiffness) return;
+  if (s == matrix_) return;
   matrix_ = s;
+  has_flexibility_ = false;
   if (classical_) {
     const Eigen::Index n = stiffness_.size();
     for (Eigen::Index i = 0; i < n; ++i) inverse_[i] = 1 / (s.mass + s.damping * damping_[i] + s.stiffness * stiffness_[i]);
@@ -250,117 +272,48 @@ bool ModalSolver::solve(Eigen::Ref<Eigen::VectorXd> x) {
   return true;
 }
 
+// Coupled modes: each block has a factor.
+LinkColumns::Solve ModalSolver::solve_block() const {
+  return [this](int first, Eigen::VectorXd& column) {
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      if (blocks_[b].coordinate == first) factors_[b].solveInPlace(column);
+  };
+}
+
 bool ModalSolver::flexibility(std::span<const int> links, Eigen::MatrixXd& g) {
-  const int count = static_cast<int>(links.size());
-  g.setZero(count, count);
-  for (int j = 0; j < count; ++j)
-    for (const Part& part : gap_jacobian_[links[j]]) {
-      const Eigen::Index n = part.values.size();
-      Eigen::VectorXd solved;
-      if (!classical_) {
-        solved = part.values;
-        for (std::size_t b = 0; b < blocks_.size(); ++b)
-          if (blocks_[b].coordinate == part.first) factors_[b].solveInPlace(solved);
-      }
-      for (int i = 0; i <= j; ++i)
-        for (const Part& other : gap_jacobian_[links[i]]) {
-          if (other.first != part.first) continue;
-          double sum = 0;
-          if (classical_)
-            for (Eigen::Index k = 0; k < n; ++k) sum += other.values[k] * inverse_[part.first + k] * part.values[k];
-          else
-            sum = other.values.dot(solved);
-          g(i, j) += sum;
-          if (i != j) g(j, i) += sum;
-        }
-    }
+  const bool others = gap_jacobian_.choose(links);
+  if (shadow_ > 0) shadow_ends_.choose(links);
+  if (std::exchange(has_flexibility_, true) && !others) return true;
+  if (classical_)
+    gap_jacobian_.flexibility(inverse_, g);
+  else
+    gap_jacobian_.flexibility(solve_block(), g);
   return true;
 }
 
-void ModalSolver::add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
-                             Eigen::Ref<Eigen::VectorXd> y) const {
-  const auto add = [&](double scale, const Part& part) {
-    const Eigen::Index n = part.values.size();
-    if (classical_) {
-      for (Eigen::Index k = 0; k < n; ++k)
-        y[part.first + k] += scale * inverse_[part.first + k] * part.values[k];
-      return;
-    }
-    for (std::size_t b = 0; b < blocks_.size(); ++b)
-      if (blocks_[b].coordinate == part.first) y.segment(part.first, n) += scale * factors_[b].solve(part.values);
+void ModalSolver::add_response(double factor, std::span<const int> /*links*/, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
+  const auto add = [&](const LinkColumns& columns, int from) {
+    if (classical_)
+      columns.add_response(factor, f, inverse_, y, from);
+    else
+      columns.add_response(factor, f, solve_block(), y, from);
   };
-  for (std::size_t j = 0; j < links.size(); ++j) {
-    const double scale = factor * f[static_cast<Eigen::Index>(j)];
-    for (const Part& part : gap_jacobian_[links[j]]) add(scale, part);
-    if (shadow_ == 0) continue;
-    for (const Part& part : shadow_ends_[links[j]])
-      if (part.first >= counted()) add(scale, part);
-  }
+  add(gap_jacobian_, 0);
+  if (shadow_ > 0) add(shadow_ends_, counted());
 }
 
-void ModalSolver::make_panels() {
-  const int links = static_cast<int>(gap_jacobian_.size());
-  for (int i = 0; i < links;) {
-    const auto fits = [&](int other) {
-      const std::vector<Part>&own = gap_jacobian_[i], &parts = gap_jacobian_[other];
-      return own.size() == 1 && parts.size() == 1 && own[0].first == parts[0].first && own[0].values.size() == parts[0].values.size();
-    };
-    if (i + 4 > links || !fits(i) || !fits(i + 1) || !fits(i + 2) || !fits(i + 3)) {
-      single_links_.push_back(i++);
-      continue;
-    }
-    Panel& panel = panels_.emplace_back(i, gap_jacobian_[i][0].first);
-    panel.values.resize(Eigen::NoChange, gap_jacobian_[i][0].values.size());
-    for (int row = 0; row < 4; ++row) panel.values.row(row) = gap_jacobian_[i++][0].values.transpose();
-  }
-}
-
-void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
-  const Eigen::Index columns = x.cols(), links = static_cast<Eigen::Index>(gap_jacobian_.size());
-  if (relative.rows() != links || relative.cols() != columns) relative.resize(links, columns);
-  // Sums in one order, whether four links at once or one.
-  for (const Panel& panel : panels_)
-    for (Eigen::Index j = 0; j < columns; ++j) {
-      Eigen::Array4d sum = Eigen::Array4d::Zero();
-      for (Eigen::Index k = 0; k < panel.values.cols(); ++k) sum += panel.values.col(k).array() * x(panel.first + k, j);
-      relative.col(j).segment<4>(panel.link) = sum;
-    }
-  for (const int i : single_links_) {
-    double* const sums = relative.data() + i;
-    const Eigen::Index stride = relative.rows();
-    for (Eigen::Index j = 0; j < columns; ++j) sums[j * stride] = 0;
-    for (const Part& part : gap_jacobian_[i]) {
-      const Eigen::Index n = part.values.size();
-      const double *const values = part.values.data(), *of = x.data() + part.first;
-      for (Eigen::Index j = 0; j < columns; ++j, of += x.outerStride()) {
-        double sum = sums[j * stride];
-        for (Eigen::Index k = 0; k < n; ++k) sum += values[k] * of[k];
-        sums[j * stride] = sum;
-      }
-    }
-  }
+void ModalSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gap_jacobian_.gather(x, relative); }
+void ModalSolver::gather(std::span<const int> /*links*/, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  gap_jacobian_.gather_chosen(x, relative);
 }
 
 void ModalSolver::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
-  for (std::size_t i = 0; i < gap_jacobian_.size(); ++i) {
-    const double scale = factor * f[static_cast<Eigen::Index>(i)];
-    if (scale == 0) continue;
-    for (const Part& part : gap_jacobian_[i]) {
-      const Eigen::Index n = part.values.size();
-      for (Eigen::Index k = 0; k < n; ++k) y[part.first + k] += scale * part.values[k];
-    }
-    if (shadow_ == 0) continue;
-    for (const Part& part : shadow_ends_[i])
-      if (part.first >= counted()) y.segment(part.first, part.values.size()) += scale * part.values;
-  }
+  gap_jacobian_.add_forces(factor, f, y);
+  if (shadow_ > 0) shadow_ends_.add_forces(factor, f, y, counted());
 }
 
 void ModalSolver::gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
-  if (shadow_ == 0) return gather(x, relative);
-  relative.setZero(static_cast<Eigen::Index>(shadow_ends_.size()), x.cols());
-  for (std::size_t i = 0; i < shadow_ends_.size(); ++i)
-    for (const Part& part : shadow_ends_[i])
-      relative.row(static_cast<Eigen::Index>(i)).noalias() += part.values.transpose() * x.middleRows(part.first, part.values.size());
+  (shadow_ > 0 ? shadow_ends_ : gap_jacobian_).gather(x, relative);
 }
 
 void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
@@ -375,28 +328,41 @@ void ModalSolver::observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Mat
 
 void ModalSolver::observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const {
   values.setZero(outputs_, x.cols());
-  std::vector<double> sums(static_cast<std::size_t>(outputs_));  // of one group, beside each other
   for (const View& view : views) {
-    const std::size_t count = view.rows.size();
-    for (Eigen::Index j = 0; j < x.cols(); ++j) {
-      sum_columns(view.factors, x.col(j).data() + view.first, sums.data());
-      for (std::size_t i = 0; i < count; ++i) values(view.rows[i], j) += sums[i];
-    }
+    const Eigen::Index rows = view.factors.rows(), count = view.factors.cols();
+    sums_.setZero(rows, x.cols());
+    add_products({view.factors.data(), rows, count, rows}, {x.data() + view.first, count, x.cols(), x.outerStride()}, sums_.data(), rows);
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
+      for (Eigen::Index i = 0; i < rows; ++i) values(view.rows[static_cast<std::size_t>(i)], j) += sums_(i, j);
   }
 }
 
 Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {
   Eigen::VectorXd x(stiffness_.size());
   for (const Block& block : blocks_)
-    x.segment(block.coordinate, block.project.rows()) = block.project * u.segment(block.first, block.project.cols());
+    x.segment(block.coordinate, block.shapes.cols()) =
+        block.few() ? Eigen::VectorXd(block.by_unknown * (block.mass * u.segment(block.first, block.shapes.rows())))
+                    : Eigen::VectorXd(block.project * u.segment(block.first, block.project.cols()));
   return x;
 }
 
-void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& u) const {
-  if (shapes.cols() < many_modes)
-    sum_columns(shapes, x.data() + coordinate, u.data() + first);
-  else
-    u.segment(first, shapes.rows()).noalias() = shapes * x.segment(coordinate, shapes.cols());
+void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const {
+  const Eigen::Index rows = shapes.rows(), modes = shapes.cols();
+  if (few()) {
+    const Eigen::MatrixXd own = x.middleRows(coordinate, modes).transpose();
+    auto to = u.middleCols(first, rows);
+    to.setZero();
+    add_products({own.data(), own.rows(), modes, own.rows()}, {by_unknown.data(), modes, rows, modes}, to.data(), u.outerStride());
+    return;
+  }
+  Eigen::VectorXd one(rows);
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    if (modes < many_modes)
+      sum_columns(shapes, x.col(j).data() + coordinate, one.data());
+    else
+      one.noalias() = shapes * x.col(j).segment(coordinate, modes);
+    u.row(j).segment(first, rows) = one;
+  }
 }
 
 void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
@@ -405,14 +371,34 @@ void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd&
     for (Eigen::Index i = 0; i < single_.size(); ++i) u[i] = single_[i] * x[i];
     return;
   }
+  for (const Block& block : blocks_) {
+    if (block.shadow) continue;
+    if (block.few())
+      block.displace(x, Eigen::Map<Eigen::MatrixXd>(u.data(), 1, unknowns_));
+    else if (block.shapes.cols() < many_modes)
+      sum_columns(block.shapes, x.data() + block.coordinate, u.data() + block.first);
+    else
+      u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
+  }
+}
+
+void ModalSolver::physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
+  if (single_.size() > 0) return StructureSolver::physical_of_columns(x, u);
+  u.resize(x.cols(), unknowns_);
   for (const Block& block : blocks_)
     if (!block.shadow) block.displace(x, u);
 }
 
-void ModalSolver::physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
-  physical(x, u);
+void ModalSolver::physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
+  u.resize(x.cols(), unknowns_);
   for (const Block& block : blocks_)
-    if (block.shadow) block.displace(x, u);
+    if (!block.shadowed) block.displace(x, u);
+}
+
+std::optional<StructureSolver::FewModes> ModalSolver::few_modes(int group) const {
+  const Block& block = blocks_[group];
+  if (!block.few()) return std::nullopt;
+  return FewModes{block.shapes, block.coordinate};
 }
 
 std::string ModalSolver::description() const {

@@ -9,7 +9,9 @@
 #include <Eigen/Cholesky>
 
 #include <pounding/linear/group_modes.hpp>
+#include <pounding/linear/link_columns.hpp>
 #include <pounding/linear/structure_solver.hpp>
+#include <pounding/model/reducible.hpp>
 
 namespace pounding {
 
@@ -43,6 +45,7 @@ class ModalSolver final : public StructureSolver {
   void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
                     Eigen::Ref<Eigen::VectorXd> y) const override;
   void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
+  void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const override;
   void observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
@@ -51,7 +54,9 @@ class ModalSolver final : public StructureSolver {
   std::span<const ReducedStructure> reduced() const override { return reduced_; }
   void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
   void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
-  void physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const override;
+  void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const override;
+  void physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const override;
+  std::optional<FewModes> few_modes(int group) const override;
   std::string description() const override;
 
  private:
@@ -60,26 +65,20 @@ class ModalSolver final : public StructureSolver {
     int first = 0;            // degree of freedom
     int coordinate = 0;       // first mode
     Eigen::MatrixXd shapes;   // Phi: [all degrees of freedom of the group, mode]
-    Eigen::MatrixXd project;  // Phi^T M: displacements to modes
+    Eigen::MatrixXd project;  // Phi^T M: displacements to modes; empty where few()
+    // Where few() instead: Phi^T and M.
+    Eigen::MatrixXd by_unknown;
+    SparseMatrix mass;
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
+    bool reduced = false;     // in fewer modes than unknowns with mass
     bool shadow = false;
     bool shadowed = false;    // a later block is its shadow
 
-    // The displacements of its unknowns in u, from its modes in x.
-    void displace(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& u) const;
+    // Whether sums over the modes cost less than those over the unknowns; they are made in the order of the modes then.
+    bool few() const { return reduced || shapes.cols() > small_structure; }
+    // The displacements of its unknowns, [columns of x, unknown of the system], from its modes in x.
+    void displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const;
   };
-  // A link's column of B in these coordinates, where it is not zero.
-  struct Part {
-    int first = 0;
-    Eigen::VectorXd values;
-  };
-
-  // Columns of B of four links in a row that act on the same modes, from `first` on.
-  struct Panel {
-    int link = 0, first = 0;
-    Eigen::Matrix<double, 4, Eigen::Dynamic> values;
-  };
-
   // Outputs of one group: values[rows[i]] += factors.row(i) * modes from `first` on.
   struct View {
     int first = 0;
@@ -89,29 +88,29 @@ class ModalSolver final : public StructureSolver {
 
   void add_natural(const System& system, const Group& group);
   void add_reduced(const System& system, const Group& group, const GroupModes& modes, bool shadow);
-  std::vector<Part> parts_of(const System& system, int link, bool shadow) const;
-  void add_block(const Group& group, int number, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest);
-  void make_panels();
+  LinkColumns columns_of_links(const System& system, bool shadow) const;
+  void add_block(const System& system, const Group& group, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest);
   void add_view(const SparseMatrix& outputs, const Block& block, std::vector<View>& views) const;
+  LinkColumns::Solve solve_block() const;
   void observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const;
 
   std::vector<Block> blocks_;
   Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
-  std::vector<std::vector<Part>> gap_jacobian_;  // of each link
-  std::vector<Panel> panels_;                    // the same where it fits, and the other links
-  std::vector<int> single_links_;
+  LinkColumns gap_jacobian_;
   std::vector<View> views_;
   // Ends of links, and outputs, in the shadow and in the blocks that have none; empty without a shadow.
-  std::vector<std::vector<Part>> shadow_ends_;
+  LinkColumns shadow_ends_;
   std::vector<View> shadow_views_;
   std::vector<ReducedStructure> reduced_;
   int outputs_ = 0;  // number of output quantities
+  mutable Eigen::MatrixXd sums_;  // of the outputs of one group
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;
   int unknowns_ = 0;
 
   EffectiveMatrix matrix_{0, 0, 0};
   Eigen::VectorXd inverse_;  // of the diagonal of A
+  bool has_flexibility_ = false;  // of the links that are chosen, by the present matrix
   std::vector<Eigen::LLT<Eigen::MatrixXd>> factors_;  // by block, of the present matrix, when not classical
 };
 

@@ -14,8 +14,11 @@ namespace {
 
 using Kind = Reduction::Kind;
 
+// Blocks of the links with which most contacts stay below 0.3 of a tolerance; fewer are tried where these are too many.
+constexpr int most_start = 6, least_start = 4;
+
 ReducedDepth automatic_depth(double tolerance, int deeper) {
-  return {.links = (tolerance >= 1e-4 ? 4 : tolerance >= 1e-5 ? 5 : 6) + deeper, .ground = 20 + deeper};
+  return {.links = (tolerance >= 1e-2 ? least_start : most_start) + deeper, .ground = 20 + deeper};
 }
 
 bool inside(const Group& group, Eigen::Index unknown) { return unknown >= group.first && unknown < group.first + group.count; }
@@ -93,7 +96,9 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
       inputs.starts = starts;
     }
   }
-  const int most = links * (depth.links + 1) + grounds * depth.ground + static_cast<int>(inputs.starts.cols());
+  const auto largest = [&] { return links * (depth.links + 1) + grounds * depth.ground + static_cast<int>(inputs.starts.cols()); };
+  while (how.kind == Kind::automatic && depth.links > least_start + plan.deeper && 2 * largest() > dynamic) --depth.links;
+  const int most = largest();
   if (2 * most > dynamic) {
     if (!how.is_explicit() || dynamic <= small_structure) return std::nullopt;
     throw InputError(fmt::format("reduction {} of \"{}\" would have up to {} coordinates for {} unknowns with mass, more than "

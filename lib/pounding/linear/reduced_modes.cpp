@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <pounding/core/error.hpp>
+#include <pounding/linear/column_sums.hpp>
 #include <pounding/linear/factor.hpp>
 
 namespace pounding::petsc {
@@ -62,8 +63,8 @@ struct Chain {
     return all;
   }
   // The part of new columns that is orthogonal to all blocks. Twice, as rounding of the first pass is of the size of what is left.
-  void add(const Eigen::MatrixXd& columns) {
-    Eigen::MatrixXd next = orthonormal(without(unit_columns(columns)), nothing_new);
+  void add(const Eigen::MatrixXd& columns, double least = nothing_new) {
+    Eigen::MatrixXd next = orthonormal(without(unit_columns(columns)), least);
     if (!blocks.empty() && next.cols() > 0) next = orthonormal(without(next), 0.5);
     if (next.cols() == 0)
       ended = true;
@@ -74,7 +75,7 @@ struct Chain {
  private:
   Eigen::MatrixXd without(Eigen::MatrixXd x) const {
     for (int pass = 0; pass < 2; ++pass)
-      for (const Eigen::MatrixXd& block : blocks) x -= block * (block.transpose() * x).eval();
+      for (const Eigen::MatrixXd& block : blocks) x -= product(block, transposed_product(block, x));
     return x;
   }
 };
@@ -154,24 +155,36 @@ struct ReducedModes::Structure {
     return u;
   }
 
-  // The basis, joined, with the starts that it does not hold.
-  Eigen::MatrixXd basis(const ReducedDepth& depth) {
+  // The basis of a depth; it is asked for again when its modes are.
+  const Eigen::MatrixXd& basis(const ReducedDepth& depth) {
+    for (const auto& [of, made] : made_)
+      if (of == depth) return made;
+    if (made_.size() == kept_bases) made_.erase(made_.begin());
+    return made_.emplace_back(depth, joined_basis(depth)).second;
+  }
+
+  static constexpr std::size_t kept_bases = 2;
+  std::vector<std::pair<ReducedDepth, Eigen::MatrixXd>> made_;
+
+  // The chains, joined, with the starts that they do not hold.
+  Eigen::MatrixXd joined_basis(const ReducedDepth& depth) {
     grow(links, inputs.links, depth.links);
     grow(ground, inputs.ground, depth.ground);
-    Eigen::MatrixXd joined = beside(links.first(depth.links), ground.first(depth.ground));
-    if (depth.shifted) joined = beside(joined, at_the_contact());
-    joined = orthonormal(joined, nothing_joined);
+    Chain joined;
+    for (const Eigen::MatrixXd& part : {links.first(depth.links), ground.first(depth.ground), depth.shifted ? at_the_contact() : Eigen::MatrixXd()}) {
+      if (part.cols() == 0) continue;
+      if (joined.blocks.empty())
+        joined.blocks.push_back(part);
+      else
+        joined.add(part, nothing_joined);
+    }
     Eigen::MatrixXd starts;
     if (inputs.starts.size() > 0) starts = unit_columns(spread.transpose() * inputs.starts);
     // A structure that nothing moves has a coordinate still.
-    if (starts.cols() == 0 && joined.cols() == 0)
+    if (starts.cols() == 0 && joined.blocks.empty())
       starts = unit_columns(answers(*factor, spread * Eigen::VectorXd::Ones(spread.cols())));
-    if (starts.cols() == 0) return joined;
-    Eigen::MatrixXd left = starts;
-    if (joined.size() > 0)
-      for (int pass = 0; pass < 2; ++pass) left -= joined * (joined.transpose() * left).eval();
-    const Eigen::MatrixXd more = orthonormal(left, in_the_span);
-    return more.cols() > 0 ? orthonormal(beside(joined, more), nothing_joined) : joined;
+    if (starts.cols() > 0) joined.add(starts, in_the_span);
+    return joined.first(static_cast<int>(joined.blocks.size()));
   }
 };
 
@@ -188,12 +201,12 @@ GroupModes ReducedModes::modes(const ReducedDepth& depth) {
   GroupModes made;
   made.shapes = structure_->displacements(structure_->basis(depth));
   const Eigen::MatrixXd forces = structure_->stiffness * made.shapes;
-  Eigen::MatrixXd k = made.shapes.transpose() * forces;
+  Eigen::MatrixXd k = transposed_product(made.shapes, forces);
   k = 0.5 * (k + k.transpose().eval());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(k);
   if (ritz.info() != Eigen::Success) throw SolverError("the modes of a reduced structure could not be computed");
   made.squares = ritz.eigenvalues().cwiseMax(0);
-  made.shapes *= ritz.eigenvectors();
+  made.shapes = product(made.shapes, ritz.eigenvectors());
   for (auto shape : made.shapes.colwise()) {
     Eigen::Index largest = 0;
     shape.cwiseAbs().maxCoeff(&largest);

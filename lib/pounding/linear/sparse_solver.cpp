@@ -204,6 +204,13 @@ void SparseSolver::add_response(double factor, std::span<const int> links, const
 
 void SparseSolver::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { ends_.gather(x, relative); }
 
+void SparseSolver::gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  Eigen::MatrixXd all;
+  ends_.gather(x, all);
+  relative.resize(static_cast<Eigen::Index>(links.size()), x.cols());
+  for (std::size_t i = 0; i < links.size(); ++i) relative.row(static_cast<Eigen::Index>(i)) = all.row(links[i]);
+}
+
 void SparseSolver::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
   ends_.add_forces(factor, f, y);
 }

@@ -35,6 +35,7 @@ class SparseSolver final : public StructureSolver {
   void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override;
   void recover(Eigen::Ref<Eigen::VectorXd> x) const override;
   bool prefers_dyadic_steps() const override { return true; }
+  bool needs_dyadic_steps() const override { return true; }
   void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) override;
   bool solve(Eigen::Ref<Eigen::VectorXd> x) override;
   bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) override;

@@ -19,6 +19,9 @@ struct EffectiveMatrix {
   double mass = 1;       ///< [-]
   double damping = 0;    ///< [s]
   double stiffness = 0;  ///< [s^2]
+
+  /// Same coefficients to the last bit.
+  bool operator==(const EffectiveMatrix&) const = default;
 };
 
 /// Each solver has coordinates of its own, in which vectors have size() entries on this process; coordinates() and physical()
@@ -76,7 +79,8 @@ class StructureSolver {
   virtual void set_matrix(const EffectiveMatrix& matrix, const std::optional<int>& step_level) = 0;
   /// Replaces x by A^-1 x. False when the solve failed.
   virtual bool solve(Eigen::Ref<Eigen::VectorXd> x) = 0;
-  /// G = B^T A^-1 B of these links, the same on every process. False when a solve failed.
+  /// G = B^T A^-1 B of these links, the same on every process. `g` as the last call has left it may stay, where links and matrix have.
+  /// False when a solve failed.
   virtual bool flexibility(std::span<const int> links, Eigen::MatrixXd& g) = 0;
   /// y += factor A^-1 B f for the links of the last flexibility(); f has one force per link of `links`.
   virtual void add_response(double factor, std::span<const int> links, const Eigen::VectorXd& f,
@@ -84,6 +88,8 @@ class StructureSolver {
 
   /// B^T x for all links [links x columns of x], the same on every process.
   virtual void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const = 0;
+  /// B^T x for the links of the last flexibility() alone [links of `links` x columns of x].
+  virtual void gather(std::span<const int> links, Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const = 0;
   /// y += factor B f; f has one force for each link of the system.
   virtual void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const = 0;
 
@@ -96,15 +102,32 @@ class StructureSolver {
 
   /// The structures that are reduced, without errors.
   virtual std::span<const ReducedStructure> reduced() const { return {}; }
-  /// As gather(), observe() and physical(), from the shadow for structures that have one.
+  /// As gather() and observe(), from the shadow for structures that have one.
   virtual void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gather(x, relative); }
   virtual void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { observe(x, values); }
-  virtual void physical_shadow(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const { physical(x, u); }
 
   /// Coordinates of a displacement or velocity given at all degrees of freedom of the system.
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& physical) const = 0;
   /// Values u at all degrees of freedom of the system, on every process, of coordinates x; relief() is to be added.
   virtual void physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const = 0;
+  /// Values of several columns as physical() gives them, to the bit, a row of `u` each: many together cost less each.
+  virtual void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
+    Eigen::VectorXd one;
+    for (Eigen::Index j = 0; j < x.cols(); ++j) {
+      physical(x.col(j), one);
+      if (u.rows() != x.cols() || u.cols() != one.size()) u.resize(x.cols(), one.size());
+      u.row(j) = one;
+    }
+  }
+  /// As physical_of_columns(), from the shadow for structures that have one.
+  virtual void physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const { physical_of_columns(x, u); }
+  /// The modes of a group [unknown of the group, mode] and the first of its coordinates, where these are so few that sums over them cost less
+  /// than sums over its unknowns.
+  struct FewModes {
+    const Eigen::MatrixXd& shapes;
+    int first = 0;
+  };
+  virtual std::optional<FewModes> few_modes(int /*group*/) const { return std::nullopt; }
 
   /// Sums over all processes, in place.
   virtual void combine(std::span<double> /*sums*/) const {}

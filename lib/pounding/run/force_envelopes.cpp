@@ -25,7 +25,9 @@ bool yields(const Structure& s) { return s.dimension > 1 && !s.yielding.empty();
 
 ForceEnvelopes::ForceEnvelopes(const Model& model, const GroundPlan& plan, const Stepper& stepper, Results& results)
     : model_(model), plan_(plan), stepper_(stepper), results_(results), first_unknown_(offsets(model)), knots_(stepper) {
+  linear_ = stepper.is_linear();
   motions_.setZero(Eigen::NoChange, stepper.system().size());
+  if (linear_) coordinates_.setZero(stepper.base().size(), 2 * batch);
   const bool with_links = stepper.system().contact_count() > 0;
   for (const Link& link : model.links) every_step_ = every_step_ || (with_links && link.contact->is_rigid());
   int springs = 0;
@@ -175,7 +177,7 @@ void ForceEnvelopes::step(const StepMotion& step) {
   } else {
     const bool apart = pressed || acts_, changes = apart != apart_;
     if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) {
-      stepper_.begin(u_, v_);
+      if (!linear_) stepper_.begin(u_, v_);
       wait(begin);
     }
     if (changes) follow();
@@ -205,7 +207,7 @@ void ForceEnvelopes::take_begin(const StepMotion& step) {
 void ForceEnvelopes::end() {
   const Instant& last = stepper_.instant_end_minus();
   if (!blocks_.empty() && last.time > knots_.last()) {
-    stepper_.end_minus(u_, v_);
+    if (!linear_) stepper_.end_minus(u_, v_);
     wait(last);
   }
   show();
@@ -260,11 +262,16 @@ void ForceEnvelopes::close(const Instant& instant, double time, bool pressed) {
   knots_.set(instant);
 }
 
-// With the motion in u_ and v_.
+// With the motion in u_ and v_, unless it follows from the instant.
 void ForceEnvelopes::wait(const Instant& instant) {
   const int at = static_cast<int>(times_.size());
-  motions_.row(at) = u_;
-  motions_.row(LinearQuantities::batch + at) = v_;
+  if (linear_) {
+    coordinates_.col(at) = instant.motion.col(Instant::u);
+    coordinates_.col(batch + at) = instant.motion.col(Instant::v);
+  } else {
+    motions_.row(at) = u_;
+    motions_.row(batch + at) = v_;
+  }
   times_.push_back(instant.time);
   if (times_.size() == LinearQuantities::batch) follow();
   knots_.set(instant);
@@ -305,9 +312,18 @@ void ForceEnvelopes::follow() {
     third[i - 1] = std::max(third[i - 1], third[i]);
   }
   // Places without a knot repeat the last one.
-  for (int i = count; i < batch; ++i) {
-    motions_.row(i) = motions_.row(count - 1);
-    motions_.row(batch + i) = motions_.row(batch + count - 1);
+  const auto repeat_last = [&](auto&& motion) {
+    for (int i = count; i < batch; ++i) {
+      motion(i) = motion(count - 1);
+      motion(batch + i) = motion(batch + count - 1);
+    }
+  };
+  if (linear_) {
+    repeat_last([&](int i) { return coordinates_.col(i); });
+    stepper_.base().physical_of_columns(coordinates_, unknowns_);
+    motions_ = unknowns_;
+  } else {
+    repeat_last([&](int i) { return motions_.row(i); });
   }
   times_.resize(batch, times_.back());
   const std::span<const double> times(times_.data(), count);

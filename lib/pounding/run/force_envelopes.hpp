@@ -84,6 +84,8 @@ class ForceEnvelopes {
   bool apart_ = false;         // so they had in the last one, or contacts pressed on members
   double followed_ = 0;        // knot up to which the extremes are known [s]
   std::vector<double> times_;  // knots after it whose motions wait [s]
+  bool linear_ = false;        // all unknowns follow from the coordinates alone
+  Eigen::MatrixXd coordinates_, unknowns_;  // where it is so: motions that wait, displacements before velocities, and all unknowns of them
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
   std::vector<int> beyond_;    // quantities that may have new extremes
   LinearQuantities::Instants<1> motion_, evaluated_once_;

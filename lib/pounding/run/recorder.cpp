@@ -104,6 +104,7 @@ void Recorder::sample_energy() {
 void Recorder::end() {
   links_.end();
   forces_.end();
+  reduction_.end();
   if (results_.energy.time.empty() || results_.energy.time.back() < stepper_.state().time) sample_energy();
   results_.impacts = impacts_in_order();
 }

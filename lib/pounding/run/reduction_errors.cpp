@@ -12,6 +12,7 @@ constexpr double safety = 3;
 constexpr double share = 0.3;
 // Times at which forces of members are compared: each takes a product with all shapes.
 constexpr double compared_times = 400;
+constexpr int together = LinearQuantities::batch;  // of them
 
 double ratio(double difference, double largest) { return difference > 0 ? safety * difference / largest : 0; }
 
@@ -27,7 +28,17 @@ ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& respon
     if (reduced == stepper.base().reduced().end() || reduced->link_blocks < 2 || reduced->modes > 0) continue;
     Floors floors;
     floors.structure = k;
-    floors.first_unknown = first[k];
+    if (const auto count = static_cast<int>(s.forces.members.size() * s.forces.components.size()); count > 0) {
+      const auto of_member = [count](int row) { return row < count; };
+      const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.forces.rows.rows());
+      floors.forces.emplace(s.forces.rows, s.size(), first[k], none, none, of_member, true);
+      floors.units.resize(static_cast<std::size_t>(floors.forces->size()));
+      for (int row = 0; row < count; ++row) {
+        const std::string& component = s.forces.components[static_cast<std::size_t>(row) % s.forces.components.size()];
+        const char kind = component[component.find(' ') + 1];
+        floors.units[static_cast<std::size_t>(floors.forces->places()[static_cast<std::size_t>(row)].at)] = kind == 'M' || kind == 'T' ? 1 : 0;
+      }
+    }
     for (int floor = 0; floor < static_cast<int>(s.floors.size()); ++floor)
       for (int direction = 0; direction < response.directions(k); ++direction)
         if (s.dimension < 3 || direction < 2) floors.rows.push_back(response.row(k, floor, direction));
@@ -48,9 +59,31 @@ void ReductionErrors::step(bool output_due) {
     }
   const long every = std::max(1L, std::lround(model_.analysis.duration / model_.analysis.output_step / compared_times));
   if (!output_due || outputs_++ % every != 0) return;
-  stepper_.base().physical(end.motion.col(Instant::u), u_);
-  stepper_.base().physical_shadow(end.motion.col(Instant::u), shadow_);
-  for (Floors& floors : floors_) compare_members(floors);
+  waiting_.resize(end.motion.rows(), together);
+  waiting_.col(waits_++) = end.motion.col(Instant::u);
+  if (waits_ == together) compare_waiting();
+}
+
+// Places without an output time repeat the first one.
+void ReductionErrors::compare_waiting() {
+  if (waits_ == 0) return;
+  for (int i = waits_; i < together; ++i) waiting_.col(i) = waiting_.col(0);
+  motions_.resize(Eigen::NoChange, stepper_.system().size());
+  stepper_.base().physical_of_columns(waiting_, unknowns_);
+  motions_.topRows(together) = unknowns_;
+  stepper_.base().physical_shadow_of_columns(waiting_, unknowns_);
+  motions_.bottomRows(together) = unknowns_;
+  for (Floors& floors : floors_) {
+    if (!floors.forces) continue;
+    floors.forces->evaluate<together>(motions_, {}, {}, evaluated_);
+    for (int q = 0; q < floors.forces->size(); ++q) {
+      const auto own = evaluated_.col(q).head<together>(), of_shadow = evaluated_.col(q).tail<together>();
+      const auto unit = static_cast<std::size_t>(floors.units[static_cast<std::size_t>(q)]);
+      floors.members[unit] = std::max(floors.members[unit], (own - of_shadow).cwiseAbs().maxCoeff());
+      floors.largest_members[unit] = std::max(floors.largest_members[unit], own.cwiseAbs().maxCoeff());
+    }
+  }
+  waits_ = 0;
 }
 
 void ReductionErrors::compare_forces(const Instant& end) {
@@ -66,21 +99,6 @@ void ReductionErrors::compare_forces(const Instant& end) {
     const laws::Response law = stepper_.system().contacts[i]->evaluate(step(i).motion_end);
     const double difference = law.by_penetration * (end.relative(row, 0) - closings_(row, 0)) + law.by_rate * (end.relative(row, 1) - closings_(row, 1));
     if (std::isfinite(difference)) forces_[i] = std::max(forces_[i], std::abs(difference));
-  }
-}
-
-void ReductionErrors::compare_members(Floors& floors) {
-  const Structure& s = model_.structures[floors.structure];
-  const auto count = static_cast<Eigen::Index>(s.forces.members.size() * s.forces.components.size());
-  if (count == 0) return;
-  const Eigen::VectorXd own = s.forces.rows * u_.segment(floors.first_unknown, s.size());
-  const Eigen::VectorXd of_shadow = s.forces.rows * shadow_.segment(floors.first_unknown, s.size());
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const std::string& component = s.forces.components[static_cast<std::size_t>(i) % s.forces.components.size()];
-    const char kind = component[component.find(' ') + 1];
-    const int unit = kind == 'M' || kind == 'T' ? 1 : 0;
-    floors.members[unit] = std::max(floors.members[unit], std::abs(own[i] - of_shadow[i]));
-    floors.largest_members[unit] = std::max(floors.largest_members[unit], std::abs(own[i]));
   }
 }
 
@@ -109,6 +127,7 @@ std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) co
 }
 
 void ReductionErrors::archive(Archive& archive) {
+  compare_waiting();
   archive(forces_);
   archive(outputs_);
   for (Floors& floors : floors_) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <pounding/core/archive.hpp>
@@ -10,6 +11,7 @@
 #include <pounding/model/reduction.hpp>
 #include <pounding/results/summary.hpp>
 #include <pounding/run/floor_response.hpp>
+#include <pounding/run/linear_quantities.hpp>
 #include <pounding/stepping/stepper.hpp>
 
 namespace pounding {
@@ -32,6 +34,8 @@ class ReductionErrors {
   void step(bool output_due);
   /// The reduced structures with their errors, by the peaks of a summary whose links and structures are filled.
   std::vector<ReducedStructure> errors(const Summary& summary) const;
+  /// The run is over: compares what waits. To be called before errors().
+  void end() { compare_waiting(); }
   /// For a checkpoint.
   void archive(Archive& archive);
 
@@ -39,23 +43,26 @@ class ReductionErrors {
   // Largest differences from the shadow, and largest values where no summary has them.
   struct Floors {
     int structure = 0;       // of the model
-    int first_unknown = 0;   // of the structure in the system
+    std::optional<LinearQuantities> forces;  // of its members, without those at rest
+    std::vector<int> units;  // of each of them: 0 for forces, 1 for moments
     std::vector<int> rows;   // of the outputs: translations of floors
     double displacement = 0, acceleration = 0;
     std::array<double, 2> members{}, largest_members{};  // forces, moments
   };
 
   void compare_forces(const Instant& end);
-  void compare_members(Floors& floors);
+  void compare_waiting();
 
   const Model& model_;
   const Stepper& stepper_;
   std::vector<Floors> floors_;          // of the structures that have a shadow
   std::vector<double> forces_;          // by link [N]
   long outputs_ = 0;
+  Eigen::MatrixXd waiting_;             // coordinates at output times whose members are to be compared, together
+  int waits_ = 0;                       // so many of them
   // Room to work in.
-  Eigen::MatrixXd closings_, motion_;
-  Eigen::VectorXd u_, shadow_;
+  Eigen::MatrixXd closings_, motion_, unknowns_;
+  LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
 };
 
 /// Whether the estimated errors exceed what was asked for: a bound of its own, else 0.3 of the tolerance.

@@ -33,13 +33,6 @@ StructureHistory heading(const Structure& s) {
   return history;
 }
 
-// A quantity of a structure from its unknowns.
-double value(const Row& row, const Eigen::VectorXd& unknowns) {
-  double sum = 0;
-  for (Row::InnerIterator it(row); it; ++it) sum += it.value() * unknowns[it.index()];
-  return sum;
-}
-
 void add(const Eigen::VectorXd& more, std::vector<double>& values, std::size_t from) {
   for (Eigen::Index i = 0; i < more.size(); ++i) values[from + i] += more[i];
 }
@@ -57,18 +50,25 @@ StructureHistories::StructureHistories(const Model& model, const GroundPlan& pla
                                        const Stepper& stepper, std::vector<StructureHistory>& histories)
     : model_(model), plan_(plan), response_(response), stepper_(stepper), histories_(histories), first_unknown_(offsets(model)) {
   std::size_t spring = stepper.system().contact_count();
+  int group = 0;
   for (const Structure& s : model.structures) {
     histories_.push_back(heading(s));
     first_spring_.push_back(spring);
     spring += s.yielding.size();
-    has_frames_ =
-        has_frames_ || !s.nodes.motion.empty() || s.forces.rows.rows() > 0 || (s.has_storeys() && s.storey_stiffness.empty());
+    const bool is_frame = !s.nodes.motion.empty() || s.forces.rows.rows() > 0 || (s.has_storeys() && s.storey_stiffness.empty());
+    reported_.push_back(reported_forces(s));
+    rows_.emplace_back();
+    if (const auto modes = s.is_rigid() || s.supports.size() > 1 ? std::nullopt : stepper.base().few_modes(group); modes && stepper.is_linear())
+      rows_.back().emplace(s, reported_.back(), *modes);
+    needs_unknowns_ = needs_unknowns_ || (is_frame && !rows_.back());
+    has_rows_ = has_rows_ || rows_.back();
+    group += s.is_rigid() ? 0 : 1;
   }
 }
 
 void StructureHistories::sample(const OutputInstant& at) {
   for (std::size_t k = 0; k < histories_.size(); ++k) sample_floors(static_cast<int>(k), at);
-  if (has_frames_) sample_frames(at);
+  if (needs_unknowns_ || has_rows_) sample_frames(at);
 }
 
 void StructureHistories::sample_floors(int k, const OutputInstant& at) {
@@ -105,7 +105,12 @@ double StructureHistories::device_force(int k, std::size_t part, const OutputIns
   return spring_force(*model_.structures[k].yielding[part].spring, step, at.time, d);
 }
 
-void StructureHistories::sample_frames(const OutputInstant& at) {
+void StructureHistories::take_motion(const OutputInstant& at) {
+  if (has_rows_ && at.inside)
+    stepper_.interpolate_coordinates(at.time, coordinates_);
+  else if (has_rows_)
+    coordinates_ = stepper_.instant().motion.leftCols(3);
+  if (!needs_unknowns_) return;
   if (at.inside) {
     stepper_.interpolate(at.time, u_, v_);
     stepper_.interpolate_acceleration(at.time, a_);
@@ -117,9 +122,18 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
     v_ = now.v;
     a_ = now.a;
   }
+}
+
+void StructureHistories::sample_frames(const OutputInstant& at) {
+  take_motion(at);
   for (std::size_t k = 0; k < histories_.size(); ++k) {
     const Structure& s = model_.structures[k];
     if (s.dimension == 1) continue;
+    const int structure = static_cast<int>(k);
+    if (rows_[k]) {
+      append(structure, rows_[k]->at(coordinates_), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(reported_[k].size())), at);
+      continue;
+    }
     const int first = first_unknown_[k];
     Eigen::VectorXd u = u_.segment(first, s.size()), v = v_.segment(first, s.size()), a = a_.segment(first, s.size());
     if (s.at_rest.size() > 0) u += s.at_rest;
@@ -128,25 +142,25 @@ void StructureHistories::sample_frames(const OutputInstant& at) {
     ground.displacement(at.time, [&](std::size_t q, int axis, double amount) { u += amount * influence(q, axis); });
     ground.velocity(at.time, [&](std::size_t q, int axis, double amount) { v += amount * influence(q, axis); });
     ground.acceleration(at.ground, [&](std::size_t q, int axis, double amount) { a += amount * influence(q, axis); });
-    const int structure = static_cast<int>(k);
-    sample_nodes(structure, u, v, a, at);
-    StructureHistory& history = histories_[k];
-    const std::size_t shears = history.storey_shear.size();
-    const Eigen::VectorXd yielding = yielding_forces(structure);
-    for (const Floor& floor : s.floors)
-      for (std::size_t j = 0; j < floor.storey_shear.size(); ++j)
-        history.storey_shear.push_back(
-            value(floor.storey_shear[j], u) +
-            (floor.storey_shear_by_yielding.empty() ? 0 : value(floor.storey_shear_by_yielding[j], yielding)));
-    if (s.storey_shears) add(s.storey_shears(u), history.storey_shear, shears);
-    sample_forces(structure, u, at);
+    const std::size_t shears = histories_[k].storey_shear.size();
+    append(structure, frame_quantities(s, reported_[k], u, v, a), forces_beside(structure, u), at);
+    if (s.storey_shears) add(s.storey_shears(u), histories_[k].storey_shear, shears);
     if (s.supports.size() > 1) add_enforced(structure, at);
   }
 }
 
-// Displacements and velocities relative to the ground at the first support, absolute accelerations.
-void StructureHistories::sample_nodes(int k, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a,
-                                      const OutputInstant& at) {
+// Parts that turn or yield add this to the reported forces.
+Eigen::VectorXd StructureHistories::forces_beside(int k, const Eigen::VectorXd& u) const {
+  const InternalForces& of = model_.structures[k].forces;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(of.rows.rows());
+  if (of.turned) all = of.turned(u);
+  if (of.by_yielding.size() > 0)
+    if (const Eigen::VectorXd yielding = yielding_forces(k); !yielding.isZero(0)) all += of.by_yielding * yielding;
+  return all(reported_[k]);
+}
+
+// Displacements and velocities relative to the ground at the first support, absolute accelerations; `beside`: forces to be added.
+void StructureHistories::append(int k, const FrameQuantities& of, const Eigen::VectorXd& beside, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   StructureHistory& history = histories_[k];
   std::vector<double> ground_acceleration;
@@ -155,12 +169,27 @@ void StructureHistories::sample_nodes(int k, const Eigen::VectorXd& u, const Eig
     const int motion = axis < 0 ? -1 : plan_.supports[k].at_first(axis);
     ground_acceleration.push_back(motion < 0 ? 0.0 : at.ground[motion]);
   }
+  history.node_displacement.insert(history.node_displacement.end(), of.displacement.begin(), of.displacement.end());
+  history.node_velocity.insert(history.node_velocity.end(), of.velocity.begin(), of.velocity.end());
+  Eigen::Index number = 0;
   for (const std::vector<Row>& node : s.nodes.motion)
-    for (std::size_t j = 0; j < node.size(); ++j) {
-      history.node_displacement.push_back(value(node[j], u));
-      history.node_velocity.push_back(value(node[j], v));
-      history.node_acceleration.push_back(value(node[j], a) + ground_acceleration[j]);
+    for (std::size_t j = 0; j < node.size(); ++j) history.node_acceleration.push_back(of.acceleration[number++] + ground_acceleration[j]);
+  const Eigen::VectorXd yielding = yielding_forces(k);
+  number = 0;
+  for (const Floor& floor : s.floors)
+    for (std::size_t j = 0; j < floor.storey_shear.size(); ++j) {
+      double by_yielding = 0;
+      if (!floor.storey_shear_by_yielding.empty())
+        for (Row::InnerIterator it(floor.storey_shear_by_yielding[j]); it; ++it) by_yielding += it.value() * yielding[it.index()];
+      history.storey_shear.push_back(of.shears[number++] + by_yielding);
     }
+  const std::size_t from = history.end_forces.size(), ends = s.reported_members.size() * s.forces.components.size();
+  for (std::size_t i = 0; i < reported_[k].size(); ++i) {
+    const auto at_row = static_cast<Eigen::Index>(i);
+    const double force = (of.forces[at_row] + s.forces.at_rest[reported_[k][i]]) + beside[at_row];
+    (i < ends ? history.end_forces : history.reaction).push_back(force);
+  }
+  if (stepper_.system().contact_count() > 0) add_fixed_end_forces(k, from, at);
 }
 
 // Forces of the parts of a structure that yield, at the output time.
@@ -168,26 +197,6 @@ Eigen::VectorXd StructureHistories::yielding_forces(int k) const {
   const Eigen::Index count = static_cast<Eigen::Index>(model_.structures[k].yielding.size());
   if (count == 0) return {};
   return springs_.segment(static_cast<Eigen::Index>(first_spring_[k]) - stepper_.system().contact_count(), count);
-}
-
-void StructureHistories::sample_forces(int k, const Eigen::VectorXd& u, const OutputInstant& at) {
-  const InternalForces& of = model_.structures[k].forces;
-  StructureHistory& history = histories_[k];
-  Eigen::VectorXd turned = Eigen::VectorXd::Zero(of.rows.rows());
-  if (of.turned) turned = of.turned(u);
-  if (of.by_yielding.size() > 0)
-    if (const Eigen::VectorXd yielding = yielding_forces(k); !yielding.isZero(0)) turned += of.by_yielding * yielding;
-  const auto force = [&](int row) {
-    double sum = 0;
-    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(of.rows, row); it; ++it) sum += it.value() * u[it.index()];
-    return (sum + of.at_rest[row]) + turned[row];
-  };
-  const std::size_t from = history.end_forces.size();
-  const int components = static_cast<int>(of.components.size());
-  for (const int member : model_.structures[k].reported_members)
-    for (int j = 0; j < components; ++j) history.end_forces.push_back(force(member * components + j));
-  for (int row = static_cast<int>(of.members.size()) * components; row < of.rows.rows(); ++row) history.reaction.push_back(force(row));
-  if (stepper_.system().contact_count() > 0) add_fixed_end_forces(k, from, at);
 }
 
 // Contacts that press on a member between its ends load its ends as those of a fixed member, and supports that hold them.

@@ -3,12 +3,14 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/results/results.hpp>
 #include <pounding/run/floor_response.hpp>
+#include <pounding/run/frame_quantities.hpp>
 #include <pounding/stepping/stepper.hpp>
 
 namespace pounding {
@@ -34,9 +36,9 @@ class StructureHistories {
  private:
   void sample_floors(int structure, const OutputInstant& at);
   void sample_frames(const OutputInstant& at);
-  void sample_nodes(int structure, const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& a,
-                    const OutputInstant& at);
-  void sample_forces(int structure, const Eigen::VectorXd& u, const OutputInstant& at);
+  void take_motion(const OutputInstant& at);
+  void append(int structure, const FrameQuantities& of, const Eigen::VectorXd& beside, const OutputInstant& at);
+  Eigen::VectorXd forces_beside(int structure, const Eigen::VectorXd& u) const;
   Eigen::VectorXd yielding_forces(int structure) const;
   double device_force(int structure, std::size_t part, const OutputInstant& at) const;
   void add_fixed_end_forces(int structure, std::size_t from, const OutputInstant& at);
@@ -49,7 +51,11 @@ class StructureHistories {
   std::vector<StructureHistory>& histories_;
   std::vector<int> first_unknown_;           // by structure
   std::vector<std::size_t> first_spring_;    // by structure: its lowest yielding storey among the link steps
-  bool has_frames_ = false;                  // nodes, members or shears that need every unknown are reported
+  std::vector<std::vector<int>> reported_;   // by structure: reported_forces()
+  std::vector<std::optional<FrameRows>> rows_;  // by structure
+  bool has_rows_ = false;                    // some of them
+  bool needs_unknowns_ = false;              // nodes, members or shears that need every unknown are reported
+  Eigen::MatrixXd coordinates_;              // at an output time
   Eigen::VectorXd u_, v_, a_;                // of all unknowns at an output time
   Eigen::VectorXd springs_;                  // forces of all springs there
 };

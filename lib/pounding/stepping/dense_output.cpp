@@ -186,6 +186,20 @@ void DenseOutput::interpolate_springs(double time, Eigen::VectorXd& forces) cons
     if (flexibility.innerVector(i).nonZeros() > 0) forces[i] = by_slopes[i];
 }
 
+namespace {
+
+// From [row, u v a] at the ends of a step and accelerations in its middle.
+void interpolate_motion(double s, double h, const Eigen::Ref<const Eigen::MatrixXd>& x, const Eigen::Ref<const Eigen::MatrixXd>& middle,
+                        const Eigen::Ref<const Eigen::MatrixXd>& y, Eigen::MatrixXd& out) {
+  const Cubic cubic(s, h);
+  const Parabola parabola(s);
+  out.resize(x.rows(), 3);
+  out.leftCols(2) = cubic.begin * x.leftCols(2) + cubic.end * y.leftCols(2) + cubic.slope_begin * x.rightCols(2) + cubic.slope_end * y.rightCols(2);
+  out.col(2) = parabola.begin * x.col(2) + parabola.middle * middle.col(0) + parabola.end * y.col(2);
+}
+
+}  // namespace
+
 void DenseOutput::interpolate_outputs(double time, Eigen::MatrixXd& out) const {
   const OutputQuantities &x = outputs_begin(), &y = outputs_end_minus();
   const double h = y.time - x.time;
@@ -193,13 +207,18 @@ void DenseOutput::interpolate_outputs(double time, Eigen::MatrixXd& out) const {
     out = outputs().motion;
     return;
   }
-  const double s = (time - x.time) / h;
-  const Cubic cubic(s, h);
-  const Parabola parabola(s);
-  out.resize(x.motion.rows(), 3);
-  out.leftCols(2) = cubic.begin * x.motion.leftCols(2) + cubic.end * y.motion.leftCols(2) +
-                    cubic.slope_begin * x.motion.rightCols(2) + cubic.slope_end * y.motion.rightCols(2);
-  out.col(2) = parabola.begin * x.motion.col(2) + parabola.middle * outputs_middle() + parabola.end * y.motion.col(2);
+  interpolate_motion((time - x.time) / h, h, x.motion, outputs_middle(), y.motion, out);
+}
+
+void DenseOutput::interpolate_coordinates(double time, Eigen::MatrixXd& out) const {
+  const Instant &x = history_.begin(), &y = history_.kept().end;
+  const double h = y.time - x.time;
+  if (!(h > 0)) {
+    out = history_.now().motion.leftCols(3);
+    return;
+  }
+  equations_.solver.recover(history_.kept().a_middle);
+  interpolate_motion((time - x.time) / h, h, x.motion.leftCols(3), history_.kept().a_middle, y.motion.leftCols(3), out);
 }
 
 }  // namespace pounding

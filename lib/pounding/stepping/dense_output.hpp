@@ -60,6 +60,8 @@ class DenseOutput {
   void interpolate(double time, Eigen::VectorXd& u, Eigen::VectorXd& v) const;
   void interpolate_acceleration(double time, Eigen::VectorXd& a) const;
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const;
+  /// The coordinates there, of systems without parts that yield or turn: [coordinate, u v a].
+  void interpolate_coordinates(double time, Eigen::MatrixXd& motion) const;
   /// Forces of all springs inside the last kept step [N]: of those that give way the cubic by their slopes in the step, of all others the
   /// parabola.
   void interpolate_springs(double time, Eigen::VectorXd& forces) const;

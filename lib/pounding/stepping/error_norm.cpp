@@ -65,10 +65,11 @@ double ErrorNorm::ratio(Trial& trial, const StepError& error, const std::vector<
     errors_.resize(error.u.size(), 2);
     errors_.col(0) = error.u;
     errors_.col(1) = error.v;
-    equations_.solver.gather(errors_, link_errors_);
-    for (const int i : active) {
+    equations_.solver.gather(active, errors_, link_errors_);
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      const int i = active[k];
       if (i >= links.contacts()) break;
-      const double own = contact_error(i, trial);
+      const double own = contact_error(i, static_cast<Eigen::Index>(k), trial);
       if (own <= worst) continue;
       worst = own;
       worst_link_ = i;
@@ -124,7 +125,8 @@ double ErrorNorm::group_error(Trial& trial, const StepError& error) {
   return std::sqrt(square);
 }
 
-double ErrorNorm::contact_error(int contact, const Trial& trial) const {
+// `row`: of the errors of the active links.
+double ErrorNorm::contact_error(int contact, Eigen::Index row, const Trial& trial) const {
   const double part_d = std::max(min_contact_penetration, rounding / allowed_);
   const double part_r = std::max(min_contact_rate, rounding / allowed_);
   const LinkMotion end = equations_.links.motion(contact, trial.end);
@@ -136,7 +138,7 @@ double ErrorNorm::contact_error(int contact, const Trial& trial) const {
   }
   const double scale_d = std::max({penetration_scale_[contact], std::abs(end.penetration), part_d * wide_d});
   const double scale_r = std::max({rate_scale_[contact], std::abs(end.rate), part_r * wide_r});
-  return std::max(std::abs(link_errors_(contact, 0)) / scale_d, std::abs(link_errors_(contact, 1)) / scale_r);
+  return std::max(std::abs(link_errors_(row, 0)) / scale_d, std::abs(link_errors_(row, 1)) / scale_r);
 }
 
 // Stretch of the spring beside the dashpot, which its force follows.

@@ -49,7 +49,7 @@ class ErrorNorm {
   void measure(const Instant& x, std::vector<double>& squares_u, std::vector<double>& squares_v);
   void raise(std::vector<double>& scales, const std::vector<double>& squares) const;
   double group_error(Trial& trial, const StepError& error);
-  double contact_error(int contact, const Trial& trial) const;
+  double contact_error(int contact, Eigen::Index row, const Trial& trial) const;
   double slip_error(int spring, const Trial& trial, double error) const;
   double stretch(int spring, const Instant& x) const;
 

@@ -29,6 +29,8 @@ LinkMotion relieved(LinkMotion free, double penetration, double rate) {
 
 constexpr double solved = 1e-14;  // relative to the terms of a force
 constexpr int max_doublings = 60;
+// From this number of links on a Cholesky factor is worth its choice.
+constexpr int many_links = 64;
 
 }  // namespace
 
@@ -135,7 +137,8 @@ bool LinkSolver::solve_slider(const CondensedLinks& links, const Slider& slider,
   return true;
 }
 
-// Norm of the differences between the answers of the laws and the forces x; sets residual_, terms_ and, if asked, slopes_.
+// Norm of the differences between the answers of the laws and the forces x; sets residual_, terms_ and, if asked, the slopes of the
+// laws and the rows of slopes_ for frictions.
 double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& x, bool with_slopes) {
   const Eigen::MatrixXd& g = links.flexibility;
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
@@ -178,21 +181,6 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
   return residual_.norm();
 }
 
-// Rows of slopes_ of all but the frictions, with the slopes of the last residual() that asked for them.
-void LinkSolver::find_slopes(const CondensedLinks& links) {
-  const Eigen::MatrixXd& g = links.flexibility;
-  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
-  for (int i = 0; i < plain_; ++i) {
-    if (links_.is_held(links.active[i])) {
-      slopes_.row(i) = g.row(i) / g(i, i);
-      continue;
-    }
-    slopes_.row(i) = (by_u * by_penetration_[i] + by_v * by_rate_[i]) * g.row(i);
-    if (links.relief) slopes_.row(i) += by_penetration_[i] * links.relief->row(i);
-    slopes_(i, i) += 1;
-  }
-}
-
 // Largest difference between the answer of a law and its force that the round-off of its motion may leave: of the free motion, and of the
 // forces on a light body between two heavy ones, which take most of each other off. A dashpot magnifies it. With the slopes of the last
 // residual() that asked for them.
@@ -220,28 +208,6 @@ bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
   return true;
 }
 
-// Springs alone, none of which is stiffer than its linear stiffness or has a dashpot.
-bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
-  return links.active.front() >= links_.contacts() && links.active.back() < links_.frictions_from() && by_rate_.isZero(0) &&
-         by_penetration_.maxCoeff() <= 0;
-}
-
-// Newton's step by eliminating the springs first, where that pays and can be done.
-bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
-  int soft = 0;
-  others_.clear();
-  slopes_of_springs_.setZero(by_penetration_.size());
-  for (int k = 0; k < by_penetration_.size(); ++k) {
-    if (!links_.is_spring(links.active[k]) || by_rate_[k] != 0 || by_penetration_[k] > 0) {
-      others_.push_back(k);
-      continue;
-    }
-    slopes_of_springs_[k] = by_penetration_[k];
-    if (by_penetration_[k] < 0) ++soft;
-  }
-  return soft >= SoftSprings::least_by_structure && soft_springs_.solve_beside(links, others_, slopes_, slopes_of_springs_, residual_, direction_);
-}
-
 bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const int count = static_cast<int>(links.active.size());
   residual_.resize(count);
@@ -254,20 +220,21 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   if (!links_.frictions().empty()) find_sliders(links);
   // Held contacts between the same bodies leave their shares open: the slopes are singular then.
   const auto held = std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
+  const bool many = count >= many_links && held == 0 && plain_ == count && !links.relief;
   trial_.resize(count);
   for (int iteration = 0; iteration < 500; ++iteration) {
     const double size = residual(links, f, true);
     if (!std::isfinite(size)) return false;
     if (size <= solved * terms_) return true;
     const double here = terms_;
-    const bool symmetric = is_symmetric(links);
-    if (!symmetric) find_slopes(links);
-    if (symmetric) {
+    if (is_symmetric(links)) {
       if (!soft_springs_.solve(links, by_penetration_, residual_, direction_)) break;
-    } else if (held > 1) {
-      direction_ = slopes_.completeOrthogonalDecomposition().solve(residual_);
-    } else if (!eliminates_springs(links)) {
-      direction_ = slopes_.partialPivLu().solve(residual_);
+    } else if (!(many && find_direction_by_cholesky(links))) {
+      find_slopes(links);
+      if (held > 1)
+        direction_ = slopes_.completeOrthogonalDecomposition().solve(residual_);
+      else if (!eliminates_springs(links))
+        direction_ = slopes_.partialPivLu().solve(residual_);
     }
     double length = 1;
     bool better = false;

@@ -1,6 +1,7 @@
 #pragma once
 /// The few nonlinear equations for the link forces of one stage, left over when the structures are condensed out.
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <span>
 #include <vector>
@@ -56,6 +57,7 @@ class LinkSolver {
   double rounding(const CondensedLinks& links, const Eigen::VectorXd& force) const;
   bool is_symmetric(const CondensedLinks& links) const;
   void find_slopes(const CondensedLinks& links);
+  bool find_direction_by_cholesky(const CondensedLinks& links);
   bool eliminates_springs(const CondensedLinks& links);
   bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
   void find_sliders(const CondensedLinks& links);
@@ -76,6 +78,10 @@ class LinkSolver {
   SoftSprings soft_springs_;
   std::vector<int> others_;  // active links that are no springs which only soften
   Eigen::VectorXd slopes_of_springs_;
+  // Many contacts and springs alone: a Cholesky factor of 1 + R G R, R the roots of the slopes, takes the place of slopes_. It stays while both do.
+  Eigen::VectorXd roots_;
+  Eigen::MatrixXd factored_flexibility_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 
 }  // namespace pounding

@@ -66,11 +66,11 @@ class StageSolver {
     }
     guess_ = force;
     force = springs_.held();
-    equations_.solver.gather(r, gathered_);
+    equations_.solver.gather(active_, r, gathered_);
     free_.resize(active_.size());
     free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
     for (std::size_t k = 0; k < active_.size(); ++k) {
-      const FreeLink link = free_motion(active_[k], gathered_(active_[k], 0));
+      const FreeLink link = free_motion(active_[k], gathered_(static_cast<Eigen::Index>(k), 0));
       free_[k] = link.motion;
       if (held_relief_.size() > 0 && links_.is_spring(active_[k]))
         free_[k].penetration -= held_relief_[active_[k] - links_.contacts()];
@@ -103,7 +103,7 @@ class StageSolver {
   double link_acceleration(std::size_t k) const {
     double relief = 0;
     for (std::size_t l = 0; l < active_.size(); ++l) relief += flexibility_(k, l) * active_force_[l];
-    return gathered_(active_[k], 0) - relief;
+    return gathered_(static_cast<Eigen::Index>(k), 0) - relief;
   }
 
   /// Motion of active link number k, a spring that does not give way, in the last stage that was solved, which was this one.
@@ -140,7 +140,7 @@ class StageSolver {
   Eigen::MatrixXd flexibility_, relief_;     // G and S of the active links; S empty for none
   std::vector<LinkMotion> free_;       // of the active links
   Eigen::VectorXd free_acceleration_, active_force_;
-  Eigen::MatrixXd gathered_;           // B^T x without the forces of active links
+  Eigen::MatrixXd gathered_;           // B^T x of the active links without their forces
   Eigen::VectorXd guess_, pseudo_force_;
 };
 

@@ -86,7 +86,8 @@ class Stepper {
   /// Displacements and velocities alone at the last two, cheaper than a state that nobody has asked for.
   void begin(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.begin(u, v); }
   void end_minus(Eigen::VectorXd& u, Eigen::VectorXd& v) const { output_.end_minus(u, v); }
-  /// Instants at the beginning and at the end of the last kept step, before events, in the coordinates of base().
+  /// The present instant, and those at the beginning and at the end of the last kept step, before events, in the coordinates of base().
+  const Instant& instant() const { return history_.now(); }
   const Instant& instant_begin() const { return history_.begin(); }
   const Instant& instant_end_minus() const { return history_.kept().end; }
   /// Output quantities at the same instants; cheaper than whole states.
@@ -134,12 +135,17 @@ class Stepper {
   /// Output quantities inside the last kept step: [quantity, u v a].
   void interpolate_outputs(double time, Eigen::MatrixXd& motion) const { output_.interpolate_outputs(time, motion); }
 
+  /// Coordinates of base() inside the last kept step, where is_linear(): [coordinate, u v a].
+  void interpolate_coordinates(double time, Eigen::MatrixXd& motion) const { output_.interpolate_coordinates(time, motion); }
+
   /// The step to try if `wanted` would do and `left` remains until a breakpoint or the end [s]: a dyadic step where the solver
   /// prefers them, else equal parts of `left`.
   double step_towards(double wanted, double left) const;
   const StepperOptions& options() const { return options_; }
   const System& system() const { return equations_.system; }
   const StructureSolver& base() const { return equations_.solver; }
+  /// Whether all unknowns follow from the coordinates of base() alone: no part of the structures yields or turns.
+  bool is_linear() const { return !equations_.springs.any() && !equations_.pseudo_forces.any(); }
   /// Iterations for link forces and pseudo-forces, and events of contacts, since the start.
   long iterations() const { return stages_.iterations(); }
   long events() const { return contact_events_.count(); }

@@ -1,0 +1,136 @@
+#include <pounding/linear/link_columns.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace pounding {
+
+using Eigen::Index;
+
+void LinkColumns::add_block(int first, std::vector<int> links, Eigen::MatrixXd columns) {
+  if (links.empty()) return;
+  Block& block = blocks_.emplace_back();
+  block.first = first;
+  block.links = std::move(links);
+  block.by_link = std::move(columns);
+  block.by_coordinate = block.by_link.transpose();
+}
+
+void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
+  const Index columns = x.cols();
+  relative.setZero(count, columns);
+  for (const Block& block : blocks) {
+    const double* const from = x.data() + block.first;
+    const Index ends = block.by_link.cols();
+    const Columns of{from, block.size(), columns, x.outerStride()}, values{block.by_coordinate.data(), ends, block.size(), ends};
+    const int first = block.links.front();
+    if (block.links.back() - first + 1 == ends) {
+      add_products(values, of, relative.data() + first, count);
+      continue;
+    }
+    sums_.resize(ends, columns);
+    for (Index i = 0; i < ends; ++i) sums_.row(i) = relative.row(block.links[static_cast<std::size_t>(i)]);
+    add_products(values, of, sums_.data(), ends);
+    for (Index i = 0; i < ends; ++i) relative.row(block.links[static_cast<std::size_t>(i)]) = sums_.row(i);
+  }
+}
+
+void LinkColumns::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gather(blocks_, count_, x, relative); }
+void LinkColumns::gather_chosen(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+  gather(chosen_blocks_, static_cast<int>(chosen_.size()), x, relative);
+}
+
+void LinkColumns::add(const Block& block, double factor, const Eigen::VectorXd& f, const double* d, double* y) const {
+  scaled_.clear();
+  for (std::size_t i = 0; i < block.links.size(); ++i)
+    if (const double scale = factor * f[block.links[i]]; scale != 0) scaled_.push_back({block.by_link.col(static_cast<Index>(i)).data(), scale});
+  if (!scaled_.empty()) add_scaled(scaled_, block.size(), d ? d + block.first : nullptr, y + block.first);
+}
+
+void LinkColumns::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y, int from) const {
+  for (const Block& block : blocks_)
+    if (block.first >= from) add(block, factor, f, nullptr, y.data());
+}
+
+bool LinkColumns::choose(std::span<const int> links) {
+  if (std::ranges::equal(links, chosen_)) return false;
+  chosen_.assign(links.begin(), links.end());
+  std::size_t used = 0;
+  for (const Block& block : blocks_) {
+    std::vector<int> places;
+    std::vector<Index> own;
+    auto it = block.links.begin();
+    for (std::size_t place = 0; place < chosen_.size(); ++place) {
+      it = std::lower_bound(it, block.links.end(), chosen_[place]);
+      if (it == block.links.end()) break;
+      if (*it != chosen_[place]) continue;
+      places.push_back(static_cast<int>(place));
+      own.push_back(it - block.links.begin());
+    }
+    if (places.empty()) continue;
+    if (used == chosen_blocks_.size()) chosen_blocks_.emplace_back();
+    Block& made = chosen_blocks_[used++];
+    made.first = block.first;
+    made.links = std::move(places);
+    made.by_link.resize(block.size(), static_cast<Index>(own.size()));
+    for (std::size_t i = 0; i < own.size(); ++i) made.by_link.col(static_cast<Index>(i)) = block.by_link.col(own[i]);
+    made.by_coordinate = made.by_link.transpose();
+  }
+  chosen_blocks_.resize(used);
+  return true;
+}
+
+// For one link after the other its row up to the diagonal: three of them at a time, whose last entries beside it are left out.
+void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) const {
+  g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
+  for (const Block& block : chosen_blocks_) {
+    const Index ends = block.by_link.cols(), size = block.size();
+    weighed_.resize(ends, size);
+    for (Index k = 0; k < size; ++k)
+      for (Index i = 0; i < ends; ++i) weighed_(i, k) = block.by_coordinate(i, k) * d[block.first + k];
+    constexpr Index together = 3;
+    for (Index j = 0; j < ends; j += together) {
+      const Index columns = std::min(together, ends - j), rows = j + columns;
+      sums_.setZero(rows, columns);
+      add_products({weighed_.data(), rows, size, ends}, {block.by_link.col(j).data(), size, columns, size}, sums_.data(), rows);
+      for (Index c = 0; c < columns; ++c)
+        for (Index i = 0; i <= j + c; ++i) {
+          const int row = block.links[static_cast<std::size_t>(i)], column = block.links[static_cast<std::size_t>(j + c)];
+          g(row, column) += sums_(i, c);
+          if (row != column) g(column, row) += sums_(i, c);
+        }
+    }
+  }
+}
+
+void LinkColumns::flexibility(const Solve& solve, Eigen::MatrixXd& g) const {
+  g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
+  for (const Block& block : chosen_blocks_)
+    for (std::size_t j = 0; j < block.links.size(); ++j) {
+      solved_ = block.by_link.col(static_cast<Index>(j));
+      solve(block.first, solved_);
+      for (std::size_t i = 0; i <= j; ++i) {
+        const double sum = block.by_link.col(static_cast<Index>(i)).dot(solved_);
+        g(block.links[i], block.links[j]) += sum;
+        if (i != j) g(block.links[j], block.links[i]) += sum;
+      }
+    }
+}
+
+void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d, Eigen::Ref<Eigen::VectorXd> y, int from) const {
+  for (const Block& block : chosen_blocks_)
+    if (block.first >= from) add(block, factor, f, d.data(), y.data());
+}
+
+void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Solve& solve, Eigen::Ref<Eigen::VectorXd> y, int from) const {
+  for (const Block& block : chosen_blocks_) {
+    if (block.first < from) continue;
+    for (std::size_t j = 0; j < block.links.size(); ++j) {
+      solved_ = block.by_link.col(static_cast<Index>(j));
+      solve(block.first, solved_);
+      y.segment(block.first, block.size()) += factor * f[block.links[j]] * solved_;
+    }
+  }
+}
+
+}  // namespace pounding

@@ -1,0 +1,64 @@
+/// Newton's steps of LinkSolver.
+
+#include <pounding/stepping/link_solver.hpp>
+
+namespace pounding {
+
+// Springs alone, none of which is stiffer than its linear stiffness or has a dashpot.
+bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
+  return links.active.front() >= links_.contacts() && links.active.back() < links_.frictions_from() && by_rate_.isZero(0) &&
+         by_penetration_.maxCoeff() <= 0;
+}
+
+// Rows of slopes_ of all but the frictions, with the slopes of the last residual() that asked for them.
+void LinkSolver::find_slopes(const CondensedLinks& links) {
+  const Eigen::MatrixXd& g = links.flexibility;
+  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  for (int i = 0; i < plain_; ++i) {
+    if (links_.is_held(links.active[i])) {
+      slopes_.row(i) = g.row(i) / g(i, i);
+      continue;
+    }
+    slopes_.row(i) = (by_u * by_penetration_[i] + by_v * by_rate_[i]) * g.row(i);
+    if (links.relief) slopes_.row(i) += by_penetration_[i] * links.relief->row(i);
+    slopes_(i, i) += 1;
+  }
+}
+
+// Contacts and springs whose forces grow with penetration and rate: with the slopes D a Newton step is (1 + D G) dF = ..., which the roots R of D
+// make symmetric and positive definite.
+bool LinkSolver::find_direction_by_cholesky(const CondensedLinks& links) {
+  const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  const Eigen::VectorXd slopes = by_u * by_penetration_ + by_v * by_rate_;
+  if (!(slopes.minCoeff() > 0)) return false;
+  const Eigen::VectorXd roots = slopes.cwiseSqrt();
+  if (roots.size() != roots_.size() || roots != roots_ || factored_flexibility_ != links.flexibility) {
+    roots_ = roots;
+    factored_flexibility_ = links.flexibility;
+    Eigen::MatrixXd matrix = roots.asDiagonal() * links.flexibility * roots.asDiagonal();
+    matrix.diagonal().array() += 1;
+    factor_.compute(matrix);
+    if (factor_.info() != Eigen::Success) roots_.resize(0);
+  }
+  if (roots_.size() == 0) return false;
+  direction_ = roots.cwiseProduct(factor_.solve(residual_.cwiseQuotient(roots)));
+  return true;
+}
+
+// Newton's step by eliminating the springs first, where that pays and can be done.
+bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
+  int soft = 0;
+  others_.clear();
+  slopes_of_springs_.setZero(by_penetration_.size());
+  for (int k = 0; k < by_penetration_.size(); ++k) {
+    if (!links_.is_spring(links.active[k]) || by_rate_[k] != 0 || by_penetration_[k] > 0) {
+      others_.push_back(k);
+      continue;
+    }
+    slopes_of_springs_[k] = by_penetration_[k];
+    if (by_penetration_[k] < 0) ++soft;
+  }
+  return soft >= SoftSprings::least_by_structure && soft_springs_.solve_beside(links, others_, slopes_, slopes_of_springs_, residual_, direction_);
+}
+
+}  // namespace pounding
