@@ -7,6 +7,16 @@ namespace pounding {
 
 using Eigen::Index;
 
+namespace {
+
+// Up to this number of entries the sums of a block are made here and now: the call that makes them by vectors would cost more. The order of each
+// sum is the same, and so are its bits.
+constexpr Index few_entries = 16;
+
+}  // namespace
+
+bool LinkColumns::Block::is_small() const { return by_link.size() <= few_entries; }
+
 void LinkColumns::add_block(int first, std::vector<int> links, Eigen::MatrixXd columns) {
   if (links.empty()) return;
   Block& block = blocks_.emplace_back();
@@ -18,10 +28,24 @@ void LinkColumns::add_block(int first, std::vector<int> links, Eigen::MatrixXd c
 
 void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
   const Index columns = x.cols();
-  relative.setZero(count, columns);
+  if (relative.rows() != count || relative.cols() != columns) relative.resize(count, columns);
+  std::fill_n(relative.data(), relative.size(), 0.0);
   for (const Block& block : blocks) {
     const double* const from = x.data() + block.first;
-    const Index ends = block.by_link.cols();
+    const Index ends = block.by_link.cols(), size = block.size();
+    if (block.is_small()) {
+      const double* values = block.by_link.data();
+      for (Index i = 0; i < ends; ++i, values += size) {
+        const double* of = from;
+        double* to = relative.data() + block.links[static_cast<std::size_t>(i)];
+        for (Index c = 0; c < columns; ++c, of += x.outerStride(), to += count) {
+          double sum = *to;
+          for (Index k = 0; k < size; ++k) sum += values[k] * of[k];
+          *to = sum;
+        }
+      }
+      continue;
+    }
     const Columns of{from, block.size(), columns, x.outerStride()}, values{block.by_coordinate.data(), ends, block.size(), ends};
     const int first = block.links.front();
     if (block.links.back() - first + 1 == ends) {
@@ -41,6 +65,15 @@ void LinkColumns::gather_chosen(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Matr
 }
 
 void LinkColumns::add(const Block& block, double factor, const Eigen::VectorXd& f, const double* d, double* y) const {
+  if (block.is_small()) {
+    for (std::size_t i = 0; i < block.links.size(); ++i) {
+      const double scale = factor * f[block.links[i]];
+      if (scale == 0) continue;
+      for (Index k = 0; k < block.size(); ++k)
+        y[block.first + k] += (d ? scale * d[block.first + k] : scale) * block.by_link(k, static_cast<Index>(i));
+    }
+    return;
+  }
   scaled_.clear();
   for (std::size_t i = 0; i < block.links.size(); ++i)
     if (const double scale = factor * f[block.links[i]]; scale != 0) scaled_.push_back({block.by_link.col(static_cast<Index>(i)).data(), scale});
@@ -85,6 +118,20 @@ void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) cons
   g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
   for (const Block& block : chosen_blocks_) {
     const Index ends = block.by_link.cols(), size = block.size();
+    const auto enter = [&](Index i, Index j, double sum) {
+      const int row = block.links[static_cast<std::size_t>(i)], column = block.links[static_cast<std::size_t>(j)];
+      g(row, column) += sum;
+      if (row != column) g(column, row) += sum;
+    };
+    if (block.is_small()) {
+      for (Index j = 0; j < ends; ++j)
+        for (Index i = 0; i <= j; ++i) {
+          double sum = 0;
+          for (Index k = 0; k < size; ++k) sum += block.by_link(k, i) * d[block.first + k] * block.by_link(k, j);
+          enter(i, j, sum);
+        }
+      continue;
+    }
     weighed_.resize(ends, size);
     for (Index k = 0; k < size; ++k)
       for (Index i = 0; i < ends; ++i) weighed_(i, k) = block.by_coordinate(i, k) * d[block.first + k];
@@ -94,11 +141,7 @@ void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) cons
       sums_.setZero(rows, columns);
       add_products({weighed_.data(), rows, size, ends}, {block.by_link.col(j).data(), size, columns, size}, sums_.data(), rows);
       for (Index c = 0; c < columns; ++c)
-        for (Index i = 0; i <= j + c; ++i) {
-          const int row = block.links[static_cast<std::size_t>(i)], column = block.links[static_cast<std::size_t>(j + c)];
-          g(row, column) += sums_(i, c);
-          if (row != column) g(column, row) += sums_(i, c);
-        }
+        for (Index i = 0; i <= j + c; ++i) enter(i, j + c, sums_(i, c));
     }
   }
 }

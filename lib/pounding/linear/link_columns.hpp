@@ -47,6 +47,7 @@ class LinkColumns {
     Eigen::MatrixXd by_coordinate;
 
     Eigen::Index size() const { return by_link.rows(); }
+    bool is_small() const;
   };
 
   void gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const;
