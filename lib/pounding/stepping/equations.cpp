@@ -163,7 +163,7 @@ bool Equations::balance_middle(const Instant& x, Trial& trial) const {
   if (trial.short_motions) missed = ShortMotions::of_cubic(*trial.short_motions, h);
   const double eighth = h / 8;
   const bool apart = moves_ends_apart(trial);
-  trial.springs_stay = ranges.stay(x, trial);
+  trial.springs_stay = springs.any() && ranges.stay(x, trial);
   for (int i = 0, count = links.size(); i < count; ++i) {
     if (i == links.contacts() && trial.springs_stay) i = links.frictions_from();
     if (i == count) break;

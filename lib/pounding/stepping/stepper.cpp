@@ -44,7 +44,7 @@ Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOpt
       budget_(options.tolerance, options.scheme.error_order(), norm_.least_energy()),
       contact_events_(equations_, functions_, norm_, ledger_, options.tolerance),
       output_(equations_, history_),
-      link_steps_(static_cast<std::size_t>(system.links())) {}
+      described_{std::vector<LinkStep>(static_cast<std::size_t>(system.links()))} {}
 
 void Stepper::balance_now() {
   equations_.balance(history_.change_now());
@@ -197,8 +197,8 @@ void Stepper::deformations(double s, Eigen::VectorXd& d) const {
 }
 
 void Stepper::describe_springs() const {
-  if (std::exchange(springs_described_, true)) return;
-  for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i) describe(i, link_steps_[i]);
+  if (std::exchange(described_.with_springs, true)) return;
+  for (int i = equations_.links.contacts(); i < equations_.links.frictions_from(); ++i) describe(i, described_.steps[i]);
 }
 
 void Stepper::accept() {
@@ -207,9 +207,9 @@ void Stepper::accept() {
   const LinkSet& links = equations_.links;
   const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();
-  springs_described_ = !kept.springs_stay;
+  described_.with_springs = !kept.springs_stay;
   for (int i = 0; i < links.size(); ++i) {
-    LinkStep& step = link_steps_[i];
+    LinkStep& step = described_.steps[i];
     if (kept.springs_stay && links.is_spring(i)) {
       links.spring(i).stay(kept.spring_paths(i - links.contacts(), 1));
       continue;
@@ -222,8 +222,8 @@ void Stepper::accept() {
       links.spring(i).accept(step);
     }
   }
-  if (!kept.springs_stay) equations_.ranges.read();
-  ledger_.add_step(equations_, x, kept, link_steps_);
+  if (equations_.springs.any() && !kept.springs_stay) equations_.ranges.read();
+  ledger_.add_step(equations_, x, kept, described_.steps);
   norm_.learn(kept);
   bool ground_jumps = false;
   if (y.time >= next_break()) {
@@ -255,7 +255,7 @@ void Stepper::apply_located(bool in_place) {
 void Stepper::archive(Archive& archive) {
   describe_springs();
   history_.archive(archive);
-  archive(link_steps_);
+  archive(described_.steps);
   ledger_.archive(archive);
   budget_.archive(archive);
   archive(started_);

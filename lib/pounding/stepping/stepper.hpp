@@ -104,11 +104,11 @@ class Stepper {
   /// The last kept step of every link; of one, cheaper where it is no spring.
   const std::vector<LinkStep>& link_steps() const {
     describe_springs();
-    return link_steps_;
+    return described_.steps;
   }
   const LinkStep& link_step(int link) const {
-    if (!springs_described_ && equations_.links.is_spring(link)) describe(link, link_steps_[link]);
-    return link_steps_[link];
+    if (!described_.with_springs && equations_.links.is_spring(link)) describe(link, described_.steps[link]);
+    return described_.steps[link];
   }
   /// Deformations of all springs at a part s from 0 to 1 of the last kept step, where none changed its force.
   void deformations(double s, Eigen::VectorXd& d) const;
@@ -154,6 +154,12 @@ class Stepper {
   void archive(Archive& archive);
 
  private:
+  // The last kept step of every link.
+  struct DescribedLinks {
+    std::vector<LinkStep> steps;
+    bool with_springs = true;  // where not, no spring changed its force, and their entries are of an earlier step
+  };
+
   void look_ahead();
   std::optional<int> step_level(double h) const;
   bool solve_trial();
@@ -177,8 +183,7 @@ class Stepper {
   EnergyBudget budget_;
   ContactEvents contact_events_;
   DenseOutput output_;
-  mutable std::vector<LinkStep> link_steps_;
-  mutable bool springs_described_ = true;  // whether link_steps_ has springs of the last kept step, which stayed as they were if not
+  mutable DescribedLinks described_;
   std::vector<EventId> located_;  // events at the end of the trial
   int troublesome_link_ = -1;
   bool started_ = false;
