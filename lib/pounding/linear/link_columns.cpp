@@ -59,8 +59,8 @@ void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eige
   }
 }
 
-void LinkColumns::gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const { gather(blocks_, count_, x, relative); }
-void LinkColumns::gather_chosen(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const {
+void LinkColumns::gather(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const { gather(blocks_, count_, x, relative); }
+void LinkColumns::gather_chosen(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
   gather(chosen_blocks_, static_cast<int>(chosen_.size()), x, relative);
 }
 

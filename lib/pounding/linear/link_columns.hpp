@@ -21,14 +21,14 @@ class LinkColumns {
   void add_block(int first, std::vector<int> links, Eigen::MatrixXd columns);
 
   /// B^T x for all links [links x columns of x].
-  void gather(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const;
+  void gather(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const;
   /// y += factor B f, on coordinates from `from` on; f has one force a link.
   void add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y, int from = 0) const;
 
   /// The links, ascending, that the functions below are for. True if they are others than before.
   bool choose(std::span<const int> links);
   /// As gather(), for these links [chosen links x columns of x].
-  void gather_chosen(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const;
+  void gather_chosen(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const;
   /// G = B^T D B with a diagonal D, one number a coordinate.
   void flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) const;
   /// G = B^T A^-1 B; `solve` replaces a column, in the coordinates from `first` on, by A^-1 times it.
