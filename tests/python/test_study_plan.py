@@ -187,6 +187,13 @@ class Wrong(unittest.TestCase):
         plan = plan_of(records={"files": folder.name}, intensity={"measure": "pga", "levels": ["0.1 g", "0.5 g"]})
         self.assertIn("1 of 1 records are scaled by more than 4 at the highest level, at most by 10", plan.warnings[0])
 
+    def test_a_study_without_a_model(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "study.yaml"
+            path.write_text("study: {factors: {gap: {of: links.*.gap, list: [1 mm]}}}\n")
+            with self.assertRaisesRegex(InputError, "study.yaml: has study: and no model; type model: FILE.yaml beside it"):
+                read_plan(path)
+
     def test_a_model_is_no_study(self):
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "pair.yaml").write_text(pair().to_yaml())

@@ -108,6 +108,8 @@ def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
         if unknown:
             raise InputError(f"{name}: beside model: there is {', '.join(unknown)}; put these into {parts['model']}, or all of the model here")
         model = Model.from_file(folder / str(parts["model"]))
+    elif not rest:
+        raise InputError(f"{name}: has study: and no model; type model: FILE.yaml beside it, or structures:, links: and ground_motion: of the model")
     else:
         model = Model._from_text(yaml_text.emit(rest), name)
     try:
