@@ -11,7 +11,7 @@ STILL = 1e-15
 
 
 def mass_of(s):
-    """Of all floors [kg], of a frame about twice that of them and their members."""
+    """Mass of all floors [kg]; of a frame about twice that of floors and members."""
     if s["kind"] == "frame":
         return s["storeys"] * (s["floor_mass"] + 5e3 * (s["bays"] + 1))
     mass = s.get("mass", 0)
@@ -25,7 +25,7 @@ class Run:
         self.case, self.imbalance, self.steps = case, summary["energy"]["error"], summary["solver"]["steps"]
         with h5py.File(path) as file:
             rows = file["impacts"][()]
-            # What is known of a body or an oscillator in closed form.
+            # Bodies and oscillators alone have closed forms.
             self.simple = all(s["kind"] in ("body", "oscillator", "wall") for s in case["structures"])
             names = [l.get("name", f"{l['left']}-{l['right']}") for l in case["links"]]
             labels = rows["link"].astype(str)

@@ -62,7 +62,7 @@ class ModelError : public std::invalid_argument {
     copy.is_idle_ = true;
     return copy;
   }
-  /// Of several, the one with this number from 0.
+  /// The error of one item of several, numbered from 0.
   ModelError of(int item) const {
     ModelError copy = *this;
     copy.item_ = item;

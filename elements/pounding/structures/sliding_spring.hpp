@@ -39,7 +39,7 @@ class SlidingSpring final : public Spring {
   void start(const LinkMotion& motion) override;
   void accept(const LinkStep& step) override;
   Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
-  /// Where it comes to rest.
+  /// True where it comes to rest.
   bool bends_sharply(const LinkStep& step) const noexcept override;
   double lost() const noexcept override { return kept_.lost; }
   double stored_correction() const noexcept override;

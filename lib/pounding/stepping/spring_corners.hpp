@@ -1,5 +1,5 @@
 #pragma once
-/// Where the forces of springs have corners inside a trial step.
+/// Corners of the forces of springs inside a trial step.
 
 #include <optional>
 

@@ -41,8 +41,8 @@ class SupportExcitation {
   }
 
   /// P ag for accelerations of the grounds; overwritten by the next call.
-  // Its loops store as many numbers at once as the loops read that follow: a wider read of numbers just stored would wait for them.
   const Eigen::VectorXd& push(const Eigen::VectorXd& ground) const {
+    // The loops store as many numbers at once as those read that follow: a wider read of numbers just stored would wait for them.
     const Eigen::MatrixXd& load = solver_.load();
     const int n = solver_.size();
     double* const sum = push_.data();

@@ -117,5 +117,5 @@ def _names_of_pair(model: Mapping[str, Any]) -> list[str] | None:
 
 
 def _home(structure: Mapping[str, Any], word: str) -> tuple[str, ...]:
-    """Where a word of an oscillator stands: damping may be beside it."""
+    """The place of a word of an oscillator: damping may stand beside it."""
     return () if word in structure else ("oscillator",)
