@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -64,7 +66,12 @@ std::vector<std::string> commands_of(const CLI::App& app) {
 }  // namespace
 
 int report(const char* text, int code) {
-  if (is_root()) print_failure(text);
+  if (is_root())
+    print_failure(text);
+  else
+    // The launcher ends the other processes behind the first one that has failed, and may lose what it has not passed on by then: the one
+    // that speaks ends first.
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
   return code;
 }
 
