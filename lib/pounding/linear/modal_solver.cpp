@@ -357,12 +357,16 @@ void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Ei
   }
   Eigen::VectorXd one(rows);
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
-    if (modes < many_modes)
-      sum_columns(shapes, x.col(j).data() + coordinate, one.data());
-    else
-      one.noalias() = shapes * x.col(j).segment(coordinate, modes);
+    displace_one(x.col(j), one);
     u.row(j).segment(first, rows) = one;
   }
+}
+
+void ModalSolver::Block::displace_one(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> u) const {
+  if (shapes.cols() < many_modes)
+    sum_columns(shapes, x.data() + coordinate, u.data());
+  else
+    u.noalias() = shapes * x.segment(coordinate, shapes.cols());
 }
 
 void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
@@ -375,10 +379,8 @@ void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd&
     if (block.shadow) continue;
     if (block.few())
       block.displace(x, Eigen::Map<Eigen::MatrixXd>(u.data(), 1, unknowns_));
-    else if (block.shapes.cols() < many_modes)
-      sum_columns(block.shapes, x.data() + block.coordinate, u.data() + block.first);
     else
-      u.segment(block.first, block.shapes.rows()).noalias() = block.shapes * x.segment(block.coordinate, block.shapes.cols());
+      block.displace_one(x, u.segment(block.first, block.shapes.rows()));
   }
 }
 
