@@ -27,28 +27,29 @@ class StrainedParts {
       part.spring->archive(fresh);
       if (!part.is_device()) parts_.push_back(static_cast<int>(i));
     }
-    columns_.setZero(s.size(), size());
     at_rest_.resize(size());
     stiffness_.resize(size());
-    flexibility_.setZero(size(), size());
     for (Eigen::Index j = 0; j < size(); ++j) {
       const YieldingPart& part = s.yielding[static_cast<std::size_t>(parts_[j])];
       springs_.push_back(part.spring.get());
       at_rest_[j] = part.at_rest;
       stiffness_[j] = part.spring->stiffness();
-      for (Row::InnerIterator it(part.deformation); it; ++it) columns_(it.index(), j) = it.value();
     }
-    if (s.yielding_flexibility.size() > 0) flexibility_ = MatrixXd(s.yielding_flexibility)(parts_, parts_);
   }
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(parts_.size()); }
   bool straight() const { return size() == 0 || law(at_rest_).first.isZero(0); }
 
-  VectorXd displacement(const SparseMatrix& stiffness) const {
-    StaticSolver solver(stiffness);
+  // `s` is the structure that they were made with.
+  VectorXd displacement(const Structure& s) const {
+    StaticSolver solver(s.stiffness);
     if (!solver.holds()) throw std::invalid_argument("nothing holds it under gravity");
-    const MatrixXd by_parts = solver.solve(columns_);
-    const MatrixXd flexibility = columns_.transpose() * by_parts + flexibility_;
+    MatrixXd columns = MatrixXd::Zero(s.size(), size());
+    for (Eigen::Index j = 0; j < size(); ++j)
+      for (Row::InnerIterator it(s.yielding[static_cast<std::size_t>(parts_[j])].deformation); it; ++it) columns(it.index(), j) = it.value();
+    const MatrixXd by_parts = solver.solve(columns);
+    MatrixXd flexibility = columns.transpose() * by_parts;
+    if (s.yielding_flexibility.size() > 0) flexibility += MatrixXd(s.yielding_flexibility)(parts_, parts_);
     VectorXd forces = VectorXd::Zero(size());
     auto [answer, slopes] = law(at_rest_);
     // The forces are differences between those of the laws and k d.
@@ -82,7 +83,6 @@ class StrainedParts {
 
   std::vector<int> parts_;
   std::vector<const Spring*> springs_;
-  MatrixXd columns_, flexibility_;
   VectorXd at_rest_, stiffness_;
 };
 
@@ -91,7 +91,7 @@ class StrainedParts {
 VectorXd rest_by_yielding(const Structure& s) {
   const StrainedParts parts(s);
   if (parts.straight()) return {};
-  return parts.displacement(s.stiffness);
+  return parts.displacement(s);
 }
 
 }  // namespace pounding
