@@ -7,6 +7,9 @@
 
 namespace pounding {
 
+/// Up to this number of entries of A its products cost less by plain loops in the same order, with the same bits, than by the calls below.
+inline constexpr Eigen::Index few_entries = 16;
+
 /// y = A x, the columns of A added one after the other. `y` has room for the rows of A and overlaps neither.
 void sum_columns(const Eigen::MatrixXd& a, const double* x, double* y);
 

@@ -7,13 +7,19 @@ namespace pounding {
 
 using Eigen::Index;
 
-namespace {
-
-// Up to this number of entries the sums of a block are made here and now: the call that makes them by vectors would cost more. The order of each
-// sum is the same, and so are its bits.
-constexpr Index few_entries = 16;
-
-}  // namespace
+// The sum of a link is kept at hand while its entries follow each other: each would wait for the number that the last one stored.
+void LinkColumns::add_closing(const std::vector<Entry>& entries, const double* x, double* relative) {
+  double *to = nullptr, sum = 0;
+  for (const Entry& entry : entries) {
+    if (double* const next = relative + entry.link; next != to) {
+      if (to) *to = sum;
+      to = next;
+      sum = *to;
+    }
+    sum += entry.value * x[entry.coordinate];
+  }
+  if (to) *to = sum;
+}
 
 bool LinkColumns::Block::is_small() const { return by_link.size() <= few_entries; }
 
@@ -24,6 +30,21 @@ void LinkColumns::add_block(int first, std::vector<int> links, Eigen::MatrixXd c
   block.links = std::move(links);
   block.by_link = std::move(columns);
   block.by_coordinate = block.by_link.transpose();
+  find_entries(blocks_);
+}
+
+void LinkColumns::find_entries(std::vector<Block>& blocks) {
+  std::vector<Entry>* entries = nullptr;
+  for (Block& block : blocks) {
+    block.entries.clear();
+    if (!block.is_small()) {
+      entries = nullptr;
+      continue;
+    }
+    if (!entries) entries = &block.entries;
+    for (std::size_t i = 0; i < block.links.size(); ++i)
+      for (int k = 0; k < block.size(); ++k) entries->push_back({block.first + k, block.links[i], block.by_link(k, static_cast<Index>(i))});
+  }
 }
 
 void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
@@ -31,21 +52,15 @@ void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eige
   if (relative.rows() != count || relative.cols() != columns) relative.resize(count, columns);
   std::fill_n(relative.data(), relative.size(), 0.0);
   for (const Block& block : blocks) {
-    const double* const from = x.data() + block.first;
-    const Index ends = block.by_link.cols(), size = block.size();
     if (block.is_small()) {
-      const double* values = block.by_link.data();
-      for (Index i = 0; i < ends; ++i, values += size) {
-        const double* of = from;
-        double* to = relative.data() + block.links[static_cast<std::size_t>(i)];
-        for (Index c = 0; c < columns; ++c, of += x.outerStride(), to += count) {
-          double sum = *to;
-          for (Index k = 0; k < size; ++k) sum += values[k] * of[k];
-          *to = sum;
-        }
-      }
+      const double* of = x.data();
+      double* to = relative.data();
+      for (Index c = 0; c < columns; ++c, of += x.outerStride(), to += count)
+        add_closing(block.entries, of, to);
       continue;
     }
+    const double* const from = x.data() + block.first;
+    const Index ends = block.by_link.cols();
     const Columns of{from, block.size(), columns, x.outerStride()}, values{block.by_coordinate.data(), ends, block.size(), ends};
     const int first = block.links.front();
     if (block.links.back() - first + 1 == ends) {
@@ -64,25 +79,25 @@ void LinkColumns::gather_chosen(const Eigen::Ref<const Eigen::MatrixXd>& x, Eige
   gather(chosen_blocks_, static_cast<int>(chosen_.size()), x, relative);
 }
 
-void LinkColumns::add(const Block& block, double factor, const Eigen::VectorXd& f, const double* d, double* y) const {
-  if (block.is_small()) {
-    for (std::size_t i = 0; i < block.links.size(); ++i) {
-      const double scale = factor * f[block.links[i]];
-      if (scale == 0) continue;
-      for (Index k = 0; k < block.size(); ++k)
-        y[block.first + k] += (d ? scale * d[block.first + k] : scale) * block.by_link(k, static_cast<Index>(i));
+void LinkColumns::add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d, double* y, int from) const {
+  for (const Block& block : blocks) {
+    if (block.is_small()) {
+      for (const Entry& entry : block.entries) {
+        const double scale = factor * f[entry.link];
+        if (scale != 0 && entry.coordinate >= from) y[entry.coordinate] += (d ? scale * d[entry.coordinate] : scale) * entry.value;
+      }
+      continue;
     }
-    return;
+    if (block.first < from) continue;
+    scaled_.clear();
+    for (std::size_t i = 0; i < block.links.size(); ++i)
+      if (const double scale = factor * f[block.links[i]]; scale != 0) scaled_.push_back({block.by_link.col(static_cast<Index>(i)).data(), scale});
+    if (!scaled_.empty()) add_scaled(scaled_, block.size(), d ? d + block.first : nullptr, y + block.first);
   }
-  scaled_.clear();
-  for (std::size_t i = 0; i < block.links.size(); ++i)
-    if (const double scale = factor * f[block.links[i]]; scale != 0) scaled_.push_back({block.by_link.col(static_cast<Index>(i)).data(), scale});
-  if (!scaled_.empty()) add_scaled(scaled_, block.size(), d ? d + block.first : nullptr, y + block.first);
 }
 
 void LinkColumns::add_forces(double factor, const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y, int from) const {
-  for (const Block& block : blocks_)
-    if (block.first >= from) add(block, factor, f, nullptr, y.data());
+  add(blocks_, factor, f, nullptr, y.data(), from);
 }
 
 bool LinkColumns::choose(std::span<const int> links) {
@@ -110,6 +125,7 @@ bool LinkColumns::choose(std::span<const int> links) {
     made.by_coordinate = made.by_link.transpose();
   }
   chosen_blocks_.resize(used);
+  find_entries(chosen_blocks_);
   return true;
 }
 
@@ -161,8 +177,7 @@ void LinkColumns::flexibility(const Solve& solve, Eigen::MatrixXd& g) const {
 }
 
 void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Eigen::VectorXd& d, Eigen::Ref<Eigen::VectorXd> y, int from) const {
-  for (const Block& block : chosen_blocks_)
-    if (block.first >= from) add(block, factor, f, d.data(), y.data());
+  add(chosen_blocks_, factor, f, d.data(), y.data(), from);
 }
 
 void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const Solve& solve, Eigen::Ref<Eigen::VectorXd> y, int from) const {

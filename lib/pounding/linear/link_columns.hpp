@@ -40,18 +40,26 @@ class LinkColumns {
   void add_response(double factor, const Eigen::VectorXd& f, const Solve& solve, Eigen::Ref<Eigen::VectorXd> y, int from = 0) const;
 
  private:
+  struct Entry {
+    int coordinate = 0, link = 0;
+    double value = 0;
+  };
   struct Block {
     int first = 0;
     std::vector<int> links;    // or, where they are chosen, their places among the chosen ones
     Eigen::MatrixXd by_link;   // [coordinate, link]
     Eigen::MatrixXd by_coordinate;
+    std::vector<Entry> entries;  // of this small block and of the small ones right behind it, which then have none
 
     Eigen::Index size() const { return by_link.rows(); }
     bool is_small() const;
   };
 
+  static void find_entries(std::vector<Block>& blocks);
+  static void add_closing(const std::vector<Entry>& entries, const double* x, double* relative);
+
   void gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const;
-  void add(const Block& block, double factor, const Eigen::VectorXd& f, const double* d, double* y) const;
+  void add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d, double* y, int from) const;
 
   int count_ = 0;
   std::vector<Block> blocks_, chosen_blocks_;
