@@ -155,8 +155,7 @@ TEST_P(SparseMatrices, MultiplyLikeDenseOnes) {
   for (int j = 0; j < 5; ++j) local.col(j) = base.coordinates(x.col(j) = some_vector(n, j));
   Eigen::VectorXd u;
   for (const int columns : {1, 2, 3, 4, 5}) {
-    base.stiffness_times(local.leftCols(columns), kx.leftCols(columns));
-    base.damping_times(local.leftCols(columns), kx.leftCols(columns), cx.leftCols(columns));
+    base.stiffness_and_damping_times(local.leftCols(columns), kx.leftCols(columns), cx.leftCols(columns));
     for (int j = 0; j < columns; ++j) {
       base.physical(kx.col(j), u);
       EXPECT_LT(difference(u, whole(system, {0, 0, 1}) * x.col(j)), 1e-13);

@@ -26,10 +26,10 @@ MassSplit split_of(const System& system, const Group& group) {
   return split_by_mass(system.mass, group.first, group.count);
 }
 
-// y = diag(d) x; y overlaps neither.
-void multiply_columns(const Eigen::VectorXd& d, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd>& y) {
-  const Eigen::Index n = x.rows(), columns = x.cols();
-  const double *factor = d.data(), *from = x.data();
+// y = diag(d) x from column `first` of x on; y overlaps neither.
+void multiply_columns(const Eigen::VectorXd& d, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index first, Eigen::Ref<Eigen::MatrixXd>& y) {
+  const Eigen::Index n = x.rows(), columns = x.cols() - first;
+  const double *factor = d.data(), *from = x.data() + first * x.outerStride();
   double* to = y.data();
   for (Eigen::Index j = 0; j < columns; ++j, from += x.outerStride(), to += y.outerStride())
 #pragma GCC ivdep
@@ -218,18 +218,17 @@ void ModalSolver::add_view(const SparseMatrix& outputs, const Block& block, std:
 }
 
 void ModalSolver::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const {
-  multiply_columns(stiffness_, x, y);
+  multiply_columns(stiffness_, x, 0, y);
 }
 
-void ModalSolver::damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> /*kx*/,
-                              Eigen::Ref<Eigen::MatrixXd> y) const {
-  if (classical_) {
-    multiply_columns(damping_, x, y);
-    return;
-  }
+void ModalSolver::stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
+                                              Eigen::Ref<Eigen::MatrixXd> cx) const {
+  multiply_columns(stiffness_, x, 0, kx);
+  const Eigen::Index first = x.cols() - cx.cols();
+  if (classical_) return multiply_columns(damping_, x, first, cx);
   for (const Block& block : blocks_) {
     const Eigen::Index count = block.damping.rows();
-    y.middleRows(block.coordinate, count).noalias() = block.damping * x.middleRows(block.coordinate, count);
+    cx.middleRows(block.coordinate, count).noalias() = block.damping * x.block(block.coordinate, first, count, cx.cols());
   }
 }
 

@@ -48,9 +48,10 @@ void SparseSolver::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::R
   matrices_.stiffness_times(x, y);
 }
 
-void SparseSolver::damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
-                               Eigen::Ref<Eigen::MatrixXd> y) const {
-  matrices_.damping_times(x, kx, y);
+void SparseSolver::stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
+                                               Eigen::Ref<Eigen::MatrixXd> cx) const {
+  matrices_.stiffness_times(x, kx);
+  matrices_.damping_times(x.rightCols(cx.cols()), kx.rightCols(cx.cols()), cx);
 }
 
 void SparseSolver::mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const {

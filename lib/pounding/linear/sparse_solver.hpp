@@ -29,8 +29,8 @@ class SparseSolver final : public StructureSolver {
   SparseSolver(MPI_Comm comm, const System& system, const SparseOptions& options = {});
 
   void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const override;
-  void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
-                     Eigen::Ref<Eigen::MatrixXd> y) const override;
+  void stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
+                                   Eigen::Ref<Eigen::MatrixXd> cx) const override;
   void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const override;
   void accelerate(Eigen::Ref<Eigen::VectorXd> r) const override;
   void recover(Eigen::Ref<Eigen::VectorXd> x) const override;

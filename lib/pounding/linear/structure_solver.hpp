@@ -60,9 +60,9 @@ class StructureSolver {
 
   /// y = K x, for each column.
   virtual void stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const = 0;
-  /// y = C x, for each column; `kx` is K x.
-  virtual void damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<const Eigen::MatrixXd> kx,
-                             Eigen::Ref<Eigen::MatrixXd> y) const = 0;
+  /// Both products in one call: `kx` = K x for each column, `cx` = C times the last of them, as many as it has columns.
+  virtual void stiffness_and_damping_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> kx,
+                                           Eigen::Ref<Eigen::MatrixXd> cx) const = 0;
   /// y = M x.
   virtual void mass_times(Eigen::Ref<const Eigen::VectorXd> x, Eigen::Ref<Eigen::VectorXd> y) const = 0;
   /// Replaces the force r by the acceleration M^-1 r; 0 at massless degrees of freedom.

@@ -74,11 +74,9 @@ Trial Equations::zero_trial() const {
 
 void Equations::multiply(Instant& x, int first, int count) const {
   using enum Instant::Column;
-  solver.stiffness_times(x.motion.middleCols(first, count), x.motion.middleCols(ku + first, count));
-  const int damped = std::max(first, static_cast<int>(v)), left = first + count - damped;
-  if (left > 0)
-    solver.damping_times(x.motion.middleCols(damped, left), x.motion.middleCols(ku + damped, left),
-                         x.motion.middleCols(cv + damped - v, left));
+  const int damped = std::max(first, static_cast<int>(v));
+  solver.stiffness_and_damping_times(x.motion.middleCols(first, count), x.motion.middleCols(ku + first, count),
+                                     x.motion.middleCols(cv + damped - v, first + count - damped));
 }
 
 void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eigen::VectorXd& force) const {
@@ -125,8 +123,7 @@ void Equations::balance(std::span<const LinkMotion> motions, const Eigen::Matrix
 
 void Equations::balance(Instant& x) const {
   using enum Instant::Column;
-  solver.stiffness_times(x.motion.col(v), x.motion.col(kv));
-  solver.damping_times(x.motion.col(v), x.motion.col(kv), x.motion.col(cv));
+  solver.stiffness_and_damping_times(x.motion.col(v), x.motion.col(kv), x.motion.col(cv));
   gather(x);
   supports.accelerations(x.time, x.ground);
   x.ground_carried = x.ground;

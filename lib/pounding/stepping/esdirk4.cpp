@@ -120,8 +120,7 @@ class Esdirk4Scheme final : public TimeScheme {
     if (eq_.slips.any()) find_slip_rates(i, stage);
     std::copy_n(r, n, acceleration(i).data());
     if (last) return true;
-    eq_.solver.stiffness_times(acceleration(i), stages_.col(3 * i + 1));
-    eq_.solver.damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
+    eq_.solver.stiffness_and_damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
     return true;
   }
 

@@ -61,8 +61,7 @@ ShortMotions::ShortMotions(const System& system, const StructureSolver& solver) 
   if (!any()) return;
   stiffness_.resize(n, shift_.cols());
   damping_.resize(n, shift_.cols());
-  solver.stiffness_times(shift_, stiffness_);
-  solver.damping_times(shift_, stiffness_, damping_);
+  solver.stiffness_and_damping_times(shift_, stiffness_, damping_);
   solver.gather(shift_, closing_);
   coupling_ = load_.transpose() * shift_;
   // A shadow steps over these motions as the structures do where they are short for any of them; its work counts nowhere.
