@@ -85,7 +85,7 @@ class Esdirk4Scheme final : public TimeScheme {
       r_ -= eq_.short_motions.forces(missed_);
     }
     const Stage stage{shift * shift * h * h, shift * h, 1};
-    const auto free_motion = [&](int link, double g) {
+    const auto free_motion = [&](int link, double g, LinkMotion& motion) {
       double relative_displacement = x.relative(link, u) + ci * h * x.relative(link, v) + shift * shift * h * h * g;
       double rate = x.relative(link, v) + shift * h * g;
       for (int j = 0; j < i; ++j) {
@@ -96,16 +96,16 @@ class Esdirk4Scheme final : public TimeScheme {
         relative_displacement += eq_.short_motions.closing(link, missed_.u);
         rate += eq_.short_motions.closing(link, missed_.v);
       }
-      FreeLink free{{eq_.links.deformation(link, relative_displacement + eq_.links.ground_part(by_ground, link, u)),
-                     rate + eq_.links.ground_part(by_ground, link, v)},
-                    g + eq_.links.ground_part(by_ground, link, a)};
+      motion.penetration = eq_.links.deformation(link, relative_displacement + eq_.links.ground_part(by_ground, link, u));
+      motion.rate = rate + eq_.links.ground_part(by_ground, link, v);
+      motion.slip = motion.lag = 0;
       if (eq_.slips.any() && eq_.slips.slips(link)) {
         const int spring = link - eq_.links.contacts();
-        free.motion.slip = x.slip[spring];
-        for (int j = 0; j < i; ++j) free.motion.slip += h * esdirk4::a[i][j] * slip_rates_(spring, j);
-        free.motion.lag = shift * h;
+        motion.slip = x.slip[spring];
+        for (int j = 0; j < i; ++j) motion.slip += h * esdirk4::a[i][j] * slip_rates_(spring, j);
+        motion.lag = shift * h;
       }
-      return free;
+      return g + eq_.links.ground_part(by_ground, link, a);
     };
     if (eq_.pseudo_forces.any()) {
       free_displacement_ = x.motion.col(u) + ci * h * x.motion.col(v);

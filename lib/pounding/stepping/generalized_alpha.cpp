@@ -76,7 +76,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       std::fill_n(t.end.force.data(), t.end.force.size(), 0.0);
     const Stage stage{beta * h * h, gamma * h, alpha_f};
     if (eq_.slips.any()) slip_free_ = x.slip + 0.5 * h * eq_.slips.rates(x);
-    const auto free_motion = [&, beta = beta, gamma = gamma, alpha_m = alpha_m, alpha_f = alpha_f](int i, double g) {
+    const auto free_motion = [&, beta = beta, gamma = gamma, alpha_m = alpha_m, alpha_f = alpha_f](int i, double g, LinkMotion& motion) {
       const double sa = x.relative(i, a), s = carries ? sa + part * (x.relative(i, carried) - sa) : sa;
       double relative_displacement = x.relative(i, u) + h * x.relative(i, v) + by_c_in_u * s + beta * h * h * g;
       double rate = x.relative(i, v) + by_c_in_v * s + gamma * h * g;
@@ -84,19 +84,17 @@ class GeneralizedAlphaScheme final : public TimeScheme {
         relative_displacement += eq_.short_motions.closing(i, missed_.u);
         rate += eq_.short_motions.closing(i, missed_.v);
       }
-      FreeLink link{{eq_.links.deformation(i, relative_displacement + eq_.links.ground_part(t.end.by_ground, i, u)),
-                     rate + eq_.links.ground_part(t.end.by_ground, i, v)},
-                    g};
+      motion.penetration = eq_.links.deformation(i, relative_displacement + eq_.links.ground_part(t.end.by_ground, i, u));
+      motion.rate = rate + eq_.links.ground_part(t.end.by_ground, i, v);
+      motion.slip = motion.lag = 0;
       if (eq_.slips.any() && eq_.slips.slips(i)) {
-        link.motion.slip = slip_free_[i - eq_.links.contacts()];
-        link.motion.lag = 0.5 * h;
+        motion.slip = slip_free_[i - eq_.links.contacts()];
+        motion.lag = 0.5 * h;
       }
-      if (eq_.links.moved()) {
-        // At the time that the scheme's acceleration belongs to.
-        const double begin = x.by_ground(i, a), end = t.end.by_ground(i, a);
-        link.acceleration += end + (alpha_m - alpha_f) * (begin - end);
-      }
-      return link;
+      if (!eq_.links.moved()) return g;
+      // At the time that the scheme's acceleration belongs to.
+      const double begin = x.by_ground(i, a), end = t.end.by_ground(i, a);
+      return g + (end + (alpha_m - alpha_f) * (begin - end));
     };
     if (eq_.pseudo_forces.any()) {
       r_ -= (1 - alpha_f) * x.pseudo_force;

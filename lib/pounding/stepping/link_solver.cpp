@@ -16,8 +16,8 @@ double terms(const laws::Response& law, const LinkMotion& at) {
 // A stiff bar leaves next to nothing of the free motion, whose round-off its force has still. Storeys that yield are softer than
 // their linear stiffness and have none of this, but theirs is the difference between two forces of the size of k d.
 double terms(const Spring& spring, const laws::Response& law, const LinkMotion& at, const LinkMotion& free) {
-  return std::max({terms(law, at), spring.stiffness() * std::abs(at.penetration),
-                   std::max(law.by_penetration, 0.0) * std::abs(free.penetration) + law.by_rate * std::abs(free.rate)});
+  return std::max(std::max(terms(law, at), spring.stiffness() * std::abs(at.penetration)),
+                  std::max(law.by_penetration, 0.0) * std::abs(free.penetration) + law.by_rate * std::abs(free.rate));
 }
 
 // The motion that forces leave when they take these parts off.
@@ -52,8 +52,14 @@ bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, do
   }
   LinkMotion free = relieved(links.free[k], links.weight * links.by_u * others, links.weight * links.by_v * others);
   free.penetration -= others_relief;
-  const auto residual_at = [&](double f) { return links_.law(link, relieved(free, relief_u * f, relief_v * f)).force - f; };
   const double unrelieved = links_.law(link, free).force;
+  LinkMotion at = free;
+  const auto answer_to = [&](double f) {
+    at.penetration = free.penetration - relief_u * f;
+    at.rate = free.rate - relief_v * f;
+    return links_.law(link, at);
+  };
+  const auto residual_at = [&](double f) { return answer_to(f).force - f; };
   double low = std::min(0.0, unrelieved), high = std::max(0.0, unrelieved);
   if (low == high) {
     force = low;
@@ -66,11 +72,10 @@ bool LinkSolver::solve_one(const CondensedLinks& links, int k, double others, do
   double trial = std::clamp(force, low, high);
   for (int iteration = 0; iteration < 200; ++iteration) {
     ++iterations_;
-    const LinkMotion at = relieved(free, relief_u * trial, relief_v * trial);
-    const laws::Response answer = links_.law(link, at);
+    const laws::Response answer = answer_to(trial);
     const double residual = answer.force - trial;
     const double size = link < links_.contacts() ? terms(answer, at) : terms(links_.spring(link), answer, at, free);
-    if (std::abs(residual) <= solved * std::max({std::abs(trial), std::abs(answer.force), size})) {
+    if (std::abs(residual) <= solved * std::max(std::max(std::abs(trial), std::abs(answer.force)), size)) {
       force = trial;
       return true;
     }

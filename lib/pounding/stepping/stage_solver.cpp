@@ -38,15 +38,16 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
       relief_ = relief_of(links_.relief().flexibility(), active_, links_);
     }
   }
+  free_.resize(active_.size());
+  free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
+  active_force_.resize(free_acceleration_.size());
   equations_.solver.set_matrix(matrix, level);
   return active_.empty() || equations_.solver.flexibility(active_, flexibility_);
 }
 
-// Solves for the active forces from the guess, enters them in `force` and takes what they do off the acceleration x.
+// Solves for the active forces from their guess, enters them in `force` and takes what they do off the acceleration x.
 bool StageSolver::condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x) {
   const int count = static_cast<int>(active_.size());
-  active_force_.resize(count);
-  for (int k = 0; k < count; ++k) active_force_[k] = guess_[active_[k]];
   const CondensedLinks links{active_,    free_,      free_acceleration_, flexibility_,
                              stage.by_u, stage.by_v, stage.weight,       relief_.size() > 0 ? &relief_ : nullptr};
   if (!link_solver_.solve(links, active_force_)) {

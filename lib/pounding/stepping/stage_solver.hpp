@@ -22,15 +22,10 @@ struct Stage {
   double weight = 1;
 };
 
-/// A link in the motion that a stage has without the forces of active links.
-struct FreeLink {
-  LinkMotion motion;
-  double acceleration = 0;  ///< closing [m/s^2]
-};
-
 /// Solves the stages of one trial step, all with the same matrix A and the same active links.
 ///
-/// `FreeMotion` is a function (link, g) -> FreeLink of the scheme, where g is the closing acceleration B^T A^-1 r of a link.
+/// `FreeMotion` is a function (link, g, motion) of the scheme, where g is the closing acceleration B^T A^-1 r of a link: it sets the motion
+/// that the link has in the stage without the forces of active links, and returns its closing acceleration [m/s^2].
 class StageSolver {
  public:
   /// Both must outlive it.
@@ -64,18 +59,18 @@ class StageSolver {
       if (springs_.holds()) force = springs_.held();
       return true;
     }
-    guess_ = force;
-    force = springs_.held();
     equations_.solver.gather(active_, r, gathered_);
-    free_.resize(active_.size());
-    free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
     for (std::size_t k = 0; k < active_.size(); ++k) {
-      const FreeLink link = free_motion(active_[k], gathered_(static_cast<Eigen::Index>(k), 0));
-      free_[k] = link.motion;
+      const auto row = static_cast<Eigen::Index>(k);
+      active_force_[row] = force[active_[k]];
+      free_acceleration_[row] = free_motion(active_[k], gathered_(row, 0), free_[k]);
       if (held_relief_.size() > 0 && links_.is_spring(active_[k]))
         free_[k].penetration -= held_relief_[active_[k] - links_.contacts()];
-      free_acceleration_[static_cast<Eigen::Index>(k)] = link.acceleration;
     }
+    if (springs_.holds())
+      force = springs_.held();
+    else
+      force.setZero();
     return condense(stage, force, r);
   }
 
@@ -141,7 +136,7 @@ class StageSolver {
   std::vector<LinkMotion> free_;       // of the active links
   Eigen::VectorXd free_acceleration_, active_force_;
   Eigen::MatrixXd gathered_;           // B^T x of the active links without their forces
-  Eigen::VectorXd guess_, pseudo_force_;
+  Eigen::VectorXd pseudo_force_;
 };
 
 }  // namespace pounding
