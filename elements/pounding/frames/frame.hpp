@@ -165,7 +165,7 @@ class Frame {
   /// See Beam::end_forces; without the forces of the member's own load between its ends.
   Vector12 end_forces(int member, const AssembledFrame& assembled, const Eigen::VectorXd& q) const;
   /// 12 x n: the same as factors of q.
-  Eigen::SparseMatrix<double> end_force_rows(int member, const AssembledFrame& assembled) const;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> end_force_rows(int member, const AssembledFrame& assembled) const;
   /// 12 x 3: the same when the supports move and the unknowns rest, see SupportMotion::enforced.
   Eigen::Matrix<double, 12, 3> enforced_end_forces(int member, const Eigen::MatrixX3d& enforced) const;
   /// End forces of the member's load alone with the nodes held, and of its weight with gravity, when its mass is consistent.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -19,7 +20,23 @@ using namespace frame_dofs;
 
 namespace {
 
-Eigen::SparseMatrix<double> sparse(const Eigen::MatrixXd& dense) { return dense.sparseView(1, 0); }
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+// factors * rows, where few columns have entries: a general product would walk through all of them.
+SparseRows combined(const Eigen::MatrixXd& factors, const SparseRows& rows) {
+  SparseRows sums(factors.rows(), rows.cols());
+  sums.reserve(factors.rows() * rows.nonZeros());
+  std::map<Eigen::Index, double> sum;
+  for (Eigen::Index i = 0; i < factors.rows(); ++i) {
+    sum.clear();
+    for (Eigen::Index k = 0; k < factors.cols(); ++k)
+      for (SparseRows::InnerIterator it(rows, k); factors(i, k) != 0 && it; ++it) sum[it.col()] += factors(i, k) * it.value();
+    sums.startVec(i);
+    for (const auto& [column, value] : sum) sums.insertBack(i, column) = value;
+  }
+  sums.finalize();
+  return sums;
+}
 
 }  // namespace
 
@@ -90,17 +107,17 @@ void Frame::add_p_delta(bool gravity) {
 }
 
 // Rows of a matrix, one a displacement, that belong to the nodes of a member, in the order of Vector12.
-Eigen::SparseMatrix<double, Eigen::RowMajor> Frame::member_motion(int member, const Eigen::SparseMatrix<double, Eigen::RowMajor>& of_all) const {
+SparseRows Frame::member_motion(int member, const SparseRows& of_all) const {
   const Member& m = of(member);
-  Entries entries;
-  for (const auto& [node, first] : {std::pair(m.start, 0), {m.end, 6}})
-    for (const Dof dof : dofs_of(dimension_)) {
-      using Terms = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-      for (Terms it(of_all, index(node, dof)); it; ++it)
-        entries.emplace_back(first + static_cast<int>(dof), it.col(), it.value());
-    }
-  Eigen::SparseMatrix<double, Eigen::RowMajor> rows(12, of_all.cols());
-  rows.setFromTriplets(entries.begin(), entries.end());
+  SparseRows rows(12, of_all.cols());
+  rows.reserve(12);
+  for (int i = 0; i < 12; ++i) {
+    rows.startVec(i);
+    const Dof dof = static_cast<Dof>(i % 6);
+    if (place(dimension_, dof) < 0) continue;
+    for (SparseRows::InnerIterator it(of_all, index(i < 6 ? m.start : m.end, dof)); it; ++it) rows.insertBack(i, it.col()) = it.value();
+  }
+  rows.finalize();
   return rows;
 }
 
@@ -108,8 +125,8 @@ Vector12 Frame::end_forces(int member, const AssembledFrame& assembled, const Ve
   return of(member).beam.end_forces(member_motion(member, assembled.transform) * q);
 }
 
-Eigen::SparseMatrix<double> Frame::end_force_rows(int member, const AssembledFrame& assembled) const {
-  return sparse(of(member).beam.end_force_matrix()) * Eigen::SparseMatrix<double>(member_motion(member, assembled.transform));
+SparseRows Frame::end_force_rows(int member, const AssembledFrame& assembled) const {
+  return combined(of(member).beam.end_force_matrix(), member_motion(member, assembled.transform));
 }
 
 Eigen::Matrix<double, 12, 3> Frame::enforced_end_forces(int member, const Eigen::MatrixX3d& enforced) const {
@@ -131,17 +148,15 @@ Frame::PointOnMember Frame::point_on_member(int member, double along, const Asse
   const Beam& beam = of(member).beam;
   if (!(along >= 0 && along <= 1))
     refuse(fmt::format("member {}: a point on it lies at 0 to 1 of its length, not at {}", member_name(member), along));
-  const Eigen::SparseMatrix<double> shapes = sparse(beam.motion_at(along));
-  const auto at_point = [&](const Eigen::SparseMatrix<double, Eigen::RowMajor>& of_all) {
-    const Eigen::SparseMatrix<double> motion = shapes * Eigen::SparseMatrix<double>(member_motion(member, of_all));
-    const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = motion;
+  const auto at_point = [&](const SparseRows& of_all) {
+    const SparseRows rows = combined(beam.motion_at(along), member_motion(member, of_all));
     std::array<Eigen::SparseVector<double>, 3> by_axis;
     for (int axis = 0; axis < 3; ++axis) by_axis[axis] = rows.row(axis).transpose();
     return by_axis;
   };
   PointOnMember point;
   point.motion = at_point(assembled.transform);
-  Eigen::SparseMatrix<double, Eigen::RowMajor> every(assembled.transform.rows(), assembled.transform.rows());
+  SparseRows every(assembled.transform.rows(), assembled.transform.rows());
   every.setIdentity();
   point.supported = at_point(every);
   point.fixed_ends = beam.fixed_end_forces_at(along);
