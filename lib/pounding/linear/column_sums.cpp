@@ -161,6 +161,19 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return product(a.transpose(), b); }
 
+Eigen::MatrixXd symmetric_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  constexpr Index together = 48;
+  const Eigen::MatrixXd rows = a.transpose();
+  const Index count = b.cols();
+  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(count, count);
+  for (Index j = 0; j < count; j += together) {
+    const Index columns = std::min(together, count - j);
+    add_products({rows.data() + j, count - j, rows.cols(), rows.rows()}, {b.col(j).data(), b.rows(), columns, b.rows()}, made.col(j).data() + j, count);
+  }
+  made.triangularView<Eigen::StrictlyUpper>() = made.transpose();
+  return made;
+}
+
 void add_scaled(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {
   if (has_wide_vectors())
     scale_by_wide_vectors(columns, rows, weights, y);

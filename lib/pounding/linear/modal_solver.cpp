@@ -174,7 +174,7 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Gr
   if (!shadow) group_masses_.push_back(mass.diagonal().sum());
   const Eigen::Index count = modes.squares.size();
   const Eigen::MatrixXd rest = damping.nonZeros() == 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count))
-                                                       : transposed_product(modes.shapes, damping * modes.shapes);
+                                                       : symmetric_product(modes.shapes, damping * modes.shapes);
   add_block(system, group, std::move(block), modes.squares, rest);
 }
 

@@ -62,7 +62,8 @@ struct Chain {
     for (int k = 0; k < std::min<int>(count, static_cast<int>(blocks.size())); ++k) all = beside(all, blocks[k]);
     return all;
   }
-  // The part of new columns that is orthogonal to all blocks. Twice, as rounding of the first pass is of the size of what is left.
+  // The part of new columns that is orthogonal to all blocks. Twice, as rounding of the first pass is of the size of what is left;
+  // at unit length again the second pass leaves rounding of unit vectors.
   void add(const Eigen::MatrixXd& columns, double least = nothing_new) {
     Eigen::MatrixXd next = orthonormal(without(unit_columns(columns)), least);
     if (!blocks.empty() && next.cols() > 0) next = orthonormal(without(next), 0.5);
@@ -74,8 +75,7 @@ struct Chain {
 
  private:
   Eigen::MatrixXd without(Eigen::MatrixXd x) const {
-    for (int pass = 0; pass < 2; ++pass)
-      for (const Eigen::MatrixXd& block : blocks) x -= product(block, transposed_product(block, x));
+    for (const Eigen::MatrixXd& block : blocks) x -= product(block, transposed_product(block, x));
     return x;
   }
 };
@@ -201,8 +201,7 @@ GroupModes ReducedModes::modes(const ReducedDepth& depth) {
   GroupModes made;
   made.shapes = structure_->displacements(structure_->basis(depth));
   const Eigen::MatrixXd forces = structure_->stiffness * made.shapes;
-  Eigen::MatrixXd k = transposed_product(made.shapes, forces);
-  k = 0.5 * (k + k.transpose().eval());
+  const Eigen::MatrixXd k = symmetric_product(made.shapes, forces);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(k);
   if (ritz.info() != Eigen::Success) throw SolverError("the modes of a reduced structure could not be computed");
   made.squares = ritz.eigenvalues().cwiseMax(0);
