@@ -17,14 +17,15 @@ bool EnergyBudget::is_due() {
 }
 
 void EnergyBudget::audit(const Energies& e) {
-  scale_ = std::max(scale_, std::abs(e.input));
-  const double spent = std::abs(e.imbalance()) / (tolerance_ * scale_);
+  largest_ = std::max(largest_, std::abs(e.input));
+  const double spent = std::abs(e.imbalance()) / (tolerance_ * std::max(largest_, least_ / ++audits_));
   share_ = spent > 0.5 ? std::pow(std::max(2 * (1 - spent), shortest_part), error_order_) : 1;
 }
 
 void EnergyBudget::archive(Archive& archive) {
-  archive(scale_);
+  archive(largest_);
   archive(share_);
+  archive(audits_);
   archive(steps_);
 }
 

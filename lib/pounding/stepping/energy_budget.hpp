@@ -14,8 +14,8 @@ class EnergyBudget {
   static constexpr double shortest_part = 0.1;
 
   /// `tolerance`: of the run. `error_order`: an error in one step falls with this power of its length. `least`: energy that errors
-  /// are compared with where there is less [J].
-  EnergyBudget(double tolerance, int error_order, double least) : tolerance_(tolerance), error_order_(error_order), scale_(least) {}
+  /// are compared with at first, when there is hardly any [J]. It counts less with every audit: the errors of many small vibrations add up.
+  EnergyBudget(double tolerance, int error_order, double least) : tolerance_(tolerance), error_order_(error_order), least_(least) {}
 
   /// A step was kept. Whether the energies are wanted now: seldom, since they cost a sum over all processes.
   bool is_due();
@@ -29,8 +29,10 @@ class EnergyBudget {
  private:
   double tolerance_;
   int error_order_;
-  double scale_;  // largest energy put in so far [J]
+  double least_;
+  double largest_ = 0;  // energy put in so far [J]
   double share_ = 1;
+  double audits_ = 0;
   int steps_ = 0;  // since the last audit
 };
 
