@@ -186,6 +186,10 @@ void run_task(const RunArguments& words, const Task& task) {
   std::fflush(stdout);
   const std::vector<std::string> warnings = implausible(model);
   if (ranks.is_root()) print_warnings(warnings);
+  const auto print_new_warnings = [&](const Outcome& ended) {
+    const std::span<const std::string> all = ended.summary.warnings;
+    if (ranks.is_root() && all.size() > warnings.size()) print_warnings(all.subspan(warnings.size()));
+  };
 
   const StopOnSignal signals;  // after PETSc, which takes and gives back signals of its own
   run_options.stop = [] { return StopOnSignal::stop != 0; };
@@ -194,6 +198,7 @@ void run_task(const RunArguments& words, const Task& task) {
     outcome = run(model, run_options);
   } catch (const FailedRun& failed) {
     if (terminal) clear_progress();
+    print_new_warnings(failed.outcome());
     if (words.json && ranks.is_root()) std::puts(to_json(failed.outcome().summary).c_str());
     if (!failed.outcome().resumable) throw;
     const std::string launcher = ranks.size() > 1 ? fmt::format("mpirun -n {} ", ranks.size()) : "";
@@ -215,7 +220,7 @@ void run_task(const RunArguments& words, const Task& task) {
   if (!ranks.is_root()) return;
   if (const auto unread = petsc::Environment::unread_options(); !unread.empty())
     std::fprintf(stderr, "pounding: nothing read the option %s; the results do not depend on it\n", unread.front().c_str());
-  print_warnings(std::span(outcome.summary.warnings).subspan(warnings.size()));
+  print_new_warnings(outcome);
   if (words.json)
     std::puts(to_json(outcome.summary).c_str());
   else if (!words.quiet)

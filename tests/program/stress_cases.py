@@ -317,6 +317,18 @@ def case_of(seed, number, only=None):
     return case | {"family": family.__name__}
 
 
+#: More impacts than this are no chance, where a rigid contact loses nothing.
+MANY_BOUNCES = 2000
+
+
+def bounces_of(case, touches):
+    """The case up to MANY_BOUNCES of its impacts, which began at these times; None where they are fewer, or all contacts are soft or lose energy."""
+    lossless = any(l["law"] == "stereomechanical" and l["restitution"] == 1 for l in case["links"])
+    if not lossless or len(touches) <= MANY_BOUNCES:
+        return None
+    return case | {"duration": float(sorted(touches)[MANY_BOUNCES])}
+
+
 def frame_text(s):
     """A frame as the program reads it."""
     hinges = "".join(f"        {group}: {words}\n" for group, words in s.get("hinges", {}).items())

@@ -76,6 +76,14 @@ class Run:
         return True
 
 
+def touches_in(path):
+    """When the impacts began that a results file holds [s]; none where there is no file."""
+    if not path.exists():
+        return np.zeros(0)
+    with h5py.File(path) as file:
+        return file["impacts"]["t_start"]
+
+
 def pressing_work(l, d, mass, speed):
     """Least work that presses a link from touch to the penetration d [J]; nothing that is known for bilinear_hertz."""
     if l["law"] == "bilinear_hertz":

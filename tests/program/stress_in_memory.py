@@ -8,7 +8,7 @@ from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 
 import h5py
-from stress_cases import input_file
+from stress_cases import bounces_of, input_file
 from stress_checks import Run
 
 #: So many cases are given to the processes at a time.
@@ -20,9 +20,10 @@ def package_run(package, case, folder, seconds):
     if package not in sys.path:
         sys.path.insert(0, package)
     import pounding
-    results, end = Path(folder) / "results.h5", time.monotonic() + seconds
+    results, end, touches = Path(folder) / "results.h5", time.monotonic() + seconds, []
 
-    def watch(*_):
+    def watch(now, _, impacts):
+        touches.extend([now] * (impacts - len(touches)))
         if time.monotonic() > end:
             raise TimeoutError(f"it took more than {seconds} s")
 
@@ -31,7 +32,8 @@ def package_run(package, case, folder, seconds):
             warnings.simplefilter("ignore")
             pounding.run(pounding.Model.from_yaml(input_file(case)), output=results, progress=watch)
     except Exception as error:
-        return None, f"{type(error).__name__}: {error}"
+        shorter = bounces_of(case, touches) if isinstance(error, TimeoutError) else None
+        return package_run(package, shorter, folder, seconds) if shorter else (None, f"{type(error).__name__}: {error}")
     with h5py.File(results) as file:
         summary = json.loads(file["summary"][()])
     return Run(case, results, summary), None

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/links/contact.hpp>
 #include <pounding/model/plausible.hpp>
 #include <pounding/structures/isolators.hpp>
 #include <pounding/results/summary.hpp>
@@ -35,6 +36,22 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
                                     model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4), moved.peak_time,
                                     format_quantity(capacity, dimension::length)));
     }
+  return texts;
+}
+
+/// Impacts of a rigid contact without loss, above which its bodies do not meet by chance any more.
+inline constexpr int many_bounces = 10'000;
+
+/// One line for each rigid contact without loss whose bodies are pressed on each other: they bounce ever faster and never rest.
+inline std::vector<std::string> endless_bounces(const Model& model, const Summary& summary) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < summary.links.size(); ++i) {
+    const Contact& contact = *model.links[i].contact;
+    if (contact.is_rigid() && contact.restitution() == 1 && summary.links[i].impacts > many_bounces)
+      texts.push_back(fmt::format("link {}: {} impacts; bodies that are pressed together bounce ever faster by restitution 1 and never rest, and a run "
+                                  "follows every bounce; type a restitution of 0.95 or a law with a stiffness if they shall rest",
+                                  summary.links[i].name, summary.links[i].impacts));
+  }
   return texts;
 }
 
