@@ -1,6 +1,7 @@
 #include <pounding/results/hdf5.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
@@ -68,6 +69,13 @@ hid_t checked(hid_t status, std::string_view action) {
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, append, &message);
   if (message.lacks_memory) throw NoMemory(message.text);
   throw std::runtime_error(message.text);
+}
+
+void require_room() {
+  constexpr std::size_t room = std::size_t{8} << 20;  // it takes up to 5 MB for the first file
+  void* volatile taken = std::malloc(room);  // volatile, or a compiler leaves both calls out
+  if (taken == nullptr) throw NoMemory("HDF5 finds no 8 MB to begin with");
+  std::free(taken);
 }
 
 std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write) {

@@ -24,10 +24,15 @@ class NoMemory : public std::runtime_error {
 /// Returns a status that reports success; otherwise throws `HDF5 could not ACTION: ...`, as NoMemory where that was the reason.
 hid_t checked(hid_t status, std::string_view action);
 
+/// Throws NoMemory unless HDF5 finds room for a small file. Version 1.10 ends the process where it gets no memory while it starts, since
+/// its own message needs what could not be made.
+void require_room();
+
 /// Silences HDF5's own printing while it lives; a host program's handler comes back afterwards.
 class Quiet {
  public:
   Quiet() {
+    require_room();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
