@@ -9,11 +9,13 @@
 
 #include <Eigen/LU>
 
+#include <pounding/hysteresis/bouc_wen.hpp>
 #include <pounding/laws/hertz.hpp>
 #include <pounding/links/gap_link.hpp>
 #include <pounding/links/rigid_gap_link.hpp>
 #include <pounding/stepping/link_solver.hpp>
 #include <pounding/structures/bilinear_spring.hpp>
+#include <pounding/structures/hysteretic_spring.hpp>
 
 namespace pounding {
 namespace link_solver_test {
@@ -195,6 +197,43 @@ TEST(LinkSolver, FollowsASpringThatYields) {
   const double c = few.weight * few.by_u * 0.8, expected = -0.9 * (1e6 * 5e-3 - 1e3) / (1 - 0.9 * 1e6 * c);
   EXPECT_NEAR(few.force[0], expected, 1e-12 * std::abs(expected));
   EXPECT_LT(expected, -0.9 * (1e6 * 5e-3 - 1e3)) << "beyond the answer to the free motion";
+}
+
+// A joint without mass, but for 1e-6 of the stiffness, with sharp and stiff hinges at the four members that meet in it. Their other ends turn so
+// far that all hinges yield at first: the joint is loose then and the first directions of Newton's method are far too long.
+TEST(LinkSolver, FindsTheTurnOfAJointWhoseHingesYieldTogether) {
+  constexpr int members = 4;
+  const double member = 6e6, hinge = 100 * member, turned = 0.02;
+  const double yield[members] = {5e4, 3e4, 6e4, 1.5e4};
+  Few few;
+  // The joint, then the ends of the members beyond their hinges.
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(1 + members, 1 + members), way = Eigen::MatrixXd::Zero(members, 1 + members);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(1 + members);
+  stiffness(0, 0) = 1e-6 * member;
+  for (int i = 0; i < members; ++i) {
+    few.springs.push_back(std::make_unique<HystereticSpring<hysteresis::BoucWen>>(
+        hysteresis::BoucWen{.initial_stiffness = hinge, .yield_force = yield[i], .exponent = 5}));
+    way(i, 0) = -1, way(i, 1 + i) = 1;  // penetration: how far the end runs ahead of the joint
+    stiffness(1 + i, 1 + i) = member;
+    load[1 + i] = (i % 2 == 0 ? 1 : -1) * member * turned * (1 + 0.1 * i);
+  }
+  stiffness += hinge * way.transpose() * way;
+  const Eigen::MatrixXd compliance = stiffness.inverse();
+  few.flexibility = way * compliance * way.transpose();
+  few.by_u = few.weight = 1;
+  few.by_v = 0;
+  const Eigen::VectorXd free = way * compliance * load;
+  for (int i = 0; i < members; ++i) few.free.push_back({free[i], 0});
+  ASSERT_TRUE(few.solve());
+  EXPECT_LT(few.solver->iterations(), 200);
+  double sum = 0;
+  for (int i = 0; i < members; ++i) {
+    const double d = few.motion(i).penetration, moment = hinge * d + few.force[i];
+    EXPECT_NEAR(few.springs[static_cast<std::size_t>(i)]->evaluate({d, 0}).force, few.force[i], 1e-10 * hinge * std::abs(d)) << i;
+    EXPECT_LE(std::abs(moment), yield[i]) << i;
+    sum += moment;
+  }
+  EXPECT_NEAR(sum, 0, 1e-2 * yield[3]);
 }
 
 // Sixty springs of two structures, most of which yield, beside three contacts that join them: as by Newton's method on all equations at once,

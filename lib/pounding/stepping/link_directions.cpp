@@ -2,6 +2,9 @@
 
 #include <pounding/stepping/link_solver.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pounding {
 
 // Springs alone, none of which is stiffer than its linear stiffness or has a dashpot.
@@ -59,6 +62,33 @@ bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
     if (by_penetration_[k] < 0) ++soft;
   }
   return soft >= SoftSprings::least_by_structure && soft_springs_.solve_beside(links, others_, slopes_, slopes_of_springs_, residual_, direction_);
+}
+
+// A step along Newton's direction to where a potential of the forces is small, for residuals that no step makes smaller: parts that yield
+// all around a joint without mass let its rotation go, and the first directions are a thousand times too long. The force of each link depends
+// on its own component of H F alone and H is symmetric, so the residuals are the slopes of a potential, -r H dF along dF. It is convex
+// while the tangent of the step is positive definite: then steps that bring this slope down go to the one solution.
+bool LinkSolver::descend(const CondensedLinks& links, Eigen::VectorXd& f) {
+  const auto held = [this](int link) { return links_.is_held(link); };
+  if (plain_ != f.size() || std::any_of(links.active.begin(), links.active.end(), held)) return false;
+  Eigen::VectorXd relief = links.by_u * links.weight * (links.flexibility * direction_);
+  if (links.relief) relief += *links.relief * direction_;
+  residual(links, f, false);
+  const double steepest = residual_.dot(relief);
+  if (!(steepest > 0)) return false;
+  double low = 0, high = 1, length = 1;
+  for (int attempt = 0; attempt < 60; ++attempt) {
+    trial_ = f + length * direction_;
+    residual(links, trial_, false);
+    const double slope = residual_.dot(relief);
+    if (std::abs(slope) <= 0.5 * steepest || (length == 1 && slope > 0)) {
+      f = trial_;
+      return true;
+    }
+    (slope > 0 ? low : high) = length;
+    length = low == 0 ? 0.1 * high : 0.5 * (low + high);
+  }
+  return false;
 }
 
 }  // namespace pounding

@@ -227,11 +227,13 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const auto held = std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
   const bool many = count >= many_links && held == 0 && plain_ == count && !links.relief;
   trial_.resize(count);
+  bool descends = false;
   for (int iteration = 0; iteration < 500; ++iteration) {
     const double size = residual(links, f, true);
     if (!std::isfinite(size)) return false;
     if (size <= solved * terms_) return true;
     const double here = terms_;
+    const auto rounded = [&] { return size <= std::max(100 * solved * here, rounding(links, f)); };
     if (is_symmetric(links)) {
       if (!soft_springs_.solve(links, by_penetration_, residual_, direction_)) break;
     } else if (!(many && find_direction_by_cholesky(links))) {
@@ -241,6 +243,7 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
       else if (!eliminates_springs(links))
         direction_ = slopes_.partialPivLu().solve(residual_);
     }
+    if (descends && !rounded() && descend(links, f)) continue;
     double length = 1;
     bool better = false;
     for (int halving = 0; halving < 8 && !better; ++halving, length /= 2) {
@@ -249,9 +252,9 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
     }
     if (better)
       f = trial_;
-    else if (size <= std::max(100 * solved * here, rounding(links, f)))  // Newton's method cannot do better
+    else if (rounded())  // Newton's method cannot do better
       return true;
-    else if (!sweep(links, f))
+    else if (!(descends = descend(links, f)) && !sweep(links, f))
       return false;
   }
   failed_ = links.active.front();

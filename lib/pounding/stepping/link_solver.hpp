@@ -36,8 +36,8 @@ class LinkSolver {
   /// `links` must outlive it.
   explicit LinkSolver(const LinkSet& links) : links_(links) {}
 
-  /// Newton's method with exact slopes, else Gauss-Seidel with bracketed scalar solves. `force` is a guess and becomes the
-  /// solution, one entry an active link. False if neither converges.
+  /// Newton's method with exact slopes, its steps shortened by the residuals, else by their potential, else Gauss-Seidel with bracketed
+  /// scalar solves. `force` is a guess and becomes the solution, one entry an active link. False if none converges.
   bool solve(const CondensedLinks& links, Eigen::VectorXd& force);
   /// The link that the last failed solve gave up at; -1 if it could not tell.
   int failed_link() const { return failed_; }
@@ -59,6 +59,7 @@ class LinkSolver {
   void find_slopes(const CondensedLinks& links);
   bool find_direction_by_cholesky(const CondensedLinks& links);
   bool eliminates_springs(const CondensedLinks& links);
+  bool descend(const CondensedLinks& links, Eigen::VectorXd& force);
   bool sweep(const CondensedLinks& links, Eigen::VectorXd& force);
   void find_sliders(const CondensedLinks& links);
   FrictionForce slide(const CondensedLinks& links, const Slider& slider, const Eigen::VectorXd& relief) const;
