@@ -1,6 +1,6 @@
 // One oscillator and two buildings that yield, each by every law of storeys, in the El Centro earthquake of 1940. The expected numbers are
 // those of an integration that shares nothing with this project: DOP853, restarted at every yield, reversal and corner of the record, of
-// which two runs at tolerances a factor of 1000 apart agree to 4e-13.
+// which two runs at tolerances a factor of 1000 apart agree to 4e-13. Its record has all digits of the file.
 
 #include <gtest/gtest.h>
 
@@ -26,16 +26,16 @@ struct Reference {
 
 // 100 t, 0.5 s, 5 %, Fy = 0.15 of the weight, hardening 5 %, 20 s.
 constexpr Reference oscillators[] = {
-    {"bilinear", "{bilinear: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.03933689890606048, 0.005268460616346447, 170803.93295812717,
-     35591.86683346568},
-    {"menegotto_pinto_last", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %, memory: last}}", 0.04510508518682582,
-     -0.010518929599883675, 173602.98743811224, 39848.41650990926},
-    {"menegotto_pinto_nested", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.04510508518682582, -0.009722541,
-     173602.98743811212, 40411.83},
-    {"bouc_wen", "{bouc_wen: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.04122026897315989, -0.0008607508838337776, 172289.35335134878,
-     37787.1598587707},
-    {"peak_oriented", "{peak_oriented: {yield_force: 147.09975 kN, hardening: 5 %, unloading: 0.5}}", 0.0534207129893571,
-     -0.014368604272135446, 181924.0668223632, 33935.64072390259}};
+    {"bilinear", "{bilinear: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.039336894620876826, 0.005268460952999228,
+     170803.92957468182, 35591.86555043505},
+    {"menegotto_pinto_last", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %, memory: last}}", 0.04510508191537333, -0.01051893123004718,
+     173602.98442011524, 39848.41529500954},
+    {"menegotto_pinto_nested", "{menegotto_pinto: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.04510508191537333, -0.009722542738977963,
+     173602.98442011524, 40411.823973877865},
+    {"bouc_wen", "{bouc_wen: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.04122026776735808, -0.000860753723693609,
+     172289.35239834466, 37787.15816431574},
+    {"peak_oriented", "{peak_oriented: {yield_force: 147.09975 kN, hardening: 5 %, unloading: 0.5}}", 0.053420710206074175, -0.014368605280688946,
+     181924.0646247712, 33935.64059374857}};
 
 Outcome run_oscillator(const Reference& r, const std::string& analysis) {
   return test::run_text(fmt::format(
@@ -75,7 +75,7 @@ TEST_P(YieldingOscillator, AgreesWithAnIndependentIntegratorInElCentro) {
 }
 
 TEST_P(YieldingOscillator, KeepsTheTolerance) {
-  for (const char* tolerance : {"1e-3", "1e-4", "1e-5", "1e-6"})
+  for (const char* tolerance : {"1e-3", "1e-4", "1e-5", "1e-6", "1e-7"})
     EXPECT_LT(errors_of(GetParam(), run_oscillator(GetParam(), fmt::format("tolerance: {}", tolerance))).largest(), std::stod(tolerance))
         << "at " << tolerance;
 }
