@@ -84,5 +84,23 @@ TEST(ThePairsUnderElCentro, StayWithin1e4AtTheToleranceOfStudies) {
   }
 }
 
+// A soft contact of a slow touch follows a hard one: the error of a step over a corner of the law at the first one is grown there.
+TEST(APairByABilinearLaw, EndsItsStepsAtTheCornersOfTheLaw) {
+  const double m1 = 1e5, m2 = 123462.97597150864, phase = 1.3011273583397269;
+  std::vector<double> ground;
+  for (int i = 0; i <= 500; ++i) {
+    const double t = 0.02 * i;
+    ground.push_back(std::sin(0.3 * t) * (2.5 * std::sin(4.3 * t + phase) + 2 * std::sin(9.1 * t + 2 * phase) + std::sin(23 * t)));
+  }
+  const LinearModel model = pair_of({m1, 0.24363892698584638, 0.05}, {m2, 1.5847036784798028, 0.05}, 0.0045830694749564435,
+                                    laws::BilinearHertz{.stiffness = 2213484641.2072268, .restitution = 0.64741009669378402,
+                                                        .reduced_mass = m1 * m2 / (m1 + m2)});
+  const Peaks found = run(model, {.accelerations = ground, .step = 0.02}, {.tolerance = 1e-7});
+  // SciPy's DOP853 at 1e-13 with every change of branch located: 15 impacts. Steps over corners made the penetration 0.0397.
+  EXPECT_EQ(found.links[0].impacts, 15);
+  EXPECT_NEAR(found.links[0].peak_force, 3651615.055, 1e-5 * 3651615.055);
+  EXPECT_NEAR(found.links[0].peak_penetration, 0.04001006503, 2e-4 * 0.04001006503);
+}
+
 }  // namespace ensemble_test
 }  // namespace pounding::study

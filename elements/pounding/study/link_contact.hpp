@@ -15,7 +15,7 @@
 namespace pounding::study {
 
 /// An event that ends the present phase of a link.
-enum class LinkEvent { none, touch, turn, release, engage, separation };
+enum class LinkEvent { none, touch, turn, corner, release, engage, separation };
 
 /// The p for which a law's force is smooth in (t - touch)^(1/p): 1, 2 or 4, from the exponents of its spring and of its dashpot at the touch, which are
 /// measured on the law itself. 4 serves exponents that are no multiples of a quarter as well as can be.
@@ -43,6 +43,10 @@ bool turn_matters(const Law& law, const laws::Impact& impact) {
   return law.contact(d, rate, impact).by_rate != law.contact(d, -rate, impact).by_rate;
 }
 
+/// True for a law whose slopes jump inside an impact: the error of a step that passes over a jump can be overlooked, so steps end there.
+template <class Law>
+inline constexpr bool has_corner = requires(const Law& law, const laws::Impact& impact) { law.corner(0.0, 0.0, impact); };
+
 template <class Law>
 class LinkContact {
  public:
@@ -69,6 +73,11 @@ class LinkContact {
     return pounding::signed_force(law(), penetration, rate, state_.impact);
   }
 
+  /// Positive as long as the bodies stay on their side of the law's corner.
+  double before_corner(double penetration, double rate) const noexcept {
+    if constexpr (has_corner<Law>) return side_ * law().corner(penetration, rate, state_.impact);
+    return std::numeric_limits<double>::infinity();
+  }
   /// Positive while the present phase lasts, negative behind its end by this event; infinite for an event that cannot end it. A touch is looked
   /// for elsewhere.
   double margin(LinkEvent event, double penetration, double rate) const noexcept {
@@ -79,6 +88,7 @@ class LinkContact {
       case LinkEvent::turn: return !located_turn_ || slack ? never : state_.phase == ContactPhase::approach ? rate : -rate;
       case LinkEvent::release: return laws::may_pull<Law> || slack ? never : signed_force(penetration, rate);
       case LinkEvent::engage: return slack ? -signed_force(penetration, rate) : never;
+      case LinkEvent::corner: return slack ? never : before_corner(penetration, rate);
       case LinkEvent::touch:
       case LinkEvent::none: break;
     }
@@ -88,7 +98,8 @@ class LinkContact {
   /// True where no margin is negative, asked first: most steps end so. `force` is that of the state [N].
   bool goes_on(double penetration, double rate, double force) const noexcept {
     if (!pressed() || !(penetration > at_least_a_trace(0, state_.impact))) return false;
-    return (laws::may_pull<Law> || force > 0) && !(located_turn_ && (state_.phase == ContactPhase::approach) != (rate >= 0));
+    return (laws::may_pull<Law> || force > 0) && !(located_turn_ && (state_.phase == ContactPhase::approach) != (rate >= 0)) &&
+           !(before_corner(penetration, rate) < 0);
   }
 
   /// A state inside the contact was kept.
@@ -108,6 +119,24 @@ class LinkContact {
 
   /// An event at a kept state, with the rate [m/s] and the penetration [m] there.
   void apply(LinkEvent event, double penetration, double rate) {
+    change(event, penetration, rate);
+    if constexpr (has_corner<Law>)
+      if (pressed()) side_ = event == LinkEvent::corner ? -side_ : side_of_corner(penetration, rate);
+  }
+
+  /// The history is over in this state: what the contact can still give back is not lost.
+  void finish(double penetration) noexcept {
+    if (pressed()) peaks_.energy_lost -= laws::stored_energy(law(), penetration, state_.impact);
+  }
+
+ private:
+  // The law of the present impact.
+  const Law& law() const noexcept {
+    if constexpr (has_curve<Law>) return curve_;
+    return law_;
+  }
+
+  void change(LinkEvent event, double penetration, double rate) {
     switch (event) {
       case LinkEvent::touch:
         state_.begin(law_, rate);
@@ -129,20 +158,15 @@ class LinkContact {
         return;
       case LinkEvent::engage: state_.phase = rate > 0 ? ContactPhase::approach : ContactPhase::restitution; return;
       case LinkEvent::separation: state_.end(law(), 0); return;
+      case LinkEvent::corner:
       case LinkEvent::none: return;
     }
   }
 
-  /// The history is over in this state: what the contact can still give back is not lost.
-  void finish(double penetration) noexcept {
-    if (pressed()) peaks_.energy_lost -= laws::stored_energy(law(), penetration, state_.impact);
-  }
-
- private:
-  // The law of the present impact.
-  const Law& law() const noexcept {
-    if constexpr (has_curve<Law>) return curve_;
-    return law_;
+  // The sign of the law's corner() a little further on the way on which the bodies are.
+  double side_of_corner(double penetration, double rate) const noexcept {
+    const double step = penetration > 0 ? 1e-9 * penetration : 1e-12;
+    return law().corner(penetration + (state_.phase == ContactPhase::approach ? step : -step), rate, state_.impact) < 0 ? -1 : 1;
   }
 
   Law law_, curve_ = law_;
@@ -150,6 +174,7 @@ class LinkContact {
   LinkPeaks peaks_;
   int root_ = 0;
   bool located_turn_ = false;
+  double side_ = 1;  // the sign of the law's corner() where the bodies are now
 };
 
 }  // namespace pounding::study

@@ -42,6 +42,11 @@ Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m)
     case LinkEvent::touch:
     case LinkEvent::separation: return {m.d, m.rate};
     case LinkEvent::turn: return {m.rate, m.acceleration};
+    case LinkEvent::corner: {
+      constexpr double later = 1e-9;  // [s]
+      const double value = link.before_corner(m.d, m.rate);
+      return {value, (link.before_corner(m.d + later * m.rate, m.rate + later * m.acceleration) - value) / later};
+    }
     default: {
       const laws::Response f = link.uncut(m.d, m.rate);
       return {f.force, f.by_penetration * m.rate + f.by_rate * m.acceleration};
@@ -71,7 +76,7 @@ double flat_part(double at_begin, double at_end, double s, const Slope& slope) n
 /// and meet again within a step.
 template <class Law, class Path>
 double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, const LinkMoment& e, double h, const Path& path) noexcept {
-  if (event == LinkEvent::turn || std::isinf(link.margin(event, e.d, e.rate))) return 2;
+  if (event == LinkEvent::turn || event == LinkEvent::corner || std::isinf(link.margin(event, e.d, e.rate))) return 2;
   const double sign = event == LinkEvent::engage ? -1 : 1;
   const Graph first = way_to(link, event, b), last = way_to(link, event, e);
   if (!may_dip(sign * first.value, -sign * first.slope, sign * last.value, -sign * last.slope, h)) return 2;
@@ -127,7 +132,7 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
 /// The first event of a step from `begin` to `end`; none where the phases of all links last.
 template <class Law, int M, int L, class Step>
 Found first_event(const std::vector<LinkContact<Law>>& links, const Step& step, const Moment<M, L>& begin, const Moment<M, L>& end) noexcept {
-  static constexpr LinkEvent endings[] = {LinkEvent::turn, LinkEvent::release, LinkEvent::engage, LinkEvent::separation};
+  static constexpr LinkEvent endings[] = {LinkEvent::turn, LinkEvent::corner, LinkEvent::release, LinkEvent::engage, LinkEvent::separation};
   const double h = end.time - begin.time;
   Found first;
   for (std::size_t l = 0; l < links.size(); ++l) {
