@@ -163,6 +163,19 @@ TEST(ReducedGroups, LeaveTheSystemToFactorsWhereALargeOneIsNotReduced) {
             std::string::npos);
 }
 
+// Blocks without end, as light damping asks for them: 600 modes a structure cost less than factors.
+TEST(ReducedGroups, AreAllModesWhereAnAutomaticBasisWouldBeTooLarge) {
+  const Pair pair(30, 9);
+  const Reduction automatic{.kind = Kind::automatic};
+  petsc::ReductionPlan plan = pair.plan(automatic, automatic);
+  plan.deeper = 200;
+  const auto made = reduced_groups(pair.system, plan);
+  ASSERT_TRUE(made);
+  EXPECT_FALSE(made->at(0));
+  EXPECT_FALSE(made->at(1));
+  EXPECT_NE(petsc::make_solver(pair.system, SolverKind::automatic, plan, PETSC_COMM_SELF)->description().find("all 1200 modes"), std::string::npos);
+}
+
 TEST(ReducedGroups, RefuseNumbersThatMakeTheBasisTooLarge) {
   const Pair pair(30, 9);
   const Reduction deep{.kind = Kind::blocks, .links = 100, .ground = 20};

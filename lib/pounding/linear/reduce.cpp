@@ -155,10 +155,9 @@ std::optional<ReducedGroups> reduced_groups(const System& system, const Reductio
                                      plan.names[k], dynamic));
       continue;
     }
-    if (how.kind != Kind::none && !(how.kind == Kind::automatic && small)) {
-      if ((made[k] = reduce(system, group, how, plan.names[k], plan, dynamic))) continue;
-    }
-    if (!small) return std::nullopt;
+    if (how.kind != Kind::none && !(how.kind == Kind::automatic && small)) made[k] = reduce(system, group, how, plan.names[k], plan, dynamic);
+    const int most_modes = how.kind == Kind::automatic ? most_modes_instead : small_structure;
+    if (!made[k] && dynamic > most_modes) return std::nullopt;
   }
   return made;
 }

@@ -29,8 +29,11 @@ using ReducedGroups = std::vector<std::optional<ReducedGroup>>;
 /// Unknowns with mass of a structure up to which all its modes are taken where they are asked for.
 inline constexpr int most_natural_modes = 5000;
 
-/// The modes of the groups; nothing where the system is to be solved by sparse factors: a large group is not to be reduced, or its basis
-/// would be larger than half of its unknowns with mass, and no numbers were given. Every process makes all of them, with the same bits.
+/// The same where `auto` cannot reduce it: in space a step by all modes costs less than one by factors up to there, and their set-up is some seconds.
+inline constexpr int most_modes_instead = 2500;
+
+/// The modes of the groups; nothing where the system is to be solved by sparse factors: a large group is not to be reduced, or is automatic and
+/// its basis would be larger than half of its unknowns with mass, more than most_modes_instead. Every process makes all of them, with the same bits.
 ///
 /// The shadow of a group is made of all but the last block of the links that brought new directions, and all but the last five of the ground. One block
 /// of the links has none, and lowest modes have none.
