@@ -99,7 +99,9 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
   const auto largest = [&] { return links * (depth.links + 1) + grounds * depth.ground + static_cast<int>(inputs.starts.cols()); };
   while (how.kind == Kind::automatic && depth.links > least_start + plan.deeper && 2 * largest() > dynamic) --depth.links;
   const int most = largest();
-  if (2 * most > dynamic) {
+  // A run again with a third of all modes costs more than one with all of them, which needs no further one.
+  const bool again = how.kind == Kind::automatic && plan.deeper > 0 && dynamic <= most_modes_instead;
+  if ((again ? 3 : 2) * most > dynamic) {
     if (!how.is_explicit() || dynamic <= small_structure) return std::nullopt;
     throw InputError(fmt::format("reduction {} of \"{}\" would have up to {} coordinates for {} unknowns with mass, more than "
                                  "half of them; take fewer blocks or leave it whole",

@@ -33,7 +33,8 @@ inline constexpr int most_natural_modes = 5000;
 inline constexpr int most_modes_instead = 2500;
 
 /// The modes of the groups; nothing where the system is to be solved by sparse factors: a large group is not to be reduced, or is automatic and
-/// its basis would be larger than half of its unknowns with mass, more than most_modes_instead. Every process makes all of them, with the same bits.
+/// its basis would be larger than half of its unknowns with mass, more than most_modes_instead. Up to these a run that is made again goes over to all
+/// modes where its basis would be larger than a third of them. Every process makes all of them, with the same bits.
 ///
 /// The shadow of a group is made of all but the last block of the links that brought new directions, and all but the last five of the ground. One block
 /// of the links has none, and lowest modes have none.

@@ -86,10 +86,8 @@ bool must_be_deeper(const petsc::ReductionPlan& plan, const std::vector<ReducedS
 std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan, const std::vector<ReducedStructure>& reduced) {
   std::vector<std::string> warnings;
   if (plan.asked && reduced.empty() && plan.deeper > 0)
-    warnings.push_back(fmt::format("the links need more blocks than the {} that were tried, so many that all modes were taken instead, or factors where a "
-                                   "structure has more than 2,500 unknowns with mass: high modes that are little damped ring up to the frequency of the "
-                                   "contacts",
-                                   plan.deeper));
+    warnings.emplace_back("the links need so many blocks that all modes were taken instead, or factors where a structure has more than 2,500 unknowns with "
+                          "mass: high modes that are little damped ring up to the frequency of the contacts");
   else if (plan.asked && reduced.empty())
     warnings.emplace_back("no structure is reduced: those of up to 500 unknowns with mass keep all their modes, as do those of up to 2,500 whose links are too "
                           "many; a larger one, or one that cannot be reduced, leaves all of them to factors");
