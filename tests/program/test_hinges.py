@@ -144,6 +144,49 @@ class Hinges(ProgramTest):
                 with self.subTest(law=law, name=name):
                     np.testing.assert_allclose(two[name], one[name], rtol=1e-9, atol=1e-9 * np.abs(one[name]).max())
 
+    def test_of_wrong_words_are_refused_with_what_to_type(self):
+        """Each with where it stands; exit code 2 of `check` and of `run`, and no results."""
+        def refused(model, *messages):
+            self.write(model)
+            for verb in ("check", "run"):
+                done = self.pounding(verb, "model.yaml")
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertRegex(done.stderr, r"model\.yaml:\d+:\d+: ")
+                for message in messages:
+                    self.assertIn(message, done.stderr)
+            self.assertEqual(list(self.folder.glob("*.h5")), [])
+
+        def with_hinges(words, dimension=2, bays="1"):
+            return single(dimension, f"      hinges: {{beams: {words}}}\n", bays)
+
+        refused(with_hinges("{at: both, yield_moment: 0 kN m}"), 'hinges.beams.yield_moment: takes an energy or moment > 0 such as "12 kN m"')
+        refused(with_hinges("{at: both, yield_moment: 180 kN m, hardening: 100 %}"), 'hinges.beams.hardening: takes a number in [0, 1) such as "5 %"')
+        refused(with_hinges("{at: both, yield_moment: 180 kN m, hardening: -1 %}"), "hinges.beams.hardening: takes a number in [0, 1)")
+        refused(with_hinges("{at: both, yield_moment: 180 kN m}", 3, "[1, 1]"),
+                "the axis is missing, and a member in space bends about two; type axis: y, axis: z or axis: both")
+        refused(with_hinges("{at: both, bouc_wen: {yield_moment: 180 kN m, gamma_share: 0.6}}"),
+                "hinges.beams: member beam x 1.0: the hinge at its start: gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy")
+        refused(with_hinges("{at: both, yield_moment: 180 kN m, gamma_share: 0.5}"), 'hinges.beams: unknown key "gamma_share". Allowed: ')
+        refused(with_hinges("{at: both, bilinear: {yield_moment: 180 kN m, gamma_share: 0.5}}"),
+                'hinges.beams.bilinear: unknown key "gamma_share". Allowed: yield_moment, stiffness, stiffness_factor, hardening.')
+        released = "      members: {beam x 1.0: {releases: {end: [ry]}}}\n"
+        refused(with_hinges("{at: both, yield_moment: 180 kN m}").replace("      hinges", released + "      hinges"),
+                "ry is released there, so no moment reaches it; leave out the release or the hinge")
+        # 98 kN m at the foot of the bracket under gravity.
+        refused(SHAKE + """structures:
+  left:
+    frame:
+      material: {E: 30 GPa}
+      nodes: {a: [0, 0], b: [1 m, 0]}
+      members: {arm: {between: [a, b], section: {rectangle: [0.4, 0.4]}}}
+      supports: {a: fixed}
+      masses: {b: 10 t}
+      floors: [{nodes: [b]}]
+      gravity: true
+      hinges: {arm: {at: start, yield_moment: 90 kN m}}
+    damping: 5 %
+""" + ANALYSIS % "1e-4", "under gravity and loads alone, its moment is -98.07 kN m, and it yields at -90 kN m; give it a yield moment above that")
+
     def test_go_on_to_the_bit(self):
         for law, steps in zip(LAWS, (97, 211, 164, 283, 342)):
             whole, path = self.results(pair(LAWS[law]))

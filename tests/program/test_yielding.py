@@ -192,6 +192,22 @@ class Yielding(ProgramTest):
         with h5py.File(path) as file:
             self.assertNotIn("springs", file["structures/left"])
 
+    def test_isolators_beyond_their_capacity_are_told(self):
+        building = lambda capacity: f"""ground_motion: {{harmonic: {{amplitude: 5.0, period: 0.6, duration: 3.0}}}}
+structures:
+  a: {{shear_building: {{storeys: 2, mass: 200 t, stiffness: 300 MN/m, isolator: {{friction_pendulum: {{radius: 2 m, friction: 6 %}}, capacity: {capacity}}}}}, damping: 2 %}}
+analysis: {{duration: 3 s}}
+"""
+        self.write(building("1 mm"))
+        done = self.pounding("run", "model.yaml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout + done.stderr, r"structure a, isolators: .* s, beyond the capacity of 1 mm; what happens there is not in the model")
+        self.write(building("2 m"))
+        done = self.pounding("run", "model.yaml")
+        self.assertEqual((done.returncode, "beyond the capacity" in done.stdout + done.stderr), (0, False))
+        self.write(building("0 mm"))
+        self.refused(2, "isolator.capacity: takes a length > 0", "check", "model.yaml")
+
     def test_resume_to_the_bit(self):
         whole, path = self.results(PAIR)
         self.write(PAIR)
