@@ -48,7 +48,7 @@ class ContactMotion {
 
   /// Fills in what follows from q, v and the time.
   void complete(const Links& links, const Ground& ground, Moment<M, L>& m) const noexcept {
-    m.ground = ground(m.time), m.slope = ground.slope;
+    m.ground = ground(m.time), m.slope = ground.slope_at(m.time);
     pull(m.q, m.v, m.ground, m.a);
     for (std::size_t l = 0; l < s_.links(); ++l) {
       LinkMoment& link = m.links[l];

@@ -48,7 +48,8 @@ class ContactRun {
     apply({LinkEvent::touch, link, 0}, ground);
   }
 
-  /// Steps from x until all links are open again or the interval is over. Returns the time of the interval, and the state then in x.
+  /// Steps from x until all links are open again or the interval is over. A step may end in the next interval of the same length where the ground goes on
+  /// there. Returns the time of the interval, and the state then in x.
   double press(const Ground& ground, ModalState<M>& x, double t, double length) {
     Moment<M, L>& m = *begin_;
     m.q = x.q, m.v = x.v, m.time = t;
@@ -104,13 +105,14 @@ class ContactRun {
       ds_ *= clock_.at(reading_).speed;
       clock_ = Clock(), reading_ = begin_->time;
     }
-    const double to_end = clock_.reading(length) - reading_;
+    // No step is longer than an interval.
+    const double last = is_linear<Law> || ground.corner > length ? length : begin_->time + length, to_end = clock_.reading(last) - reading_;
     step_.begin(links_, ground, *begin_, settings_.tolerance);
     if constexpr (is_linear<Law>) ds_ = step_.longest();
     for (;;) {
       const bool ends = ds_ >= to_end * (1 - 1e-12);
       const double ds = ends ? to_end : ds_;
-      const double end_time = ends ? length : clock_.at(reading_ + ds).time;
+      const double end_time = ends ? last : clock_.at(reading_ + ds).time;
       if (!(end_time > begin_->time)) fail("steps in contact become too short");
       if (++tries_ > settings_.most_steps) fail("there are too many steps in contact");
       const double square = take(ground, ds, end_time);
@@ -118,7 +120,9 @@ class ContactRun {
         ds_ = ds * (square < 1e24 ? std::max(0.2, growth(square)) : 0.2);
         continue;
       }
-      const double wanted = ds * std::min(5.0, growth(std::max(square, 1e-12))) * clock_.shortening(reading_, ds);
+      // The force grows steeper on the way to its release: steps that grow fast are refused there.
+      const double most = clock_.p() == 1 && square > 1e-6 ? 1.2 : 5.0;
+      const double wanted = ds * std::min(most, growth(std::max(square, 1e-12))) * clock_.shortening(reading_, ds);
       const Found found = first_event(links_, step_, *begin_, *end_);
       if (found.event == LinkEvent::none) {
         // A step that the interval has cut says little about the next.
@@ -172,7 +176,7 @@ class ContactRun {
       }
       if (b.rate > 0 && e.rate < 0) {
         const auto way = path();
-        link.record_depth(way.at(way.turn(false)).x);
+        link.record_depth(way.at(turn_on(way, b.rate, e.rate)).x);
       }
       link.keep(e.d, e.rate, e.force.force);
       speed_ = std::max(speed_, std::abs(e.rate));

@@ -33,22 +33,27 @@ class ContactStep : public ContactMotion<Law, M, L> {
   /// for, with `time_scale` [s] between displacements and velocities [kg m^2/s^2].
   double take(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s, double ds, double end_time,
               double time_scale, Moment<M, L>& end) noexcept {
-    speeds_[0] = ds * clock.at(s).speed;
+    double times[6];
+    read(clock, s, ds, times);
+    const bool bent = end_time > ground.corner;
     keep(stages_[0], speeds_[0], begin.v, begin.a);
     for (std::size_t l = 0; l < s_.links(); ++l)
       stages_[0].force[l] = begin.links[l].force.force, stages_[0].rate[l] = begin.links[l].rate;
     const auto stage = [&]<int I>(std::integral_constant<int, I>) {
-      const Clock::Tick tick = clock.at(s + c[I] * ds);
       move<I>(begin, end.q, end.v);
-      evaluate(links, ground(tick.time), stages_[I], end);
-      speeds_[I] = ds * tick.speed;
+      if (bent) bend(ground.bend, ground.beyond(times[I]), end);
+      evaluate(links, ground.line(times[I]), stages_[I], end);
       keep(stages_[I], speeds_[I], end.v, end.a);
+      if (bent) unbend(speeds_[I] * bent_rate(ground.bend, ground.beyond(times[I])), stages_[I].q);
     };
     [&]<int... I>(std::integer_sequence<int, I...>) { (stage(std::integral_constant<int, I + 1>{}), ...); }(std::make_integer_sequence<int, 5>{});
     move<6>(begin, end.q, end.v);
+    if (bent) bend(ground.bend, ground.beyond(end_time), end);
     end.time = end_time;
     Base::complete(links, ground, end);
-    return error(end, 1 / (time_scale * time_scale));
+    Modes<M> v = end.v, a = end.a;
+    if (bent) unbend(bent_rate(ground.bend, ground.beyond(end_time)), v), unbend(ground.bend * ground.beyond(end_time), a);
+    return error(v, a, 1 / (time_scale * time_scale));
   }
 
   /// The motion of a link in the last step.
@@ -91,6 +96,28 @@ class ContactStep : public ContactMotion<Law, M, L> {
                                      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
   static constexpr double e[] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
+  // Behind a corner of the ground's acceleration the stages go without the motion that its bend alone gives bodies that nothing holds: what is left
+  // is smooth there.
+  static double bent_rate(double bend, double beyond) noexcept { return 0.5 * bend * beyond * beyond; }
+  void bend(double bend, double beyond, Moment<M, L>& x) const noexcept {
+    const double rate = bent_rate(bend, beyond), way = rate * beyond * (1.0 / 3);
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) x.q.part(i) -= way * s_.p.part(i), x.v.part(i) -= rate * s_.p.part(i);
+  }
+
+  void unbend(double part, Modes<M>& x) const noexcept {
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) x.part(i) += part * s_.p.part(i);
+  }
+
+  // Times of the stages, and their speeds times the length of the step.
+  void read(const Clock& clock, double s, double ds, double (&times)[6]) noexcept {
+    for (int i = 0; i < 6; ++i)
+      if (clock.p() == 1) {
+        times[i] = s + c[i] * ds, speeds_[i] = ds;
+      } else {
+        const Clock::Tick tick = clock.at(s + c[i] * ds);
+        times[i] = tick.time, speeds_[i] = ds * tick.speed;
+      }
+  }
   void keep(Stage& stage, double speed, const Modes<M>& v, const Modes<M>& acceleration) const noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i) {
       stage.q.part(i) = speed * v.part(i);
@@ -118,15 +145,15 @@ class ContactStep : public ContactMotion<Law, M, L> {
         continue;
       }
       stage.rate[l] = s_.closes(l, x.v);
-      stage.force[l] = links[l].force(s_.closes(l, x.q) - links[l].gap(), stage.rate[l]).force;
+      stage.force[l] = links[l].uncut(s_.closes(l, x.q) - links[l].gap(), stage.rate[l]).force;
       Base::push(l, stage.force[l], x.a);
     }
   }
 
-  double error(const Moment<M, L>& end, double of_displacement) const noexcept {
+  double error(const Modes<M>& v, const Modes<M>& acceleration, double of_displacement) const noexcept {
     double squares_q = 0, squares_v = 0;
     for (std::size_t i = 0; i < s_.k.parts(); ++i) {
-      auto of_q = e[6] * speeds_[5] * end.v.part(i), of_v = e[6] * speeds_[5] * end.a.part(i);
+      auto of_q = e[6] * speeds_[5] * v.part(i), of_v = e[6] * speeds_[5] * acceleration.part(i);
 #pragma GCC unroll 6
       for (int k = 0; k < 6; ++k)
         if (e[k] != 0) of_q += e[k] * stages_[k].q.part(i), of_v += e[k] * stages_[k].v.part(i);

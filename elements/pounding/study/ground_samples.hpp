@@ -31,9 +31,15 @@ class GroundSamples {
   /// Just after it: the record jumps to zero at its end.
   double after(long n) const noexcept { return n < last_ ? before(n) : 0; }
   /// In interval n.
-  Ground in(long n) const noexcept { return {after(n), (before(n + 1) - after(n)) / step_}; }
+  Ground in(long n) const noexcept { return {.at = after(n), .slope = slope(n)}; }
+  /// In interval n and the next one; in n alone where the record jumps between them.
+  Ground in_both(long n) const noexcept {
+    if (n + 1 == last_) return in(n);
+    return {.at = after(n), .slope = slope(n), .corner = step_, .bend = slope(n + 1) - slope(n)};
+  }
 
  private:
+  double slope(long n) const noexcept { return (before(n + 1) - after(n)) / step_; }
   static double fastest(const LinearModel& model) {
     double rate = 0;
     for (std::size_t j = 0; j < model.stiffness.size(); ++j) rate = std::max({rate, std::sqrt(model.stiffness[j]), model.damping[j]});

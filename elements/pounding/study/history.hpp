@@ -44,9 +44,10 @@ class History {
     const double rest = std::min(h, whole - h * static_cast<double>(intervals - 1));
     const long full = rest == h ? intervals : intervals - 1;
     outputs_.start(x_, ground_.in(0));
+    double t = 0;
     for (long n = 0; n < intervals; ++n) {
-      if (!contact_.closed() && n < full) n = glide(n, full);
-      if (n < intervals) go(n, n < full ? h : rest);
+      if (t == 0 && !contact_.closed() && n < full) n = glide(n, full);
+      if (n < intervals) t = go(n, t, n < full ? h : rest, n + 1 < full);
     }
     outputs_.finish(x_);
     Peaks peaks{.outputs = outputs_.peaks(), .links = {}, .steps = contact_.steps()};
@@ -96,25 +97,29 @@ class History {
     contact_.saw(fastest);
     return n;
   }
-  // As glide() with all numbers in registers, where nothing but displacements of modes is looked at.
+  // As glide() with all numbers in registers, where nothing but displacements of modes is looked at. One question is asked of each state, with the same
+  // answer for nearly all of them: whether a link could close or a peak be passed within an interval at its present rates.
   long glide_pair(long n, long end) noexcept {
     const double h = flight_.length(), per_h = 1 / h, gap = links_[0].gap();
     const auto closing_by = s_.closing[0].part(0);
-    auto q = x_.q.part(0), v = x_.v.part(0);
+    auto q = x_.q.part(0), v = x_.v.part(0), at_peak = outputs_.peaks_of_modes().part(0);
     Closing now = closing(0, x_);
     double fastest = std::abs(now.rate), a0 = ground_.after(n);
+    bool was_calm = false;
     for (; n < end; ++n) {
       const double a1 = ground_.before(n + 1);
       const auto next = flight_.end(0, q, v, a0, a1);
       const Closing later{gap - sum(closing_by * next.q), sum(closing_by * next.v)};
-      if (now.may_close_before(later, h)) break;
-      fastest = std::max(fastest, std::abs(later.rate));
-      if (!(smallest(v * next.v) > 0)) {
+      const double rate = std::abs(later.rate);
+      const bool calm = (smallest(at_peak - magnitude(next.q) - (0.5 * h) * magnitude(next.v)) >= 0) & (later.gap > h * rate);
+      if (!(calm & was_calm)) {
+        if (now.may_close_before(later, h)) break;
         x_.q.part(0) = q, x_.v.part(0) = v, next_.q.part(0) = next.q, next_.v.part(0) = next.v;
-        if (!outputs_.goes_on(x_, next_)) outputs_.flown(x_, next_, {a0, (a1 - a0) * per_h}, h);
+        if (!outputs_.goes_on(x_, next_)) outputs_.flown(x_, next_, {a0, (a1 - a0) * per_h}, h), at_peak = outputs_.peaks_of_modes().part(0);
       }
+      fastest = std::max(fastest, rate);
       q = next.q, v = next.v;
-      now = later;
+      now = later, was_calm = calm;
       a0 = ground_.after(n + 1);
     }
     x_.q.part(0) = q, x_.v.part(0) = v;
@@ -122,13 +127,13 @@ class History {
     return n;
   }
 
-  // An interval, or what the history still has of it, with its contacts.
-  void go(long n, double length) {
-    const Ground ground = ground_.in(n);
+  // From a time t of an interval to its end, with its contacts, `length` long; a step in contact may end in the next one where `goes_on`. Returns the time there.
+  double go(long n, double t, double length, bool goes_on) {
+    const Ground ground = goes_on ? ground_.in_both(n) : ground_.in(n);
     contact_.begin_interval(flight_.length() * static_cast<double>(n));
-    double t = 0;
     while (t < length) t = contact_.closed() ? contact_.press(ground, x_, t, length) : fly(ground, t, length);
-    if (!contact_.closed()) outputs_.resume(x_, {ground(length), ground.slope});
+    if (t == length && !contact_.closed()) outputs_.resume(x_, {ground(length), ground.slope});
+    return t - length;
   }
 
   // Without contact until the next touch or the end.

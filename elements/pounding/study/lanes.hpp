@@ -70,6 +70,9 @@ struct Pack<4> {
 
 inline double sum(const Pack<2>& x) noexcept { return x.v[0] + x.v[1]; }
 inline double sum(const Pack<4>& x) noexcept { return sum(x.low + x.high); }
+/// Absolute values.
+inline Pack<2> magnitude(const Pack<2>& x) noexcept { return {x.v < 0 ? -x.v : x.v}; }
+inline Pack<4> magnitude(const Pack<4>& x) noexcept { return {magnitude(x.low), magnitude(x.high)}; }
 inline double smallest(const Pack<2>& x) noexcept { return std::min(x.v[0], x.v[1]); }
 inline double smallest(const Pack<4>& x) noexcept { return std::min(smallest(x.low), smallest(x.high)); }
 

@@ -1,7 +1,9 @@
 #pragma once
 /// The structures as the kernel holds them, and their motion.
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include <pounding/study/lanes.hpp>
 #include <pounding/study/linear_model.hpp>
@@ -31,10 +33,17 @@ struct Structures {
   Numbers<L, Modes<M>> closing;     ///< B
 };
 
-/// Straight acceleration of the ground in one interval: at + slope t.
+/// Acceleration of the ground from the beginning of an interval: a straight line, for contacts also the one that follows it.
 struct Ground {
   double at = 0, slope = 0;
-  double operator()(double t) const noexcept { return at + slope * t; }
+  double corner = std::numeric_limits<double>::infinity();  ///< where the second line begins
+  double bend = 0;                                          ///< by how much its slope is larger
+
+  double line(double t) const noexcept { return at + slope * t; }
+  /// How far a time lies behind the corner, or 0.
+  double beyond(double t) const noexcept { return std::max(t - corner, 0.0); }
+  double operator()(double t) const noexcept { return line(t) + bend * beyond(t); }
+  double slope_at(double t) const noexcept { return t > corner ? slope + bend : slope; }
 };
 
 /// Modal displacements and velocities.

@@ -16,7 +16,7 @@ namespace pounding::study {
 template <int M, int L>
 class OutputPeaks {
  public:
-  OutputPeaks(const LinearModel& model, const Structures<M, L>& structures) : s_(structures), beyond_(structures.count) {
+  OutputPeaks(const LinearModel& model, const Structures<M, L>& structures) : s_(structures), beyond_(structures.count), at_peak_(structures.count) {
     for (const Output& output : model.outputs) {
       (output.kind == Output::Kind::acceleration ? accelerations_ : displacements_).emplace_back(output, structures);
       of_oscillators_ = of_oscillators_ && (output.kind == Output::Kind::acceleration || displacements_.back().is_one_mode());
@@ -33,7 +33,7 @@ class OutputPeaks {
     rates_.resize((displacements_.size() + 3) / 4);
     later_.resize(rates_.size());
     for (std::size_t i = 0; i < rates_.size(); ++i) {
-      Block block{.first = structures.modes(), .last = 0, .start = columns_.size(), .empty = {}};
+      Block block{.first = structures.modes(), .last = 0, .start = columns_.size(), .empty = {}, .lowest = 0, .known = -1, .turns = false};
       const std::size_t rows = std::min<std::size_t>(4, displacements_.size() - 4 * i);
       for (std::size_t k = 0; k < rows; ++k) {
         block.first = std::min(block.first, displacements_[4 * i + k].first());
@@ -50,6 +50,9 @@ class OutputPeaks {
 
   /// Whether only displacements of single modes are asked for: nothing has to be looked at as long as no velocity of a mode changes its sign.
   bool are_of_modes() const noexcept { return of_oscillators_ && accelerations_.empty(); }
+
+  /// Displacements of the modes at which one of those that are asked for is at its peak, where are_of_modes().
+  const Modes<M>& peaks_of_modes() const noexcept { return at_peak_; }
 
   /// The history begins.
   void start(const ModalState<M>& x, const Ground& ground) noexcept {
@@ -70,12 +73,11 @@ class OutputPeaks {
   /// Whether nothing has to be looked at on the way from the last state to `end`, at most an interval later: asked once for each of them.
   [[gnu::always_inline]] bool goes_on(const ModalState<M>& begin, const ModalState<M>& end) noexcept {
     if (of_oscillators_) {
-      calm_ = !modes_turn(begin.v, end.v) || stays_low(doubled_energy(begin), doubled_energy(end));
+      calm_ = !modes_turn(begin.v, end.v) || stays_low(std::max(doubled_energy(begin), doubled_energy(end)), lowest_);
     } else {
-      const double before = std::exchange(energy_, doubled_energy(end));
-      const bool low = stays_low(before, energy_);
-      calm_ = low || !rates_turn(begin.v, end.v);
-      later_is_last_ = !low;
+      const double before = std::exchange(energy_, doubled_energy(end)), energy = std::max(before, energy_);
+      ++states_;
+      calm_ = stays_low(energy, lowest_) || !rates_turn(begin.v, end.v, energy);
     }
     return calm_ && accelerations_.empty();
   }
@@ -107,10 +109,11 @@ class OutputPeaks {
  private:
   using Row = OutputRow<M, L>;
 
-  // Whether no displacement can get beyond its peak where it turns between two states: y = r^T q with r^T q + h/2 |r^T v| below the peak at both, see
+  // Whether no displacement, of those with this least doubled energy at their peaks, can get beyond one where it turns between two states with at most an
+  // `energy`: y = r^T q with r^T q + h/2 |r^T v| below the peak at both, see
   // OutputRow::reaches(). Cauchy and Schwarz: (|r^T q| + h/2 |r^T v|)^2 <= sum r^2/k sum k (|q| + h/2 |v|)^2 <= sum r^2/k (1 + (omega h)^2/4) sum (k q^2 + v^2),
   // and omega h is 1 at most.
-  bool stays_low(double before, double after) const noexcept { return 1.25 * std::max(before, after) < lowest_; }
+  static bool stays_low(double energy, double lowest) noexcept { return 1.25 * energy < lowest; }
   double doubled_energy(const ModalState<M>& x) const noexcept {
     auto all = s_.k.part(0) * x.q.part(0) * x.q.part(0) + x.v.part(0) * x.v.part(0);
     for (std::size_t i = 1; i < s_.k.parts(); ++i) all += s_.k.part(i) * x.q.part(i) * x.q.part(i) + x.v.part(i) * x.v.part(i);
@@ -119,8 +122,17 @@ class OutputPeaks {
   // The smallest doubled energy at which a displacement may be at its peak.
   void find_lowest() noexcept {
     lowest_ = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < displacements_.size(); ++i)
-      if (const double peak = displacements_[i].peak(); std::isfinite(energies_[i])) lowest_ = std::min(lowest_, peak * peak * energies_[i]);
+    for (Block& block : blocks_) block.lowest = lowest_;
+    for (std::size_t i = 0; i < displacements_.size(); ++i) {
+      if (!std::isfinite(energies_[i])) continue;
+      const double peak = displacements_[i].peak(), energy = peak * peak * energies_[i];
+      lowest_ = std::min(lowest_, energy);
+      if (!blocks_.empty()) blocks_[i / 4].lowest = std::min(blocks_[i / 4].lowest, energy);
+    }
+    if (!are_of_modes()) return;
+    for (std::size_t j = 0; j < at_peak_.parts() * Modes<M>::width; ++j) at_peak_[j] = std::numeric_limits<double>::infinity();
+    // Rounding here is not that of the rows.
+    for (const Row& row : displacements_) at_peak_[row.first()] = std::min(at_peak_[row.first()], (1 - 1e-12) * row.peak() / std::abs(row.factor(row.first())));
   }
 
   // Whether the velocity of a mode changes its sign.
@@ -129,15 +141,19 @@ class OutputPeaks {
     for (std::size_t i = 1; i < v.parts(); ++i) least = std::min(least, smallest(v.part(i) * later.part(i) + beyond_.part(i)));
     return !(least > 0);
   }
-  // Whether the rate of a displacement does.
-  [[gnu::noinline]] bool rates_turn(const Modes<M>& v, const Modes<M>& later) noexcept {
-    if (later_is_last_)
-      std::swap(rates_, later_);
-    else
-      find_rates(v, rates_);
-    find_rates(later, later_);
+  // Whether the rate of a displacement does that may be at its peak.
+  [[gnu::noinline]] bool rates_turn(const Modes<M>& v, const Modes<M>& later, double energy) noexcept {
     bool any = false;
-    for (std::size_t i = 0; i < blocks_.size(); ++i) any |= !(smallest(rates_[i] * later_[i] + blocks_[i].empty) > 0);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      Block& block = blocks_[i];
+      block.turns = false;
+      if (stays_low(energy, block.lowest)) continue;
+      rates_[i] = block.known == states_ - 1 ? later_[i] : rates(block, v);
+      later_[i] = rates(block, later);
+      block.known = states_;
+      block.turns = !(smallest(rates_[i] * later_[i] + block.empty) > 0);
+      any |= block.turns;
+    }
     return any;
   }
   // Calls see(row, rate at the second state) where a displacement turns beyond its peak. A turn at the second state itself is seen here.
@@ -145,6 +161,10 @@ class OutputPeaks {
   void for_turning(const State& begin, const State& end, double h, const See& see) noexcept {
     if (calm_) return;
     for (std::size_t i = 0; i < displacements_.size(); ++i) {
+      if (!of_oscillators_ && i % 4 == 0 && !blocks_[i / 4].turns) {
+        i += 3;
+        continue;
+      }
       Row& row = displacements_[i];
       const double before = of_oscillators_ ? row.displacement(begin.v) : rates_[i / 4].at(i % 4);
       const double after = of_oscillators_ ? row.displacement(end.v) : later_[i / 4].at(i % 4);
@@ -155,32 +175,33 @@ class OutputPeaks {
     }
     find_lowest();
   }
-  void find_rates(const Modes<M>& v, std::vector<Pack<4>>& rates) const noexcept {
-    Pack<4>* rate = rates.data();
-    for (const Block& block : blocks_) {
-      Pack<4> all;
-      const Pack<4>* column = columns_.data() + block.start;
-      for (std::size_t j = block.first; j < block.last; ++j) all += v[j] * *column++;
-      *rate++ = all;
-    }
-  }
 
   // Four displacements, the modes that they have, and 1 in places without one.
   struct Block {
     std::size_t first, last, start;
     Pack<4> empty;
+    double lowest;  // the smallest doubled energy at which one of them may be at its peak
+    long known;     // the state up to which their rates are known
+    bool turns;     // whether a rate changes its sign on the way to it
   };
+  Pack<4> rates(const Block& block, const Modes<M>& v) const noexcept {
+    Pack<4> all;
+    const Pack<4>* column = columns_.data() + block.start;
+    for (std::size_t j = block.first; j < block.last; ++j) all += v[j] * *column++;
+    return all;
+  }
 
   const Structures<M, L>& s_;
   std::vector<Row> displacements_, accelerations_;
   std::vector<bool> order_;      // whether an output is an acceleration
   bool of_oscillators_ = true;   // every displacement is that of one mode
   Modes<M> beyond_;              // 1 in places without a mode
+  Modes<M> at_peak_;
   std::vector<Block> blocks_;
   std::vector<Pack<4>> columns_, rates_, later_;  // rates of the displacements by modes, and in two states
   std::vector<double> energies_;  // the least doubled energy at a displacement of one
   double lowest_ = 0, energy_ = 0;  // the latter of the last state
-  bool later_is_last_ = false;   // later_ are the rates of the last state
+  long states_ = 0;              // looked at so far
   bool calm_ = false;            // no displacement is at a peak between the last two states
 };
 

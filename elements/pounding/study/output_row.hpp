@@ -52,9 +52,9 @@ class OutputRow {
   /// Sees the turn of a displacement between two states in contact.
   template <class State>
   void turn(const State& begin, const State& end, double h) noexcept {
-    const double later = displacement(end.v);
-    const Quintic x({displacement(begin.q), displacement(begin.v), displacement(begin.a)}, {displacement(end.q), later, displacement(end.a)}, h);
-    see(x.at(x.turn(later > 0)).x);
+    const double rate = displacement(begin.v), later = displacement(end.v);
+    const Quintic x({displacement(begin.q), rate, displacement(begin.a)}, {displacement(end.q), later, displacement(end.a)}, h);
+    see(x.at(turn_on(x, rate, later)).x);
   }
   /// Sees the turn between a state and another one, reached without contact after a time h, where the rate is `later`.
   void locate(const Structures<M, L>& s, const ModalState<M>& begin, const Ground& g, double h, double later) noexcept {

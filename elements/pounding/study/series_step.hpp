@@ -25,7 +25,6 @@ class SeriesPath {
  public:
   SeriesPath(const Polynomial& d, double h) noexcept : d_(d), h_(h) {}
   Jet at(double s) const noexcept { return d_.at(s * h_); }
-  double turn(bool) const noexcept { return turn_of(d_, d_.c[1], h_, d_.at(h_).v) / h_; }
 
  private:
   const Polynomial& d_;

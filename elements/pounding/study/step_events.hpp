@@ -26,10 +26,10 @@ double touch_inside(const LinkMoment& b, const LinkMoment& e, double h, const Pa
   const auto way = path();
   double low = 0, high = 1;
   if (e.d < 0) {
-    high = way.turn(false);
+    high = turn_on(way, b.rate, e.rate);
     if (way.at(high).x < 0) return 2;
   } else if (b.rate < 0 && e.rate > 0) {
-    low = way.turn(true);
+    low = turn_on(way, b.rate, e.rate);
   }
   if (way.at(low).x >= 0) return low;
   return bracketed_root([&](double s) { return Graph{way.at(s).x, way.at(s).v * h}; }, low, high, true);
@@ -54,24 +54,6 @@ Graph way_to(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& m)
   }
 }
 
-/// Part of the step where a quantity is flat, from its slopes of opposite signs at both ends and a first guess, to a ten-thousandth: its error is the
-/// square of that. `slope(s)` is asked for at every guess.
-template <class Slope>
-double flat_part(double at_begin, double at_end, double s, const Slope& slope) noexcept {
-  double low = 0, high = 1, at_low = at_begin, at_high = at_end;
-  for (int i = 0; i < 8; ++i) {
-    const double at = slope(s);
-    if ((at > 0) == (at_begin > 0))
-      low = s, at_low = at;
-    else
-      high = s, at_high = at;
-    const double next = straight_root(low, at_low, high, at_high);
-    if (std::abs(next - s) < 1e-4) return s;
-    s = next;
-  }
-  return s;
-}
-
 /// Part of the step at which a closed link is farthest beyond an event whose margin is positive at both ends; 2 where it stays before it. Bodies may part
 /// and meet again within a step.
 template <class Law, class Path>
@@ -87,7 +69,7 @@ double dip(const LinkContact<Law>& link, LinkEvent event, const LinkMoment& b, c
     return f.by_penetration * jet.v + f.by_rate * jet.a;
   };
   const double bottom = event == LinkEvent::separation
-                            ? way.turn(true)
+                            ? turn_on(way, b.rate, e.rate)
                             : flat_part(first.slope, last.slope, top_of_cubic(first.value, h * first.slope, last.value, h * last.slope), slope);
   const Jet jet = way.at(bottom);
   return link.margin(event, jet.x, jet.v) < 0 ? bottom : 2;
@@ -103,7 +85,7 @@ double crossing(const LinkContact<Law>& link, LinkEvent event, const LinkMoment&
   };
   double low = 0, at_low = link.margin(event, b.d, b.rate), high = later, at_high = margin(later);
   // Bodies that have just touched close first, however slowly.
-  if (event == LinkEvent::separation && b.rate > 0 && e.rate < 0) low = way.turn(false), at_low = margin(low);
+  if (event == LinkEvent::separation && b.rate > 0 && e.rate < 0) low = turn_on(way, b.rate, e.rate), at_low = margin(low);
   // A margin that grows from zero, or from what rounding makes of it, is positive a little later.
   const double trace = 1e-12 * std::abs(at_high);
   for (double s = 0.5 * later; !(at_low > trace) && s > 1e-3 * later; s *= 0.5)

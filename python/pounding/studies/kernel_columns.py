@@ -11,7 +11,7 @@ from pounding.errors import InputError
 from pounding.studies.quantities import OF_GAPS, OF_LINKS, OF_STRUCTURES, SUMS
 
 #: Error of a step of the kernel, as a part of the tolerance of the model: the errors of many impacts add up.
-PART_OF_TOLERANCE, LARGEST, SMALLEST = 0.1, 1e-5, 1e-12
+PART_OF_TOLERANCE, LARGEST, SMALLEST = 0.2, 2e-5, 1e-12
 #: Quantities of links by their names in the columns of the kernel.
 OF_KERNEL = {"force": "peak_force", "penetration": "peak_penetration", **{word: word for word in OF_LINKS if word not in ("force", "penetration")}}
 
