@@ -36,7 +36,7 @@ constexpr Case cases[] = {
      3.0},  // where z changes its sign the slope has a kink, which nothing locates
     {"peak_oriented", "{peak_oriented: {yield_force: 147.09975 kN, hardening: 5 %}}", 0.011872721192803607}};
 
-// Where steps end: also at the corners and turns of the force, or nowhere but at their own ends.
+// Steps end also at the corners and turns of the force, or nowhere but at their own ends.
 enum class Ends { at_corners, alone };
 
 double error_after(const Case& c, const Scheme& scheme, int steps, Ends ends = Ends::at_corners) {
@@ -102,7 +102,7 @@ TEST(OverCorners, TheSchemesHaveTheErrorsOfAPrototype) {
       book.near(fmt::format("{}: generalized-alpha, error over the peak [-]", of.name), error, of.second[i], 0.05 * of.second[i]);
       book.below(fmt::format("{}: ESDIRK4, error over the peak [-]", of.name), error_after(c, fourth, steps), 2 * of.fourth[i]);
     }
-    // What it costs to step over the corners.
+    // Steps over the corners cost the order.
     EXPECT_GT(error_after(c, fourth, 2400, Ends::alone), 1e3 * error_after(c, fourth, 2400)) << of.name;
   }
   // The prototype has this error where it ends steps at turns and not at yields: a kept step follows the turns inside it.

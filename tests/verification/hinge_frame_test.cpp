@@ -56,7 +56,7 @@ TEST(HingeFrame, AgreesWithAnIndependentIntegrator) {
   book.below("imbalance of the energies [-]", std::abs(run.imbalance()), 1e-7);
 }
 
-// The same frame from its input. The damping goes by the mass alone, for which the input has no word.
+// This frame from its input. The damping goes by the mass alone, for which the input has no word.
 TEST(HingeFrame, OfTheInputAgreesWithAnIndependentIntegrator) {
   test::Book book("the same frame, from its input", "independent integration by DOP853 of the condensed equations with located corners",
                   "1e-6 of the peak at tolerance 1e-7; an imbalance of the energies below the tolerance");

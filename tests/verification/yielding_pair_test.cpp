@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(Model, YieldingPair, testing::ValuesIn(pairs), [](const
   return name;
 });
 
-// The same pair by the other laws. The independent run has all digits of the record; runs at rtol 1e-11 and 1e-12 agree to 7e-9 in displacements and
+// This pair by the other laws. The independent run has all digits of the record; runs at rtol 1e-11 and 1e-12 agree to 7e-9 in displacements and
 // to 3.3e-7 in the forces of links, whose peaks it reads between samples.
 struct LawOfPair {
   const char *name, *spring;  // FORCES stands for the yield forces of a building

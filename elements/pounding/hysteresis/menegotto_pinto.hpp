@@ -63,8 +63,9 @@ struct MenegottoPinto {
       Parameter<MenegottoPinto>{{"cR2", "", "excursion over dy that takes away half of it, c2", 0.15, Need::optional},
                                 &MenegottoPinto::rounding_range}};
   static constexpr std::array<std::string_view, 2> memories{"nested", "last"};
-  // Functions, since Clang 14 knows no member of the law in a lambda here.
+  /// Takes choice number i of `memories`. A function, since Clang 14 knows no member of the law in a lambda here.
   static void choose_memory(MenegottoPinto& law, std::size_t i) { law.memory = static_cast<Memory>(i); }
+  /// Number of the present choice.
   static std::size_t chosen_memory(const MenegottoPinto& law) { return static_cast<std::size_t>(law.memory); }
   static constexpr std::array choices{Choice<MenegottoPinto>{
       {"memory", "what a turn leaves of the branches before: all that may go on, or nothing (Steel02)", memories},

@@ -78,7 +78,7 @@ class ModalSolver final : public StructureSolver {
     bool few() const { return reduced || shapes.cols() > small_structure; }
     // The displacements of its unknowns, [columns of x, unknown of the system], from its modes in x.
     void displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const;
-    // Those of one column, [unknown of the group], where the modes are not few().
+    // Displacements of one column, [unknown of the group], where the modes are not few().
     void displace_one(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> u) const;
   };
   // Outputs of one group: values[rows[i]] += factors.row(i) * modes from `first` on.

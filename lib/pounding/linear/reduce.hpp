@@ -29,7 +29,8 @@ using ReducedGroups = std::vector<std::optional<ReducedGroup>>;
 /// Unknowns with mass of a structure up to which all its modes are taken where they are asked for.
 inline constexpr int most_natural_modes = 5000;
 
-/// The same where `auto` cannot reduce it: in space a step by all modes costs less than one by factors up to there, and their set-up is some seconds.
+/// Unknowns with mass up to which `auto` takes all modes of a structure that it cannot reduce: in space a step by these costs less than one by
+/// factors, and their set-up is some seconds.
 inline constexpr int most_modes_instead = 2500;
 
 /// The modes of the groups; nothing where the system is to be solved by sparse factors: a large group is not to be reduced, or is automatic and
