@@ -127,6 +127,27 @@ BOUNCING = {
 }
 
 
+class Located(unittest.TestCase):
+    """Instants that were missed by the length of the step in which they lie."""
+
+    def impacts_of(self, name, link):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([PROGRAM, "run", Path(__file__).parent / "found" / name, "-q", "-o", Path(folder) / "out.h5"],
+                                  capture_output=True, text=True, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with h5py.File(Path(folder) / "out.h5") as file:
+                rows = file["impacts"][()]
+        return rows[rows["link"] == link]
+
+    def test_is_a_spring_that_presses_again_before_the_separation(self):
+        self.assertAlmostEqual(self.impacts_of("presses_again.yaml", b"b2-b3")[0]["restitution"], 0.05, delta=1e-4)
+
+    def test_is_a_touch_just_behind_the_start(self):
+        rows = self.impacts_of("touch_at_the_start.yaml", b"b1-b2")
+        self.assertGreater(np.min(rows["t_end"] - rows["t_start"]), 1e-6)
+        self.assertAlmostEqual(rows[0]["t_start"] / (3.676074854011164e-09 / (2 * 0.4628824804193815)), 1, delta=1e-12)
+
+
 class BouncesWithoutEnd(unittest.TestCase):
     """A rigid contact without loss between bodies that are pressed together."""
 

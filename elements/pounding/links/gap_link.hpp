@@ -78,7 +78,9 @@ class GapLink final : public Contact {
     const double d = at_least_a_trace(motion.penetration, state_.impact);
     const laws::Response r = law_.contact(d, motion.rate, state_.impact);
     const double all = sum_of_terms(r, d, motion.rate);
-    return all > 0 ? (std::abs(r.by_penetration) * rounding.penetration + std::abs(r.by_rate) * rounding.rate) / all : 0;
+    // Beyond the separation the sign is that of the limit there, however small the trace is beside the round-off.
+    const double uncertain = motion.penetration < -rounding.penetration ? 0 : rounding.penetration;
+    return all > 0 ? (std::abs(r.by_penetration) * uncertain + std::abs(r.by_rate) * rounding.rate) / all : 0;
   }
 
   void accept(const LinkStep& step) override {

@@ -158,7 +158,8 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
     if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
     if (!try_step(guess, std::nullopt)) return false;
     const double value = functions.value(bracket.id, trial.end);
-    if (std::abs(value) <= zero || high - low <= 1e-16 * longest) return true;
+    // An instant long before the end of the trial is found as sharply as its own time can be said.
+    if (std::abs(value) <= zero || high - low <= std::min(1e-16 * longest, 4e-16 * high)) return true;
     // The end that stays twice in a row is given a smaller value, so that the next guess moves towards it.
     const auto reduction = [](double m) { return m > 0 ? m : 0.5; };
     if (value < 0) {
