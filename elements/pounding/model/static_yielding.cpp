@@ -36,7 +36,10 @@ StaticYielding::StaticYielding(const Structure& s, const Eigen::VectorXd& load, 
   held_ = by_parts.transpose() * control;
   flexibility_ = columns.transpose() * by_parts - by_displacement_ * held_.transpose();
   if (s.yielding_flexibility.size() > 0) flexibility_ += s.yielding_flexibility;
-  if (follow.size() == 0) return;
+  if (follow.size() == 0) {
+    followed_by_parts_.resize(0, at_rest_.size());
+    return;
+  }
   followed_by_load_ = follow * loaded;
   followed_by_parts_ = follow * by_parts;
 }
