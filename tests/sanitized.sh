@@ -20,11 +20,16 @@ fi
 cmake --build "$build" --parallel "$jobs" --target "${targets[@]}"
 
 ctest --test-dir "$build" --output-on-failure --no-tests=error --parallel "$jobs" --tests-regex "$corpus"
+# Plug-ins of MPI stay loaded, or leaks have no names that leaks.supp could know.
+stay=$build/libraries_stay.so
+echo 'int dlclose(void* library) { (void)library; return 0; }' | cc -shared -fPIC -x c - -o "$stay"
+export ASAN_OPTIONS=$ASAN_OPTIONS:verify_asan_link_order=0
+
 failed=()
 for program in "$build"/tests/*/test_*; do
   [ -f "$program" ] && [ -x "$program" ] || continue
   echo "== ${program##*/}"
-  "$program" --gtest_brief=1 || failed+=("${program##*/}")
+  LD_PRELOAD=$stay "$program" --gtest_brief=1 || failed+=("${program##*/}")
 done
 if [ ${#failed[@]} -gt 0 ]; then
   echo "failed: ${failed[*]}"
