@@ -150,6 +150,25 @@ TEST(GapLink, GoesSlackWhereItsForceWouldPullAndOpensAtZeroPenetration) {
   EXPECT_EQ(link.impacts()[0].t_end, 3);
 }
 
+// Behind the release the spring of adams_impact presses again at 0.23 mm. A long step ends beyond the separation, where a trace of the
+// penetration tells the sign: that this trace is smaller than the round-off of bodies that moved by metres must not hide it.
+TEST(GapLink, SeesBeyondTheSeparationThatItsForceCameBack) {
+  GapLink<laws::AdamsImpact> link({.stiffness = 4.98847907e11, .depth = 1.1035778e-3, .damping_coefficient = 9.1e7, .reduced_mass = 8182}, 0);
+  link.on_event(0, 0, {0, 3.545});
+  LinkStep pressed;
+  pressed.begin = 0, pressed.end = 5e-4;
+  pressed.motion_begin = {0, 3.545};
+  pressed.motion_middle = pressed.motion_end = {8.1e-4, 0};
+  link.accept(pressed);
+  link.on_event(0, 5e-4, {8.1e-4, 0});
+  link.on_event(1, 1e-3, {7.4e-4, -0.148});
+  ASSERT_EQ(link.phase(), ContactPhase::slack);
+  const LinkMotion slack{7e-4, -0.148}, pressing{1e-4, -0.148}, beyond{-1.5e-4, -0.148}, rounding{5e-12, 5e-12};
+  EXPECT_GT(link.event_functions(slack, 0)[1], link.force_event_noise(slack, rounding));
+  for (const LinkMotion& motion : {pressing, beyond})
+    EXPECT_LT(link.event_functions(motion, 0)[1], -1e3 * link.force_event_noise(motion, rounding)) << motion.penetration;
+}
+
 TEST(GapLink, ReengagesFromSlackWhenItsForceComesBack) {
   GapLink<MyLaw> closing = reversed(), opening = reversed();
   closing.on_event(1, 2, {0.04, -2});
