@@ -92,6 +92,56 @@ TEST(Pushover, FollowsTheFloors) {
   }
 }
 
+class PushoverWithDevices : public testing::Test {
+ protected:
+  // Two storeys of 100 MN/m; what stands in the first one, and its devices.
+  static Pushover pushed(const std::string& storeys, const std::string& devices, const std::string& cyclic = "") {
+    const Model model = read_model(Input::read_text("structures:\n  a: {shear_building: {storeys: 2, mass: 100 t, height: 3 m, " + storeys + devices +
+                                                        "}, damping: 5 %}\nground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}\n"
+                                                        "analysis: {duration: 1}\n", "towers.yaml"));
+    PushoverWords words{.structure = "a", .to = "100 mm"};
+    words.cyclic = cyclic;
+    return pushover(model, words);
+  }
+  static void expect_same_curve(const Pushover& found, const Pushover& expected) {
+    ASSERT_EQ(found.path.points.size(), expected.path.points.size());
+    for (std::size_t i = 0; i < expected.path.points.size(); ++i) {
+      EXPECT_NEAR(found.path.points[i].displacement, expected.path.points[i].displacement, 1e-12) << i;
+      EXPECT_NEAR(found.path.points[i].factor, expected.path.points[i].factor, 1e-6) << i;
+    }
+  }
+};
+
+// A storey of 100 MN/m and a brace of 50 MN/m that yields at 500 kN and 10 mm are one storey of 150 MN/m that yields there and goes on with 101 MN/m.
+TEST_F(PushoverWithDevices, ABraceIsASpringBesideItsStorey) {
+  const std::string brace = ", devices: {brace: {storey: 1, bilinear: {stiffness: 50 MN/m, yield_force: 500 kN, hardening: 2 %}}}";
+  for (const std::string cyclic : {"", "40 mm, -60 mm"}) {
+    const Pushover found = pushed("stiffness: 100 MN/m, yield_force: [1 GN, 1.2 MN], hardening: 10 %", brace, cyclic);
+    const Pushover expected = pushed("stiffness: [150 MN/m, 100 MN/m], yield_force: [1.5 MN, 1.2 MN], hardening: [0.6733333333333333, 0.1]", "", cyclic);
+    expect_same_curve(found, expected);
+    ASSERT_EQ(found.parts.back().name, "brace");
+    EXPECT_NEAR(found.ductility(2), expected.ductility(0), 1e-9);
+    EXPECT_NEAR(found.parts.back().stiffness, 50e6, 1e-6);
+    const int last = static_cast<int>(found.path.points.size()) - 1;
+    EXPECT_NEAR(found.force(last, 0) + found.force(last, 2), expected.force(last, 0), 1e-5);
+    EXPECT_NEAR(found.plastic_deformation(2), found.path.points.back().deformations[2] - found.force(last, 2) / 50e6, 1e-12);
+  }
+}
+
+TEST_F(PushoverWithDevices, ABarIsStiffnessAndADamperIsNothing) {
+  const std::string storeys = "yield_force: [2 MN, 1.2 MN], hardening: 10 %, stiffness: ";
+  const Pushover bare = pushed(storeys + "100 MN/m", "");
+  for (const char* damper : {"coefficient: 200e3", "coefficient: 200e3, exponent: 0.35", "coefficient: 200e3, exponent: 0.35, stiffness: 40 MN/m"})
+    for (const std::string cyclic : {"", "40 mm, -60 mm"})
+      expect_same_curve(pushed(storeys + "100 MN/m", std::string(", devices: {d: {storey: 1, damper: {") + damper + "}}}", cyclic),
+                        pushed(storeys + "100 MN/m", "", cyclic));
+  // A bar beside the storey, which yields at 20 mm as before, has 30 MN/m more before and behind.
+  const Pushover found = pushed(storeys + "100 MN/m", ", devices: {bar: {storey: 1, bar: {stiffness: 30 MN/m}}}");
+  expect_same_curve(found, pushed("yield_force: [2.6 MN, 1.2 MN], stiffness: [130 MN/m, 100 MN/m], hardening: [0.3076923076923077, 0.1]", ""));
+  EXPECT_EQ(found.plastic_deformation(2), 0);
+  EXPECT_NEAR(found.force(static_cast<int>(found.path.points.size()) - 1, 2), 30e6 * found.path.points.back().deformations[2], 1e-6);
+}
+
 TEST(Pushover, IsOneObjectOfJson) {
   const Pushover found = pushover(building(0), {.targets = {0.3}});
   const auto all = nlohmann::json::parse(pushover_json(found));

@@ -106,7 +106,7 @@ class Pusher {
 
   VectorXd stiffnesses() const {
     VectorXd k(statics_.parts());
-    for (Eigen::Index j = 0; j < k.size(); ++j) k[j] = std::max(springs_[j].stiffness(), std::numeric_limits<double>::min());
+    for (Eigen::Index j = 0; j < k.size(); ++j) k[j] = std::max(springs_.stiffness(j), std::numeric_limits<double>::min());
     return k;
   }
 
@@ -197,14 +197,14 @@ class Pusher {
     const int point = static_cast<int>(path_.points.size()) - 1;
     for (std::size_t i = 0; i < hit_.size(); ++i) {
       const auto j = static_cast<Eigen::Index>(i);
-      const double d = now_.deformations[j], k = springs_[j].stiffness(), side = sign(tangent.rates[j]);
+      const double d = now_.deformations[j], k = springs_[j].stiffness(), whole = springs_.stiffness(j), side = sign(tangent.rates[j]);
       if (std::abs(tangent.rates[j]) <= 1e-10 * largest * scales_[j]) continue;
       const auto tell = [&](PushEvent::Kind kind, bool is_first = false) {
         path_.events.push_back({.point = point, .part = static_cast<int>(i), .kind = kind, .is_first = is_first});
         yielding_[i] = kind == PushEvent::Kind::yields ? static_cast<int>(side) : 0;
         some_yield |= kind == PushEvent::Kind::yields;
       };
-      const bool falls = hit_[i] && slopes_[j] - tangent.slopes[j] > 1e-9 * k && (k * d + now_.forces[j]) * side > 1e-6 * k * scales_[j];
+      const bool falls = hit_[i] && slopes_[j] - tangent.slopes[j] > 1e-9 * whole && (k * d + now_.forces[j]) * side > 1e-6 * whole * scales_[j];
       if (yielding_[i] == -static_cast<int>(side)) {
         tell(PushEvent::Kind::unloads);
       } else if (!has_yielded_[i] && (falls || waits_for_yield(j)) && side * d >= springs_[j].yield_deformation() * (1 - 10 * reached)) {
@@ -226,7 +226,8 @@ class Pusher {
 
   // Whether the load would rise if what yields had no hardening.
   void look_for_mechanism(double way) {
-    VectorXd plastic = VectorXd::Zero(scales_.size());
+    VectorXd plastic(scales_.size());
+    for (Eigen::Index j = 0; j < plastic.size(); ++j) plastic[j] = springs_[j].first_slope();
     for (const int part : yielding_parts()) plastic[part] = -springs_[part].stiffness();
     const PushTangent tangent = rates_of(statics_, scales_, plastic, way);
     if (tangent.exists && way * tangent.load_rate > flat * elastic_rate_) return;

@@ -27,8 +27,8 @@ Sides sides_at(const std::vector<Spring*>& springs, const Eigen::VectorXd& defor
   Sides sides{Eigen::VectorXd(count), Eigen::VectorXd(count)};
   for (Eigen::Index j = 0; j < count; ++j) {
     const Spring& spring = *springs[static_cast<std::size_t>(j)];
-    sides.up[j] = spring.evaluate({deformations[j] + beside * scales[j], 0}).by_penetration;
-    sides.down[j] = spring.evaluate({deformations[j] - beside * scales[j], 0}).by_penetration;
+    sides.up[j] = spring.evaluate_slowly(deformations[j] + beside * scales[j]).by_penetration;
+    sides.down[j] = spring.evaluate_slowly(deformations[j] - beside * scales[j]).by_penetration;
   }
   return sides;
 }

@@ -33,7 +33,7 @@ void PushedSprings::refresh() {
 std::pair<Eigen::VectorXd, Eigen::VectorXd> PushedSprings::law(const Eigen::VectorXd& deformations) const {
   std::pair<Eigen::VectorXd, Eigen::VectorXd> response{deformations, deformations};
   for (Eigen::Index j = 0; j < deformations.size(); ++j) {
-    const laws::Response r = (*this)[j].evaluate({deformations[j], 0});
+    const laws::Response r = (*this)[j].evaluate_slowly(deformations[j]);
     response.first[j] = r.force, response.second[j] = r.by_penetration;
   }
   return response;
@@ -43,9 +43,9 @@ void PushedSprings::follow(const Eigen::VectorXd& from, const Eigen::VectorXd& t
   for (Eigen::Index j = 0; j < from.size(); ++j) {
     const auto motion = [&](double s) { return LinkMotion{from[j] + s * (to[j] - from[j]), to[j] - from[j]}; };
     LinkStep step{.begin = 0, .end = 1, .motion_begin = motion(0), .motion_middle = motion(0.5), .motion_end = motion(1)};
-    step.force_begin = (*this)[j].evaluate(step.motion_begin).force;
-    step.force_middle = (*this)[j].evaluate(step.motion_middle).force;
-    step.force_end = (*this)[j].evaluate(step.motion_end).force;
+    step.force_begin = (*this)[j].evaluate_slowly(step.motion_begin.penetration).force;
+    step.force_middle = (*this)[j].evaluate_slowly(step.motion_middle.penetration).force;
+    step.force_end = (*this)[j].evaluate_slowly(step.motion_end.penetration).force;
     (*this)[j].accept(step);
   }
 }

@@ -19,6 +19,8 @@ class PushedSprings {
 
   const std::vector<Spring*>& all() const noexcept { return springs_; }
   Spring& operator[](Eigen::Index j) const { return *springs_[static_cast<std::size_t>(j)]; }
+  /// Stiffness of a part before it yields, of all its force [N/m].
+  double stiffness(Eigen::Index j) const { return (*this)[j].stiffness() + (*this)[j].first_slope(); }
   /// Whether the slope of a part jumps where it first yields; else it yields where its deformation says so.
   bool has_corner(Eigen::Index j) const { return has_corner_[static_cast<std::size_t>(j)]; }
 

@@ -79,8 +79,6 @@ Eigen::VectorXd force_on(const Structure& s, std::size_t floor, int direction) {
 void check(const Structure& s, const PushoverOptions& options) {
   if (s.yielding.empty())
     refuse("nothing in it yields; give yield_force to an oscillator or a shear_building, or hinges to a frame");
-  for (const YieldingPart& part : s.yielding)
-    if (part.is_device()) refuse(fmt::format("it has a device, {}, and devices are not pushed; leave it out", part.name));
   if (s.floors.empty()) refuse("it has no floors that could be pushed; name them under floors");
   if (options.direction < 0 || static_cast<std::size_t>(options.direction) >= std::min<std::size_t>(2, s.floors.front().motion.size()))
     refuse(fmt::format("it does not move along {}; push it along x", axis(options.direction)));
@@ -132,7 +130,7 @@ Pushover pushover(const Structure& s, const PushoverOptions& options, const Mode
   found.loads = loads_of(s, options, modes);
   for (const Floor& floor : s.floors) found.floors.push_back(floor.label);
   for (const YieldingPart& part : s.yielding)
-    found.parts.push_back({part.name, part.law, part.spring->stiffness(), part.spring->yield_deformation()});
+    found.parts.push_back({part.name, part.law, part.spring->stiffness() + part.spring->first_slope(), part.spring->yield_deformation()});
 
   PushOptions push_options;
   push_options.load = Eigen::VectorXd::Zero(s.size());
@@ -144,6 +142,10 @@ Pushover pushover(const Structure& s, const PushoverOptions& options, const Mode
     motion.row(static_cast<Eigen::Index>(i)) = Eigen::VectorXd(s.floors[i].motion[static_cast<std::size_t>(options.direction)]).transpose();
   push_options.follow = motion;
   found.path = push(s, push_options);
+  // The force of a device is on top of nothing there, and on top of its stiffness here, as that of other parts.
+  for (std::size_t j = 0; j < s.yielding.size(); ++j)
+    if (const double stiffness = s.yielding[j].spring->first_slope(); stiffness != 0)
+      for (PushPoint& point : found.path.points) point.forces[static_cast<Eigen::Index>(j)] -= stiffness * point.deformations[static_cast<Eigen::Index>(j)];
   require_yield(s, found);
 
   const auto points = static_cast<Eigen::Index>(found.path.points.size());

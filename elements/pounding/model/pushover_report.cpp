@@ -62,7 +62,8 @@ std::string events_table(const Pushover& found) {
 std::string parts_table(const Pushover& found) {
   std::string text = "\npart                      ductility       plastic\n                                  (mm, mrad)\n";
   for (int j = 0; j < static_cast<int>(found.parts.size()); ++j)
-    text += fmt::format("{:<24}{:11.4f}{:14.4f}\n", found.parts[j].name, found.ductility(j), 1e3 * found.plastic_deformation(j));
+    if (found.parts[j].stiffness > 0)  // a damper does not act
+      text += fmt::format("{:<24}{:11.4f}{:14.4f}\n", found.parts[j].name, found.ductility(j), 1e3 * found.plastic_deformation(j));
   return text;
 }
 

@@ -19,7 +19,9 @@ DeviceSpring::DeviceSpring(const DeviceParts& parts) : bar_(parts.bar), damper_(
   if (parts.law) yielding_ = make_spring(*parts.law);
 }
 
-laws::Response DeviceSpring::evaluate(const LinkMotion& motion) const noexcept {
+laws::Response DeviceSpring::evaluate_slowly(double deformation) const noexcept { return without_damper({deformation, 0}); }
+
+laws::Response DeviceSpring::without_damper(const LinkMotion& motion) const noexcept {
   laws::Response response;
   if (bar_) {
     response.force = bar_->force(motion.penetration);
@@ -30,6 +32,11 @@ laws::Response DeviceSpring::evaluate(const LinkMotion& motion) const noexcept {
     response.force += k * motion.penetration;
     response.by_penetration += k;
   }
+  return response;
+}
+
+laws::Response DeviceSpring::evaluate(const LinkMotion& motion) const noexcept {
+  laws::Response response = without_damper(motion);
   if (!damper_) return response;
   if (damper_->has_stiffness()) {
     const double stretch = damper_->stretch(motion.penetration - motion.slip, motion.lag);

@@ -27,6 +27,7 @@ class DeviceSpring final : public Spring {
   explicit DeviceSpring(const DeviceParts& parts);
 
   laws::Response evaluate(const LinkMotion& motion) const noexcept override;
+  laws::Response evaluate_slowly(double deformation) const noexcept override;
   double first_slope() const noexcept override;
   double slope_lost(double deformation) const noexcept override { return yielding_ ? yielding_->slope_lost(deformation) : 0; }
   double yield_deformation() const noexcept override { return yielding_ ? yielding_->yield_deformation() : Spring::yield_deformation(); }
@@ -52,6 +53,7 @@ class DeviceSpring final : public Spring {
   double elongation() const noexcept { return elongation_; }
 
  private:
+  laws::Response without_damper(const LinkMotion& motion) const noexcept;
   double damper_power(const LinkMotion& motion) const noexcept;
   LinkMotion motion_inside(const LinkStep& step, double s) const noexcept;
   double damper_work(const LinkStep& step, double until) const noexcept;

@@ -18,6 +18,8 @@ class Spring {
 
   /// Pure. force is that of the spring minus k times the deformation, so the slope of a storey is not positive [N], [N/m].
   virtual laws::Response evaluate(const LinkMotion& motion) const noexcept = 0;
+  /// evaluate() for a deformation that comes so slowly that nothing in it damps.
+  virtual laws::Response evaluate_slowly(double deformation) const noexcept { return evaluate({deformation, 0}); }
   /// k [N/m].
   virtual double stiffness() const noexcept { return 0; }
   /// Slope of evaluate() before anything has yielded: of what the structures are not assembled with [N/m].
