@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
@@ -20,11 +22,20 @@ constexpr int max_shown_matrix = 20;
 // Every digit that a double needs, and no more.
 std::string exact(double value) { return fmt::format("{}", value); }
 
-void emit(YAML::Emitter& out, const char* key, double value) { out << YAML::Key << key << YAML::Value << exact(value); }
+// A word or number that needs no quotes. Whether a text needs them the emitter finds out by regular expressions, most of the time that emitting takes.
+struct Plain {
+  std::string_view text;
+};
+YAML::Emitter& operator<<(YAML::Emitter& out, const Plain& plain) { return out.WriteIntegralType(plain.text); }
+
+// One of our own keys, before its value.
+YAML::Emitter& field(YAML::Emitter& out, std::string_view key) { return out << YAML::Key << Plain(key) << YAML::Value; }
+
+void emit(YAML::Emitter& out, std::string_view key, double value) { field(out, key) << Plain(exact(value)); }
 
 void emit_list(YAML::Emitter& out, const std::string& key, const std::vector<double>& values) {
   out << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq;
-  for (const double value : values) out << exact(value);
+  for (const double value : values) out << Plain(exact(value));
   out << YAML::EndSeq;
 }
 
@@ -37,12 +48,12 @@ std::vector<double> periods(const Structure& s) {
 // Each with its law, its numbers and its capacity.
 void emit_isolators(YAML::Emitter& out, const Structure& s) {
   if (!is_isolated(s)) return;
-  out << YAML::Key << "isolators" << YAML::Value << YAML::BeginMap;
+  field(out, "isolators") << YAML::BeginMap;
   for (const YieldingPart& part : s.yielding) {
     if (!isolates(part)) continue;
     out << YAML::Key << part.name << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key << "law" << YAML::Value << part.law;
     for (const YieldingPart::Parameter& parameter : part.parameters)
-      if (std::isfinite(parameter.value)) emit(out, parameter.name.c_str(), parameter.value);
+      if (std::isfinite(parameter.value)) emit(out, parameter.name, parameter.value);
     emit(out, "stiffness", part.spring->stiffness());
     out << YAML::EndMap;
   }
@@ -54,12 +65,12 @@ void emit_isolators(YAML::Emitter& out, const Structure& s) {
 void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
   const auto is_hinge = [](const YieldingPart& part) { return part.kind == YieldingPart::Kind::hinge; };
   if (std::ranges::none_of(parts, is_hinge)) return;
-  out << YAML::Key << "hinges" << YAML::Value << YAML::BeginMap;
+  field(out, "hinges") << YAML::BeginMap;
   for (const YieldingPart& hinge : parts) {
     if (!is_hinge(hinge)) continue;
     out << YAML::Key << hinge.name << YAML::Value << YAML::Flow << YAML::BeginMap;
-    out << YAML::Key << "law" << YAML::Value << hinge.law;
-    for (const YieldingPart::Parameter& parameter : hinge.parameters) emit(out, parameter.name.c_str(), parameter.value);
+    field(out, "law") << hinge.law;
+    for (const YieldingPart::Parameter& parameter : hinge.parameters) emit(out, parameter.name, parameter.value);
     emit(out, "yield_rotation", hinge.spring->yield_deformation());
     if (hinge.at_rest != 0) emit(out, "moment_at_rest", hinge.spring->stiffness() * hinge.at_rest);
     out << YAML::EndMap;
@@ -69,7 +80,7 @@ void emit_hinges(YAML::Emitter& out, const std::vector<YieldingPart>& parts) {
 
 // The matrices of a frame are too large to show.
 void emit_frame(YAML::Emitter& out, const Structure& s) {
-  out << YAML::Key << "unknowns" << YAML::Value << s.size();
+  field(out, "unknowns") << s.size();
   std::vector<double> masses, elevations;
   for (const Floor& floor : s.floors) {
     masses.push_back(floor.mass);
@@ -82,7 +93,7 @@ void emit_frame(YAML::Emitter& out, const Structure& s) {
   emit(out, "load_along_x", mass);
   emit_list(out, "periods", periods(s));
   if (s.supports.size() > 1) {
-    out << YAML::Key << "supports" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+    field(out, "supports") << YAML::Flow << YAML::BeginSeq;
     for (const Support& support : s.supports) out << support.name;
     out << YAML::EndSeq;
   }
@@ -95,7 +106,7 @@ void emit_springs(YAML::Emitter& out, std::span<const YieldingPart> storeys) {
   const YieldingPart& first = storeys.front();
   const bool plain = first.law == "bilinear" && first.parameters.size() == 2;
   if (!plain)
-    out << YAML::Key << "spring" << YAML::Value << YAML::BeginMap << YAML::Key << first.law << YAML::Value << YAML::BeginMap;
+    field(out, "spring") << YAML::BeginMap << YAML::Key << first.law << YAML::Value << YAML::BeginMap;
   for (std::size_t k = 0; k < first.parameters.size(); ++k) {
     const auto choices = hysteresis::find_law(first.law).choices;
     if (const auto choice = std::ranges::find(choices, first.parameters[k].name, &hysteresis::ChoiceInfo::name); choice != choices.end()) {
@@ -138,11 +149,11 @@ void emit_storeys(YAML::Emitter& out, const Structure& s) {
 // Devices inside a structure.
 void emit_devices(YAML::Emitter& out, const Structure& s) {
   if (s.members_that_yield() == s.yielding.size()) return;
-  out << YAML::Key << "devices" << YAML::Value << YAML::BeginMap;
+  field(out, "devices") << YAML::BeginMap;
   for (const YieldingPart& part : s.yielding) {
     if (!part.is_device()) continue;
     out << YAML::Key << part.name << YAML::Value << YAML::BeginMap << YAML::Key << "device" << YAML::Value << part.device;
-    for (const YieldingPart::Parameter& parameter : part.parameters) emit(out, parameter.name.c_str(), parameter.value);
+    for (const YieldingPart::Parameter& parameter : part.parameters) emit(out, parameter.name, parameter.value);
     out << YAML::EndMap;
   }
   out << YAML::EndMap;
@@ -150,24 +161,24 @@ void emit_devices(YAML::Emitter& out, const Structure& s) {
 
 void emit_structure(YAML::Emitter& out, const Structure& s) {
   out << YAML::Key << s.name << YAML::Value << YAML::BeginMap;
-  out << YAML::Key << "kind" << YAML::Value << s.kind;
+  field(out, "kind") << s.kind;
   if (!s.is_rigid()) {
     if (s.dimension == 1)
       emit_storeys(out, s);
     else
       emit_frame(out, s);
     emit_devices(out, s);
-    out << YAML::Key << "damping" << YAML::Value << s.damping_note;
+    field(out, "damping") << s.damping_note;
     if (s.dimension > 1) {
       emit(out, "damping_by_mass", s.by_mass);
       emit(out, "damping_by_stiffness", s.by_stiffness);
     }
   }
   if (!s.applied_forces.empty()) {
-    out << YAML::Key << "forces" << YAML::Value << YAML::BeginSeq;
+    field(out, "forces") << YAML::BeginSeq;
     for (const AppliedForce& force : s.applied_forces) {
       out << YAML::BeginMap << YAML::Key << "place" << YAML::Value << force.place;
-      out << YAML::Key << "source" << YAML::Value << force.history.source();
+      field(out, "source") << force.history.source();
       emit(out, "peak", force.history.peak());
       out << YAML::EndMap;
     }
@@ -186,18 +197,18 @@ std::string end_of(const Model& model, const LinkEnd& end) {
 void emit_ground(YAML::Emitter& out, const Model& model) {
   const GroundComponents& components = model.ground.components;
   const auto emit_motion = [&](const GroundMotion& motion) {
-    out << YAML::Key << "source" << YAML::Value << (motion.is_still() ? "none" : motion.source());
+    field(out, "source") << (motion.is_still() ? "none" : motion.source());
     emit(out, "peak_acceleration", motion.peak());
     emit(out, "duration", motion.duration());
   };
-  out << YAML::Key << "ground_motion" << YAML::Value << YAML::BeginMap;
+  field(out, "ground_motion") << YAML::BeginMap;
   if (components[1].is_still() && components[2].is_still()) {
     emit_motion(components[0]);
   } else {
     constexpr const char* names[] = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
       if (components[i].is_still()) continue;
-      out << YAML::Key << names[i] << YAML::Value << YAML::BeginMap;
+      field(out, names[i]) << YAML::BeginMap;
       emit_motion(components[i]);
       out << YAML::EndMap;
     }
@@ -212,47 +223,47 @@ void emit_ground(YAML::Emitter& out, const Model& model) {
 
 void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   out << YAML::BeginMap;
-  out << YAML::Key << "name" << YAML::Value << link.name;
-  out << YAML::Key << "between" << YAML::Value << YAML::Flow << YAML::BeginSeq
+  field(out, "name") << link.name;
+  field(out, "between") << YAML::Flow << YAML::BeginSeq
       << end_of(model, link.left) << end_of(model, link.right) << YAML::EndSeq;
   emit(out, "gap", link.gap);
-  if (link.preload) out << YAML::Key << "preload" << YAML::Value << true;
-  out << YAML::Key << "law" << YAML::Value << link.law;
-  if (!link.formula.empty()) out << YAML::Key << "formula" << YAML::Value << link.formula;
+  if (link.preload) field(out, "preload") << true;
+  field(out, "law") << link.law;
+  if (!link.formula.empty()) field(out, "formula") << link.formula;
   emit(out, "reduced_mass", link.reduced_mass);
-  out << YAML::Key << "reduced_mass_from" << YAML::Value
+  field(out, "reduced_mass_from")
       << (link.reduced_mass_given ? "the input" : "the masses of the two floors");
-  if (!link.stiffness_from.empty()) out << YAML::Key << "stiffness_from" << YAML::Value << link.stiffness_from;
+  if (!link.stiffness_from.empty()) field(out, "stiffness_from") << link.stiffness_from;
   if (link.friction > 0) {
     emit(out, "friction", link.friction);
     emit(out, "sliding_velocity", link.sliding_velocity);
   }
-  out << YAML::Key << "parameters" << YAML::Value << YAML::BeginMap;
+  field(out, "parameters") << YAML::BeginMap;
   for (const laws::ResolvedValue& value : link.parameters)
-    out << YAML::Key << value.name << YAML::Value << exact(value.value)
+    field(out, value.name) << Plain(exact(value.value))
         << YAML::Comment(value.unit.empty() ? "-" : value.unit);
   out << YAML::EndMap << YAML::EndMap;
 }
 
 void emit_device(YAML::Emitter& out, const Model& model, const Device& device) {
   out << YAML::Key << device.name << YAML::Value << YAML::BeginMap;
-  out << YAML::Key << "between" << YAML::Value << YAML::Flow << YAML::BeginSeq
+  field(out, "between") << YAML::Flow << YAML::BeginSeq
       << end_of(model, device.left) << end_of(model, device.right) << YAML::EndSeq;
   emit_list(out, "direction", {device.direction.begin(), device.direction.end()});
   if (device.length) emit(out, "length", *device.length);
   if (device.parts.bar) {
-    out << YAML::Key << "bar" << YAML::Value << YAML::BeginMap;
+    field(out, "bar") << YAML::BeginMap;
     emit(out, "stiffness", device.parts.bar->stiffness);
     out << YAML::EndMap;
   }
   if (const auto& law = device.parts.law) {
     out << YAML::Key << law->law << YAML::Value << YAML::BeginMap;
-    for (const auto& [name, value] : law->values) emit(out, name.c_str(), value);
+    for (const auto& [name, value] : law->values) emit(out, name, value);
     for (const auto& [name, word] : law->words) out << YAML::Key << name << YAML::Value << word;
     out << YAML::EndMap;
   }
   if (const auto& damper = device.parts.damper) {
-    out << YAML::Key << "damper" << YAML::Value << YAML::BeginMap;
+    field(out, "damper") << YAML::BeginMap;
     emit(out, "coefficient", damper->coefficient);
     emit(out, "exponent", damper->exponent);
     if (damper->has_stiffness()) emit(out, "stiffness", damper->stiffness);
@@ -267,31 +278,31 @@ void emit_device(YAML::Emitter& out, const Model& model, const Device& device) {
 std::string resolved_yaml(const Model& model) {
   YAML::Emitter out;
   out << YAML::BeginMap;
-  out << YAML::Key << "title" << YAML::Value << model.title;
-  out << YAML::Key << "units" << YAML::Value << "SI";
+  field(out, "title") << model.title;
+  field(out, "units") << "SI";
   emit_ground(out, model);
-  out << YAML::Key << "structures" << YAML::Value << YAML::BeginMap;
+  field(out, "structures") << YAML::BeginMap;
   for (const Structure& s : model.structures) emit_structure(out, s);
   out << YAML::EndMap;
-  out << YAML::Key << "links" << YAML::Value << YAML::BeginSeq;
+  field(out, "links") << YAML::BeginSeq;
   for (const Link& link : model.links) emit_link(out, model, link);
   out << YAML::EndSeq;
   if (!model.devices.empty()) {
-    out << YAML::Key << "devices" << YAML::Value << YAML::BeginMap;
+    field(out, "devices") << YAML::BeginMap;
     for (const Device& device : model.devices) emit_device(out, model, device);
     out << YAML::EndMap;
   }
-  out << YAML::Key << "analysis" << YAML::Value << YAML::BeginMap;
+  field(out, "analysis") << YAML::BeginMap;
   emit(out, "duration", model.analysis.duration);
   emit(out, "tolerance", model.analysis.tolerance);
   emit(out, "output_step", model.analysis.output_step);
-  out << YAML::Key << "integrator" << YAML::Value << std::string(model.analysis.scheme.name());
+  field(out, "integrator") << std::string(model.analysis.scheme.name());
   if (model.analysis.scheme.kind == Scheme::Kind::generalized_alpha)
     emit(out, "spectral_radius", model.analysis.scheme.spectral_radius);
   if (model.analysis.max_step > 0) emit(out, "max_step", model.analysis.max_step);
-  out << YAML::Key << "most_steps" << YAML::Value << model.analysis.most_steps;
+  field(out, "most_steps") << model.analysis.most_steps;
   if (model.analysis.reduction.kind != Reduction::Kind::none || !model.analysis.reductions.empty()) {
-    out << YAML::Key << "reduction" << YAML::Value << YAML::BeginMap;
+    field(out, "reduction") << YAML::BeginMap;
     for (std::size_t i = 0; i < model.structures.size(); ++i)
       if (!model.structures[i].is_rigid())
         out << YAML::Key << model.structures[i].name << YAML::Value << reduction_of(model, static_cast<int>(i)).text();
@@ -300,7 +311,7 @@ std::string resolved_yaml(const Model& model) {
   if (model.analysis.collapse_drift > 0) emit(out, "collapse_drift", model.analysis.collapse_drift);
   out << YAML::EndMap;
   if (model.checkpoint.asked()) {
-    out << YAML::Key << "checkpoint" << YAML::Value << YAML::BeginMap;
+    field(out, "checkpoint") << YAML::BeginMap;
     if (model.checkpoint.every > 0) emit(out, "every", model.checkpoint.every);
     if (model.checkpoint.every_simulated > 0) emit(out, "every_simulated", model.checkpoint.every_simulated);
     out << YAML::EndMap;
