@@ -58,6 +58,25 @@ class Impact {
   LinearModel model_;
 };
 
+TEST(AStepInContact, GoesExactlyOverABendOfTheGround) {
+  LinearModel model;
+  model.stiffness = model.damping = {0}, model.load = {1};
+  model.links.push_back({.gap = 1e3, .closing = {1}, .law = laws::Hertz{.stiffness = 1}});
+  const Structures<1, 1> structures(model);
+  ContactStep<laws::Hertz, 1, 1> step(structures);
+  std::vector<LinkContact<laws::Hertz>> links;
+  links.emplace_back(laws::Hertz{.stiffness = 1}, 1e3);
+  auto begin = step.moment(), end = begin;
+  const Ground ground{.at = 2, .slope = -3, .corner = 0.37, .bend = 50};
+  step.complete(links, ground, begin);
+  const double u = 1 - 0.37, error = step.take(links, ground, Clock(), begin, 0, 1, 1, 1, end);
+  // q'' = -ag, and the step knows that it has missed nothing.
+  EXPECT_NEAR(end.v[0], -(2 - 3 / 2.0 + 50 * u * u / 2), 1e-13);
+  EXPECT_NEAR(end.q[0], -(2 / 2.0 - 3 / 6.0 + 50 * u * u * u / 6), 1e-13);
+  EXPECT_NEAR(end.a[0], -(2 - 3 + 50 * u), 1e-13);
+  EXPECT_LT(error, 1e-24);
+}
+
 TEST(TheFirstStepsOfAnImpact, HaveOrderTwoAndAHalfByTimeAndFiveByItsRoot) {
   const Impact impact(laws::Hertz{.stiffness = 1});
   // The force is smooth but for t^1.5 at the touch: its integral over a first step of h is wrong by h^2.5.
