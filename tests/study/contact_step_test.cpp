@@ -165,7 +165,7 @@ void compare_linear_laws() {
   if constexpr (I < std::variant_size_v<laws::AnyLaw>) {
     using Law = std::variant_alternative_t<I, laws::AnyLaw>;
     if constexpr (!laws::instantaneous<Law>) {
-      EXPECT_EQ(is_linear<Law>, looks_linear<Law>()) << Law::name;
+      EXPECT_EQ(laws::is_linear<Law>, looks_linear<Law>()) << Law::name;
     }
     compare_linear_laws<I + 1>();
   }

@@ -26,7 +26,7 @@ struct KelvinVoigt {
       "the force jumps to c v at the touch, and pulls near separation, as published: contact lasts until d = 0; "
       "kelvin_voigt_no_tension cuts the pull";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
-  static constexpr bool may_pull = true, sticks_at_zero = true;
+  static constexpr bool may_pull = true, sticks_at_zero = true, is_linear = true;
 
   static constexpr std::array formulas{
       Formula{"exact", "zeta = -ln e/sqrt(pi^2 + ln^2 e)", "closed form, contact until d = 0",

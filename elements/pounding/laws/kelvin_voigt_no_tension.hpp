@@ -26,6 +26,7 @@ struct KelvinVoigtNoTension {
       "the force jumps to c v at the touch; it is released at d > 0, so that the published ratio, made for contact "
       "until d = 0, gives more than asked";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
+  static constexpr bool is_linear = true;
 
   static constexpr std::array formulas{
       Formula{"exact", "root of e = exp(-2 zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form, contact until F = 0",

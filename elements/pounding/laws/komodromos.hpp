@@ -26,7 +26,7 @@ struct Komodromos {
       "the force jumps to c v at the touch; the penetration that is left at F = 0 is added to the gap, which is "
       "wider for the following impacts of the run";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
-  static constexpr bool leaves_indentation = true;
+  static constexpr bool leaves_indentation = true, is_linear = true;
 
   static constexpr std::array formulas{
       Formula{"exact", "root of e = exp(-2 zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form, contact until F = 0",

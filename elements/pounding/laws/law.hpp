@@ -76,6 +76,13 @@ inline constexpr bool may_pull = [] {
   return false;
 }();
 
+/// True for a law with F = k d + c d', whose k and c change with the phase of an impact only.
+template <class L>
+inline constexpr bool is_linear = [] {
+  if constexpr (requires { L::is_linear; }) return L::is_linear;
+  return false;
+}();
+
 /// True where the contact ends as the force reaches zero, and the penetration left then is added to the gap.
 template <class L>
 inline constexpr bool leaves_indentation = [] {

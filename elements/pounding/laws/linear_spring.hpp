@@ -18,6 +18,7 @@ struct LinearSpring {
   static constexpr std::string_view symbols = "k [N/m] contact stiffness";
   static constexpr std::string_view range = "any penetration";
   static constexpr std::string_view beware = "restitution 1 whatever the bodies: energy is lost in the structures alone";
+  static constexpr bool is_linear = true;
 
   double stiffness = 0;  ///< k [N/m]
 

@@ -26,6 +26,7 @@ struct ModifiedLinearViscoelastic {
       "the force jumps to c v at the touch and is continuous at the reversal, where its slope by d' jumps; it never "
       "pulls";
   static constexpr Quantity number{"damping_ratio", ""}, coefficient{"damping_coefficient", "N s/m"};
+  static constexpr bool is_linear = true;
 
   static constexpr std::array formulas{
       Formula{"exact", "root of e = exp(-zeta arccos(zeta)/sqrt(1-zeta^2))", "closed form", "gives what is asked",

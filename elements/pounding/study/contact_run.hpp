@@ -106,9 +106,9 @@ class ContactRun {
       clock_ = Clock(), reading_ = begin_->time;
     }
     // No step is longer than an interval.
-    const double last = is_linear<Law> || ground.corner > length ? length : begin_->time + length, to_end = clock_.reading(last) - reading_;
+    const double last = laws::is_linear<Law> || ground.corner > length ? length : begin_->time + length, to_end = clock_.reading(last) - reading_;
     step_.begin(links_, ground, *begin_, settings_.tolerance);
-    if constexpr (is_linear<Law>) ds_ = step_.longest();
+    if constexpr (laws::is_linear<Law>) ds_ = step_.longest();
     for (;;) {
       const bool ends = ds_ >= to_end * (1 - 1e-12);
       const double ds = ends ? to_end : ds_;
@@ -222,7 +222,7 @@ class ContactRun {
   Links& links_;
   OutputPeaks<M, L>& outputs_;
   const Settings settings_;
-  std::conditional_t<is_linear<Law>, SeriesStep<Law, M, L>, ContactStep<Law, M, L>> step_;
+  std::conditional_t<laws::is_linear<Law>, SeriesStep<Law, M, L>, ContactStep<Law, M, L>> step_;
   Moment<M, L> moments_[3];
   Moment<M, L>*begin_ = &moments_[0], *end_ = &moments_[1], *middle_ = &moments_[2];
   Modes<M> jerk_;

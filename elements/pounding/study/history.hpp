@@ -127,7 +127,8 @@ class History {
     return n;
   }
 
-  // From a time t of an interval to its end, with its contacts, `length` long; a step in contact may end in the next one where `goes_on`. Returns the time there.
+  // From a time t of an interval to its end at `length`, with its contacts. A step in contact may end in the next interval where `goes_on`. Returns the time
+  // there.
   double go(long n, double t, double length, bool goes_on) {
     const Ground ground = goes_on ? ground_.in_both(n) : ground_.in(n);
     contact_.begin_interval(flight_.length() * static_cast<double>(n));

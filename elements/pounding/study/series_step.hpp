@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 
 #include <pounding/laws/gauss.hpp>
 #include <pounding/study/clock.hpp>
@@ -13,12 +12,6 @@
 #include <pounding/study/taylor.hpp>
 
 namespace pounding::study {
-
-/// True for a law with F = k d + c d', whose k and c change with the phase of the contact only.
-template <class Law>
-inline constexpr bool is_linear = std::is_same_v<Law, laws::LinearSpring> || std::is_same_v<Law, laws::KelvinVoigt> ||
-                                  std::is_same_v<Law, laws::KelvinVoigtNoTension> || std::is_same_v<Law, laws::Komodromos> ||
-                                  std::is_same_v<Law, laws::ModifiedLinearViscoelastic>;
 
 /// Motion of a link over a step, as Quintic.
 class SeriesPath {
