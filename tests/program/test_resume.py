@@ -94,7 +94,7 @@ class Killed(Resumed):
                 (self.folder / "out.h5").unlink()
 
     def test_twice_goes_on_to_the_same_bits(self):
-        self.write(model(duration=10))
+        self.write(model(duration=20))
         self.done("model.yaml", "-o", "whole.h5")
         self.kill("model.yaml", "-o", "out.h5")
         first = self.reached()
