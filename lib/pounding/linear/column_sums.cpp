@@ -127,6 +127,17 @@ void sum_columns(const Eigen::MatrixXd& a, const double* x, double* y) {
 }
 
 void add_products(const Columns& a, const Columns& x, double* y, Index y_stride) {
+  if (a.rows * a.count <= few_entries) {
+    for (Index c = 0; c < x.count; ++c) {
+      const double* const of = x.values + c * x.stride;
+      for (Index i = 0; i < a.rows; ++i) {
+        double sum = y[i + c * y_stride];
+        for (Index j = 0; j < a.count; ++j) sum += a.values[i + j * a.stride] * of[j];
+        y[i + c * y_stride] = sum;
+      }
+    }
+    return;
+  }
   if (x.count < many_columns || a.rows <= piece_rows) {
     const Index together = a.rows > tall ? streams : a.count;
     for (Index j = 0; j < a.count; j += together) {
@@ -151,6 +162,15 @@ void add_products(const Columns& a, const Columns& x, double* y, Index y_stride)
         add({panel.data() + i * count, piece, count, piece}, {x.values + j, count, x.count, x.stride}, y + row + i, y_stride);
       }
     }
+}
+
+void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::MatrixXd& y, Eigen::MatrixXd& room) {
+  const int first = rows.front();
+  if (rows.back() - first + 1 == a.rows) return add_products(a, x, y.data() + first, y.rows());
+  room.resize(a.rows, x.count);
+  for (Index i = 0; i < a.rows; ++i) room.row(i) = y.row(rows[static_cast<std::size_t>(i)]);
+  add_products(a, x, room.data(), a.rows);
+  for (Index i = 0; i < a.rows; ++i) y.row(rows[static_cast<std::size_t>(i)]) = room.row(i);
 }
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {

@@ -7,7 +7,7 @@
 
 namespace pounding {
 
-/// Up to this number of entries of A its products cost less by plain loops in the same order, with the same bits, than by the calls below.
+/// Up to this number of entries of A its products go by plain loops, which cost less than a choice of vectors and have the same bits.
 inline constexpr Eigen::Index few_entries = 16;
 
 /// y = A x, the columns of A added one after the other. `y` has room for the rows of A and overlaps neither.
@@ -22,6 +22,8 @@ struct Columns {
 /// Y += A X, the columns of A added one after the other to each column of Y, `y_stride` numbers from one to the next. `x` has as many rows as A
 /// has columns. Y overlaps neither.
 void add_products(const Columns& a, const Columns& x, double* y, Eigen::Index y_stride);
+/// The same to some rows of Y, one for each row of A, ascending. `room` is overwritten where they do not follow each other.
+void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::MatrixXd& y, Eigen::MatrixXd& room);
 
 /// y_k += (f_j w_k) a_kj for one column j of A after the other; without weights y_k += f_j a_kj. `weights` is one number a row, or empty.
 struct ScaledColumn {

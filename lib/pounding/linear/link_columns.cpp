@@ -59,18 +59,9 @@ void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eige
         add_closing(block.entries, of, to);
       continue;
     }
-    const double* const from = x.data() + block.first;
     const Index ends = block.by_link.cols();
-    const Columns of{from, block.size(), columns, x.outerStride()}, values{block.by_coordinate.data(), ends, block.size(), ends};
-    const int first = block.links.front();
-    if (block.links.back() - first + 1 == ends) {
-      add_products(values, of, relative.data() + first, count);
-      continue;
-    }
-    sums_.resize(ends, columns);
-    for (Index i = 0; i < ends; ++i) sums_.row(i) = relative.row(block.links[static_cast<std::size_t>(i)]);
-    add_products(values, of, sums_.data(), ends);
-    for (Index i = 0; i < ends; ++i) relative.row(block.links[static_cast<std::size_t>(i)]) = sums_.row(i);
+    add_products({block.by_coordinate.data(), ends, block.size(), ends}, {x.data() + block.first, block.size(), columns, x.outerStride()}, block.links,
+                 relative, sums_);
   }
 }
 

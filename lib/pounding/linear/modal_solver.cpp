@@ -329,21 +329,7 @@ void ModalSolver::observe(const std::vector<View>& views, const Eigen::Ref<const
   values.setZero(outputs_, x.cols());
   for (const View& view : views) {
     const Eigen::Index rows = view.factors.rows(), count = view.factors.cols();
-    if (view.factors.size() <= few_entries) {
-      for (Eigen::Index j = 0; j < x.cols(); ++j) {
-        const double* const of = x.data() + view.first + j * x.outerStride();
-        for (Eigen::Index i = 0; i < rows; ++i) {
-          double sum = 0;
-          for (Eigen::Index k = 0; k < count; ++k) sum += view.factors(i, k) * of[k];
-          values(view.rows[static_cast<std::size_t>(i)], j) += sum;
-        }
-      }
-      continue;
-    }
-    sums_.setZero(rows, x.cols());
-    add_products({view.factors.data(), rows, count, rows}, {x.data() + view.first, count, x.cols(), x.outerStride()}, sums_.data(), rows);
-    for (Eigen::Index j = 0; j < x.cols(); ++j)
-      for (Eigen::Index i = 0; i < rows; ++i) values(view.rows[static_cast<std::size_t>(i)], j) += sums_(i, j);
+    add_products({view.factors.data(), rows, count, rows}, {x.data() + view.first, count, x.cols(), x.outerStride()}, view.rows, values, sums_);
   }
 }
 

@@ -105,7 +105,7 @@ class ModalSolver final : public StructureSolver {
   std::vector<View> shadow_views_;
   std::vector<ReducedStructure> reduced_;
   int outputs_ = 0;  // number of output quantities
-  mutable Eigen::MatrixXd sums_;  // of the outputs of one group
+  mutable Eigen::MatrixXd sums_;  // room to work in
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;
   int unknowns_ = 0;
