@@ -456,5 +456,28 @@ TEST(LinkHistory, FollowsTheForceInsideLongSteps) {
   EXPECT_GT(pressed, 3 * run.summary.solver.steps / 2) << "steps are long here";
 }
 
+// Straight lines between the samples miss the force by the tolerance at most.
+TEST(LinkHistory, IsAsDenseAsTheTolerance) {
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const Outcome run = run_text(fmt::format("structures:\n  a: {{body: {{mass: 100 t}}, initial_velocity: 1 m/s}}\n  w: {{wall: {{}}}}\n"
+                                             "links: [{{between: [a, w], gap: 10 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}]\n"
+                                             "analysis: {{duration: 0.2, tolerance: {:g}}}\n", tolerance));
+    const LinkHistory& link = run.results.links[0];
+    const laws::HertzDamped law{.stiffness = 2.75e9, .restitution = 0.65};
+    const laws::Impact touched = laws::touch(law, run.results.impacts.at(0).v_approach);
+    double missed = 0;
+    for (std::size_t i = 1; i < link.time.size(); ++i) {
+      if (link.force[i - 1] == 0 || link.force[i] == 0) continue;
+      const double h = link.time[i] - link.time[i - 1];
+      const double middle = 0.5 * (link.penetration[i - 1] + link.penetration[i]) + h / 8 * (link.velocity[i - 1] - link.velocity[i]);
+      const double rate = 0.5 * (link.velocity[i - 1] + link.velocity[i]) + h / 8 * (link.force[i] - link.force[i - 1]) / 100e3;
+      const double force = law.respond(middle, rate, touched).force;
+      missed = std::max(missed, std::abs(force - 0.5 * (link.force[i - 1] + link.force[i])));
+    }
+    EXPECT_LT(missed, tolerance * run.results.impacts[0].peak_force);
+    EXPECT_GT(missed, 0.2 * tolerance * run.results.impacts[0].peak_force) << "no denser than that";
+  }
+}
+
 }  // namespace events_test
 }  // namespace pounding

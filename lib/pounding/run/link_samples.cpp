@@ -1,6 +1,8 @@
 #include <pounding/run/link_samples.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <span>
 
 #include <pounding/run/histories.hpp>
@@ -8,24 +10,35 @@
 namespace pounding {
 namespace {
 
-// Samples are dense enough for a straight line between them to miss the force by no more than this part of the peak force.
-constexpr double max_chord_error = 1e-4;
+// Samples are dense enough for a straight line between them to miss the force by no more than the tolerance, within these bounds, as part of
+// the peak force.
+constexpr double min_chord_error = 1e-4, max_chord_error = 1e-3;
 constexpr int max_depth = 5;  // halvings of half a step
 
-// Work in the second half of a step: the integral of the parabola through the power at both ends and the middle [J].
-double work_of_second_half(const LinkStep& step) {
-  const double begin = step.force_begin * step.motion_begin.rate, middle = step.force_middle * step.motion_middle.rate,
-               end = step.force_end * step.motion_end.rate;
-  return (step.end - step.begin) / 24 * (5 * end + 8 * middle - begin);
-}
+// The power of a link in a step, as the parabola through its values at both ends and in the middle.
+class Power {
+ public:
+  explicit Power(const LinkStep& step) noexcept
+      : h_(step.end - step.begin), begin_(step.force_begin * step.motion_begin.rate), middle_(step.force_middle * step.motion_middle.rate),
+        end_(step.force_end * step.motion_end.rate), bend_(2 * (begin_ - 2 * middle_ + end_)), slope_(end_ - begin_ - bend_) {}
 
-// Work in the part of a step after s, from 0 to 1, by the same parabola [J].
-double work_after(const LinkStep& step, double s) {
-  const double begin = step.force_begin * step.motion_begin.rate, middle = step.force_middle * step.motion_middle.rate,
-               end = step.force_end * step.motion_end.rate;
-  // Power begin + slope x + bend x^2.
-  const double bend = 2 * (begin - 2 * middle + end), slope = end - begin - bend;
-  return (step.end - step.begin) * (begin * (1 - s) + slope / 2 * (1 - s * s) + bend / 3 * (1 - s * s * s));
+  /// Work in the part of the step after s, from 0 to 1 [J].
+  double work_after(double s) const noexcept {
+    return h_ * (begin_ * (1 - s) + slope_ / 2 * (1 - s * s) + bend_ / 3 * (1 - s * s * s));
+  }
+  /// Work in the second half of the step [J].
+  double work_of_second_half() const noexcept { return h_ / 24 * (5 * end_ + 8 * middle_ - begin_); }
+
+ private:
+  double h_, begin_, middle_, end_, bend_, slope_;
+};
+
+// Whether straight lines from the ends of a step to its middle might miss the force. They miss by a quarter of what one line misses, but
+// where the force turns from bending one way to the other: there it is steep, and a third derivative of it cannot do that where it
+// changes by less than a fifth.
+bool bends(const LinkStep& step, double peak_force, double allowed) {
+  return std::abs(step.force_middle - 0.5 * (step.force_begin + step.force_end)) > 2 * allowed ||
+         std::abs(step.force_end - step.force_begin) > 0.2 * peak_force;
 }
 
 LinkHistory heading(const Link& link, const Model& model) {
@@ -46,14 +59,22 @@ LinkHistory heading(const Link& link, const Model& model) {
   return history;
 }
 
-void append(const LinkSample& s, LinkHistory& history) {
-  history.time.push_back(s.time);
-  history.penetration.push_back(s.penetration);
-  history.velocity.push_back(s.velocity);
-  history.force.push_back(s.force);
-  history.energy.push_back(s.energy);
-  history.friction.insert(history.friction.end(), s.friction.begin(), s.friction.begin() + history.tangents);
+void append(std::span<const LinkSample> samples, LinkHistory& history) {
+  const auto add = [samples](std::vector<double>& column, double LinkSample::*value) {
+    const auto values = samples | std::views::transform(value);
+    column.insert(column.end(), values.begin(), values.end());
+  };
+  add(history.time, &LinkSample::time);
+  add(history.penetration, &LinkSample::penetration);
+  add(history.velocity, &LinkSample::velocity);
+  add(history.force, &LinkSample::force);
+  add(history.energy, &LinkSample::energy);
+  if (history.tangents == 0) return;
+  for (const LinkSample& s : samples)
+    history.friction.insert(history.friction.end(), s.friction.begin(), s.friction.begin() + history.tangents);
 }
+
+void append(const LinkSample& sample, LinkHistory& history) { append(std::span(&sample, 1), history); }
 
 void cut(LinkHistory& history, std::size_t length) {
   cut_columns(history, length);
@@ -62,17 +83,29 @@ void cut(LinkHistory& history, std::size_t length) {
 
 }  // namespace
 
-void ImpactSamples::begin_pressed(const LinkSample& sample) {
-  last_ = sample;
-  samples_.push_back(sample);
-}
+// A step of a link in contact, from which samples inside it are taken.
+struct LinkSamples::Inside {
+  std::size_t link;
+  const LinkStep& step;
+  const Contact& contact;
+  double allowed;  // by which straight lines may miss the force [N]
+  Quintic path = pounding::path(step);
+  Power power{step};
+  double work_at_end = contact.work();
+
+  double work(double s) const { return work_at_end - power.work_after(s); }
+};
+
+void ImpactSamples::begin_pressed(const LinkSample& sample) { samples_.push_back(sample); }
 
 void ImpactSamples::add(const LinkSample& sample) {
-  last_ = sample;
   if (samples_.empty()) samples_.push_back({sample.time, sample.penetration, sample.velocity, 0, sample.energy, {}});
-  if (++skipped_ < stride_) return;
+  if (++skipped_ < stride_) {
+    last_ = sample;
+    return;
+  }
   skipped_ = 0;
-  samples_.push_back(last_);
+  samples_.push_back(sample);
   if (samples_.size() < max_count) return;
   // The first two stay: they are the two sides of a jump at the touch.
   for (std::size_t i = 1; 2 * i - 1 < samples_.size(); ++i) samples_[i] = samples_[2 * i - 1];
@@ -81,7 +114,7 @@ void ImpactSamples::add(const LinkSample& sample) {
 }
 
 void ImpactSamples::show(LinkHistory& history) const {
-  for (const LinkSample& sample : samples_) append(sample, history);
+  append(samples_, history);
   if (!samples_.empty() && samples_.back().time < last_.time) append(last_, history);
 }
 
@@ -100,7 +133,8 @@ void ImpactSamples::archive(Archive& archive) {
 }
 
 LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories)
-    : model_(model), stepper_(stepper), histories_(histories) {
+    : model_(model), stepper_(stepper), histories_(histories),
+      chord_error_(std::clamp(stepper.options().tolerance, min_chord_error, max_chord_error)) {
   if (stepper.system().contact_count() == 0) return;
   for (const Link& link : model.links) histories_.push_back(heading(link, model));
   impacts_.resize(model.links.size());
@@ -118,19 +152,20 @@ std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::*
 }
 
 // Between s and e, parts of a step from 0 to 1 with these forces at them: samples wherever a straight line would miss the force.
-void LinkSamples::add_between(std::size_t link, const LinkStep& step, double s, double force_s, double e, double force_e, int depth) {
-  const Contact& contact = *model_.links[link].contact;
+void LinkSamples::add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth) {
   const double mid = 0.5 * (s + e);
-  const LinkMotion motion = interpolate(step, mid);
-  const double force = contact.acting_force(contact.evaluate(motion).force);
-  if (std::abs(force - 0.5 * (force_s + force_e)) <= max_chord_error * contact.impacts().back().peak_force) return;
-  if (depth > 1) add_between(link, step, s, force_s, mid, force, depth - 1);
-  LinkSample sample{step.begin + mid * (step.end - step.begin), motion.penetration, motion.rate, force,
-                    contact.work() - work_after(step, mid), {}};
-  for (int j = 0; j < histories_[link].tangents; ++j)
-    sample.friction[j] = force_inside(stepper_.link_step(static_cast<int>(first_tangent_[link] + j)), mid);
-  impacts_[link].add(sample);
-  if (depth > 1) add_between(link, step, mid, force, e, force_e, depth - 1);
+  const Jet at = in.path.at(mid);
+  const double force = in.contact.acting_force(in.contact.evaluate({at.x, at.v}).force);
+  const double missed = std::abs(force - 0.5 * (force_s + force_e));
+  if (missed <= in.allowed) return;
+  // Both halves miss by a quarter of this, or 0.35 of it where a force begins like the power 1.5 of the penetration.
+  const bool deeper = depth > 1 && missed > 2 * in.allowed;
+  if (deeper) add_between(in, s, force_s, mid, force, depth - 1);
+  LinkSample sample{in.step.begin + mid * (in.step.end - in.step.begin), at.x, at.v, force, in.work(mid), {}};
+  for (int j = 0; j < histories_[in.link].tangents; ++j)
+    sample.friction[j] = force_inside(stepper_.link_step(static_cast<int>(first_tangent_[in.link] + j)), mid);
+  impacts_[in.link].add(sample);
+  if (deeper) add_between(in, mid, force, e, force_e, depth - 1);
 }
 
 void LinkSamples::step(bool output_due) {
@@ -146,14 +181,16 @@ void LinkSamples::step(bool output_due) {
     if (presses || ends_here) {
       if (impact.empty() && model_.links[i].preload && rows.size() == 1)
         impact.begin_pressed({step.begin, step.motion_begin.penetration, step.motion_begin.rate, step.force_begin,
-                              contact.work() - work_after(step, 0), friction(i, &LinkStep::force_begin)});
+                              contact.work() - Power(step).work_after(0), friction(i, &LinkStep::force_begin)});
       if (step.force_middle != 0) {
         // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
-        const bool known = contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
-        if (known) add_between(i, step, 0, step.force_begin, 0.5, step.force_middle, max_depth);
+        const double peak = rows.back().peak_force, allowed = chord_error_ * peak;
+        const bool looks = bends(step, peak, allowed) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
+        const Inside inside{i, step, contact, allowed};
+        if (looks) add_between(inside, 0, step.force_begin, 0.5, step.force_middle, max_depth);
         impact.add({0.5 * (step.begin + step.end), middle.penetration, middle.rate, step.force_middle,
-                    contact.work() - work_of_second_half(step), friction(i, &LinkStep::force_middle)});
-        if (known) add_between(i, step, 0.5, step.force_middle, 1, step.force_end, max_depth);
+                    inside.work_at_end - inside.power.work_of_second_half(), friction(i, &LinkStep::force_middle)});
+        if (looks) add_between(inside, 0.5, step.force_middle, 1, step.force_end, max_depth);
       }
       // A located end lies behind the true one by the round-off of the motion, and there the formula of the law would pull.
       const double force = contact.acting_force(presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end);

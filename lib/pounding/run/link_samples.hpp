@@ -40,7 +40,7 @@ class ImpactSamples {
 
  private:
   std::vector<LinkSample> samples_;
-  LinkSample last_{};
+  LinkSample last_{};  // that was skipped
   int stride_ = 1, skipped_ = 0;
 };
 
@@ -62,12 +62,15 @@ class LinkSamples {
   void archive(Archive& archive);
 
  private:
+  struct Inside;
+
   std::array<double, 2> friction(std::size_t link, double LinkStep::*force) const;
-  void add_between(std::size_t link, const LinkStep& step, double s, double force_s, double e, double force_e, int depth);
+  void add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth);
 
   const Model& model_;
   const Stepper& stepper_;
   std::vector<LinkHistory>& histories_;
+  double chord_error_;  // by which a straight line between two samples may miss the force, as part of the peak force
   std::vector<ImpactSamples> impacts_;
   std::vector<int> first_tangent_;    // by link: first column of its friction; -1 for none
   std::vector<std::size_t> lengths_;  // of the histories without what is shown
