@@ -198,6 +198,21 @@ bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
   return false;
 }
 
+std::optional<double> EventLocator::expected_end(const Instant& now, const Trial& trial) const {
+  std::optional<double> first;
+  for (int i = 0; i < links_.contacts(); ++i) {
+    if (links_.contact(i).phase() == ContactPhase::open) continue;
+    const Contact::EventFunctions at_begin = functions_.values(i, links_.motion(i, now), now.force[i]);
+    const Contact::EventFunctions at_end = functions_.values(i, links_.motion(i, trial.end), trial.end.force[i]);
+    for (int k = 0; k < Contact::max_event_functions; ++k) {
+      if (!(at_begin[k] > 0 && at_end[k] < 0)) continue;
+      const double guess = trial.h * at_begin[k] / (at_begin[k] - at_end[k]);
+      if (!first || guess < *first) first = guess;
+    }
+  }
+  return first;
+}
+
 std::optional<LocatedEvents> EventLocator::locate(const Instant& now, const Trial& trial, bool at_corners, const TryStep& try_step) const {
   const Search search{functions_, corners_, links_, now, trial, try_step, trial.error <= 1};
   if (at_corners && links_.springs() > 0 && !trial.springs_stay) search.stop_at_corner();

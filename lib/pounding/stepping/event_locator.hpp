@@ -40,6 +40,8 @@ class EventLocator {
 
   /// Whether there can be anything to locate in the solved step `trial` from `now`; where not, locate() would find nothing.
   bool may_find(const Instant& now, const Trial& trial) const;
+  /// About where the first phase of a contact that presses ends inside a solved step [s after its beginning]; nothing if none does.
+  std::optional<double> expected_end(const Instant& now, const Trial& trial) const;
 
   /// `trial` is a solved step from `now` that `try_step` replaces; `at_corners`: corners of springs end it too. Nothing if no phase ends inside it; the trial may still
   /// have become shorter, because of a corner. Nearly simultaneous events are grouped. Throws LostTrial if a step cannot be

@@ -22,6 +22,10 @@ constexpr double max_stretch = 1e-3;
 // Shortest step, as part of the time where it begins, of a second at least.
 constexpr double shortest_part = 1e-16;
 
+// A rejected step is tried again up to the end of a phase that it passed, and this part of the way behind it, but never longer than the
+// second part of what it was.
+constexpr double behind_end = 1.01, max_aim = 0.9;
+
 constexpr double safety = 0.9, safety_after_rejection = 0.5;
 constexpr double max_shrink = 0.1, max_growth = 10;
 
@@ -74,6 +78,7 @@ void StepController::count_event_in_place(double step) {
 
 double StepController::advance(double wanted, double end, StepSizePolicy& policy) {
   const bool fixed = policy.fixed();
+  bool aimed = false;  // at the end of a phase
   for (;;) {
     const double longest = stepper_.longest_step();
     const Aim goal = aim(fixed ? wanted : std::min(wanted, longest), end, fixed);
@@ -87,7 +92,7 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
     const StepSizePolicy::Verdict verdict = policy.judge(stepper_, goal.step);
     if (!verdict.accepted) {
       reject(goal.step, policy);
-      wanted = std::min(verdict.next, goal.step / 2);
+      wanted = shortened(goal.step, verdict.next, aimed);
       continue;
     }
     // A short step to a breakpoint says nothing against the longer one that was wanted. What the ground forbids is not remembered.
@@ -120,20 +125,33 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
     stepper_.accept();
     const bool is_in_contact = located ? stepper_.in_contact() : was_in_contact;  // phases change at events alone
     const double next = next_step(good, was_in_contact, is_in_contact);
+    touched_ = is_in_contact && !was_in_contact;
     return fixed ? wanted : next;
   }
 }
 
+// Behind the end of its phase the force of a law bends sharply: the error says little of the step up to there.
+double StepController::shortened(double step, double next, bool& aimed) const {
+  const double usual = std::min(next, step / 2);
+  const std::optional<double> end = aimed ? std::nullopt : stepper_.expected_end_of_phase();
+  if (!end) return usual;
+  aimed = true;
+  return std::clamp(behind_end * *end, usual, max_aim * step);
+}
+
 double StepController::next_step(double good, bool was_in_contact, bool is_in_contact) {
-  (was_in_contact ? step_in_contact_ : step_apart_) = good;
-  const double remembered = is_in_contact ? step_in_contact_ : step_apart_;
+  if (!was_in_contact) step_apart_ = good;
+  if (touched_) step_at_touch_ = good;
+  if (was_in_contact == is_in_contact) return good;
+  const double remembered = is_in_contact ? step_at_touch_ : step_apart_;
   if (remembered != 0) return remembered;
   return is_in_contact ? good * first_contact_part : good;
 }
 
 void StepController::archive(Archive& archive) {
   archive(step_apart_);
-  archive(step_in_contact_);
+  archive(step_at_touch_);
+  archive(touched_);
   archive(events_in_place_);
   stepper_.archive(archive);
 }

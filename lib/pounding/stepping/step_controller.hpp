@@ -54,7 +54,7 @@ class ErrorControl final : public StepSizePolicy {
 ///
 ///     h <- wanted step, cut by Stepper::longest_step() and at the next breakpoint of the ground motion or the end
 ///     loop  trial <- try_step(x+, h)                 pure: scheme, link forces, pseudo-forces
-///           if not solved, or error(trial) > 1:      shorten h; continue
+///           if not solved, or error(trial) > 1:      shorten h, once to the end of a phase that it passed; continue
 ///           event <- first zero of an event function in the trial; each guess is a re-integrated step
 ///           if event at h = 0:                       apply it to x+ in place; continue
 ///           if event:                                trial <- the step that ends there
@@ -62,7 +62,7 @@ class ErrorControl final : public StepSizePolicy {
 ///           accept: x- <- end of trial; histories, energies, scales; x+ <- apply events and rigid impacts to x-
 ///           return
 ///
-/// Two lengths are remembered, the last good one with and without contact: contacts need shorter steps. A first contact
+/// Two lengths are remembered, the last good one without contact and that just behind a touch, which is shorter. A first contact
 /// starts with a tenth of the step before it.
 ///
 ///     StepController controller(stepper);
@@ -98,10 +98,12 @@ class StepController {
   [[noreturn]] void give_up_too_short(double step) const;
   void reject(double step, StepSizePolicy& policy) const;
   void count_event_in_place(double step);
+  double shortened(double step, double next, bool& aimed) const;
   double next_step(double good, bool was_in_contact, bool is_in_contact);
 
   Stepper& stepper_;
-  double step_apart_ = 0, step_in_contact_ = 0;  // last good steps without and with contact, zero for none [s]
+  double step_apart_ = 0, step_at_touch_ = 0;  // last good steps without contact and behind a touch, zero for none [s]
+  bool touched_ = false;                       // the present contact began with the last step
   int events_in_place_ = 0;                      // in a row, without time passing
   long trials_ = 0;
 };
