@@ -50,6 +50,34 @@ TEST(Extremes, OfAMotionThatDoesNotTurnAreAtTheEnd) {
   EXPECT_EQ(extremes.min[0], 2) << "the beginning is the end of the step before";
 }
 
+// Random paths, each beside a thousand of its values.
+TEST(Extremes, OfAPathOfDegreeFourAreFoundAndBounded) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int n = 0; n < 2000; ++n) {
+    const Quartic path{uniform(random), uniform(random), uniform(random), 2 * uniform(random), 4 * uniform(random)};
+    EXPECT_NEAR(path.at(0), path.begin, 1e-15);
+    EXPECT_EQ(path.at(0.5), path.middle);
+    EXPECT_NEAR(path.at(1), path.end, 1e-15);
+    Extremes extremes(1);
+    extremes.update(0, 1, path.begin);
+    extremes.update(0, 1, 2, path);
+    const auto [low, high] = path.bounds();
+    double least = path.begin, largest = path.begin;
+    for (int k = 1; k <= 1000; ++k) {
+      const double value = path.at(1e-3 * k);
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
+    EXPECT_GE(least, low);
+    EXPECT_LE(largest, high);
+    // A parabola leaves a path by a 125th of the third derivative times the third power of its length.
+    const double allowed = std::pow(0.25, 3) / 124 * (6 * std::abs(path.alpha) + 12 * std::abs(path.beta)) + 1e-6;
+    EXPECT_NEAR(extremes.min[0], least, allowed);
+    EXPECT_NEAR(extremes.max[0], largest, allowed);
+  }
+}
+
 TEST(Extremes, AreFoundOnTheParabolaThroughBothEndsAndTheMiddle) {
   // a = s (0.8 - s) on [0, 1]: the maximum 0.16 is at s = 0.4, between the samples.
   Extremes extremes(1);

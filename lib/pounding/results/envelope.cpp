@@ -32,11 +32,12 @@ void Extremes::add_parabola(std::size_t i, double time, double h, double begin, 
   update(i, time + h * (0.5 - 0.5 * slope / bend), middle - slope * slope / (4 * bend));
 }
 
-void Extremes::copy(std::size_t i, const Extremes& others, std::size_t from, bool opposite) {
-  min[i] = opposite ? -others.max[from] : others.min[from];
-  max[i] = opposite ? -others.min[from] : others.max[from];
-  t_min[i] = opposite ? others.t_max[from] : others.t_min[from];
-  t_max[i] = opposite ? others.t_min[from] : others.t_max[from];
+void Extremes::copy(std::size_t i, const Extremes& others, std::size_t from, double factor) {
+  const bool opposite = factor < 0;
+  min[i] = factor * (opposite ? others.max : others.min)[from];
+  max[i] = factor * (opposite ? others.min : others.max)[from];
+  t_min[i] = (opposite ? others.t_max : others.t_min)[from];
+  t_max[i] = (opposite ? others.t_min : others.t_max)[from];
 }
 
 void StructureEnvelope::archive(Archive& archive) {

@@ -1,15 +1,36 @@
 #pragma once
 /// Extremes over a run: least and largest value of every quantity of a structure, with their times.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pounding/core/archive.hpp>
 
 namespace pounding {
+
+/// A quantity over a step: the parabola through its values at both ends and in the middle, and what it leaves the parabola by,
+/// w (alpha + beta t) with t = s - 1/2, w = t (t^2 - 1/4) and s from 0 to 1.
+struct Quartic {
+  double begin, middle, end, alpha, beta;
+
+  /// Value at s.
+  double at(double s) const {
+    const double t = s - 0.5;
+    return middle + t * (end - begin + t * 2 * (begin - 2 * middle + end)) + t * (t * t - 0.25) * (alpha + t * beta);
+  }
+  /// Values between which the whole path lies.
+  std::pair<double, double> bounds() const {
+    // |w| stays below 1/20, |w t| below 1/64, and the parabola between both ends and the point where its tangents there meet.
+    const double away = std::abs(alpha) / 20 + std::abs(beta) / 64, hull = 2 * middle - 0.5 * (begin + end);
+    return {std::min({begin, middle, end, hull}) - away, std::max({begin, middle, end, hull}) + away};
+  }
+};
 
 /// Least and largest values so far of a list of quantities, signed, and when they were reached [s]. Of equal values the first counts.
 struct Extremes {
@@ -37,13 +58,15 @@ struct Extremes {
       t_max[i] = time;
     }
   }
-  /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic through them.
-  void update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
+  /// Values and slopes at the ends of a step of length h from `time` on; an extremum inside is found on the cubic through them. False
+  /// where nothing new is seen at once.
+  bool update(std::size_t i, double time, double h, double begin, double slope_begin, double end, double slope_end) {
     // The cubic lies between the values at the ends and a third of the step along the slopes there, its points as a Bezier curve. Most
     // steps bring nothing new.
     const double third = h / 3;
-    if (holds(i, end) && (slope_begin * slope_end >= 0 || (holds(i, begin + third * slope_begin) && holds(i, end - third * slope_end)))) return;
+    if (holds(i, end) && (slope_begin * slope_end >= 0 || (holds(i, begin + third * slope_begin) && holds(i, end - third * slope_end)))) return false;
     add_cubic(i, time, h, begin, slope_begin, end, slope_end);
+    return true;
   }
   /// Follows one quantity from a time on through its values and slopes at several later times.
   void update(std::size_t i, double time, std::span<const double> times, double value, double slope, const double* values,
@@ -53,8 +76,24 @@ struct Extremes {
     // So does the parabola between both ends and the point where its tangents there meet.
     if (!holds(i, middle) || !holds(i, end) || !holds(i, 2 * middle - 0.5 * (begin + end))) add_parabola(i, time, h, begin, middle, end);
   }
-  /// Takes over quantity `from` of others, or its opposite.
-  void copy(std::size_t i, const Extremes& others, std::size_t from, bool opposite);
+  /// The same on a path of degree four.
+  void update(std::size_t i, double time, double h, const Quartic& path) {
+    const auto [low, high] = path.bounds();
+    if (!holds(i, low) || !holds(i, high)) update_by_quarters(i, time, h, path);
+  }
+  /// And on any smooth path, a function of s from 0 to 1: a parabola in each quarter of the step.
+  template <class Path>
+  void update_by_quarters(std::size_t i, double time, double h, const Path& path) {
+    const double quarter = h / 4;
+    double begin = path.at(0);
+    for (int q = 0; q < 4; ++q) {
+      const double end = path.at(0.25 * (q + 1));
+      update(i, time + q * quarter, quarter, begin, path.at(0.25 * q + 0.125), end);
+      begin = end;
+    }
+  }
+  /// Takes over a multiple of quantity `from` of others.
+  void copy(std::size_t i, const Extremes& others, std::size_t from, double factor = 1);
 
   /// For a checkpoint.
   void archive(Archive& archive) {

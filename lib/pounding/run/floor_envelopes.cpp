@@ -27,6 +27,20 @@ std::pair<double, double> value_and_slope(const Eigen::MatrixXd& motion, int row
   return {motion(row, 0) - motion(below, 0), motion(row, 1) - motion(below, 1)};
 }
 
+// Length of a horizontal vector whose two components follow these paths.
+struct Lengthwise {
+  Quartic x, y;
+  double at(double s) const { return std::hypot(x.at(s), y.at(s)); }
+  // No length is larger.
+  double bound() const {
+    const auto largest = [](const Quartic& path) {
+      const auto [low, high] = path.bounds();
+      return std::max(-low, high);
+    };
+    return std::hypot(largest(x), largest(y));
+  }
+};
+
 }  // namespace
 
 FloorEnvelopes::FloorEnvelopes(const Model& model, const FloorResponse& response, std::vector<StructureHistory>& histories)
@@ -79,13 +93,19 @@ void FloorEnvelopes::step_along(int k, const StepMotion& step) {
       const auto update = [&](Extremes& extremes, int at, int below) {
         const auto [begin, slope_begin] = value_and_slope(step.begin, row, below);
         const auto [end, slope_end] = value_and_slope(step.end_minus, row, below);
-        extremes.update(at, time, step.h, begin, slope_begin, end, slope_end);
+        return extremes.update(at, time, step.h, begin, slope_begin, end, slope_end);
       };
-      const int at = i * directions + j;
-      update(envelope.displacement, at, -1);
-      if (envelope.drift.size() > 0 && j < storey_directions)
-        update(envelope.drift, i * storey_directions + j, i > 0 ? row - directions : -1);
-      if (step.has_middle)
+      const int at = i * directions + j, storey = i * storey_directions + j;
+      const bool moved = update(envelope.displacement, at, -1);
+      if (envelope.drift.size() > 0 && j < storey_directions) {
+        if (i > 0)
+          update(envelope.drift, storey, row - directions);
+        else if (moved)  // the lowest storey drifts as its floor moves
+          envelope.drift.copy(storey, envelope.displacement, at);
+      }
+      if (step.presses)
+        envelope.acceleration.update(at, time, step.h, step.acceleration(row));
+      else if (step.has_middle)
         envelope.acceleration.update(at, time, step.h, step.begin(row, 2), step.middle(row, 0), step.end_minus(row, 2));
       else
         envelope.acceleration.update(at, step.end_time(), step.end_minus(row, 2));
@@ -107,7 +127,10 @@ void FloorEnvelopes::step_in_plan(int k, const StepMotion& step) {
     update(lengths_[k].drift, i > 0 ? row - directions : -1);
     const auto length = [row](const Eigen::MatrixXd& motion) { return std::hypot(motion(row, 2), motion(row + 1, 2)); };
     Extremes& acceleration = lengths_[k].acceleration;
-    if (step.has_middle)
+    if (step.presses) {
+      const Lengthwise path{step.acceleration(row), step.acceleration(row + 1)};
+      if (path.bound() > acceleration.max[i]) acceleration.update_by_quarters(i, time, step.h, path);
+    } else if (step.has_middle)
       acceleration.update(i, time, step.h, length(step.begin), std::hypot(step.middle(row, 0), step.middle(row + 1, 0)),
                           length(step.end_minus));
     else

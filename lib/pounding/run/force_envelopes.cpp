@@ -219,7 +219,7 @@ void ForceEnvelopes::show() {
     auto place = block.quantities.places().begin();
     const auto copy = [&](Extremes& to) {
       for (std::size_t i = 0; i < to.size(); ++i, ++place)
-        if (place->at >= 0) to.copy(i, block.extremes, static_cast<std::size_t>(place->at), place->opposite);
+        if (place->at >= 0) to.copy(i, block.extremes, static_cast<std::size_t>(place->at), place->opposite ? -1 : 1);
     };
     if (block.structure < 0) {
       copy(results_.approach);

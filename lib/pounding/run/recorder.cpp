@@ -103,6 +103,7 @@ void Recorder::sample_energy() {
 
 void Recorder::end() {
   links_.end();
+  storeys_.show();
   forces_.end();
   reduction_.end();
   if (results_.energy.time.empty() || results_.energy.time.back() < stepper_.state().time) sample_energy();
@@ -112,6 +113,7 @@ void Recorder::end() {
 void Recorder::with_present_state(const std::function<void()>& write) {
   results_.impacts = impacts_in_order();
   links_.show_unfinished();
+  storeys_.show();
   forces_.show();
   write();
   links_.hide_unfinished();
@@ -121,6 +123,7 @@ void Recorder::archive(Archive& archive) {
   archive(outputs_);
   for (StructureHistory& structure : results_.structures) archive(structure.envelope);
   archive(results_.approach);
+  step_motion_.archive(archive);
   floors_.archive(archive);
   forces_.archive(archive);
   links_.archive(archive);

@@ -120,6 +120,7 @@ void SpringHistories::begin() {
 }
 
 void SpringHistories::step() {
+  if (assembled_.empty()) return;
   if (stepper_.springs_stayed())
     stay();
   else

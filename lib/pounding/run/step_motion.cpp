@@ -20,14 +20,45 @@ void StepMotion::take() {
   end_minus = last.motion;
   response_.complete(end_minus, last.time, stepper_.ground_end_minus());
   has_middle = stepper_.options().scheme.kind == Scheme::Kind::esdirk4 && h > 0;
+  presses = has_middle && any_link_presses();
   if (has_middle) {
     middle = stepper_.outputs_middle();
+    if (presses) find_missed_area(first.motion, last.motion);
     response_.complete_accelerations(middle.col(0), stepper_.ground_middle());
+    if (presses) find_missed_bend();
   }
   jumps = &stepper_.outputs() != &last;
+  before_.h = presses && !jumps ? h : 0;
+  if (before_.h > 0) before_.middle = middle;
   if (jumps) {
     end_plus = stepper_.outputs().motion;
     response_.complete(end_plus, last.time, stepper_.ground());
+  }
+}
+
+bool StepMotion::any_link_presses() const {
+  for (int i = 0; i < stepper_.system().contact_count(); ++i)
+    if (stepper_.link_step(i).force_middle != 0) return true;
+  return false;
+}
+
+// The velocities at both ends tell the integral of the acceleration over the step. Relative to the ground, whose own acceleration is straight
+// there, or nearly so.
+void StepMotion::find_missed_area(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y) {
+  missed_.resize(x.rows(), 2);
+  for (Eigen::Index r = 0; r < x.rows(); ++r)
+    missed_(r, 1) = 20 * (x(r, 2) + 4 * middle(r, 0) + y(r, 2)) - 120 * (y(r, 1) - x(r, 1)) / h;
+}
+
+// The step before tells how the acceleration bends. Displacements would tell it too, but their error counts with the third power of the
+// step there.
+void StepMotion::find_missed_bend() {
+  missed_.col(0).setZero();
+  if (before_.h == 0) return;
+  const double t = -0.5 * before_.h / h - 0.5, w = t * (t * t - 0.25);
+  for (int r = 0; r < missed_.rows(); ++r) {
+    const Quartic parabola{begin(r, 2), middle(r, 0), end_minus(r, 2), 0, 0};
+    missed_(r, 0) = (before_.middle(r, 0) - parabola.at(0.5 + t)) / w - t * missed_(r, 1);
   }
 }
 

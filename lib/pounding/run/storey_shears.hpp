@@ -21,15 +21,20 @@ class StoreyShears {
   void begin(const Eigen::MatrixXd& floors);
   /// One kept step.
   void step(const StepMotion& step);
+  /// Completes the envelopes: shears of elastic storeys follow from those of their drifts.
+  void show();
 
  private:
-  void step(int structure, int row, const StepMotion& step);
+  void step_storey(int structure, std::size_t storey, const StepMotion& step);
+  template <class Visit>
+  void visit_storeys(bool elastic, Visit&& visit) const;
 
   const Model& model_;
   const Stepper& stepper_;
   Results& results_;
   std::vector<std::size_t> first_spring_;  // by structure: its lowest yielding storey among the link steps
   std::vector<int> first_row_;             // by structure: its lowest floor among the motions
+  bool has_inelastic_ = false;             // storeys that yield or have devices
 };
 
 }  // namespace pounding
