@@ -1,8 +1,14 @@
 #include <pounding/run/step_motion.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace pounding {
+namespace {
+
+constexpr double shortest_before = 0.25, max_missed = 0.1;
+
+}  // namespace
 
 StepMotion::StepMotion(const FloorResponse& response, const Stepper& stepper) : response_(response), stepper_(stepper) {}
 
@@ -20,7 +26,7 @@ void StepMotion::take() {
   end_minus = last.motion;
   response_.complete(end_minus, last.time, stepper_.ground_end_minus());
   has_middle = stepper_.options().scheme.kind == Scheme::Kind::esdirk4 && h > 0;
-  presses = has_middle && any_link_presses();
+  presses = has_middle && (stepper_.system().springs.empty() || stepper_.springs_stayed()) && any_link_presses();
   if (has_middle) {
     middle = stepper_.outputs_middle();
     if (presses) find_missed_area(first.motion, last.motion);
@@ -50,15 +56,17 @@ void StepMotion::find_missed_area(const Eigen::MatrixXd& x, const Eigen::MatrixX
     missed_(r, 1) = 20 * (x(r, 2) + 4 * middle(r, 0) + y(r, 2)) - 120 * (y(r, 1) - x(r, 1)) / h;
 }
 
-// The step before tells how the acceleration bends. Displacements would tell it too, but their error counts with the third power of the
-// step there.
+// The step before tells how the acceleration bends, unless it is short beside this one. Displacements would tell it too, but their error
+// counts with the third power of the step there. A path that leaves its parabola by a tenth of the way is not smooth.
 void StepMotion::find_missed_bend() {
-  missed_.col(0).setZero();
-  if (before_.h == 0) return;
   const double t = -0.5 * before_.h / h - 0.5, w = t * (t * t - 0.25);
+  const bool is_known = before_.h > shortest_before * h;
   for (int r = 0; r < missed_.rows(); ++r) {
+    double &alpha = missed_(r, 0), &beta = missed_(r, 1);
     const Quartic parabola{begin(r, 2), middle(r, 0), end_minus(r, 2), 0, 0};
-    missed_(r, 0) = (before_.middle(r, 0) - parabola.at(0.5 + t)) / w - t * missed_(r, 1);
+    alpha = is_known ? (before_.middle(r, 0) - parabola.at(0.5 + t)) / w - t * beta : 0;
+    const double way = std::abs(parabola.end - parabola.begin) + std::abs(parabola.begin - 2 * parabola.middle + parabola.end);
+    if (!(Quartic{0, 0, 0, alpha, beta}.bounds().second < max_missed * way)) alpha = beta = 0;
   }
 }
 

@@ -24,7 +24,7 @@ class StepMotion {
   Eigen::MatrixXd middle;        ///< accelerations in the middle, [row, 1]; only with has_middle
   Eigen::MatrixXd end_minus;     ///< at the end, before contacts changed
   Eigen::MatrixXd end_plus;      ///< after; only with jumps
-  bool presses = false;          ///< links press in this step, which has a middle: accelerations bend sharply, see acceleration()
+  bool presses = false;          ///< links alone press in this step, which has a middle: accelerations bend sharply, see acceleration()
   bool has_middle = false;       ///< accelerations may have their extremum inside this step, which is long
   bool jumps = false;            ///< something changed at its end
 

@@ -46,6 +46,8 @@ class StageSolver {
   const std::vector<int>& active() const { return active_; }
   /// Whether there are any.
   bool linked() const { return !active_.empty(); }
+  /// Whether a contact is one of them.
+  bool presses() const { return linked() && active_.front() < links_.contacts(); }
   /// Whether any link may have a force, springs that keep theirs included.
   bool forced() const { return linked() || springs_.holds(); }
 

@@ -56,8 +56,8 @@ class Stepper {
   bool try_step(double h, std::optional<double> end = std::nullopt);
   /// Error of the trial over the allowed one; good is at most 1.
   double error_ratio() const { return history_.trial().error; }
-  /// Its error falls with this power of its length. Where forces of links are in ESDIRK4 steps, that of Simpson's rule is the larger one.
-  int error_order() const { return options_.scheme.error_order() + (options_.scheme.kind == Scheme::Kind::esdirk4 && stages_.linked() ? 1 : 0); }
+  /// Its error falls with this power of its length. In contact, that of Simpson's rule is the larger one of ESDIRK4.
+  int error_order() const { return options_.scheme.error_order() + (options_.scheme.kind == Scheme::Kind::esdirk4 && stages_.presses() ? 1 : 0); }
   /// Whether the trial may hold an event; where not, locate_event() would find none.
   bool may_hold_event() const;
   /// About where the first phase of a contact that presses ends inside the trial [s after its beginning]; nothing if none does.
