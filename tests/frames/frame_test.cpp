@@ -437,6 +437,34 @@ TEST(GridFrame, PlacesItsNodesAndSharesItsMassByHalfBays) {
   EXPECT_EQ(make_frame(grid).assemble().mass.diagonal().array().cwiseSign().sum(), 6 * 12);  // rotations have mass as well
 }
 
+// So that equal buildings are equal to the last bit. Rounding of places such as 30.02 + 6 would differ from one to the next.
+TEST(GridFrame, HasTheSameMatricesWhereverItStands) {
+  for (const bool rigid : {false, true}) {
+    GridFrame grid = concrete(3, 2, 2, 1);
+    grid.floor_mass = {1600};
+    grid.rigid_floors = rigid;
+    const AssembledFrame here = make_frame(grid).assemble();
+    grid.origin = {30.02, 37.31, 18.02};
+    const Frame moved = make_frame(grid);
+    const AssembledFrame there = moved.assemble();
+    EXPECT_NE((6.0 + 30.02) - 30.02, 6.0);
+    EXPECT_EQ(MatrixXd(here.stiffness), MatrixXd(there.stiffness)) << rigid;
+    EXPECT_EQ(MatrixXd(here.mass), MatrixXd(there.mass)) << rigid;
+    EXPECT_EQ(moved.position(grid.node(1, 1, 0)), grid.origin + here.positions[grid.node(1, 1, 0)]);
+  }
+}
+
+TEST(Frame, MovesAsAWhole) {
+  Frame frame(2);
+  frame.add_node({1, 0, 2});
+  frame.move_by({10, 0, 1});
+  frame.add_node({12, 0, 3});
+  EXPECT_EQ(frame.position(0), Vector3d(11, 0, 3));
+  EXPECT_EQ(frame.position(1), Vector3d(12, 0, 3));
+  EXPECT_THROW(frame.move_by({0, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(frame.move_by({std::nan(""), 0, 0}), std::invalid_argument);
+}
+
 TEST(GridFrame, WithRigidFloorsHasADiagonalMassAtTheirCentres) {
   GridFrame grid = concrete(2, 2, 1, 1);
   grid.bay_width_x = {6, 2};

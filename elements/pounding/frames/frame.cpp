@@ -100,11 +100,17 @@ void Frame::require_not_negative(double value, int node, const char* what) const
   if (!(value >= 0) || std::isinf(value)) refuse(node_text(node) + what + " must be finite and not negative");
 }
 
+void Frame::move_by(const Vector3d& shift) {
+  if (!shift.allFinite()) refuse("a frame is moved by finite lengths");
+  if (dimension_ == 2 && shift.y() != 0) refuse("y must be 0 in a plane frame");
+  shift_ += shift;
+}
+
 int Frame::add_node(const Vector3d& position, const std::string& name) {
   const std::string where = "node " + (name.empty() ? std::to_string(nodes()) : name) + ": ";
   if (!position.allFinite()) refuse(where + "its coordinates must be finite");
   if (dimension_ == 2 && position.y() != 0) refuse(where + "y must be 0 in a plane frame");
-  positions_.push_back(position);
+  positions_.push_back(position - shift_);
   names_.push_back(name);
   return nodes() - 1;
 }
@@ -118,7 +124,7 @@ void Frame::fix(int node) {
 }
 
 int Frame::add_member(int start, int end, const Section& section, const Material& material, const BeamOptions& options) {
-  const Vector3d &from = position(start), &to = position(end);
+  const Vector3d &from = positions_[checked(start)], &to = positions_[checked(end)];
   const std::string where = "member " + std::to_string(members()) + nodes_text(start, end) + ": ";
   if (dimension_ == 3 && !(section.torsion > 0 && section.inertia_z > 0 && material.shear > 0))
     refuse(where + "in space torsion, inertia_z and shear must be positive");
@@ -141,7 +147,7 @@ int Frame::add_member(int start, int end, const Section& section, const Material
 }
 
 int Frame::add_truss(int start, int end, double area, const Material& material) {
-  const Vector3d &from = position(start), &to = position(end);
+  const Vector3d &from = positions_[checked(start)], &to = positions_[checked(end)];
   try {
     members_.push_back({start, end, Beam::truss(from, to, area, material), "", Vector3d::Zero()});
   } catch (const std::invalid_argument& error) {
@@ -261,7 +267,7 @@ void Frame::tie(int master, int node, const std::vector<Dof>& dofs) {
 }
 
 void Frame::tie_rigidly(int master, int node) {
-  const Vector3d arm = position(node) - position(master);
+  const Vector3d arm = positions_[checked(node)] - positions_[checked(master)];
   for (const Dof dof : dofs_of(dimension_)) {
     Row row;
     for (const auto& [of_master, factor] : on_rigid_body(dof, arm))
@@ -276,7 +282,7 @@ void Frame::tie_floor(int master, const std::vector<int>& nodes) {
       tie(master, node, {Dof::ux});
       continue;
     }
-    const Vector3d arm = position(node) - position(master);
+    const Vector3d arm = positions_[checked(node)] - positions_[checked(master)];
     follow(node, Dof::ux, master, {{index(master, Dof::ux), 1.0}, {index(master, Dof::rz), -arm.y()}});
     follow(node, Dof::uy, master, {{index(master, Dof::uy), 1.0}, {index(master, Dof::rz), arm.x()}});
     tie(master, node, {Dof::rz});

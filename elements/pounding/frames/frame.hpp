@@ -46,7 +46,7 @@ struct AssembledFrame {
   Eigen::MatrixX3d load;
   std::vector<bool> massless;  ///< the unknown's row of the mass matrix is zero; the block of the others is regular
   std::vector<std::pair<int, Dof>> unknowns;  ///< the node and degree of freedom that each unknown is
-  std::vector<Eigen::Vector3d> positions;     ///< of the nodes [m]
+  std::vector<Eigen::Vector3d> positions;     ///< of the nodes, before the frame was moved [m]
   std::vector<std::string> node_names;        ///< as in messages: the name that was given, or the number
   int dimension = 0;
 
@@ -73,7 +73,7 @@ class Frame {
   int dimension() const { return dimension_; }
   int nodes() const { return static_cast<int>(positions_.size()); }
   int members() const { return static_cast<int>(members_.size()); }
-  const Eigen::Vector3d& position(int node) const { return positions_[checked(node)]; }
+  Eigen::Vector3d position(int node) const { return positions_[checked(node)] + shift_; }
   /// The nodes that a member joins.
   std::array<int, 2> ends(int member) const;
   const Beam& beam(int member) const { return of(member).beam; }
@@ -95,6 +95,8 @@ class Frame {
   std::string node_name(int node) const;
   std::string member_name(int member) const;
 
+  /// Moves the whole frame. Frames that are built alike and then moved have equal matrices, to the last bit, wherever they stand. y is 0 in a plane frame.
+  void move_by(const Eigen::Vector3d& shift);
   /// Returns the number of the node. y is 0 in a plane frame.
   int add_node(const Eigen::Vector3d& position, const std::string& name = "");
   /// Holds these to the ground.
@@ -243,6 +245,7 @@ class Frame {
 
   int dimension_;
   std::vector<Eigen::Vector3d> positions_;
+  Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();
   std::vector<Member> members_;
   std::vector<Hinge> hinges_;
   std::vector<std::string> names_;  // of the nodes, empty for none

@@ -15,6 +15,11 @@ std::string height(double z) { return format_quantity(z, dimension::length); }
 
 }  // namespace
 
+void FrameModel::move_by(const Eigen::Vector3d& shift) {
+  frame.move_by(shift);
+  for (FrameFloor& floor : floors) floor.elevation += shift.z();
+}
+
 std::vector<int> FrameModel::held_nodes() const {
   std::vector<int> held = frame.grounded_nodes();
   std::erase_if(held, [&](int node) { return node >= given_nodes(); });

@@ -60,6 +60,8 @@ struct FrameModel {
   /// The nodes from this one on are masters that make_floor_rigid has added in space; -1 for none.
   int first_master = -1;
 
+  /// Moves the whole frame, floors and all; see Frame::move_by.
+  void move_by(const Eigen::Vector3d& shift);
   /// Number of nodes without the masters of rigid floors in space.
   int given_nodes() const { return first_master < 0 ? frame.nodes() : first_master; }
   /// The nodes among them that the ground holds, in the order of reactions.
@@ -83,7 +85,8 @@ struct GridParts {
   std::vector<double> weights;  ///< of the nodes of every floor: their shares of its mass
 };
 
-/// Adds nodes, members, masses and floors of a grid to a model, whose feet still stand free and whose floors are not rigid yet.
+/// Adds nodes, members, masses and floors of a grid to a model, whose feet still stand free and whose floors are not rigid yet. A caller that adds more nodes
+/// leaves the origin at 0 and moves the whole model at last, so that its matrices have no rounding of places.
 /// Throws std::invalid_argument as make_frame does.
 GridParts add_grid(FrameModel& model, const GridFrame& grid);
 

@@ -39,7 +39,7 @@ class FrameSurface final : public Surface {
     Eigen::Vector3d position;
   };
 
-  const Eigen::Vector3d& position(int node) const { return model_->frame.position(node); }
+  Eigen::Vector3d position(int node) const { return model_->frame.position(node); }
   int axis_of(Side side) const;
   std::vector<int> edge_nodes(int floor, Side side) const;
   std::optional<OnColumn> on_column(int member, double elevation) const;

@@ -168,9 +168,9 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
   GridParts parts;
   each(0, [&](int, int i, int k) { parts.weights.push_back(share_x[i] * share_y[k]); });
   for (int storey = 0; storey <= grid.storeys; ++storey) {
-    FrameFloor floor{.label = std::to_string(storey), .nodes = {}, .elevation = z[storey] + grid.origin.z()};
+    FrameFloor floor{.label = std::to_string(storey), .nodes = {}, .elevation = z[storey]};
     each(storey, [&](int, int i, int k) {
-      floor.nodes.push_back(frame.add_node(Vector3d(x[i], y[k], z[storey]) + grid.origin, grid.place(storey, i, k)));
+      floor.nodes.push_back(frame.add_node(Vector3d(x[i], y[k], z[storey]), grid.place(storey, i, k)));
     });
     if (storey == 0) {
       parts.feet = floor.nodes;
@@ -198,14 +198,18 @@ GridParts add_grid(FrameModel& model, const GridFrame& grid) {
       if (i < grid.bays_x) member("beam x ", node, grid.node(storey, i + 1, k), grid.beam.at(storey, line));
       if (k < grid.bays_y) member("beam y ", node, grid.node(storey, i, k + 1), grid.beam.at(storey, line));
     });
+  model.move_by(grid.origin);
   return parts;
 }
 
 FrameModel make_frame_model(const GridFrame& grid) {
   FrameModel model{.frame = Frame(grid.bays_y == 0 ? 2 : 3)};
-  const GridParts parts = add_grid(model, grid);
+  GridFrame at_zero = grid;
+  at_zero.origin.setZero();
+  const GridParts parts = add_grid(model, at_zero);
   for (const int foot : parts.feet) model.frame.fix(foot);
   for (int floor = 0; grid.rigid_floors && floor < grid.storeys; ++floor) make_floor_rigid(model, floor, parts.weights);
+  model.move_by(grid.origin);
   return model;
 }
 

@@ -41,6 +41,7 @@ class FrameReader {
     if (const auto hinges = body_.find("hinges")) read_hinges(*hinges, parts_.frame);
     read_gravity();
     read_report();
+    model_.move_by(parts_.origin());
     return std::move(parts_.frame);
   }
 
@@ -168,7 +169,7 @@ class FrameReader {
         list.items()[i].fail(other == &floor ? std::string("stands twice in this floor; keep it once")
                                              : fmt::format("belongs to floor {} already", other->label));
     floor.elevation = model_.frame.position(floor.nodes.front()).z();
-    if (const auto elevation = node.find("elevation")) floor.elevation = elevation->as_quantity() + parts_.origin().z();
+    if (const auto elevation = node.find("elevation")) floor.elevation = elevation->as_quantity();
     const auto label = node.find("label");
     floor.label = label ? label->as_text() : std::to_string(model_.floors.size() + 1);
     for (const FrameFloor& other : model_.floors)
@@ -187,7 +188,7 @@ class FrameReader {
                              of_grid ? parts_.grid().weights : std::vector<double>{}});
   }
 
-  static std::string height(double z) { return format_quantity(z, dimension::length); }
+  std::string height(double z) const { return format_quantity(z + parts_.origin().z(), dimension::length); }
 
   // The floors that hold the i-th node of this one beside that place.
   std::vector<const FrameFloor*> all_with(const FrameFloor& floor, std::size_t i) const {

@@ -114,7 +114,6 @@ void FramePartsInput::read_grid(const Input& node) {
   grid.mass = mass_kind_;
   if (const auto mass = node.find("floor_mass"))
     grid.floor_mass = mass->as_quantities(grid.storeys);
-  grid.origin = origin_;
   if (const auto members = body_.find("members")) read_members_of_grid(*members, grid);
   grid_ = placed(node, [&] { return add_grid(frame.model, grid); });
   const Frame& made = frame.model.frame;
@@ -167,7 +166,7 @@ void FramePartsInput::check_name(const std::string& name, const Input& place) co
 void FramePartsInput::read_node(const std::string& name, const Input& node) {
   check_name(name, node);
   if (name == "feet" && body_.has("grid")) node.fail_at_key("\"feet\" are those of the grid; choose another name");
-  const Vector3d position = words_.vector(node, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]") + origin_;
+  const Vector3d position = words_.vector(node, dimension_ == 2 ? "[0, 3 m]" : "[0, 0, 3 m]");
   nodes_.emplace(name, placed(node, [&] { return frame.model.frame.add_node(position, name); }));
   frame.node_places.push_back(node);
 }

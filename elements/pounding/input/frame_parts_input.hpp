@@ -35,7 +35,7 @@ class FramePartsInput {
 
   const FrameParser& words() const { return words_; }       ///< reads single words of this frame
   int dimension() const { return dimension_; }  ///< 2 in the plane, 3 in space
-  /// Place of the foot of the frame [m].
+  /// Place of the foot of the frame, by which the caller moves it when all is read [m].
   const Eigen::Vector3d& origin() const { return origin_; }
   /// Nodes on the ground of the grid, and the shares of the nodes of each of its floors.
   const GridParts& grid() const { return grid_; }
