@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/linear/equal_groups.hpp>
 #include <pounding/linear/make_solver.hpp>
+#include <pounding/linear/modal_solver.hpp>
 #include <pounding/linear/reduce.hpp>
 #include <pounding/model/model.hpp>
 #include <pounding/stepping/step_controller.hpp>
@@ -145,7 +147,7 @@ TEST(ReducedGroups, AreDeeperForASmallerTolerance) {
   for (const double tolerance : {1e-2, 1e-3}) {
     const auto made = reduced_groups(pair.system, pair.plan(automatic, automatic, tolerance));
     ASSERT_TRUE(made && made->at(0) && made->at(1));
-    const int count = static_cast<int>(made->at(0)->modes.squares.size());
+    const int count = static_cast<int>(made->at(0)->modes->squares.size());
     // Up to three directions a block of three links; some are in the chain of the ground already.
     EXPECT_GT(count, last == 0 ? 30 : last);
     EXPECT_LE(count, last == 0 ? 4 * 3 + 20 + 3 : last + 2 * 3);
@@ -174,6 +176,93 @@ TEST(ReducedGroups, AreAllModesWhereAnAutomaticBasisWouldBeTooLarge) {
   EXPECT_FALSE(made->at(0));
   EXPECT_FALSE(made->at(1));
   EXPECT_NE(petsc::make_solver(pair.system, SolverKind::automatic, plan, PETSC_COMM_SELF)->description().find("all 1200 modes"), std::string::npos);
+}
+
+// Five towers in a row, the fourth of which is heavier. Those at the ends are hit on one side, each on another one.
+struct Row {
+  Model model;
+  System system;
+  Eigen::VectorXd u, v;
+
+  // `heavier`: the floors of the fourth one [t].
+  explicit Row(double heavier = 70) : model(test::model_of(text(heavier))), system(assemble(model)) { std::tie(u, v) = initial_state(model); }
+
+  static std::string text(double heavier) {
+    std::string structures = "ground_motion: {harmonic: {amplitude: 3, period: 1.5, duration: 4}}\nstructures:\n", links = "links:\n";
+    for (int i = 0; i < 5; ++i) {
+      structures += fmt::format("  t{}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 20, bays: 3, storey_height: 3.2, bay_width: 6, "
+                                "columns: {{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 %}}\n",
+                                i, 18.02 * i, i == 3 ? heavier : 60);
+      if (i > 0)
+        for (const int floor : {20, 15, 10})
+          links += fmt::format("  - {{between: [t{0}.{2}, t{1}.{2}], gap: 20 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}\n", i - 1, i, floor);
+    }
+    return structures + links + "analysis: {duration: 4}\n";
+  }
+
+  ReducedGroups groups(const std::vector<Reduction>& how) const {
+    return *reduced_groups(system, {{"t0", "t1", "t2", "t3", "t4"}, how, u, v, 1e-4});
+  }
+};
+
+// The modes of each that it has in a system of its own kind, where no other one is like it.
+TEST(EqualStructures, ShareModesWhereTheyAreDrivenAlikeAndKeepTheBitsOfEachByItself) {
+  const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6};
+  const Row row;
+  const ReducedGroups made = row.groups({blocks, blocks, blocks, blocks, blocks});
+  for (const auto& group : made) ASSERT_TRUE(group && group->shadow);
+  EXPECT_EQ(made[1]->modes, made[2]->modes);
+  EXPECT_EQ(made[1]->shadow, made[2]->shadow);
+  EXPECT_EQ(made[2]->made.name, "t2");
+  for (const int other : {0, 3, 4}) EXPECT_NE(made[1]->modes, made[static_cast<std::size_t>(other)]->modes) << other;
+  EXPECT_NE(made[0]->modes, made[4]->modes);
+  for (int k = 0; k < 5; ++k) {
+    std::vector<Reduction> alone(5);
+    alone[static_cast<std::size_t>(k)] = blocks;
+    const ReducedGroups one = row.groups(alone);
+    const auto at = static_cast<std::size_t>(k);
+    EXPECT_EQ(made[at]->modes->shapes, one[at]->modes->shapes) << k;
+    EXPECT_EQ(made[at]->modes->squares, one[at]->modes->squares) << k;
+    EXPECT_EQ(made[at]->shadow->in_modes, one[at]->shadow->in_modes) << k;
+    EXPECT_EQ(made[at]->shadow->squares, one[at]->shadow->squares) << k;
+    EXPECT_EQ(made[at]->made.coordinates, one[at]->made.coordinates) << k;
+  }
+}
+
+TEST(EqualStructures, DoNotShareWhatTheyWereNotAsked) {
+  const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6}, deeper{.kind = Kind::blocks, .links = 3, .ground = 6};
+  const ReducedGroups made = Row().groups({blocks, blocks, deeper, blocks, blocks});
+  EXPECT_NE(made[1]->modes, made[2]->modes);
+  EXPECT_GT(made[2]->made.coordinates, made[1]->made.coordinates);
+}
+
+TEST(EqualStructures, AreThoseWithTheSameMassAndStiffness) {
+  EXPECT_EQ(first_equal_groups(Row().system), (std::vector<int>{0, 0, 0, 3, 0}));
+  EXPECT_EQ(first_equal_groups(Row(60 + 1e-13).system), (std::vector<int>{0, 0, 0, 3, 0})) << "the last bits count";
+}
+
+// All natural modes as well.
+TEST(EqualStructures, MoveAsTheyDoByThemselves) {
+  const Row row;
+  const ModalSolver solver(row.system);
+  for (int k = 0; k < 5; ++k) {
+    System one = row.system;
+    for (int other = 0; other < 5; ++other)
+      if (other != k) one.mass.coeffRef(one.groups[other].first, one.groups[other].first) *= 1 + 0.1 * (other + 1);
+    const ModalSolver alone(one);
+    const StructureSolver::Segment own = solver.segments()[k];
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(solver.size()), u, expected;
+    x.segment(own.first, own.count).setLinSpaced(-1, 1);
+    solver.physical(x, u);
+    alone.physical(x, expected);
+    EXPECT_EQ(u, expected) << k;
+    EXPECT_EQ(solver.coordinates(u).segment(own.first, own.count), alone.coordinates(u).segment(own.first, own.count)) << k;
+    EXPECT_EQ(solver.load().middleRows(own.first, own.count), alone.load().middleRows(own.first, own.count)) << k;
+    Eigen::MatrixXd closings, of_alone;
+    solver.gather(x, closings);
+    alone.gather(x, of_alone);
+    EXPECT_EQ(closings, of_alone) << k;
+  }
 }
 
 TEST(ReducedGroups, RefuseNumbersThatMakeTheBasisTooLarge) {

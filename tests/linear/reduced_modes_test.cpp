@@ -155,6 +155,48 @@ TEST_P(ReducedTower, HasTheSameBitsTwiceAndWhereItIsMadeDeeper) {
   EXPECT_EQ(twice.modes({.links = 2, .ground = 3}).shapes, shallow.shapes);
 }
 
+// The shadow is a sum of modes of the run, and yet what its own blocks give. (Chains so deep that they hold nearly the same directions differ by more: what one has
+// beside the other is near its rounding.)
+TEST_P(ReducedTower, HoldsTheModesOfItsShadow) {
+  tower.inputs.starts = Eigen::VectorXd::LinSpaced(tower.size(), 0, 1);
+  const ReducedDepth depth{.links = 3, .ground = 3}, less{.links = 2, .ground = 1};
+  ReducedModes reduced = tower.reduced();
+  const GroupModes whole = reduced.modes(depth), alone = tower.reduced().modes(less);
+  const ShadowModes shadow = reduced.shadow(depth, less);
+  const Eigen::Index count = alone.squares.size();
+  EXPECT_EQ(reduced.count(depth, less), count);
+  ASSERT_EQ(shadow.squares.size(), count);
+  ASSERT_LT(count, whole.squares.size());
+  EXPECT_LT((shadow.in_modes.transpose() * shadow.in_modes - Eigen::MatrixXd::Identity(count, count)).cwiseAbs().maxCoeff(), 1e-12);
+  for (Eigen::Index i = 0; i < count; ++i) EXPECT_NEAR(shadow.squares[i], alone.squares[i], 1e-9 * alone.squares[i]) << i;
+  for (const double frequency : {0.0, 2.0, 20.0}) {
+    const double s = std::pow(2 * std::numbers::pi * frequency, 2);
+    const Eigen::MatrixXd exact = tower.flexibility(alone, s), found = tower.flexibility({whole.shapes * shadow.in_modes, shadow.squares}, s);
+    EXPECT_LT((found - exact).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff()) << frequency;
+  }
+}
+
+// Each input in turn is another one: blocks that are kept must be right for the new ones.
+TEST_P(ReducedTower, HasTheBitsOfANewOneWhereItIsDrivenOtherwise) {
+  ReducedModes reduced = tower.reduced();
+  const GroupModes first = reduced.modes({});
+  const ReducedInputs before = tower.inputs;
+  ReducedInputs links = before, ground = before, shift = before, starts = before;
+  links.links.col(0) *= -1;
+  links.links(0, 1) = 0.5;
+  ground.ground(0, 0) += 1e4;
+  shift.shift *= 4;
+  starts.starts = Eigen::VectorXd::LinSpaced(tower.size(), 0, 1);
+  for (const ReducedInputs& inputs : {links, ground, shift, starts, before}) {
+    tower.inputs = inputs;
+    reduced.drive(inputs);
+    const GroupModes again = reduced.modes({}), by_itself = tower.reduced().modes({});
+    EXPECT_EQ(again.shapes, by_itself.shapes);
+    EXPECT_EQ(again.squares, by_itself.squares);
+    EXPECT_EQ(inputs == before, again.squares.size() == first.squares.size() && again.squares == first.squares);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Frames, ReducedTower, testing::Bool(), [](const auto& test) { return test.param ? "consistent" : "lumped"; });
 
 // A couple on a rotation without mass turns it at once, which is S of a spring there; the modes hold what it does to the others.
@@ -184,6 +226,7 @@ TEST(ReducedModes, RefuseWhatNothingHolds) {
   EXPECT_THROW(ReducedModes(mass, loose, inputs), std::invalid_argument);
   EXPECT_THROW(ReducedModes(tower.mass, tower.stiffness, inputs), std::invalid_argument);
   EXPECT_THROW(ReducedModes(loose, mass, {}), std::invalid_argument);
+  EXPECT_THROW(Tower(true).reduced().drive(inputs), std::invalid_argument);
 }
 
 TEST(ReducedModes, OfAStructureThatNothingMovesAreThereStill) {
@@ -235,7 +278,8 @@ class Rod {
     inputs.links = Eigen::MatrixXd(system.gap_jacobian);
     inputs.starts = Eigen::VectorXd::Ones(masses);
     inputs.shift = 2 * k / m;
-    ModalSolver solver(system, {ReducedGroup{.modes = ReducedModes(system.mass, system.stiffness, inputs).modes(depth)}});
+    const auto modes = std::make_shared<const GroupModes>(ReducedModes(system.mass, system.stiffness, inputs).modes(depth));
+    ModalSolver solver(system, {ReducedGroup{.modes = modes}});
     coordinates = solver.size();
     Stepper stepper(system, solver, {.tolerance = 1e-8, .max_step = 1e-3});
     stepper.start(0, Eigen::VectorXd::Zero(masses), Eigen::VectorXd::Ones(masses));

@@ -92,7 +92,10 @@ void leave_out(ReducedGroups& groups) {
 }
 void make_equal(ReducedGroups& groups) {
   for (auto& group : groups)
-    if (group) group->shadow = group->modes;
+    if (group) {
+      const Eigen::Index count = group->modes->squares.size();
+      group->shadow = std::make_shared<const ShadowModes>(ShadowModes{Eigen::MatrixXd::Identity(count, count), group->modes->squares});
+    }
 }
 
 class Shadow : public testing::TestWithParam<double> {};

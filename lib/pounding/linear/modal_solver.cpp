@@ -10,6 +10,7 @@
 
 #include <pounding/linear/all_modes.hpp>
 #include <pounding/linear/column_sums.hpp>
+#include <pounding/linear/equal_groups.hpp>
 #include <pounding/structures/damping.hpp>
 
 namespace pounding {
@@ -24,6 +25,29 @@ MassSplit split_of(const System& system, const Group& group) {
   for (int i = group.first; i < group.first + group.count; ++i)
     if (!(system.mass.coeff(i, i) >= 0)) throw std::invalid_argument("the mass matrix is not positive definite");
   return split_by_mass(system.mass, group.first, group.count);
+}
+
+// All natural modes of a group; `mass` is dense, at the dynamic degrees of freedom. Those without mass follow statically.
+GroupModes natural_modes(const System& system, const Group& group, const Eigen::MatrixXd& mass, const std::vector<int>& dynamic,
+                         const std::vector<int>& massless) {
+  const int count = static_cast<int>(dynamic.size());
+  Eigen::MatrixXd stiffness = dense_submatrix(system.stiffness, dynamic, dynamic, group.first);
+  Eigen::MatrixXd recovery;  // of the massless degrees of freedom from the dynamic ones
+  if (!massless.empty()) {
+    const Eigen::MatrixXd coupling = dense_submatrix(system.stiffness, massless, dynamic, group.first);
+    const Eigen::SimplicialLLT<SparseMatrix> solver(submatrix(system.stiffness, massless, massless, group.first));
+    if (solver.info() != Eigen::Success)
+      throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
+    recovery = -solver.solve(coupling);
+    stiffness += coupling.transpose() * recovery;
+    stiffness = 0.5 * (stiffness + stiffness.transpose().eval());
+  }
+  const auto [values, phi] = count > small_structure ? petsc::all_modes(mass, stiffness) : eigenpairs(mass, stiffness);
+  GroupModes modes{.shapes = Eigen::MatrixXd::Zero(group.count, count), .squares = values.cwiseMax(0)};
+  modes.shapes(dynamic, Eigen::all) = phi;
+  if (recovery.size() > 0) modes.shapes(massless, Eigen::all) = recovery * phi;
+  modes.squares.head(std::min<Eigen::Index>(group.rigid_motions, count)).setZero();
+  return modes;
 }
 
 // y = diag(d) x from column `first` of x on; y overlaps neither.
@@ -48,42 +72,43 @@ ModalSolver::ModalSolver(const System& system) : ModalSolver(system, {}) {}
 
 ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<ReducedGroup>>& groups)
     : StructureSolver(system), unknowns_(system.size()) {
+  const auto is_reduced = [&](std::size_t k) { return k < groups.size() && groups[k].has_value(); };
+  const std::vector<int> equals = first_equal_groups(system);
+  std::vector<int> natural(system.groups.size(), -1);  // by the first of equal groups, the first one of these in all its modes
+  blocks_.reserve(2 * system.groups.size());
   for (std::size_t k = 0; k < system.groups.size(); ++k)
-    if (k < groups.size() && groups[k]) {
-      add_reduced(system, system.groups[k], groups[k]->modes, false);
+    if (is_reduced(k)) {
+      add_reduced(system, system.groups[k], *groups[k]);
       reduced_.push_back(groups[k]->made);
     } else {
-      add_natural(system, system.groups[k]);
+      int& before = natural[static_cast<std::size_t>(equals[k])];
+      add_natural(system, system.groups[k], before < 0 ? nullptr : &blocks_[static_cast<std::size_t>(before)]);
+      if (before < 0) before = static_cast<int>(k);
     }
   const int counted = static_cast<int>(stiffness_.size());
-  for (std::size_t k = 0; k < groups.size(); ++k) {
-    if (!groups[k] || !groups[k]->shadow) continue;
-    blocks_[k].shadowed = true;
-    add_reduced(system, system.groups[k], *groups[k]->shadow, true);
-  }
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    if (groups[k] && groups[k]->shadow) add_shadow(system, system.groups[k], groups[k]->shadow);
   const int n = static_cast<int>(stiffness_.size());
   shadow_ = n - counted;
   for (const Block& block : blocks_) classical_ = classical_ && block.damping.size() == 0;
   if (!classical_) {
     for (Block& block : blocks_)
-      if (block.damping.size() == 0) {
-        const int count = static_cast<int>(block.shapes.cols());
-        block.damping = Eigen::MatrixXd(damping_.segment(block.coordinate, count).asDiagonal());
-      }
+      if (block.damping.size() == 0) block.damping = Eigen::MatrixXd(damping_.segment(block.coordinate, block.count).asDiagonal());
     factors_.resize(blocks_.size());
   }
-  if (n == unknowns_ && std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.shapes.size() == 1; })) {
+  if (n == unknowns_ && std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.shapes().size() == 1; })) {
     single_.resize(n);
-    for (const Block& block : blocks_) single_[block.first] = block.shapes(0, 0);
+    for (const Block& block : blocks_) single_[block.first] = block.shapes()(0, 0);
   }
   load_.resize(n, system.load.cols());
   weights_ = Eigen::VectorXd::Ones(n);
   weights_.tail(shadow_).setZero();
   inverse_.resize(n);
   for (const Block& block : blocks_)
-    for (Eigen::Index j = 0; j < load_.cols(); ++j)
-      load_.col(j).segment(block.coordinate, block.shapes.cols()) =
-          block.shapes.transpose() * system.load.col(j).segment(block.first, block.shapes.rows());
+    for (Eigen::Index j = 0; j < load_.cols(); ++j) {
+      const Eigen::VectorXd by_run = block.shapes().transpose() * system.load.col(j).segment(block.first, block.unknowns());
+      load_.col(j).segment(block.coordinate, block.count) = block.of_modes(by_run);
+    }
   outputs_ = static_cast<int>(system.outputs.cols());
   for (const Block& block : blocks_) {
     if (!block.shadow) add_view(system.outputs, block, views_);
@@ -97,11 +122,12 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
 LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) const {
   LinkColumns made(system.links());
   for (const Block& block : blocks_) {
-    if (shadow ? block.shadowed : block.shadow) continue;
+    if (shadow ? block.shadowed : block.shadow != nullptr) continue;
     std::vector<int> links;
-    Eigen::MatrixXd columns(block.shapes.cols(), system.links());
+    const Eigen::MatrixXd& shapes = block.shapes();
+    Eigen::MatrixXd columns(shapes.cols(), system.links());
     for (int i = 0; i < system.links(); ++i) {
-      Eigen::VectorXd part = Eigen::VectorXd::Zero(block.shapes.rows());
+      Eigen::VectorXd part = Eigen::VectorXd::Zero(shapes.rows());
       for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
         if (it.row() >= block.first && it.row() < block.first + part.size()) part[it.row() - block.first] = it.value();
       if (part.isZero(0)) continue;
@@ -112,55 +138,41 @@ LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) con
       if (block.few()) {
         column.setZero();
         for (int k = 0; k < part.size(); ++k)
-          if (part[k] != 0) column += part[k] * block.shapes.row(k).transpose();
+          if (part[k] != 0) column += part[k] * shapes.row(k).transpose();
       } else {
-        column = block.shapes.transpose() * part;
+        column = shapes.transpose() * part;
       }
       links.push_back(i);
     }
     columns.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(links.size()));
-    made.add_block(block.coordinate, std::move(links), std::move(columns));
+    made.add_block(block.coordinate, std::move(links), block.of_modes(std::move(columns)));
   }
   return made;
 }
 
-void ModalSolver::add_natural(const System& system, const Group& group) {
+void ModalSolver::add_natural(const System& system, const Group& group, const Block* equal) {
   const auto [dynamic, massless] = split_of(system, group);
-  const int count = static_cast<int>(dynamic.size());
-  Eigen::MatrixXd stiffness = dense_submatrix(system.stiffness, dynamic, dynamic, group.first);
   const Eigen::MatrixXd mass = dense_submatrix(system.mass, dynamic, dynamic, group.first);
-  Eigen::MatrixXd recovery;  // of the massless degrees of freedom from the dynamic ones
-  if (!massless.empty()) {
-    const Eigen::MatrixXd coupling = dense_submatrix(system.stiffness, massless, dynamic, group.first);
-    const Eigen::SimplicialLLT<SparseMatrix> solver(submatrix(system.stiffness, massless, massless, group.first));
-    if (solver.info() != Eigen::Success)
-      throw std::invalid_argument("the stiffness leaves an unknown without mass loose");
-    recovery = -solver.solve(coupling);
-    stiffness += coupling.transpose() * recovery;
-    stiffness = 0.5 * (stiffness + stiffness.transpose().eval());
-    if (!dense_submatrix(system.damping, massless, massless, group.first).isZero(0) ||
-        !dense_submatrix(system.damping, massless, dynamic, group.first).isZero(0))
-      throw std::invalid_argument("a dashpot acts on an unknown without mass");
-  }
-  const auto [values, phi] = count > small_structure ? petsc::all_modes(mass, stiffness) : eigenpairs(mass, stiffness);
   Block block;
-  block.shapes = Eigen::MatrixXd::Zero(group.count, count);
-  block.shapes(dynamic, Eigen::all) = phi;
-  if (recovery.size() > 0) block.shapes(massless, Eigen::all) = recovery * phi;
-  if (!block.few()) {
-    block.project = Eigen::MatrixXd::Zero(count, group.count);
-    block.project(Eigen::all, dynamic) = phi.transpose() * mass;
+  block.modes = equal ? equal->modes : std::make_shared<const GroupModes>(natural_modes(system, group, mass, dynamic, massless));
+  if (!massless.empty() && (!dense_submatrix(system.damping, massless, massless, group.first).isZero(0) ||
+                            !dense_submatrix(system.damping, massless, dynamic, group.first).isZero(0)))
+    throw std::invalid_argument("a dashpot acts on an unknown without mass");
+  const Eigen::MatrixXd phi = block.shapes()(dynamic, Eigen::all);
+  if (equal) {
+    block.projection = equal->projection;
+  } else if (!block.few()) {
+    Projection projection{.by_modes = Eigen::MatrixXd::Zero(phi.cols(), group.count), .by_unknown = {}, .mass = {}};
+    projection.by_modes(Eigen::all, dynamic) = phi.transpose() * mass;
+    block.projection = std::make_shared<const Projection>(std::move(projection));
   }
-  Eigen::VectorXd squares = values.cwiseMax(0);
-  squares.head(std::min<Eigen::Index>(group.rigid_motions, count)).setZero();
   group_masses_.push_back(mass.diagonal().sum());
-  add_block(system, group, std::move(block), squares,
-            phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi);
+  add_block(system, group, std::move(block), phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi);
 }
 
-void ModalSolver::add_reduced(const System& system, const Group& group, const GroupModes& modes, bool shadow) {
-  const auto [dynamic, massless] = split_of(system, group);
-  if (modes.shapes.rows() != group.count || modes.shapes.cols() != modes.squares.size())
+void ModalSolver::add_reduced(const System& system, const Group& group, const ReducedGroup& reduced) {
+  const std::vector<int> massless = split_of(system, group).massless;
+  if (reduced.modes->shapes.rows() != group.count || reduced.modes->shapes.cols() != reduced.modes->squares.size())
     throw std::logic_error("the modes do not belong to this group");
   const SparseMatrix damping = system.damping.block(group.first, group.first, group.count, group.count);
   for (const int i : massless)
@@ -168,20 +180,50 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Gr
       if (it.value() != 0) throw std::invalid_argument("a dashpot acts on an unknown without mass");
   const SparseMatrix mass = system.mass.block(group.first, group.first, group.count, group.count);
   Block block;
-  block.shadow = shadow;
   block.reduced = true;
-  block.shapes = modes.shapes;
-  if (!shadow) group_masses_.push_back(mass.diagonal().sum());
-  const Eigen::Index count = modes.squares.size();
+  block.modes = reduced.modes;
+  group_masses_.push_back(mass.diagonal().sum());
+  const Eigen::Index count = reduced.modes->squares.size();
   const Eigen::MatrixXd rest = damping.nonZeros() == 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count))
-                                                       : symmetric_product(modes.shapes, damping * modes.shapes);
-  add_block(system, group, std::move(block), modes.squares, rest);
+                                                       : symmetric_product(block.shapes(), damping * block.shapes());
+  add_block(system, group, std::move(block), rest);
 }
 
 // `rest` is the damping of the modes without Rayleigh's.
-void ModalSolver::add_block(const System& system, const Group& group, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest) {
-  const int count = static_cast<int>(squares.size()), number = static_cast<int>(&group - system.groups.data());
+void ModalSolver::add_block(const System& system, const Group& group, Block block, const Eigen::MatrixXd& rest) {
+  if (block.few() && !block.projection) {
+    const auto equal = std::ranges::find(blocks_, block.modes, &Block::modes);
+    block.projection = equal != blocks_.end() ? equal->projection
+                                              : std::make_shared<const Projection>(Projection{
+                                                    .by_modes = {},
+                                                    .by_unknown = block.shapes().transpose(),
+                                                    .mass = system.mass.block(group.first, group.first, group.count, group.count)});
+  }
   block.first = group.first;
+  add_coordinates(group, std::move(block), rest);
+  segments_.push_back({blocks_.back().coordinate, blocks_.back().count, static_cast<int>(&group - system.groups.data())});
+}
+
+void ModalSolver::add_shadow(const System& system, const Group& group, const std::shared_ptr<const ShadowModes>& shadow) {
+  Block& shadowed = *std::ranges::find(blocks_, group.first, &Block::first);
+  Block block = shadowed;
+  shadowed.shadowed = true;
+  block.shadow = shadow;
+  block.damping.resize(0, 0);
+  const SparseMatrix damping = system.damping.block(group.first, group.first, group.count, group.count);
+  const Eigen::Index count = shadow->squares.size();
+  Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(count, count);
+  if (damping.nonZeros() > 0) {
+    const Eigen::MatrixXd shapes = product(block.shapes(), shadow->in_modes);
+    rest = symmetric_product(shapes, damping * shapes);
+  }
+  add_coordinates(group, std::move(block), rest);
+}
+
+// `rest` as in add_block.
+void ModalSolver::add_coordinates(const Group& group, Block block, const Eigen::MatrixXd& rest) {
+  const Eigen::VectorXd& squares = block.shadow ? block.shadow->squares : block.modes->squares;
+  block.count = static_cast<int>(squares.size());
   block.coordinate = static_cast<int>(stiffness_.size());
   Eigen::VectorXd diagonal = rest.diagonal() + group.by_stiffness * squares;
   diagonal.array() += group.by_mass;
@@ -191,29 +233,25 @@ void ModalSolver::add_block(const System& system, const Group& group, Block bloc
     block.damping = rest;
     block.damping.diagonal() = diagonal;
   }
-  stiffness_.conservativeResize(block.coordinate + count);
-  damping_.conservativeResize(block.coordinate + count);
-  stiffness_.tail(count) = squares;
-  damping_.tail(count) = diagonal;
-  if (block.few()) {
-    block.by_unknown = block.shapes.transpose();
-    block.mass = system.mass.block(group.first, group.first, group.count, group.count);
-  }
-  if (!block.shadow) segments_.push_back({block.coordinate, count, number});
+  stiffness_.conservativeResize(block.coordinate + block.count);
+  damping_.conservativeResize(block.coordinate + block.count);
+  stiffness_.tail(block.count) = squares;
+  damping_.tail(block.count) = diagonal;
   blocks_.push_back(std::move(block));
 }
 
 void ModalSolver::add_view(const SparseMatrix& outputs, const Block& block, std::vector<View>& views) const {
   View view{block.coordinate, {}, {}};
-  const auto inside = [&](Eigen::Index row) { return row >= block.first && row < block.first + block.shapes.rows(); };
+  const auto inside = [&](Eigen::Index row) { return row >= block.first && row < block.first + block.unknowns(); };
   for (int j = 0; j < outputs_; ++j)
     for (SparseMatrix::InnerIterator it(outputs, j); it; ++it)
       if (inside(it.row()) && (view.rows.empty() || view.rows.back() != j)) view.rows.push_back(j);
   if (view.rows.empty()) return;
-  view.factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(view.rows.size()), block.shapes.cols());
+  view.factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(view.rows.size()), block.shapes().cols());
   for (std::size_t i = 0; i < view.rows.size(); ++i)
     for (SparseMatrix::InnerIterator it(outputs, view.rows[i]); it; ++it)
-      if (inside(it.row())) view.factors.row(static_cast<Eigen::Index>(i)) += it.value() * block.shapes.row(it.row() - block.first);
+      if (inside(it.row())) view.factors.row(static_cast<Eigen::Index>(i)) += it.value() * block.shapes().row(it.row() - block.first);
+  if (block.shadow) view.factors = product(view.factors, block.shadow->in_modes);
   views.push_back(std::move(view));
 }
 
@@ -316,8 +354,14 @@ void ModalSolver::gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Matr
 }
 
 void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen::VectorXd> y) const {
-  for (const Block& block : blocks_)
-    y.segment(block.coordinate, block.shapes.cols()).noalias() += block.shapes.transpose() * f.segment(block.first, block.shapes.rows());
+  for (const Block& block : blocks_) {
+    auto to = y.segment(block.coordinate, block.count);
+    const auto from = f.segment(block.first, block.unknowns());
+    if (block.shadow)
+      to += block.shadow->in_modes.transpose() * (block.shapes().transpose() * from);
+    else
+      to.noalias() += block.shapes().transpose() * from;
+  }
 }
 
 void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { observe(views_, x, values); }
@@ -335,20 +379,25 @@ void ModalSolver::observe(const std::vector<View>& views, const Eigen::Ref<const
 
 Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {
   Eigen::VectorXd x(stiffness_.size());
-  for (const Block& block : blocks_)
-    x.segment(block.coordinate, block.shapes.cols()) =
-        block.few() ? Eigen::VectorXd(block.by_unknown * (block.mass * u.segment(block.first, block.shapes.rows())))
-                    : Eigen::VectorXd(block.project * u.segment(block.first, block.project.cols()));
+  for (const Block& block : blocks_) {
+    const auto own = u.segment(block.first, block.unknowns());
+    const Projection& projection = *block.projection;
+    const Eigen::VectorXd by_run = block.few() ? Eigen::VectorXd(projection.by_unknown * (projection.mass * own)) : Eigen::VectorXd(projection.by_modes * own);
+    x.segment(block.coordinate, block.count) = block.of_modes(by_run);
+  }
   return x;
 }
 
 void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const {
-  const Eigen::Index rows = shapes.rows(), modes = shapes.cols();
+  const Eigen::Index rows = unknowns();
   if (few()) {
-    const Eigen::MatrixXd own = x.middleRows(coordinate, modes).transpose();
+    Eigen::MatrixXd own = x.middleRows(coordinate, count);
+    if (shadow) own = product(shadow->in_modes, own);
+    own.transposeInPlace();
+    const Eigen::Index all = own.cols();
     auto to = u.middleCols(first, rows);
     to.setZero();
-    add_products({own.data(), own.rows(), modes, own.rows()}, {by_unknown.data(), modes, rows, modes}, to.data(), u.outerStride());
+    add_products({own.data(), own.rows(), all, own.rows()}, {projection->by_unknown.data(), all, rows, all}, to.data(), u.outerStride());
     return;
   }
   Eigen::VectorXd one(rows);
@@ -359,10 +408,10 @@ void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Ei
 }
 
 void ModalSolver::Block::displace_one(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> u) const {
-  if (shapes.cols() < many_modes)
-    sum_columns(shapes, x.data() + coordinate, u.data());
+  if (count < many_modes)
+    sum_columns(shapes(), x.data() + coordinate, u.data());
   else
-    u.noalias() = shapes * x.segment(coordinate, shapes.cols());
+    u.noalias() = shapes() * x.segment(coordinate, count);
 }
 
 void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd& u) const {
@@ -376,7 +425,7 @@ void ModalSolver::physical(Eigen::Ref<const Eigen::VectorXd> x, Eigen::VectorXd&
     if (block.few())
       block.displace(x, Eigen::Map<Eigen::MatrixXd>(u.data(), 1, unknowns_));
     else
-      block.displace_one(x, u.segment(block.first, block.shapes.rows()));
+      block.displace_one(x, u.segment(block.first, block.unknowns()));
   }
 }
 
@@ -396,7 +445,7 @@ void ModalSolver::physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x
 std::optional<StructureSolver::FewModes> ModalSolver::few_modes(int group) const {
   const Block& block = blocks_[group];
   if (!block.few()) return std::nullopt;
-  return FewModes{block.shapes, block.coordinate};
+  return FewModes{block.shapes(), block.coordinate};
 }
 
 std::string ModalSolver::description() const {

@@ -1,9 +1,11 @@
 #pragma once
 /// The structures in their natural modes: coordinates in which the equations without links are decoupled.
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -19,6 +21,8 @@ namespace pounding {
 /// few operations per degree of freedom and no factorization. Massless degrees of freedom are condensed statically, which is
 /// exact. C becomes diagonal too when the damping is classical (Rayleigh, modal); else it stays a full block per group, and
 /// each length of step is factored once.
+///
+/// Groups with equal mass and stiffness, such as those of buildings that are built twice, share their modes: they are computed once, with the same bits.
 ///
 /// For small and middle systems: the cost of setting up grows with the cube of a structure's dynamic degrees of freedom.
 class ModalSolver final : public StructureSolver {
@@ -60,22 +64,29 @@ class ModalSolver final : public StructureSolver {
   std::string description() const override;
 
  private:
-  // The modes of one group.
-  struct Block {
-    int first = 0;            // degree of freedom
-    int coordinate = 0;       // first mode
-    Eigen::MatrixXd shapes;   // Phi: [all degrees of freedom of the group, mode]
-    Eigen::MatrixXd project;  // Phi^T M: displacements to modes; empty where few()
-    // Where few() instead: Phi^T and M.
-    Eigen::MatrixXd by_unknown;
+  // What groups with the same modes share: Phi^T M, or where few() Phi^T and M.
+  struct Projection {
+    Eigen::MatrixXd by_modes, by_unknown;
     SparseMatrix mass;
+  };
+  // The modes of one group, or those of its shadow.
+  struct Block {
+    int first = 0;       // degree of freedom
+    int coordinate = 0;  // first mode
+    int count = 0;       // of modes
+    std::shared_ptr<const GroupModes> modes;    // Phi: [all degrees of freedom of the group, mode]; those of the run for a shadow
+    std::shared_ptr<const ShadowModes> shadow;  // of a shadow alone
+    std::shared_ptr<const Projection> projection;
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
     bool reduced = false;     // in fewer modes than unknowns with mass
-    bool shadow = false;
     bool shadowed = false;    // a later block is its shadow
 
+    const Eigen::MatrixXd& shapes() const { return modes->shapes; }
+    Eigen::Index unknowns() const { return modes->shapes.rows(); }
+    // The matrix Phi^T X of these modes, from that of the modes of the run.
+    Eigen::MatrixXd of_modes(Eigen::MatrixXd by_run) const { return shadow ? Eigen::MatrixXd(shadow->in_modes.transpose() * by_run) : std::move(by_run); }
     // Whether sums over the modes cost less than those over the unknowns; they are made in the order of the modes then.
-    bool few() const { return reduced || shapes.cols() > small_structure; }
+    bool few() const { return reduced || modes->shapes.cols() > small_structure; }
     // The displacements of its unknowns, [columns of x, unknown of the system], from its modes in x.
     void displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const;
     // Displacements of one column, [unknown of the group], where the modes are not few().
@@ -88,10 +99,12 @@ class ModalSolver final : public StructureSolver {
     Eigen::MatrixXd factors;
   };
 
-  void add_natural(const System& system, const Group& group);
-  void add_reduced(const System& system, const Group& group, const GroupModes& modes, bool shadow);
+  void add_natural(const System& system, const Group& group, const Block* equal);
+  void add_reduced(const System& system, const Group& group, const ReducedGroup& reduced);
+  void add_shadow(const System& system, const Group& group, const std::shared_ptr<const ShadowModes>& shadow);
   LinkColumns columns_of_links(const System& system, bool shadow) const;
-  void add_block(const System& system, const Group& group, Block block, const Eigen::VectorXd& squares, const Eigen::MatrixXd& rest);
+  void add_block(const System& system, const Group& group, Block block, const Eigen::MatrixXd& rest);
+  void add_coordinates(const Group& group, Block block, const Eigen::MatrixXd& rest);
   void add_view(const SparseMatrix& outputs, const Block& block, std::vector<View>& views) const;
   LinkColumns::Solve solve_block() const;
   void observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const;

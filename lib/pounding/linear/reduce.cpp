@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/linear/equal_groups.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/linear/reduced_modes.hpp>
 
@@ -76,14 +79,33 @@ constexpr int ground_less = 5;
 int shadow_links(ReducedModes& basis, const ReducedDepth& depth, int links) {
   const int all = basis.count(depth), new_ones = (links + 1) / 2;
   int blocks = depth.links - 1;
-  while (blocks > 1 && all - basis.count({.links = blocks, .ground = depth.ground}) < new_ones) --blocks;
+  while (blocks > 1 && all - basis.count(depth, {.links = blocks, .ground = depth.ground}) < new_ones) --blocks;
   return blocks;
 }
 
+// Structures with equal matrices: what was made for one of them serves the next.
+struct Alike {
+  struct Made {
+    Reduction how;
+    ReducedInputs inputs;
+    std::optional<ReducedGroup> group;
+  };
+  int left = 0;  // of them, still to be made
+  std::unique_ptr<ReducedModes> modes;
+  std::vector<Made> made;
+
+  ReducedModes& driven(const System& system, const Group& group, const ReducedInputs& inputs) {
+    if (modes)
+      modes->drive(inputs);
+    else
+      modes = std::make_unique<ReducedModes>(part(system.mass, group), part(system.stiffness, group), inputs);
+    return *modes;
+  }
+};
+
 // Nothing where the basis would not pay.
 std::optional<ReducedGroup> reduce(const System& system, const Group& group, const Reduction& how, const std::string& name, const ReductionPlan& plan,
-                           int dynamic) {
-  ReducedInputs inputs = inputs_of(system, group, plan);
+                           int dynamic, ReducedInputs inputs, Alike& alike) {
   ReducedDepth depth = how.kind == Kind::blocks ? ReducedDepth{.links = how.links, .ground = how.ground}
                                                 : automatic_depth(how.error > 0 ? how.error : plan.tolerance, plan.deeper);
   const int links = static_cast<int>(inputs.links.cols()), grounds = static_cast<int>(inputs.ground.cols());
@@ -107,12 +129,13 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                                  "half of them; take fewer blocks or leave it whole",
                                  how.text(), name, most, dynamic));
   }
-  ReducedModes basis(part(system.mass, group), part(system.stiffness, group), inputs);
-  ReducedGroup made{.modes = basis.modes(depth)};
+  ReducedModes& basis = alike.driven(system, group, inputs);
+  ReducedGroup made{.modes = std::make_shared<const GroupModes>(basis.modes(depth))};
   if (how.kind != Kind::lowest && depth.links > 1)
-    made.shadow = basis.modes({.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0)});
+    made.shadow = std::make_shared<const ShadowModes>(
+        basis.shadow(depth, {.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0)}));
   made.made = {.name = name,
-               .coordinates = static_cast<int>(made.modes.squares.size()),
+               .coordinates = static_cast<int>(made.modes->squares.size()),
                .unknowns = group.count,
                .link_blocks = depth.links,
                .links = links,
@@ -120,6 +143,21 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                .grounds = grounds,
                .modes = how.kind == Kind::lowest ? how.modes : 0,
                .frequency = std::sqrt(inputs.shift) / (2 * M_PI)};
+  return made;
+}
+
+// As reduce(), with the modes of an earlier structure that is built alike, asked the same and driven alike.
+std::optional<ReducedGroup> reduce_or_share(const System& system, const Group& group, const Reduction& how, const std::string& name,
+                                            const ReductionPlan& plan, int dynamic, Alike& alike) {
+  ReducedInputs inputs = inputs_of(system, group, plan);
+  for (const Alike::Made& before : alike.made)
+    if (before.how == how && before.inputs == inputs) {
+      std::optional<ReducedGroup> made = before.group;
+      if (made) made->made.name = name;
+      return made;
+    }
+  std::optional<ReducedGroup> made = reduce(system, group, how, name, plan, dynamic, inputs, alike);
+  if (alike.left > 0) alike.made.push_back({how, std::move(inputs), made});
   return made;
 }
 
@@ -145,10 +183,15 @@ double contact_shift(const System& system, const Group& group) {
 
 std::optional<ReducedGroups> reduced_groups(const System& system, const ReductionPlan& plan) {
   ReducedGroups made(system.groups.size());
+  const std::vector<int> equals = first_equal_groups(system);
+  std::vector<Alike> alike(system.groups.size());
+  for (const int first : equals) ++alike[static_cast<std::size_t>(first)].left;
   const bool any_explicit = std::ranges::any_of(plan.groups, &Reduction::is_explicit);
   for (std::size_t k = 0; k < system.groups.size(); ++k) {
     const Group& group = system.groups[k];
     const Reduction& how = plan.groups[k];
+    Alike& same = alike[static_cast<std::size_t>(equals[k])];
+    --same.left;
     const int dynamic = static_cast<int>(split_by_mass(system.mass, group.first, group.count).dynamic.size());
     const bool small = dynamic <= small_structure;
     if (how.kind == Kind::all_modes || (how.kind == Kind::none && any_explicit)) {
@@ -157,7 +200,9 @@ std::optional<ReducedGroups> reduced_groups(const System& system, const Reductio
                                      plan.names[k], dynamic));
       continue;
     }
-    if (how.kind != Kind::none && !(how.kind == Kind::automatic && small)) made[k] = reduce(system, group, how, plan.names[k], plan, dynamic);
+    if (how.kind != Kind::none && !(how.kind == Kind::automatic && small))
+      made[k] = reduce_or_share(system, group, how, plan.names[k], plan, dynamic, same);
+    if (same.left == 0) same = {};
     const int most_modes = how.kind == Kind::automatic ? most_modes_instead : small_structure;
     if (!made[k] && dynamic > most_modes) return std::nullopt;
   }

@@ -37,6 +37,9 @@ inline constexpr int most_modes_instead = 2500;
 /// its basis would be larger than half of its unknowns with mass, more than most_modes_instead. Up to these a run that is made again goes over to all
 /// modes where its basis would be larger than a third of them. Every process makes all of them, with the same bits.
 ///
+/// Structures with equal masses and stiffness share what depends on these alone, such as factors; asked the same and driven by equal links and grounds they
+/// share their modes. Each has the bits that it has by itself.
+///
 /// The shadow of a group is made of all but the last block of the links that brought new directions, and all but the last five of the ground. One block
 /// of the links has none, and lowest modes have none.
 ///

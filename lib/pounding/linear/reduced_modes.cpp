@@ -52,6 +52,25 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& x, double least) {
   return q;
 }
 
+void require_rows(const SparseMatrix& stiffness, const ReducedInputs& inputs) {
+  for (const Eigen::MatrixXd* input : {&inputs.links, &inputs.ground, &inputs.starts})
+    if (input->size() > 0 && input->rows() != stiffness.rows())
+      throw std::invalid_argument("an input of a reduced structure has another number of rows");
+}
+
+bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a.rows() == b.rows() && a.cols() == b.cols() && a == b; }
+
+struct Ritz {
+  Eigen::VectorXd squares;
+  Eigen::MatrixXd vectors;
+};
+
+Ritz ritz_of(const Eigen::MatrixXd& stiffness) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
+  if (solver.info() != Eigen::Success) throw SolverError("the modes of a reduced structure could not be computed");
+  return {solver.eigenvalues().cwiseMax(0), solver.eigenvectors()};
+}
+
 // Blocks of one chain, orthonormal together, the first `count` of them beside each other.
 struct Chain {
   std::vector<Eigen::MatrixXd> blocks;
@@ -80,7 +99,25 @@ struct Chain {
   }
 };
 
+// An orthonormal basis of all parts, each of which has orthonormal columns, and of starts, in this order. The first part is its head as it is.
+Eigen::MatrixXd joined(const std::vector<Eigen::MatrixXd>& parts, const Eigen::MatrixXd& starts) {
+  Chain all;
+  for (const Eigen::MatrixXd& part : parts) {
+    if (part.cols() == 0) continue;
+    if (all.blocks.empty())
+      all.blocks.push_back(part);
+    else
+      all.add(part, nothing_joined);
+  }
+  if (starts.cols() > 0) all.add(starts, in_the_span);
+  return all.first(static_cast<int>(all.blocks.size()));
+}
+
 }  // namespace
+
+bool ReducedInputs::operator==(const ReducedInputs& other) const {
+  return shift == other.shift && same(links, other.links) && same(ground, other.ground) && same(starts, other.starts);
+}
 
 // The structure in the coordinates y = L^T u of its unknowns with mass, M = L L^T, in which mass-normal vectors are orthonormal.
 struct ReducedModes::Structure {
@@ -93,10 +130,10 @@ struct ReducedModes::Structure {
   ReducedInputs inputs;
   Chain links, ground;
   std::optional<Eigen::MatrixXd> shifted;
+  std::optional<std::pair<double, Factor>> contact_factor;  // of K + shift M
 
   Structure(const SparseMatrix& m, const SparseMatrix& k, const ReducedInputs& of) : dofs(split_by_mass(m)), mass(m), stiffness(k), inputs(of) {
-    for (const Eigen::MatrixXd* input : {&inputs.links, &inputs.ground, &inputs.starts})
-      if (input->size() > 0 && input->rows() != k.rows()) throw std::invalid_argument("an input of a reduced structure has another number of rows");
+    require_rows(k, inputs);
     root.compute(submatrix(mass, dofs.dynamic, dofs.dynamic));
     if (root.info() != Eigen::Success) throw std::invalid_argument("the mass matrix is not positive definite");
     SparseMatrix at(mass.rows(), static_cast<int>(dofs.dynamic.size()));
@@ -131,17 +168,20 @@ struct ReducedModes::Structure {
     }
   }
 
+  const Factor& factor_at(double shift) {
+    if (contact_factor && contact_factor->first == shift) return contact_factor->second;
+    SparseMatrix a = stiffness + shift * mass;
+    a.makeCompressed();
+    contact_factor.emplace(shift, Factor(PETSC_COMM_SELF, pattern_of(a), values_of(a), factor_prefix));
+    if (!contact_factor->second.ok()) throw SolverError("the stiffness of a reduced structure could not be factored at the frequency of its contacts");
+    return contact_factor->second;
+  }
+
   const Eigen::MatrixXd& at_the_contact() {
     if (shifted) return *shifted;
     shifted.emplace();
     const Eigen::MatrixXd load = unit_columns(inputs.links);
-    if (inputs.shift > 0 && load.cols() > 0) {
-      SparseMatrix a = stiffness + inputs.shift * mass;
-      a.makeCompressed();
-      const Factor at(PETSC_COMM_SELF, pattern_of(a), values_of(a), factor_prefix);
-      if (!at.ok()) throw SolverError("the stiffness of a reduced structure could not be factored at the frequency of its contacts");
-      shifted = orthonormal(unit_columns(answers(at, load)), nothing_new);
-    }
+    if (inputs.shift > 0 && load.cols() > 0) shifted = orthonormal(unit_columns(answers(factor_at(inputs.shift), load)), nothing_new);
     return *shifted;
   }
 
@@ -155,36 +195,75 @@ struct ReducedModes::Structure {
     return u;
   }
 
-  // The basis of a depth; it is asked for again when its modes are.
-  const Eigen::MatrixXd& basis(const ReducedDepth& depth) {
-    for (const auto& [of, made] : made_)
-      if (of == depth) return made;
-    if (made_.size() == kept_bases) made_.erase(made_.begin());
-    return made_.emplace_back(depth, joined_basis(depth)).second;
+  // Modes of a depth, which the counts and the shadow of this depth need again: shapes are displacements(basis * vectors).
+  struct Made {
+    ReducedDepth depth;
+    Eigen::MatrixXd basis;
+    Ritz ritz{};
+  };
+  std::optional<Made> made;
+
+  Made& basis(const ReducedDepth& depth) {
+    if (made && made->depth == depth) return *made;
+    const std::vector<Eigen::MatrixXd> chains = parts(depth);
+    return made.emplace(depth, joined(chains, starts_beside(chains)));
   }
 
-  static constexpr std::size_t kept_bases = 2;
-  std::vector<std::pair<ReducedDepth, Eigen::MatrixXd>> made_;
-
-  // The chains, joined, with the starts that they do not hold.
-  Eigen::MatrixXd joined_basis(const ReducedDepth& depth) {
+  // The chains and the block at the contact.
+  std::vector<Eigen::MatrixXd> parts(const ReducedDepth& depth) {
     grow(links, inputs.links, depth.links);
     grow(ground, inputs.ground, depth.ground);
-    Chain joined;
-    for (const Eigen::MatrixXd& part : {links.first(depth.links), ground.first(depth.ground), depth.shifted ? at_the_contact() : Eigen::MatrixXd()}) {
+    return {links.first(depth.links), ground.first(depth.ground), depth.shifted ? at_the_contact() : Eigen::MatrixXd()};
+  }
+
+  // At unit length. A structure that nothing moves has a coordinate still.
+  Eigen::MatrixXd starts_beside(const std::vector<Eigen::MatrixXd>& chains) const {
+    Eigen::MatrixXd given;
+    if (inputs.starts.size() > 0) given = unit_columns(spread.transpose() * inputs.starts);
+    if (given.cols() == 0 && std::ranges::all_of(chains, [](const Eigen::MatrixXd& part) { return part.cols() == 0; }))
+      given = unit_columns(answers(*factor, spread * Eigen::VectorXd::Ones(spread.cols())));
+    return given;
+  }
+
+  // The basis with no more blocks, in coordinates of that of a depth.
+  Eigen::MatrixXd less_basis(const ReducedDepth& depth, const ReducedDepth& less) {
+    const Eigen::MatrixXd& whole = basis(depth).basis;
+    const std::vector<Eigen::MatrixXd> chains = parts(less);
+    std::vector<Eigen::MatrixXd> inside;
+    bool is_head = true;
+    for (const Eigen::MatrixXd& part : chains) {
       if (part.cols() == 0) continue;
-      if (joined.blocks.empty())
-        joined.blocks.push_back(part);
-      else
-        joined.add(part, nothing_joined);
+      inside.push_back(is_head ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(whole.cols(), part.cols())) : transposed_product(whole, part));
+      is_head = false;
     }
-    Eigen::MatrixXd starts;
-    if (inputs.starts.size() > 0) starts = unit_columns(spread.transpose() * inputs.starts);
-    // A structure that nothing moves has a coordinate still.
-    if (starts.cols() == 0 && joined.blocks.empty())
-      starts = unit_columns(answers(*factor, spread * Eigen::VectorXd::Ones(spread.cols())));
-    if (starts.cols() > 0) joined.add(starts, in_the_span);
-    return joined.first(static_cast<int>(joined.blocks.size()));
+    return joined(inside, transposed_product(whole, starts_beside(chains)));
+  }
+
+  GroupModes modes(const ReducedDepth& depth) {
+    Made& of = basis(depth);
+    GroupModes found;
+    found.shapes = displacements(of.basis);
+    const Eigen::MatrixXd forces = stiffness * found.shapes;
+    of.ritz = ritz_of(symmetric_product(found.shapes, forces));
+    found.squares = of.ritz.squares;
+    found.shapes = product(found.shapes, of.ritz.vectors);
+    for (Eigen::Index j = 0; j < found.shapes.cols(); ++j) {
+      Eigen::Index largest = 0;
+      found.shapes.col(j).cwiseAbs().maxCoeff(&largest);
+      if (found.shapes(largest, j) >= 0) continue;
+      found.shapes.col(j) = -found.shapes.col(j);
+      of.ritz.vectors.col(j) = -of.ritz.vectors.col(j);
+    }
+    return found;
+  }
+
+  ShadowModes shadow(const ReducedDepth& depth, const ReducedDepth& less) {
+    if (basis(depth).ritz.squares.size() == 0) modes(depth);
+    const Eigen::MatrixXd inside = less_basis(depth, less);
+    const Ritz& of = made->ritz;
+    const Eigen::MatrixXd columns = transposed_product(of.vectors, inside);
+    const Ritz found = ritz_of(symmetric_product(columns, of.squares.asDiagonal() * columns));
+    return {product(columns, found.vectors), found.squares};
   }
 };
 
@@ -193,25 +272,22 @@ ReducedModes::ReducedModes(const SparseMatrix& mass, const SparseMatrix& stiffne
 ReducedModes::~ReducedModes() = default;
 ReducedModes::ReducedModes(ReducedModes&&) noexcept = default;
 
-int ReducedModes::count(const ReducedDepth& depth) { return static_cast<int>(structure_->basis(depth).cols()); }
+void ReducedModes::drive(const ReducedInputs& inputs) {
+  Structure& s = *structure_;
+  require_rows(s.stiffness, inputs);
+  if (inputs == s.inputs) return;
+  const bool same_links = same(inputs.links, s.inputs.links);
+  if (!same_links) s.links = {};
+  if (!same(inputs.ground, s.inputs.ground)) s.ground = {};
+  if (!same_links || inputs.shift != s.inputs.shift) s.shifted.reset();
+  s.inputs = inputs;
+  s.made.reset();
+}
 
 int ReducedModes::most() const { return static_cast<int>(structure_->dofs.dynamic.size()); }
-
-GroupModes ReducedModes::modes(const ReducedDepth& depth) {
-  GroupModes made;
-  made.shapes = structure_->displacements(structure_->basis(depth));
-  const Eigen::MatrixXd forces = structure_->stiffness * made.shapes;
-  const Eigen::MatrixXd k = symmetric_product(made.shapes, forces);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(k);
-  if (ritz.info() != Eigen::Success) throw SolverError("the modes of a reduced structure could not be computed");
-  made.squares = ritz.eigenvalues().cwiseMax(0);
-  made.shapes = product(made.shapes, ritz.eigenvectors());
-  for (auto shape : made.shapes.colwise()) {
-    Eigen::Index largest = 0;
-    shape.cwiseAbs().maxCoeff(&largest);
-    if (shape[largest] < 0) shape = -shape;
-  }
-  return made;
-}
+int ReducedModes::count(const ReducedDepth& depth) { return static_cast<int>(structure_->basis(depth).basis.cols()); }
+int ReducedModes::count(const ReducedDepth& depth, const ReducedDepth& less) { return static_cast<int>(structure_->less_basis(depth, less).cols()); }
+GroupModes ReducedModes::modes(const ReducedDepth& depth) { return structure_->modes(depth); }
+ShadowModes ReducedModes::shadow(const ReducedDepth& depth, const ReducedDepth& less) { return structure_->shadow(depth, less); }
 
 }  // namespace pounding::petsc

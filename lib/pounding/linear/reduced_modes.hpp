@@ -16,6 +16,9 @@ struct ReducedInputs {
   Eigen::MatrixXd ground;  ///< loads of ground motions and forces over time: columns of P
   Eigen::MatrixXd starts;  ///< displacements and velocities from which the run starts; columns of zeros are left out
   double shift = 0;        ///< square of the circular frequency of a contact [rad^2/s^2]; 0 for no block there
+
+  /// Same vectors and shift to the last bit.
+  bool operator==(const ReducedInputs& other) const;
 };
 
 /// Blocks of the two chains: one is the static answer alone.
@@ -52,11 +55,18 @@ class ReducedModes {
   ~ReducedModes();
   ReducedModes(ReducedModes&&) noexcept;
 
+  /// Takes other inputs from now on, with the bits of an object made with them. What depends on the matrices alone is kept, and so is a chain whose
+  /// inputs are the same. Throws as the constructor for an input with another number of rows.
+  void drive(const ReducedInputs& inputs);
+
   /// Ritz modes of this depth. Blocks that are there already are used again, so a second depth costs little. A chain ends by itself where
   /// it has nothing new to give. Throws SolverError where a solve fails.
   GroupModes modes(const ReducedDepth& depth);
-  /// Number of modes of this depth, without the modes.
+  /// Ritz modes of no more blocks, in those of this depth.
+  ShadowModes shadow(const ReducedDepth& depth, const ReducedDepth& less);
+  /// Number of modes of this depth, and of a shadow of it, without the modes.
   int count(const ReducedDepth& depth);
+  int count(const ReducedDepth& depth, const ReducedDepth& less);
   /// Unknowns with mass: the largest number of modes.
   int most() const;
 
