@@ -260,7 +260,7 @@ void write_reduction(hid_t file, const Results& results) {
     scalar(place, {"coordinates", "1", "coordinates of the structure"}, static_cast<long>(s.coordinates));
     hdf5::integers(place, {"blocks", "1", "blocks of the chain of the links and of that of the ground"}, {s.link_blocks, s.ground_blocks}, {2});
     scalar(place, {"frequency", "Hz", "of the block at the contact; 0 for none"}, s.frequency);
-    scalar(place, {"error_force", "1", "three times the estimated error of forces of links over the largest force"}, s.error_force);
+    scalar(place, {"error_force", "1", "three times the estimated error of peak forces of links over the largest force"}, s.error_force);
     scalar(place, {"error_displacement", "1", "the same of displacements of floors"}, s.error_displacement);
     scalar(place, {"error_acceleration", "1", "the same of accelerations of floors"}, s.error_acceleration);
     scalar(place, {"error_members", "1", "the same of forces and moments of members"}, s.error_members);

@@ -20,7 +20,7 @@ double ratio(double difference, double largest) { return difference > 0 ? safety
 
 ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper) : model_(model), stepper_(stepper) {
   if (stepper.base().counted() == stepper.base().size()) return;
-  forces_.assign(static_cast<std::size_t>(stepper.system().contact_count()), 0.0);
+  for (std::vector<double>* by_link : {&forces_, &peaks_, &shadow_peaks_}) by_link->assign(static_cast<std::size_t>(stepper.system().contact_count()), 0.0);
   const std::vector<int> first = offsets(model);
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
@@ -90,7 +90,12 @@ void ReductionErrors::compare_forces(const Instant& end) {
   const auto step = [&](std::size_t i) -> const LinkStep& { return stepper_.link_step(static_cast<int>(i)); };
   const auto presses = [&](std::size_t i) { return step(i).force_end != 0; };
   bool any = false;
-  for (std::size_t i = 0; i < forces_.size(); ++i) any = any || presses(i);
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    any = any || presses(i);
+    if (presses(i)) continue;
+    forces_[i] = peak_difference(i);
+    peaks_[i] = shadow_peaks_[i] = 0;
+  }
   if (!any) return;
   stepper_.base().gather_shadow(end.motion.leftCols(2), closings_);
   for (std::size_t i = 0; i < forces_.size(); ++i) {
@@ -98,9 +103,14 @@ void ReductionErrors::compare_forces(const Instant& end) {
     const auto row = static_cast<Eigen::Index>(i);
     const laws::Response law = stepper_.system().contacts[i]->evaluate(step(i).motion_end);
     const double difference = law.by_penetration * (end.relative(row, 0) - closings_(row, 0)) + law.by_rate * (end.relative(row, 1) - closings_(row, 1));
-    if (std::isfinite(difference)) forces_[i] = std::max(forces_[i], std::abs(difference));
+    const double force = step(i).force_end;
+    peaks_[i] = std::max(peaks_[i], force);
+    shadow_peaks_[i] = std::max(shadow_peaks_[i], std::isfinite(difference) ? force - difference : force);
   }
 }
+
+// The largest difference of peaks so far. One impact of many may agree by chance, not all of them.
+double ReductionErrors::peak_difference(std::size_t link) const { return std::max(forces_[link], std::abs(peaks_[link] - shadow_peaks_[link])); }
 
 std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) const {
   std::vector<ReducedStructure> all(stepper_.base().reduced().begin(), stepper_.base().reduced().end());
@@ -113,7 +123,7 @@ std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) co
     double difference = 0;
     for (std::size_t i = 0; i < forces_.size(); ++i) {
       const Link& link = model_.links[i];
-      if (link.left.structure == floors.structure || link.right.structure == floors.structure) difference = std::max(difference, forces_[i]);
+      if (link.left.structure == floors.structure || link.right.structure == floors.structure) difference = std::max(difference, peak_difference(i));
     }
     one.error_force = ratio(difference, peak_force);
     if (!floors.rows.empty()) {
@@ -129,6 +139,8 @@ std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) co
 void ReductionErrors::archive(Archive& archive) {
   compare_waiting();
   archive(forces_);
+  archive(peaks_);
+  archive(shadow_peaks_);
   archive(outputs_);
   for (Floors& floors : floors_) {
     archive(floors.displacement);

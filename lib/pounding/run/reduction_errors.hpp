@@ -19,7 +19,8 @@ namespace pounding {
 /// Compares the structures with their shadow, which has one block of the links and five of the ground less and feels the same forces of links
 /// and grounds (StructureSolver::counted):
 ///
-/// forces of links:  |dF/dd delta + dF/dv delta'| with the difference delta of the closings and the slopes of the law, while a contact presses;
+/// forces of links:  peaks of every impact; the shadow's force is F - dF/dd delta - dF/dv delta' with the difference delta of the closings and the slopes of the
+///                   law at ends of steps;
 /// floors:           displacements and accelerations relative to the ground, at the end of every step;
 /// members:          forces and moments at their ends, at some output times.
 ///
@@ -51,12 +52,14 @@ class ReductionErrors {
   };
 
   void compare_forces(const Instant& end);
+  double peak_difference(std::size_t link) const;
   void compare_waiting();
 
   const Model& model_;
   const Stepper& stepper_;
   std::vector<Floors> floors_;          // of the structures that have a shadow
-  std::vector<double> forces_;          // by link [N]
+  std::vector<double> forces_;          // by link, of the peaks of its impacts that are over [N]
+  std::vector<double> peaks_, shadow_peaks_;  // by link, of the impact that lasts [N]; 0 where none does
   long outputs_ = 0;
   Eigen::MatrixXd waiting_;             // coordinates at output times whose members are to be compared, together
   int waits_ = 0;                       // so many of them
