@@ -91,7 +91,8 @@ class ContactRun {
       if (ratio > 0.5 && ratio < 2) break;
     }
     speed_ = speed, root_of_mass_ = 1 / std::sqrt(inverse_mass);
-    time_scale_ = depth / speed;
+    allow();
+    time_scale_ = depth / speed, per_square_of_time_ = 1 / (time_scale_ * time_scale_);
     clock_ = Clock(begin_->time, links_[l].root());
     reading_ = clock_.reading(begin_->time);
     // A first step that the error test keeps nearly always.
@@ -145,9 +146,12 @@ class ContactRun {
 
   // Square of the step's error over the largest one allowed.
   double take(const Ground& ground, double ds, double end_time) noexcept {
-    const double square = step_.take(links_, ground, clock_, *begin_, reading_, ds, end_time, time_scale_, *end_);
+    return per_allowed_ * step_.take(links_, ground, clock_, *begin_, reading_, ds, end_time, per_square_of_time_, *end_);
+  }
+  // The fastest closing of this impact has grown: so does the error that a step may have.
+  void allow() noexcept {
     const double allowed = settings_.tolerance * speed_ * root_of_mass_;
-    return square / (allowed * allowed);
+    per_allowed_ = 1 / (allowed * allowed);
   }
 
   // The state at a part of the last step, with its accelerations.
@@ -179,7 +183,7 @@ class ContactRun {
         link.record_depth(way.at(turn_on(way, b.rate, e.rate)).x);
       }
       link.keep(e.d, e.rate, e.force.force);
-      speed_ = std::max(speed_, std::abs(e.rate));
+      if (std::abs(e.rate) > speed_) speed_ = std::abs(e.rate), allow();
       saw(e.rate);
     }
     std::swap(begin_, end_);
@@ -231,7 +235,8 @@ class ContactRun {
   double fastest_ = 0;   // rate of any link so far
   Clock clock_;
   double reading_ = 0, ds_ = 0, last_ = 0;
-  double speed_ = 0, time_scale_ = 0, root_of_mass_ = 0;  // of the present impact
+  double speed_ = 0, time_scale_ = 0, root_of_mass_ = 0;    // of the present impact
+  double per_allowed_ = 0, per_square_of_time_ = 0;         // inverse squares of the allowed error and of the time
   long steps_ = 0, tries_ = 0;
 };
 

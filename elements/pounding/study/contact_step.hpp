@@ -22,40 +22,23 @@ class ContactStep : public ContactMotion<Law, M, L> {
  public:
   using typename Base::Links;
 
-  explicit ContactStep(const Structures<M, L>& structures) : Base(structures) {
+  explicit ContactStep(const Structures<M, L>& structures)
+      : Base(structures), presses_(numbers<L, int>(s_.link_count)) {
     for (Stage& stage : stages_) stage = {s_.k, s_.k, numbers<L>(s_.link_count), numbers<L>(s_.link_count)};
+    if (s_.links() == 1) by_ground_ = s_.closes(0, s_.p), by_force_ = s_.closes(0, s_.closing[0]);
   }
 
   /// Steps go on from this complete state.
   void begin(const Links&, const Ground&, const Moment<M, L>&, double) const noexcept {}
 
   /// A step from `begin` by ds on the clock, ending at the time given; returns the square of the velocity that the error of the modes' energy stands
-  /// for, with `time_scale` [s] between displacements and velocities [kg m^2/s^2].
+  /// for [kg m^2/s^2]; `of_displacement` [1/s^2] is the inverse square of a time between displacements and velocities.
   double take(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s, double ds, double end_time,
-              double time_scale, Moment<M, L>& end) noexcept {
-    double times[6];
-    read(clock, s, ds, times);
-    const bool bent = end_time > ground.corner;
-    keep(stages_[0], speeds_[0], begin.v, begin.a);
-    for (std::size_t l = 0; l < s_.links(); ++l)
-      stages_[0].force[l] = begin.links[l].force.force, stages_[0].rate[l] = begin.links[l].rate;
-    const auto stage = [&]<int I>(std::integral_constant<int, I>) {
-      move<I>(begin, end.q, end.v);
-      if (bent) bend(ground.bend, ground.beyond(times[I]), end);
-      evaluate(links, ground.line(times[I]), stages_[I], end);
-      keep(stages_[I], speeds_[I], end.v, end.a);
-      if (bent) unbend(speeds_[I] * bent_rate(ground.bend, ground.beyond(times[I])), stages_[I].q);
-    };
-    [&]<int... I>(std::integer_sequence<int, I...>) { (stage(std::integral_constant<int, I + 1>{}), ...); }(std::make_integer_sequence<int, 5>{});
-    move<6>(begin, end.q, end.v);
-    if (bent) bend(ground.bend, ground.beyond(end_time), end);
-    end.time = end_time;
-    Base::complete(links, ground, end);
-    Modes<M> v = end.v, a = end.a;
-    if (bent) unbend(bent_rate(ground.bend, ground.beyond(end_time)), v), unbend(ground.bend * ground.beyond(end_time), a);
-    return error(v, a, 1 / (time_scale * time_scale));
+              double of_displacement, Moment<M, L>& end) noexcept {
+    if constexpr (L != 1)
+      if (s_.links() > 1) return take_with<false>(links, ground, clock, begin, s, ds, end_time, of_displacement, end);
+    return take_with<true>(links, ground, clock, begin, s, ds, end_time, of_displacement, end);
   }
-
   /// The motion of a link in the last step.
   Quintic path(std::size_t link, const Moment<M, L>& begin, const Moment<M, L>& end) const noexcept {
     return quintic_path(begin.links[link], end.links[link], end.time - begin.time);
@@ -85,7 +68,11 @@ class ContactStep : public ContactMotion<Law, M, L> {
   struct Stage {
     Modes<M> q, v;
     Numbers<L> force, rate;
+    double closing = 0, closing_faster = 0;  // of the one link: penetration and rate, as the modes
   };
+
+  using Part = typename Modes<M>::Part;
+  using Local = std::conditional_t<(M > 0), Modes<M>, Modes<M>&>;
 
   static constexpr double c[] = {0, 0.2, 0.3, 0.8, 8.0 / 9, 1};
   static constexpr double a[6][6] = {{0.2},
@@ -96,12 +83,46 @@ class ContactStep : public ContactMotion<Law, M, L> {
                                      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
   static constexpr double e[] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
+  template <bool one_link>
+  [[gnu::flatten]] double take_with(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s, double ds,
+                                    double end_time, double of_displacement, Moment<M, L>& end) noexcept {
+    double times[6];
+    read(clock, s, ds, times);
+    const bool bent = end_time > ground.corner;
+    // In registers, where there are few.
+    Local q = end.q, v = end.v, acceleration = end.a;
+    keep(stages_[0], speeds_[0], begin.v, begin.a);
+    for (std::size_t l = 0; l < s_.links(); ++l) {
+      const LinkMoment& link = begin.links[l];
+      stages_[0].force[l] = link.force.force, stages_[0].rate[l] = link.rate;
+      presses_[l] = links[l].pressed();
+      if constexpr (one_link) stages_[0].closing = speeds_[0] * link.rate, stages_[0].closing_faster = speeds_[0] * link.acceleration;
+    }
+    const auto stage = [&]<int I>(std::integral_constant<int, I>) {
+      const double beyond = bent ? ground.beyond(times[I]) : 0;
+      move<I>(begin, q, v);
+      if (bent) [[unlikely]] bend(ground.bend, beyond, q, v);
+      evaluate<I, one_link>(links, begin, ground.line(times[I]), bent ? bent_rate(ground.bend, beyond) : 0, beyond, q, v, acceleration);
+      keep(stages_[I], speeds_[I], v, acceleration);
+      if (bent) [[unlikely]] unbend(speeds_[I] * bent_rate(ground.bend, beyond), stages_[I].q);
+    };
+    [&]<int... I>(std::integer_sequence<int, I...>) { (stage(std::integral_constant<int, I + 1>{}), ...); }(std::make_integer_sequence<int, 5>{});
+    move<6>(begin, q, v);
+    if (bent) bend(ground.bend, ground.beyond(end_time), q, v);
+    if constexpr (M > 0) end.q = q, end.v = v;
+    end.time = end_time;
+    Base::complete(links, ground, end);
+    Modes<M> last_v = end.v, last_a = end.a;
+    if (bent) unbend(bent_rate(ground.bend, ground.beyond(end_time)), last_v), unbend(ground.bend * ground.beyond(end_time), last_a);
+    return error(last_v, last_a, of_displacement);
+  }
+
   // Behind a corner of the ground's acceleration the stages go without the motion that its bend alone gives bodies that nothing holds: what is left
   // is smooth there.
   static double bent_rate(double bend, double beyond) noexcept { return 0.5 * bend * beyond * beyond; }
-  void bend(double bend, double beyond, Moment<M, L>& x) const noexcept {
+  void bend(double bend, double beyond, Modes<M>& q, Modes<M>& v) const noexcept {
     const double rate = bent_rate(bend, beyond), way = rate * beyond * (1.0 / 3);
-    for (std::size_t i = 0; i < s_.k.parts(); ++i) x.q.part(i) -= way * s_.p.part(i), x.v.part(i) -= rate * s_.p.part(i);
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) q.part(i) -= way * s_.p.part(i), v.part(i) -= rate * s_.p.part(i);
   }
 
   void unbend(double part, Modes<M>& x) const noexcept {
@@ -131,22 +152,42 @@ class ContactStep : public ContactMotion<Law, M, L> {
       auto at_q = begin.q.part(i), at_v = begin.v.part(i);
 #pragma GCC unroll 6
       for (int k = 0; k < I; ++k)
-        if (a[I - 1][k] != 0) at_q += a[I - 1][k] * stages_[k].q.part(i), at_v += a[I - 1][k] * stages_[k].v.part(i);
+        if (a[I - 1][k] != 0) at_q += same<Part>(a[I - 1][k]) * stages_[k].q.part(i), at_v += same<Part>(a[I - 1][k]) * stages_[k].v.part(i);
       q.part(i) = at_q, v.part(i) = at_v;
     }
   }
 
-  // Forces of the links that press and the accelerations, of a state on its way.
-  [[gnu::always_inline]] void evaluate(const Links& links, double ag, Stage& stage, Moment<M, L>& x) const noexcept {
-    Base::pull(x.q, x.v, ag, x.a);
+  // Forces of the links that press and the accelerations, of the state that the I stages before have moved to. A link's penetration and rate are moved as
+  // those of the modes are: nothing but the last force then waits for the stage before.
+  template <int I, bool one_link>
+  [[gnu::always_inline]] void evaluate(const Links& links, const Moment<M, L>& begin, double ag, double bent_rate, double beyond,
+                                       const Modes<M>& q, const Modes<M>& v, Modes<M>& acceleration) noexcept {
+    Stage& stage = stages_[I];
+    Base::pull(q, v, ag, acceleration);
+    if constexpr (one_link) stage.closing_faster = s_.closes(0, acceleration);
     for (std::size_t l = 0; l < s_.links(); ++l) {
-      if (!links[l].pressed()) {
+      if (!presses_[l]) [[unlikely]] {
         stage.force[l] = 0;
         continue;
       }
-      stage.rate[l] = s_.closes(l, x.v);
-      stage.force[l] = links[l].uncut(s_.closes(l, x.q) - links[l].gap(), stage.rate[l]).force;
-      Base::push(l, stage.force[l], x.a);
+      double d, rate;
+      if constexpr (one_link) {
+        d = begin.links[0].d, rate = begin.links[0].rate;
+#pragma GCC unroll 6
+        for (int k = 0; k < I; ++k)
+          if (a[I - 1][k] != 0) d += a[I - 1][k] * stages_[k].closing, rate += a[I - 1][k] * stages_[k].closing_faster;
+        stage.closing = speeds_[I] * rate;
+        if (beyond > 0) [[unlikely]] {
+          const double bent = bent_rate * by_ground_;
+          d -= bent * beyond * (1.0 / 3), rate -= bent;
+        }
+      } else {
+        d = s_.closes(l, q) - links[l].gap(), rate = s_.closes(l, v);
+      }
+      const double force = links[l].uncut(d, rate).force;
+      Base::push(l, force, acceleration);
+      if constexpr (one_link) stage.closing_faster = speeds_[I] * (stage.closing_faster - by_force_ * force);
+      stage.force[l] = force, stage.rate[l] = rate;
     }
   }
 
@@ -156,12 +197,14 @@ class ContactStep : public ContactMotion<Law, M, L> {
       auto of_q = e[6] * speeds_[5] * v.part(i), of_v = e[6] * speeds_[5] * acceleration.part(i);
 #pragma GCC unroll 6
       for (int k = 0; k < 6; ++k)
-        if (e[k] != 0) of_q += e[k] * stages_[k].q.part(i), of_v += e[k] * stages_[k].v.part(i);
+        if (e[k] != 0) of_q += same<Part>(e[k]) * stages_[k].q.part(i), of_v += same<Part>(e[k]) * stages_[k].v.part(i);
       squares_q += sum(of_q * of_q), squares_v += sum(of_v * of_v);
     }
     return squares_v + of_displacement * squares_q;
   }
 
+  Numbers<L, int> presses_;               // whether a link does in the present step
+  double by_ground_ = 0, by_force_ = 0;  // B^T p and B^T B of the one link
   Stage stages_[6];
   double speeds_[6] = {};
 };

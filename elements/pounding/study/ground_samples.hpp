@@ -29,7 +29,9 @@ class GroundSamples {
   /// Just before the beginning of interval n; after the record it is zero.
   double before(long n) const noexcept { return n <= last_ ? factor_ * samples_[static_cast<std::size_t>(n)] : 0; }
   /// Just after it: the record jumps to zero at its end.
-  double after(long n) const noexcept { return n < last_ ? before(n) : 0; }
+  double after(long n) const noexcept { return after(n, before(n)); }
+  /// The same from what is known to be just before it.
+  double after(long n, double before) const noexcept { return n < last_ ? before : 0; }
   /// In interval n.
   Ground in(long n) const noexcept { return {.at = after(n), .slope = slope(n)}; }
   /// In interval n and the next one; in n alone where the record jumps between them.

@@ -91,7 +91,7 @@ class History {
       if (!outputs_.goes_on(*x, *next)) outputs_.flown(*x, *next, {a0, (a1 - a0) * per_h}, h);
       std::swap(x, next);
       std::swap(now_, later_);
-      a0 = ground_.after(n + 1);
+      a0 = ground_.after(n + 1, a1);
     }
     if (x != &x_) std::swap(x_, next_);
     contact_.saw(fastest);
@@ -120,7 +120,7 @@ class History {
       fastest = std::max(fastest, rate);
       q = next.q, v = next.v;
       now = later, was_calm = calm;
-      a0 = ground_.after(n + 1);
+      a0 = ground_.after(n + 1, a1);
     }
     x_.q.part(0) = q, x_.v.part(0) = v;
     contact_.saw(fastest);

@@ -71,7 +71,11 @@ struct Pack<4> {
 inline double sum(const Pack<2>& x) noexcept { return x.v[0] + x.v[1]; }
 inline double sum(const Pack<4>& x) noexcept { return sum(x.low + x.high); }
 /// Absolute values.
-inline Pack<2> magnitude(const Pack<2>& x) noexcept { return {x.v < 0 ? -x.v : x.v}; }
+inline Pack<2> magnitude(const Pack<2>& x) noexcept {
+  typedef long long Bits __attribute__((vector_size(16)));
+  constexpr Bits but_the_sign = {0x7fffffffffffffff, 0x7fffffffffffffff};
+  return {Pack<2>::Vector(Bits(x.v) & but_the_sign)};
+}
 inline Pack<4> magnitude(const Pack<4>& x) noexcept { return {magnitude(x.low), magnitude(x.high)}; }
 inline double smallest(const Pack<2>& x) noexcept { return std::min(x.v[0], x.v[1]); }
 inline double smallest(const Pack<4>& x) noexcept { return std::min(smallest(x.low), smallest(x.high)); }
@@ -79,6 +83,14 @@ inline double smallest(const Pack<4>& x) noexcept { return std::min(smallest(x.l
 inline Pack<4> four(double a, double b, double c, double d) noexcept {
   return {Pack<2>{Pack<2>::Vector{a, b}}, Pack<2>{Pack<2>::Vector{c, d}}};
 }
+
+/// A number in all places.
+template <class P>
+constexpr P same(double x) noexcept;
+template <>
+constexpr Pack<2> same(double x) noexcept { return {Pack<2>::Vector{x, x}}; }
+template <>
+constexpr Pack<4> same(double x) noexcept { return {same<Pack<2>>(x), same<Pack<2>>(x)}; }
 
 /// One number for each mode, in packs that end with zeros: M modes at most, or as many as there are where M is 0.
 template <int M>

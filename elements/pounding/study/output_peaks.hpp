@@ -160,6 +160,7 @@ class OutputPeaks {
   template <class State, class See>
   void for_turning(const State& begin, const State& end, double h, const See& see) noexcept {
     if (calm_) return;
+    bool higher = false;
     for (std::size_t i = 0; i < displacements_.size(); ++i) {
       if (!of_oscillators_ && i % 4 == 0 && !blocks_[i / 4].turns) {
         i += 3;
@@ -169,11 +170,12 @@ class OutputPeaks {
       const double before = of_oscillators_ ? row.displacement(begin.v) : rates_[i / 4].at(i % 4);
       const double after = of_oscillators_ ? row.displacement(end.v) : later_[i / 4].at(i % 4);
       if (before * after > 0) continue;
-      const double y = row.displacement(begin.q), y_after = row.displacement(end.q);
+      const double y = row.displacement(begin.q), y_after = row.displacement(end.q), peak = row.peak();
       if (row.reaches(y, before, y_after, after, h)) see(row, after);
       row.see(y_after);
+      higher = higher || row.peak() > peak;
     }
-    find_lowest();
+    if (higher) find_lowest();
   }
 
   // Four displacements, the modes that they have, and 1 in places without one.
