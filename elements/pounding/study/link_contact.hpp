@@ -59,9 +59,19 @@ class LinkContact {
   int root() const noexcept { return root_; }
   const LinkPeaks& peaks() const noexcept { return peaks_; }
 
-  /// Force and slopes while the link presses, uncut as inside a step of the solver; zeros otherwise.
+  /// Force and slopes while the link presses, uncut as inside a step of the solver; zeros otherwise. At a corner of the law the slopes are those of the
+  /// side on which the bodies are, whichever of them rounding would take.
   laws::Response force(double penetration, double rate) const noexcept {
-    return pressed() ? law().contact(penetration, rate, state_.impact) : laws::Response{};
+    if (!pressed()) return {};
+    laws::Response f = law().contact(penetration, rate, state_.impact);
+    if constexpr (has_corner<Law>)
+      if (!(before_corner(penetration, rate) > 0))
+        for (const double step : {trace(penetration), -trace(penetration)}) {
+          if (!(before_corner(penetration + step, rate) > 0)) continue;
+          const laws::Response beside = law().contact(penetration + step, rate, state_.impact);
+          f.by_penetration = beside.by_penetration, f.by_rate = beside.by_rate;
+        }
+    return f;
   }
   /// Slopes of a linear law in the present phase.
   laws::Response slopes() const noexcept { return law().contact(1, state_.phase == ContactPhase::approach ? 1 : -1, state_.impact); }
@@ -163,10 +173,13 @@ class LinkContact {
     }
   }
 
+  // A way far above rounding, and far below all that matters [m].
+  static double trace(double penetration) noexcept { return penetration > 0 ? 1e-9 * penetration : 1e-12; }
+
   // The sign of the law's corner() a little further on the way on which the bodies are.
   double side_of_corner(double penetration, double rate) const noexcept {
-    const double step = penetration > 0 ? 1e-9 * penetration : 1e-12;
-    return law().corner(penetration + (state_.phase == ContactPhase::approach ? step : -step), rate, state_.impact) < 0 ? -1 : 1;
+    const double step = state_.phase == ContactPhase::approach ? trace(penetration) : -trace(penetration);
+    return law().corner(penetration + step, rate, state_.impact) < 0 ? -1 : 1;
   }
 
   Law law_, curve_ = law_;
