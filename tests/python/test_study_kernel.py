@@ -43,12 +43,13 @@ class StudyKernel(unittest.TestCase):
             if name != "reasons":
                 np.testing.assert_array_equal(np.concatenate([part[name] for part in parts]), values, err_msg=name)
 
-    def test_TheRequiredGapKeepsThePairApart(self):
-        found = run(pairs(), required_gap=True)
-        apart = run({**pairs(), "gap": found["required_gap"] * (1 + 1e-6)})
-        touching = run({**pairs(), "gap": found["required_gap"] * (1 - 1e-6)})
-        self.assertEqual(apart["impacts"].max(), 0)
-        self.assertGreaterEqual(touching["impacts"].min(), 1)
+    def test_TheRequiredGapKeepsAThousandPairsApart(self):
+        generator = np.random.default_rng(17)
+        columns = {"mass_left": 1e5, "mass_right": 1e5 * 4 ** (generator.random(1000) - 0.5), "period_left": 0.2 * 10 ** generator.random(1000),
+                   "period_right": 0.2 * 10 ** generator.random(1000), "damping_left": 0.1 * generator.random(1000), "damping_right": 0.05, "gap": 0.01}
+        need = run(columns, required_gap=True)["required_gap"]
+        self.assertEqual(run({**columns, "gap": need * (1 + 1e-6)})["impacts"].max(), 0)
+        self.assertGreaterEqual(run({**columns, "gap": need * (1 - 1e-6)})["impacts"].min(), 1)
 
     def test_AFactorScalesTheRecordAndADampingOfItsOwnARow(self):
         one = run({**pairs(), "factor": 2.0})
