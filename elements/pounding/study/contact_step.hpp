@@ -22,8 +22,7 @@ class ContactStep : public ContactMotion<Law, M, L> {
  public:
   using typename Base::Links;
 
-  explicit ContactStep(const Structures<M, L>& structures)
-      : Base(structures), presses_(numbers<L, int>(s_.link_count)) {
+  explicit ContactStep(const Structures<M, L>& structures) : Base(structures), presses_(numbers<L, int>(s_.link_count)) {
     for (Stage& stage : stages_) stage = {s_.k, s_.k, numbers<L>(s_.link_count), numbers<L>(s_.link_count)};
     if (s_.links() == 1) by_ground_ = s_.closes(0, s_.p), by_force_ = s_.closes(0, s_.closing[0]);
   }
@@ -39,6 +38,7 @@ class ContactStep : public ContactMotion<Law, M, L> {
       if (s_.links() > 1) return take_with<false>(links, ground, clock, begin, s, ds, end_time, of_displacement, end);
     return take_with<true>(links, ground, clock, begin, s, ds, end_time, of_displacement, end);
   }
+
   /// The motion of a link in the last step.
   Quintic path(std::size_t link, const Moment<M, L>& begin, const Moment<M, L>& end) const noexcept {
     return quintic_path(begin.links[link], end.links[link], end.time - begin.time);
@@ -72,6 +72,7 @@ class ContactStep : public ContactMotion<Law, M, L> {
   };
 
   using Part = typename Modes<M>::Part;
+  // Registers, where there are few modes; else a place that is there.
   using Local = std::conditional_t<(M > 0), Modes<M>, Modes<M>&>;
 
   static constexpr double c[] = {0, 0.2, 0.3, 0.8, 8.0 / 9, 1};
@@ -83,13 +84,24 @@ class ContactStep : public ContactMotion<Law, M, L> {
                                      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
   static constexpr double e[] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
+  // Behind a corner of the ground's acceleration the stages go without the motion that its bend alone gives bodies that nothing holds: what is left
+  // is smooth there. Of that motion with a load of 1: its velocity, and the time since the corner.
+  struct Bend {
+    double rate = 0, beyond = 0;
+    // Displacement that goes with a velocity.
+    double way(double velocity) const noexcept { return velocity * beyond * (1.0 / 3); }
+  };
+  static Bend bend_of(const Ground& ground, double time) noexcept {
+    const double beyond = ground.beyond(time);
+    return {0.5 * ground.bend * beyond * beyond, beyond};
+  }
+
   template <bool one_link>
   [[gnu::flatten]] double take_with(const Links& links, const Ground& ground, const Clock& clock, const Moment<M, L>& begin, double s, double ds,
                                     double end_time, double of_displacement, Moment<M, L>& end) noexcept {
     double times[6];
     read(clock, s, ds, times);
     const bool bent = end_time > ground.corner;
-    // In registers, where there are few.
     Local q = end.q, v = end.v, acceleration = end.a;
     keep(stages_[0], speeds_[0], begin.v, begin.a);
     for (std::size_t l = 0; l < s_.links(); ++l) {
@@ -99,32 +111,28 @@ class ContactStep : public ContactMotion<Law, M, L> {
       if constexpr (one_link) stages_[0].closing = speeds_[0] * link.rate, stages_[0].closing_faster = speeds_[0] * link.acceleration;
     }
     const auto stage = [&]<int I>(std::integral_constant<int, I>) {
-      const double beyond = bent ? ground.beyond(times[I]) : 0;
+      Bend bend;
       move<I>(begin, q, v);
-      if (bent) [[unlikely]] bend(ground.bend, beyond, q, v);
-      evaluate<I, one_link>(links, begin, ground.line(times[I]), bent ? bent_rate(ground.bend, beyond) : 0, beyond, q, v, acceleration);
+      if (bent) [[unlikely]] apply(bend = bend_of(ground, times[I]), q, v);
+      evaluate<I, one_link>(links, begin, ground.line(times[I]), bend, q, v, acceleration);
       keep(stages_[I], speeds_[I], v, acceleration);
-      if (bent) [[unlikely]] unbend(speeds_[I] * bent_rate(ground.bend, beyond), stages_[I].q);
+      if (bent) [[unlikely]] unbend(speeds_[I] * bend.rate, stages_[I].q);
     };
     [&]<int... I>(std::integer_sequence<int, I...>) { (stage(std::integral_constant<int, I + 1>{}), ...); }(std::make_integer_sequence<int, 5>{});
     move<6>(begin, q, v);
-    if (bent) bend(ground.bend, ground.beyond(end_time), q, v);
+    if (bent) apply(bend_of(ground, end_time), q, v);
     if constexpr (M > 0) end.q = q, end.v = v;
     end.time = end_time;
     Base::complete(links, ground, end);
     Modes<M> last_v = end.v, last_a = end.a;
-    if (bent) unbend(bent_rate(ground.bend, ground.beyond(end_time)), last_v), unbend(ground.bend * ground.beyond(end_time), last_a);
+    if (bent) unbend(bend_of(ground, end_time).rate, last_v), unbend(ground.bend * ground.beyond(end_time), last_a);
     return error(last_v, last_a, of_displacement);
   }
 
-  // Behind a corner of the ground's acceleration the stages go without the motion that its bend alone gives bodies that nothing holds: what is left
-  // is smooth there.
-  static double bent_rate(double bend, double beyond) noexcept { return 0.5 * bend * beyond * beyond; }
-  void bend(double bend, double beyond, Modes<M>& q, Modes<M>& v) const noexcept {
-    const double rate = bent_rate(bend, beyond), way = rate * beyond * (1.0 / 3);
-    for (std::size_t i = 0; i < s_.k.parts(); ++i) q.part(i) -= way * s_.p.part(i), v.part(i) -= rate * s_.p.part(i);
+  void apply(const Bend& bend, Modes<M>& q, Modes<M>& v) const noexcept {
+    const double way = bend.way(bend.rate);
+    for (std::size_t i = 0; i < s_.k.parts(); ++i) q.part(i) -= way * s_.p.part(i), v.part(i) -= bend.rate * s_.p.part(i);
   }
-
   void unbend(double part, Modes<M>& x) const noexcept {
     for (std::size_t i = 0; i < s_.k.parts(); ++i) x.part(i) += part * s_.p.part(i);
   }
@@ -157,11 +165,24 @@ class ContactStep : public ContactMotion<Law, M, L> {
     }
   }
 
-  // Forces of the links that press and the accelerations, of the state that the I stages before have moved to. A link's penetration and rate are moved as
-  // those of the modes are: nothing but the last force then waits for the stage before.
+  // Penetration and rate of the one link, moved as those of the modes are: nothing but its last force then waits for the stage before.
+  template <int I>
+  void move_link(const LinkMoment& begin, const Bend& bend, Stage& stage, double& d, double& rate) const noexcept {
+    d = begin.d, rate = begin.rate;
+#pragma GCC unroll 6
+    for (int k = 0; k < I; ++k)
+      if (a[I - 1][k] != 0) d += a[I - 1][k] * stages_[k].closing, rate += a[I - 1][k] * stages_[k].closing_faster;
+    stage.closing = speeds_[I] * rate;
+    if (bend.beyond > 0) [[unlikely]] {
+      const double bent = bend.rate * by_ground_;
+      d -= bend.way(bent), rate -= bent;
+    }
+  }
+
+  // Forces of the links that press and the accelerations, of the state that the I stages before have moved to.
   template <int I, bool one_link>
-  [[gnu::always_inline]] void evaluate(const Links& links, const Moment<M, L>& begin, double ag, double bent_rate, double beyond,
-                                       const Modes<M>& q, const Modes<M>& v, Modes<M>& acceleration) noexcept {
+  [[gnu::always_inline]] void evaluate(const Links& links, const Moment<M, L>& begin, double ag, const Bend& bend, const Modes<M>& q,
+                                       const Modes<M>& v, Modes<M>& acceleration) noexcept {
     Stage& stage = stages_[I];
     Base::pull(q, v, ag, acceleration);
     if constexpr (one_link) stage.closing_faster = s_.closes(0, acceleration);
@@ -171,19 +192,10 @@ class ContactStep : public ContactMotion<Law, M, L> {
         continue;
       }
       double d, rate;
-      if constexpr (one_link) {
-        d = begin.links[0].d, rate = begin.links[0].rate;
-#pragma GCC unroll 6
-        for (int k = 0; k < I; ++k)
-          if (a[I - 1][k] != 0) d += a[I - 1][k] * stages_[k].closing, rate += a[I - 1][k] * stages_[k].closing_faster;
-        stage.closing = speeds_[I] * rate;
-        if (beyond > 0) [[unlikely]] {
-          const double bent = bent_rate * by_ground_;
-          d -= bent * beyond * (1.0 / 3), rate -= bent;
-        }
-      } else {
+      if constexpr (one_link)
+        move_link<I>(begin.links[0], bend, stage, d, rate);
+      else
         d = s_.closes(l, q) - links[l].gap(), rate = s_.closes(l, v);
-      }
       const double force = links[l].uncut(d, rate).force;
       Base::push(l, force, acceleration);
       if constexpr (one_link) stage.closing_faster = speeds_[I] * (stage.closing_faster - by_force_ * force);
