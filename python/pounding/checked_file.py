@@ -1,5 +1,5 @@
-"""The text in front of a results file, by which a reader knows whose file it is and whether every byte is as it was written. HDF5
-sees a file only afterwards: on a damaged one it may crash or never end."""
+"""The text in front of a results file and of the table of a study, by which a reader knows whose file it is and whether every byte is as it
+was written. HDF5 sees a file only afterwards: on a damaged one it may crash or never end."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from pounding.errors import InputError
 #: Bytes in front of the HDF5 data: an HDF5 user block, which h5py, h5dump and others skip.
 BLOCK = 512
 FIRST_LINE = b"results of pounding\n"
+FIRST_LINE_OF_STUDY = b"study of pounding\n"
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 
 
@@ -25,9 +26,9 @@ class HoldsPushover(NotResults):
     """A file that `pounding pushover` wrote, where one of a run is asked for."""
 
 
-def block(size: int, crc: int) -> bytes:
+def block(size: int, crc: int, first_line: bytes = FIRST_LINE) -> bytes:
     """The text in front of a file of `size` bytes, this text included, whose other bytes have the CRC-32 `crc`."""
-    text = FIRST_LINE + (f"size {size:020}\ncrc32 {crc:08x}\n"
+    text = first_line + (f"size {size:020}\ncrc32 {crc:08x}\n"
                          f"The HDF5 file begins at byte {BLOCK}, as HDF5 allows; h5py and h5dump open it as it is.\n"
                          "size: all bytes, these included. crc32: of the bytes behind these.\n").encode()
     return text.ljust(BLOCK - 1) + b"\n"
@@ -41,6 +42,34 @@ def require_whole(path: str | PathLike[str]) -> None:
         _require_whole(file, str(path))
 
 
+def require_whole_study(path: Path) -> None:
+    """Raises NotResults unless the file is the table of a study with every byte as it was written; OSError when it cannot be read."""
+    with open(path, "rb") as file:
+        start = file.read(BLOCK)
+        if not start.startswith(FIRST_LINE_OF_STUDY):
+            raise NotResults(f"{path} is no table of a study, such as pounding study STUDY.yaml -o {path} writes, or it is damaged")
+        if start != _block_before(file, FIRST_LINE_OF_STUDY):
+            raise NotResults(f"{path}: the table is damaged, or another program has changed it. Take a copy that is whole, or remove it and run the "
+                             "study again")
+
+
+def seal_study(path: Path) -> None:
+    """Writes the text in front of the table of a study, which has room for it. Raises OSError."""
+    with open(path, "r+b") as file:
+        file.seek(BLOCK)
+        text = _block_before(file, FIRST_LINE_OF_STUDY)
+        file.seek(0)
+        file.write(text)
+
+
+def _block_before(file: BinaryIO, first_line: bytes) -> bytes:
+    """The text that belongs in front of the rest of the file."""
+    size, crc = BLOCK, 0
+    while part := file.read(1 << 20):
+        size, crc = size + len(part), zlib.crc32(part, crc)
+    return block(size, crc, first_line)
+
+
 def require_whole_image(image: bytes) -> None:
     """As `require_whole`, for the bytes of a file."""
     _require_whole(io.BytesIO(image), "what was given")
@@ -49,6 +78,8 @@ def require_whole_image(image: bytes) -> None:
 def _require_whole(file: BinaryIO, name: str) -> None:
     start = file.read(BLOCK)
     signature = file.read(len(_HDF5))
+    if start.startswith(FIRST_LINE_OF_STUDY):
+        raise NotResults(f"{name} is the table of a study and holds no run; type pounding study show {name}, or pounding.Study.open in Python")
     # A block whose first line is damaged still has HDF5 behind it.
     if not start.startswith(FIRST_LINE) and signature != _HDF5:
         raise NotResults(_foreign(name, start))

@@ -18,6 +18,7 @@ import numpy as np
 
 import pounding
 from pounding._native import core
+from pounding.checked_file import NotResults
 from pounding.errors import InputError, SolverError
 from pounding.studies.engines import DIED, DONE, EXCEEDED, FAILED
 from pounding.studies.execution import run_rows
@@ -184,6 +185,46 @@ class Rows(unittest.TestCase):
         run_plan(plan_of(), self.folder / "s.h5", workers=0)
         with self.assertRaisesRegex(InputError, "another plan: records, seed is not the same. Name another output"):
             run_plan(plan_of(seed=2), self.folder / "s.h5", workers=0)
+
+    def test_a_damaged_table_is_refused(self):
+        path = self.folder / "s.h5"
+        run_plan(plan_of(), path, workers=0)
+        whole = path.read_bytes()
+        chance = random.Random(15)
+        for _ in range(200):
+            changed = bytearray(whole)
+            for _ in range(chance.randint(1, 16)):
+                changed[chance.randrange(len(whole))] ^= chance.randrange(1, 256)
+            path.write_bytes(changed if chance.random() < 0.9 else changed[:chance.randrange(len(whole))])
+            if path.read_bytes() != whole:
+                with self.assertRaisesRegex(NotResults, "damaged"):
+                    pounding.Study.open(path)
+        with self.assertRaisesRegex(NotResults, "damaged"):
+            run_plan(plan_of(), path, workers=0)
+        done = self.command("show", "s.h5")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("pounding: s.h5: the table is damaged, or another program has changed it. Take a copy that is whole, or remove it", done.stderr)
+
+    def test_a_table_is_told_from_results_of_a_run(self):
+        run_plan(plan_of(), self.folder / "s.h5", workers=0)
+        with self.assertRaisesRegex(NotResults, "s.h5 is the table of a study and holds no run; type pounding study show"):
+            pounding.read(self.folder / "s.h5")
+
+    def test_a_damaged_chunk_is_refused(self):
+        plan = plan_of()
+        run_rows(plan, Table(plan, self.folder / "s.h5"), np.arange(20), workers=0, chunk=5)
+        parts = self.folder / "s.h5.parts"
+        chance = random.Random(15)
+        for path in parts.iterdir():
+            whole = path.read_bytes()
+            for _ in range(20):
+                changed = bytearray(whole)
+                changed[chance.randrange(len(whole))] ^= 1 << chance.randrange(8)
+                path.write_bytes(changed[:chance.randrange(len(whole))] if path.suffix == ".json" else changed)
+                with self.assertRaisesRegex(NotResults, "is damaged. Remove .*run again"):
+                    Table(plan, self.folder / "s.h5")
+            path.write_bytes(whole)
+        self.assertEqual(len(Table(plan, self.folder / "s.h5").missing()), 16)
 
     def test_a_full_disk_loses_nothing_that_was_computed(self):
         study = self.write_study()

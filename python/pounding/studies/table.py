@@ -1,20 +1,23 @@
-"""The table of a study: one HDF5 file, and while the study runs finished chunks as small files beside it.
+"""The table of a study: one HDF5 file with a checksum in front, and while the study runs finished chunks as small files beside it, whose
+checksums stand in their names.
 
 A finished chunk is written under another name and moved into place, so a study that is killed at any moment loses only the chunks
 under way. The table itself is written the same way, from all chunks, when the study ends or stops."""
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import shutil
+import zlib
 from pathlib import Path
 from typing import Any
 
 import h5py
 import numpy as np
 
-from pounding.checked_file import NotResults
+from pounding.checked_file import BLOCK, NotResults, require_whole_study, seal_study
 from pounding.errors import InputError
 from pounding.studies.cross_check import differences
 from pounding.studies.engines import ENGINES, NOT_RUN, STATUSES, Done
@@ -55,10 +58,12 @@ class Table:
     def add(self, done: Done) -> None:
         """Takes finished rows, and writes their chunk. Raises OSError when it cannot be written."""
         if self.parts is not None:
-            name = f"{int(done.rows[0]):012d}-{len(done.rows)}.npz"
             told = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
-            with _moved(self.parts / name) as temporary, open(temporary, "wb") as file:
-                np.savez(file, rows=done.rows, values=done.values, status=done.status, engine=done.engine, seconds=done.seconds, told=np.array(told))
+            written = io.BytesIO()
+            np.savez(written, rows=done.rows, values=done.values, status=done.status, engine=done.engine, seconds=done.seconds, told=np.array(told))
+            content = written.getvalue()
+            with _moved(self.parts / f"{int(done.rows[0]):012d}-{len(done.rows)}-{zlib.crc32(content):08x}.npz") as temporary:
+                temporary.write_bytes(content)
         self._fill(done)
 
     def write(self) -> None:
@@ -67,6 +72,8 @@ class Table:
             return
         with _moved(self.path) as temporary:
             _write(temporary, self)
+            _bring_to_disk(temporary)
+        _bring_to_disk(self.path.parent)
         if self.parts is not None:
             shutil.rmtree(self.parts, ignore_errors=True)
 
@@ -87,7 +94,7 @@ class Table:
         if path.is_file():
             self._read_table(path)
         if (parts / "plan.json").is_file():
-            _require_same(json.loads((parts / "plan.json").read_text()), self.plan, path)
+            _require_same(_read_plan_of(parts), self.plan, path)
             for name in sorted(parts.glob("*.npz")):
                 self._fill(_read_part(name))
         parts.mkdir(parents=True, exist_ok=True)
@@ -127,18 +134,27 @@ def open_study(path: Path) -> h5py.File:
     """The table at `path`. Raises InputError where there is none."""
     if not path.is_file():
         raise InputError(f"there is no study {path}; type pounding study STUDY.yaml -o {path}")
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise NotResults(f"{path} is no table of a study: {error}") from None
-    if text(file.attrs.get("format", "")) != FORMAT:
+    require_whole_study(path)
+    file = h5py.File(path, "r")
+    if text(file.attrs["format"]) != FORMAT:
         file.close()
-        raise NotResults(f"{path} is no table of a study, such as pounding study STUDY.yaml -o {path} writes")
+        raise NotResults(f"{path} is the table of a study by another version of pounding; run the study again")
     return file
 
 
+def _read_plan_of(parts: Path) -> dict[str, Any]:
+    try:
+        kept = json.loads((parts / "plan.json").read_text(encoding="utf-8"))
+        return {"digest": str(kept["digest"]), "plan": dict(kept["plan"])}
+    except (ValueError, TypeError, KeyError):
+        raise NotResults(f"{parts / 'plan.json'} is damaged. Remove {parts}; the rows in it run again") from None
+
+
 def _read_part(path: Path) -> Done:
-    with np.load(path, allow_pickle=False) as part:
+    content = path.read_bytes()
+    if not path.stem.endswith(f"-{zlib.crc32(content):08x}"):
+        raise NotResults(f"{path} is damaged. Remove it; its rows run again")
+    with np.load(io.BytesIO(content), allow_pickle=False) as part:
         told = json.loads(str(part["told"]))
         return Done(part["rows"], part["values"], part["status"], part["engine"], part["seconds"],
                     {int(row): why for row, why in told["reasons"].items()})
@@ -153,6 +169,15 @@ def _require_same(kept: dict[str, Any], plan: Plan, path: Path) -> None:
                      f"{path} and {path.name}.parts to begin again")
 
 
+def _bring_to_disk(path: Path) -> None:
+    """Waits until a file, or the names in a folder, would outlast a power failure."""
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
 def _require_room(path: Path, size: int) -> None:
     """Raises OSError where there is no room for so many bytes: HDF5 itself may end the process on a full disk."""
     if hasattr(os, "posix_fallocate"):
@@ -164,7 +189,7 @@ def _write(path: Path, table: Table) -> None:
     plan = table.plan
     texts_of_plan = len(plan.text) + len(json.dumps(plan.description())) + sum(map(len, table.reasons.values()))
     _require_room(path, plan.count * (8 * len(plan.units()) + 10) + 2 * texts_of_plan + ROOM_OF_FILE)
-    with h5py.File(path, "w") as file:
+    with h5py.File(path, "w", userblock_size=BLOCK) as file:
         file.attrs["format"] = FORMAT
         rows = file.create_group("rows", track_order=True)
         units = plan.units()
@@ -187,6 +212,7 @@ def _write(path: Path, table: Table) -> None:
         _write_check(file, table)
         file["timing/seconds"] = table.seconds
         file["timing/seconds"].attrs["units"] = "s"
+    seal_study(path)
 
 
 def _write_records(file: h5py.File, plan: Plan) -> None:
