@@ -479,6 +479,8 @@ TEST_F(ResultsFile, EveryChangedByteIsSeen) {
   EXPECT_THROW(require_whole(path), InputError);
   std::ofstream(path, std::ios::binary) << whole.substr(checked_block_size);
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "has no checksum", whole_or_not(path)) << "as files of earlier versions";
+  std::ofstream(path, std::ios::binary) << "study of pounding\n" << std::string(494, ' ') << whole.substr(512);
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "is the table of a study and holds no run; type pounding study show", whole_or_not(path));
   std::ofstream(path, std::ios::binary) << whole.substr(0, 1000);
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "it has 1000 of its " + std::to_string(whole.size()) + " bytes", whole_or_not(path));
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "is a directory", whole_or_not(directory.string()));

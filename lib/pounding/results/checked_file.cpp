@@ -20,6 +20,7 @@ namespace pounding {
 namespace {
 
 constexpr std::string_view first_line = "results of pounding\n";
+constexpr std::string_view first_line_of_study = "study of pounding\n";
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
 std::string_view text_of(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
@@ -51,6 +52,8 @@ std::string block(std::uint64_t size, std::uint32_t crc) {
                                  "wrote it. Run the model again, or read results of your own as they stand in Python: "
                                  "pounding.read(\"{}\", checked=False)",
                                  path, path));
+  if (start.starts_with(first_line_of_study))
+    throw InputError(fmt::format("{}: is the table of a study and holds no run; type pounding study show {}", path, path));
   throw InputError(fmt::format("{}: is not a results file of pounding, such as pounding run MODEL.yaml -o OUT.h5 writes", path));
 }
 
@@ -85,7 +88,7 @@ void require_whole(const std::string& path) {
     file.read(signature.data(), signature.size());
     return std::string_view(signature.data(), signature.size()) == hdf5_signature;
   }();
-  if (!text.starts_with(first_line) && !behind_a_block) refuse_foreign(path, text);
+  if (text.starts_with(first_line_of_study) || (!text.starts_with(first_line) && !behind_a_block)) refuse_foreign(path, text);
 
   file.clear();
   file.seekg(static_cast<std::streamoff>(began));
