@@ -54,9 +54,9 @@ test-sanitized: | packages
 	cmake --preset sanitize
 	bash tests/sanitized.sh build-sanitize $(PART) $(JOBS)
 
-# Clang's libFuzzer looks for texts that crash, hang or fill the memory, MINUTES in all.
 test-damage: build
-	POUNDING_PROGRAM=$(CURDIR)/build/pounding PYTHONPATH=$(CURDIR)/python .venv-test/bin/python3 tests/program/damage.py --count $(COUNT)
+	POUNDING_PROGRAM=$(CURDIR)/build/pounding PYTHONPATH=$(CURDIR)/build/python POUNDING_PYTHON=$(CURDIR)/.venv-test/bin/python3 \
+	  .venv-test/bin/python3 tests/program/damage.py --count $(COUNT)
 
 # Sources that call PETSc are compiled against the headers of other versions, from their archives on PyPI.
 test-petsc-headers: build
@@ -65,6 +65,7 @@ test-petsc-headers: build
 test-faults: build
 	POUNDING_ALL_FAULTS=1 ctest --test-dir build --output-on-failure --no-tests=error --timeout 100000 -R '^program.(message_)?faults$$'
 
+# Clang's libFuzzer looks for texts that crash, hang or fill the memory, MINUTES in all.
 fuzz:
 	@bash cmake/install-debian.sh demo clang-14 libclang-rt-14-dev llvm-14
 	cmake --preset fuzz

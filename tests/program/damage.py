@@ -1,10 +1,12 @@
-"""Damaged results files, made with seeds: `python3 damage.py --count 10000`, with POUNDING_PROGRAM and PYTHONPATH set. Each file has one to sixteen changed
-bytes, or was cut, filled with zeros, or lengthened. Every reader must refuse it by its own message: the package in a process of its
-own, the verbs of the program by exit code 2; none may read it, crash, or take longer than `SECONDS`.
+"""Damaged results files, made with seeds: `python3 damage.py --count 10000`, with POUNDING_PROGRAM and PYTHONPATH set. They are files of runs
+of every kind, pushovers and tables of studies. Each has one to sixteen changed bytes, or was cut, filled with zeros, or lengthened. Every reader must
+refuse it by its own message: the package in a process of its own, the verbs of the program by exit code 2; none may read it, crash, or take longer
+than `SECONDS`.
 """
 
 import argparse
 import collections
+import importlib.util
 import os
 import random
 import signal
@@ -12,24 +14,53 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from typing import NamedTuple
 
-from support import OSCILLATORS, PROGRAM
+from small_models import PUSH, RUNS, STUDY
+from support import PROGRAM
 
 SECONDS = 10  #: for one file
-#: Verbs with RESULTS in the place of the file; what they would write goes into the folder of the damaged file.
-VERBS = (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"],
-         ["plot", "RESULTS", "-o", "picture.png"], ["export", "RESULTS", "-o", "view.xdmf"],
-         ["animate", "RESULTS", "-o", "film.gif"])
+#: Whether the package has its compiled part, without which it runs no study.
+WITH_STUDIES = importlib.util.find_spec("pounding._core") is not None
+#: Verbs with RESULTS in the place of the file, by what it holds; what they would write goes into the folder of the damaged file. Those of a run from the
+#: third on start Python.
+VERBS = {"run": (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"],
+                 ["plot", "RESULTS", "-o", "picture.png"], ["export", "RESULTS", "-o", "view.xdmf"], ["animate", "RESULTS", "-o", "film.gif"]),
+         "pushover": (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"],
+                      ["plot", "RESULTS", "-o", "picture.png"]),
+         "study": (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"], ["study", "show", "RESULTS"],
+                   ["study", "export", "RESULTS", "-o", "table.csv"], ["study", "plot", "RESULTS", "--picture", "ida", "--column", "force", "-o", "ida.png"],
+                   ["study", "merge", "study.yaml", "RESULTS", "-o", "merged.h5"], ["study", "study.yaml", "-q", "-j", "0", "-o", "RESULTS"])}
+
+
+class Sample(NamedTuple):
+    """A file that is whole."""
+
+    kind: str  #: as in small_models, or pushover, or study
+    holds: str  #: the key of its verbs
+    content: bytes
 
 
 def samples(folder):
-    """Bytes of a run that is done, and of one that can be resumed, in its first part too."""
+    """A file of a run of every kind, of one that can be resumed, in its first part too, of a pushover and of a study."""
     made = []
-    for name, more, words in (("done", "", []), ("cut", "", ["-pounding_ts_max_steps", "100"]),
-                              ("part", "compare: no_pounding\n", ["-pounding_ts_max_steps", "20"])):
-        (folder / "model.yaml").write_text(OSCILLATORS + more)
-        subprocess.run([PROGRAM, "run", "model.yaml", "-q", "-o", f"{name}.h5", *words], cwd=folder, capture_output=True, timeout=60)
-        made.append((folder / f"{name}.h5").read_bytes())
+
+    def make(kind, holds, model, verb, *words, codes=(0,)):
+        path = folder / f"{kind}.h5"
+        (folder / f"{holds}.yaml").write_text(model)
+        done = subprocess.run([PROGRAM, verb, f"{holds}.yaml", *words, "-o", path.name], cwd=folder, capture_output=True, text=True, timeout=60)
+        if done.returncode not in codes:
+            raise RuntimeError(f"{kind}: {done.stderr}")
+        made.append(Sample(kind, holds, path.read_bytes()))
+
+    for kind, model in RUNS.items():
+        make(kind, "run", model, "run", "-q")
+    make("cut", "run", RUNS["oscillators"], "run", "-q", "-pounding_ts_max_steps", "100", codes=(3,))
+    make("cut hinges", "run", RUNS["hinges"], "run", "-q", "-pounding_ts_max_steps", "100", codes=(3,))
+    make("part", "run", RUNS["oscillators"] + "compare: no_pounding\n", "run", "-q", "-pounding_ts_max_steps", "20", codes=(3,))
+    make("pushover", "pushover", RUNS["hinges"], "pushover", *PUSH)
+    if WITH_STUDIES:
+        make("study", "study", STUDY, "study", "-q", "-j", "0")
     return made
 
 
@@ -57,16 +88,28 @@ def damaged(content, chance):
     return bytes(changed)
 
 
-def fate_of_reading(path):
-    """Outcome of `pounding.read` on a file in a process of its own: refused, read, an exception, a signal, or hangs."""
-    from pounding.checked_file import NotResults
+def readers():
+    """The functions of the package that read a file, by what it holds."""
+    from pounding.pushover_curve import read_pushover
     from pounding.results import RunData
+
+    found = {"run": RunData.read, "pushover": read_pushover}
+    if WITH_STUDIES:
+        from pounding.studies.rows import Rows
+
+        found["study"] = Rows.open
+    return found
+
+
+def fate_of_reading(path, read):
+    """Outcome of a reader of the package on a file in a process of its own: refused, read, an exception, a signal, or hangs."""
+    from pounding.checked_file import NotResults
 
     child = os.fork()
     if child == 0:
         signal.alarm(SECONDS)
         try:
-            RunData.read(path)
+            read(path)
             os._exit(1)
         except NotResults:
             os._exit(0)
@@ -94,23 +137,25 @@ def fate_of_verb(words, path):
 
 
 def survey(count, seed, verbs):
-    """How often each reader did what: {(reader, fate): number}. Of the verbs that start Python one is tried for each file."""
+    """How often each reader did what: {(kind of file, reader, fate): number}. Of the verbs that start Python one is tried for each file."""
     fates = collections.Counter()
     chance = random.Random(seed)
+    read = readers()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         whole = samples(folder)
         path = folder / "damaged.h5"
         for number in range(count):
-            content = chance.choice(whole)
+            kind, holds, content = whole[number % len(whole)]
             changed = damaged(content, chance)
             if changed == content:
                 continue
             path.write_bytes(changed)
-            fates["read", fate_of_reading(path)] += 1
+            fates[kind, "read", fate_of_reading(path, read[holds])] += 1
             if number < verbs:
-                for words in (*VERBS[:2], VERBS[2 + number % 3]):
-                    fates[words[0], fate_of_verb(words, path)] += 1
+                fast, slow = VERBS[holds][:2], VERBS[holds][2:]
+                for words in (*fast, slow[number // len(whole) % len(slow)]):
+                    fates[kind, " ".join(words[:2]) if words[0] == "study" else words[0], fate_of_verb(words, path)] += 1
     return fates
 
 
@@ -121,9 +166,9 @@ def main():
     parser.add_argument("--verbs", type=int, default=500, help="files that the verbs of the program read, too")
     options = parser.parse_args()
     fates = survey(options.count, options.seed, options.verbs)
-    for (reader, fate), number in sorted(fates.items()):
-        print(f"{reader:<9} {fate:<16} {number}")
-    return any(fate != "refused" for _, fate in fates)
+    for (kind, reader, fate), number in sorted(fates.items()):
+        print(f"{kind:<12} {reader:<18} {fate:<16} {number}")
+    return any(fate != "refused" for *_, fate in fates)
 
 
 if __name__ == "__main__":

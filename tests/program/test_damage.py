@@ -7,10 +7,13 @@ import damage
 
 class Damage(unittest.TestCase):
     def test_is_refused_by_every_reader(self):
-        fates = damage.survey(count=100, seed=2015, verbs=6)
-        self.assertGreater(fates["read", "refused"], 90)
-        self.assertGreater(fates["run", "refused"], 4)
-        self.assertEqual({reader: fate for reader, fate in fates if fate != "refused"}, {})
+        fates = damage.survey(count=240, seed=2015, verbs=12)
+        kinds = {kind for kind, *_ in fates}
+        self.assertEqual(len(kinds), 11 + damage.WITH_STUDIES)
+        for kind in kinds:
+            self.assertGreater(fates[kind, "read", "refused"], 10, kind)
+        self.assertEqual(sum(fates[kind, "run", "refused"] for kind in kinds), 12)
+        self.assertEqual([found for found in fates if found[-1] != "refused"], [])
 
 
 if __name__ == "__main__":
