@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
 #include <pounding/results/checked_file.hpp>
@@ -93,6 +96,22 @@ std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write) 
   std::vector<std::byte> image(checked_block_size + size);
   checked(H5Fget_file_image(file, image.data() + checked_block_size, size), "copy the file");
   return image;
+}
+
+std::vector<std::byte> checked_image(const std::function<void(hid_t file)>& write) {
+  try {
+    std::vector<std::byte> image = file_image(write);
+    write_checked_block(image);
+    return image;
+  } catch (const InputError&) {
+    throw;
+  } catch (const NoMemory& error) {
+    throw OutOfMemory(fmt::format("there is no memory left to make the results file, which keeps what was written before: {}", error.what()));
+  } catch (const std::runtime_error& error) {
+    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    throw OutOfMemory("there is no memory left to make the results file, which keeps what was written before");
+  }
 }
 
 Handle group(hid_t parent, const std::string& name) {

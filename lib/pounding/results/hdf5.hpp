@@ -67,6 +67,10 @@ class Handle {
 /// never touches the disk.
 std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write);
 
+/// As `file_image`, with the checksum in front. Throws OutOfMemory where memory ends, SolverError where HDF5 fails in another way, and InputError as
+/// `write` does.
+std::vector<std::byte> checked_image(const std::function<void(hid_t file)>& write);
+
 /// Creates a group whose members are listed in the order of their creation.
 Handle group(hid_t parent, const std::string& name);
 

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <pounding/core/version.hpp>
-#include <pounding/results/checked_file.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/results/replaced_file.hpp>
 
@@ -77,9 +76,7 @@ void write_all(hid_t file, const Pushover& found, const std::string& model_text)
 }  // namespace
 
 void write_pushover(const std::string& path, const Pushover& found, const std::string& model_text) {
-  std::vector<std::byte> image = hdf5::file_image([&](hid_t file) { write_all(file, found, model_text); });
-  write_checked_block(image);
-  ReplacedFile(path).replace(image);
+  ReplacedFile(path).replace(hdf5::checked_image([&](hid_t file) { write_all(file, found, model_text); }));
 }
 
 }  // namespace pounding

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
-#include <new>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -14,7 +13,6 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/checksum.hpp>
-#include <pounding/results/checked_file.hpp>
 #include <pounding/results/device_file.hpp>
 #include <pounding/results/ends_file.hpp>
 #include <pounding/results/envelope_file.hpp>
@@ -387,19 +385,7 @@ std::vector<std::byte> results_image(const Results& results) {
   check_names(results.structures, "structure");
   check_names(results.links, "link");
   check_names(results.devices, "device");
-  try {
-    std::vector<std::byte> image = hdf5::file_image([&](hid_t file) { write_all(file, results); });
-    write_checked_block(image);
-    return image;
-  } catch (const InputError&) {
-    throw;
-  } catch (const hdf5::NoMemory& error) {
-    throw OutOfMemory(fmt::format("there is no memory left to make the results file, which keeps what was written before: {}", error.what()));
-  } catch (const std::runtime_error& error) {
-    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}", error.what()));
-  } catch (const std::bad_alloc&) {
-    throw OutOfMemory("there is no memory left to make the results file, which keeps what was written before");
-  }
+  return hdf5::checked_image([&](hid_t file) { write_all(file, results); });
 }
 
 void write_results(const Results& results, const std::string& path) { ReplacedFile(path).replace(results_image(results)); }
