@@ -53,13 +53,11 @@ def require_whole_study(path: Path) -> None:
                              "study again")
 
 
-def seal_study(path: Path) -> None:
-    """Writes the text in front of the table of a study, which has room for it. Raises OSError."""
-    with open(path, "r+b") as file:
-        file.seek(BLOCK)
-        text = _block_before(file, FIRST_LINE_OF_STUDY)
-        file.seek(0)
-        file.write(text)
+def write_study(path: Path, image: bytes) -> None:
+    """Writes the table of a study from its HDF5 file in memory, with the text in front. Raises OSError."""
+    with open(path, "wb") as file:
+        file.write(block(BLOCK + len(image), zlib.crc32(image), FIRST_LINE_OF_STUDY))
+        file.write(image)
 
 
 def _block_before(file: BinaryIO, first_line: bytes) -> bytes:

@@ -30,7 +30,7 @@ TIMED = 20
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """The command line, with the name of the command first. Returns 0, 2 after wrong input, 3 after failed rows or a full disk."""
+    """The command line, with the name of the command first. Returns 0, 2 after wrong input, 3 after failed rows, on a full disk and out of memory."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     name, rest = (given[0], given[1:]) if given else ("study", [])
     try:
@@ -40,6 +40,9 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     except SolverError as error:
         print(f"pounding: {error}", file=sys.stderr)
+        return 3
+    except MemoryError:
+        print("pounding: out of memory. Rows that were finished are kept; type the same command again to go on, with fewer processes: -j 1", file=sys.stderr)
         return 3
     except OSError as error:
         print(f"pounding: {error}. Rows that were finished are kept; make room and type the same command again to go on", file=sys.stderr)

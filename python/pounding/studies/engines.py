@@ -27,7 +27,7 @@ class Engine(Protocol):
 
     def run(self, batch: Batch) -> Done:
         """The columns of the rows. A wrong or failed row is a status with a reason, never an exception. Rows that the engine does not take stay
-        as they are, with the reason, and the next engine gets them."""
+        as they are, with the reason, and the next engine gets them. Raises MemoryError."""
 
 
 class SolverEngine:
@@ -58,6 +58,8 @@ class SolverEngine:
             values = template.kept.of(prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i])))
         except InputError as error:
             return REFUSED, [], str(error)
+        except MemoryError:  # of the process, whatever the row
+            raise
         except Exception as error:
             return FAILED, [], str(error) or type(error).__name__
         return (EXCEEDED if template.kept.exceeded(np.array([values]))[0] else DONE), values, ""

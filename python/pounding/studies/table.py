@@ -17,7 +17,7 @@ from typing import Any
 import h5py
 import numpy as np
 
-from pounding.checked_file import BLOCK, NotResults, require_whole_study, seal_study
+from pounding.checked_file import NotResults, require_whole_study, write_study
 from pounding.errors import InputError
 from pounding.studies.cross_check import differences
 from pounding.studies.engines import ENGINES, NOT_RUN, STATUSES, Done
@@ -25,8 +25,6 @@ from pounding.studies.plan import Plan
 from pounding.texts import text
 
 FORMAT = "study of pounding 1"
-#: Room that HDF5 takes beside the numbers and texts, at most [bytes].
-ROOM_OF_FILE = 200_000
 
 
 class Table:
@@ -71,7 +69,7 @@ class Table:
         if self.path is None:
             return
         with _moved(self.path) as temporary:
-            _write(temporary, self)
+            write_study(temporary, _image(self))
             _bring_to_disk(temporary)
         _bring_to_disk(self.path.parent)
         if self.parts is not None:
@@ -178,18 +176,10 @@ def _bring_to_disk(path: Path) -> None:
         os.close(descriptor)
 
 
-def _require_room(path: Path, size: int) -> None:
-    """Raises OSError where there is no room for so many bytes: HDF5 itself may end the process on a full disk."""
-    if hasattr(os, "posix_fallocate"):
-        with open(path, "wb") as file:
-            os.posix_fallocate(file.fileno(), 0, size)
-
-
-def _write(path: Path, table: Table) -> None:
+def _image(table: Table) -> bytes:
+    """The HDF5 file. It is made in memory: where a disk is full or fails, HDF5 may end the process."""
     plan = table.plan
-    texts_of_plan = len(plan.text) + len(json.dumps(plan.description())) + sum(map(len, table.reasons.values()))
-    _require_room(path, plan.count * (8 * len(plan.units()) + 10) + 2 * texts_of_plan + ROOM_OF_FILE)
-    with h5py.File(path, "w", userblock_size=BLOCK) as file:
+    with h5py.File("table in memory", "w", driver="core", backing_store=False) as file:
         file.attrs["format"] = FORMAT
         rows = file.create_group("rows", track_order=True)
         units = plan.units()
@@ -212,7 +202,8 @@ def _write(path: Path, table: Table) -> None:
         _write_check(file, table)
         file["timing/seconds"] = table.seconds
         file["timing/seconds"].attrs["units"] = "s"
-    seal_study(path)
+        file.flush()
+        return file.id.get_file_image()
 
 
 def _write_records(file: h5py.File, plan: Plan) -> None:
