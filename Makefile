@@ -63,7 +63,7 @@ test-petsc-headers: build
 	bash tests/install/petsc_headers.sh build $(VERSIONS)
 
 test-faults: build
-	POUNDING_ALL_FAULTS=1 ctest --test-dir build --output-on-failure --no-tests=error --timeout 100000 -R '^program.(message_)?faults$$'
+	POUNDING_ALL_FAULTS=1 ctest --test-dir build --output-on-failure --no-tests=error --timeout 100000 -R '^program.((message|model)_)?faults$$'
 
 # Clang's libFuzzer looks for texts that crash, hang or fill the memory, MINUTES in all.
 fuzz:

@@ -9,6 +9,7 @@ import collections
 import importlib.util
 import os
 import random
+import resource
 import signal
 import subprocess
 import sys
@@ -19,7 +20,8 @@ from typing import NamedTuple
 from small_models import PUSH, RUNS, STUDY
 from support import PROGRAM
 
-SECONDS = 10  #: for one file
+SECONDS = 10  #: of the processor, for one file
+PATIENCE = 120  #: [s] for a process that waits
 #: Whether the package has its compiled part, without which it runs no study.
 WITH_STUDIES = importlib.util.find_spec("pounding._core") is not None
 #: Verbs with RESULTS in the place of the file, by what it holds; what they would write goes into the folder of the damaged file. Those of a run from the
@@ -107,7 +109,7 @@ def fate_of_reading(path, read):
 
     child = os.fork()
     if child == 0:
-        signal.alarm(SECONDS)
+        bound_time()
         try:
             read(path)
             os._exit(1)
@@ -118,16 +120,21 @@ def fate_of_reading(path, read):
             os._exit(2)
     status = os.waitpid(child, 0)[1]
     if os.WIFSIGNALED(status):
-        return "hangs" if os.WTERMSIG(status) == signal.SIGALRM else f"ends by signal {os.WTERMSIG(status)}"
+        return "hangs" if os.WTERMSIG(status) in (signal.SIGALRM, signal.SIGKILL) else f"ends by signal {os.WTERMSIG(status)}"
     return ("refused", "read", "other exception")[os.WEXITSTATUS(status)]
+
+
+def bound_time():
+    """Ends this process when it has taken too long, whatever it does with other signals."""
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+    signal.alarm(PATIENCE)
 
 
 def fate_of_verb(words, path):
     """As `fate_of_reading`, of a verb of the program."""
-    try:
-        done = subprocess.run([PROGRAM, *(str(path) if word == "RESULTS" else word for word in words)], cwd=path.parent,
-                              stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=SECONDS)
-    except subprocess.TimeoutExpired:
+    done = subprocess.run([PROGRAM, *(str(path) if word == "RESULTS" else word for word in words)], cwd=path.parent,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, preexec_fn=bound_time)
+    if done.returncode in (-signal.SIGALRM, -signal.SIGKILL):
         return "hangs"
     if done.returncode < 0:
         return f"ends by signal {-done.returncode}"

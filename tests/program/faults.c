@@ -12,6 +12,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <link.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -67,18 +68,30 @@ static int is_results(const char* path) { return strstr(path, ".h5") != NULL; }
   static type (*real)(__VA_ARGS__) = NULL; \
   if (!real) real = (type(*)(__VA_ARGS__))dlsym(RTLD_NEXT, name)
 
-ssize_t write(int descriptor, const void* bytes, size_t count) {
-  REAL(ssize_t, "write", int, const void*, size_t);
-  if (!is_file(descriptor)) return real(descriptor, bytes, count);
+/* How many of the bytes are to be written, or -1. */
+static ssize_t granted(int descriptor, size_t count) {
+  if (!is_file(descriptor)) return (ssize_t)count;
   if (full_disk) {
     errno = ENOSPC;
     return -1;
   }
   switch (fate("write")) {
     case fails: return -1;
-    case is_cut: full_disk = 1; return real(descriptor, bytes, count / 2);
-    default: return real(descriptor, bytes, count);
+    case is_cut: full_disk = 1; return (ssize_t)(count / 2);
+    default: return (ssize_t)count;
   }
+}
+
+ssize_t write(int descriptor, const void* bytes, size_t count) {
+  REAL(ssize_t, "write", int, const void*, size_t);
+  const ssize_t some = granted(descriptor, count);
+  return some < 0 ? some : real(descriptor, bytes, (size_t)some);
+}
+
+ssize_t pwrite64(int descriptor, const void* bytes, size_t count, off64_t place) {
+  REAL(ssize_t, "pwrite64", int, const void*, size_t, off64_t);
+  const ssize_t some = granted(descriptor, count);
+  return some < 0 ? some : real(descriptor, bytes, (size_t)some, place);
 }
 
 int fsync(int descriptor) {
@@ -101,14 +114,17 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to, 
   return !is_results(to) || fate("rename") == passes ? real(from_folder, from, to_folder, to, flags) : -1;
 }
 
-int open(const char* path, int flags, ...) {
-  REAL(int, "open", const char*, int, ...);
-  va_list more;
-  va_start(more, flags);
-  const mode_t mode = flags & O_CREAT ? va_arg(more, mode_t) : 0;
-  va_end(more);
-  return !is_results(path) || fate("open") == passes ? real(path, flags, mode) : -1;
-}
+#define OPEN(name) \
+  int name(const char* path, int flags, ...) { \
+    REAL(int, #name, const char*, int, ...); \
+    va_list more; \
+    va_start(more, flags); \
+    const mode_t mode = flags & O_CREAT ? va_arg(more, mode_t) : 0; \
+    va_end(more); \
+    return !is_results(path) || fate("open") == passes ? real(path, flags, mode) : -1; \
+  }
+OPEN(open)
+OPEN(open64)
 
 /* PETSc calls its TSPostStep after each kept step, but one that is bound inside its library does so unseen. The program has it call this one
    there. */
@@ -117,8 +133,20 @@ static int after_counted_step(void* ts) {
   fate("step");
   return after_step(ts);
 }
+static int open_petsc(struct dl_phdr_info* library, size_t size, void* found) {
+  (void)size;
+  if (!strstr(library->dlpi_name, "libpetsc")) return 0;
+  *(void**)found = dlopen(library->dlpi_name, RTLD_LAZY | RTLD_NOLOAD);
+  return 1;
+}
 int TSSetPostStep(void* ts, int (*call)(void*)) {
-  REAL(int, "TSSetPostStep", void*, int (*)(void*));
+  static int (*real)(void*, int (*)(void*)) = NULL;
+  if (!real) {
+    /* Python loads PETSc for its package alone, out of the sight of RTLD_NEXT. */
+    void* petsc_library = RTLD_NEXT;
+    dl_iterate_phdr(open_petsc, &petsc_library);
+    real = (int (*)(void*, int (*)(void*)))dlsym(petsc_library, "TSSetPostStep");
+  }
   after_step = call;
   return real(ts, after_counted_step);
 }
