@@ -84,6 +84,7 @@ struct Pair {
     }
     system.gap_jacobian.resize(n, static_cast<int>(contacts.size()));
     system.gap_jacobian.setFromTriplets(jacobian.begin(), jacobian.end());
+    system.outputs.resize(n, 0);
     system.grounds = {GroundMotion(Harmonic{3.0, 0.6, 10.0})};
   }
 };
