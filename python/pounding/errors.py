@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+import unicodedata
 from typing import Any
 
 
 class InputError(ValueError):
     """Wrong input. The text says where it stands, what was read, what is allowed and what to type."""
+
+    def __init__(self, text: object = "") -> None:
+        super().__init__("".join(letter if letter == "\n" or _is_shown(letter) else letter.encode("unicode_escape").decode() for letter in str(text)))
+
+
+def _is_shown(letter: str) -> bool:
+    """Whether a character is shown as itself: what a file quotes may hold characters that move the cursor of a terminal."""
+    return letter.isascii() and letter.isprintable() or not letter.isascii() and unicodedata.category(letter) not in ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
 
 
 class SolverError(RuntimeError):

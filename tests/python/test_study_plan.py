@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
+import mutate_plans
 import pounding
 from pounding.errors import InputError
 from pounding.studies.distributions import read_distribution
@@ -199,6 +200,30 @@ class Wrong(unittest.TestCase):
             (Path(folder) / "pair.yaml").write_text(pair().to_yaml())
             with self.assertRaisesRegex(InputError, "has no study:, so it is one model; type pounding run"):
                 read_plan(Path(folder) / "pair.yaml")
+
+    def test_random_faults_are_read_or_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            fates = mutate_plans.survey(400, 15, Path(folder))
+        self.assertEqual(set(fates), {"read", "refused"})
+        self.assertEqual(sum(fates.values()), 400)
+
+    def test_faults_found_by_random_ones(self):
+        factors = lambda words: {"gap": {"of": "links.*.gap", **words}}
+        self.refused("takes a path such as links.*.gap, or a list of paths; None was read", factors={"gap": {"of": None, "list": [1]}})
+        self.refused("truncate takes a lower and an upper limit", factors=factors({"uniform": {"from": 1, "to": 2}, "truncate": ["1"]}), sampling={"random": 2})
+        self.refused("study.factors.gap.count: takes at most 1000000; 1e18 was read", factors=factors({"from": "1 mm", "to": "2 mm", "count": "1e18"}))
+        self.refused("study.sampling.random: takes at most 10000000", factors=factors({"uniform": {"from": 1, "to": 2}}), sampling={"random": "1e18"})
+        self.refused("count: takes at most 100000", records={"synthetic": {"count": "1e9", "duration": "1 s", "pga": "0.3 g"}})
+        self.refused("takes the name of a column", factors=factors({"column": ""}), sampling={"table": {"gap": [1]}})
+        self.refused("study.sampling.table: there is no file /dev/zero", factors=factors({"column": "gap"}), sampling={"table": "/dev/zero"})
+        self.refused("records.files: there is no file", records={"files": "9" * 300 + "/*"})
+        self.refused("has the intensity 0.001 m/s^2, which no factor brings to 1e+308 to 1e+308 m/s^2", intensity={"measure": "pga", "levels": ["1e308"]},
+                     records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.001"}})
+        many = {f"f{i}": {"of": f"structures.left.oscillator.{key}", "from": 1, "to": 2, "count": 10**6} for i, key in enumerate(("mass", "period"))}
+        self.refused("study: has 1000000000000 rows, and 1000000000 are the most", factors=many)
+
+    def test_messages_show_control_characters(self):
+        self.refused(r'unknown key "a\x1b[31m\tb"', **{"a\x1b[31m\tb": 1})
 
 
 if __name__ == "__main__":

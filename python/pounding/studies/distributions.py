@@ -121,8 +121,9 @@ def _named(given: Any, truncate: Any, place: str) -> tuple[Distribution, str]:
 def _bounds(truncate: Any, unit: str, place: str) -> tuple[float, float] | None:
     if truncate is None:
         return None
-    (low, high), own = words.quantities(truncate, f"{place}: truncate")
+    bounds, own = words.quantities(truncate, f"{place}: truncate")
     words.same_unit(own, unit, f"{place}: truncate", "20 mm")
-    if low >= high:
+    low, high = bounds[0], bounds[-1]
+    if len(bounds) != 2 or low >= high:
         raise InputError(f"{place}: truncate takes a lower and an upper limit")
     return low, high

@@ -12,6 +12,8 @@ from pounding.errors import InputError
 from pounding.studies import words
 from pounding.studies.distributions import KINDS, Distribution, read_distribution
 
+#: Values of one factor, at most.
+MOST_VALUES = 1_000_000
 _WORDS = ("of", "times", "list", "from", "to", "count", "spacing", "truncate", "at", "column", *KINDS)
 
 
@@ -66,8 +68,12 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
         raise InputError(f"{place}: say what it is, as in of: links.*.gap")
     # A column that stands nowhere in the model is carried along, for the readings.
     of = one.get("of", [])
-    paths = [of] if isinstance(of, str) else list(of)
+    if not isinstance(of, (str, list)) or not all(isinstance(path, str) for path in of):
+        raise InputError(f"{place}.of: takes a path such as links.*.gap, or a list of paths; {of!r} was read")
+    paths = [of] if isinstance(of, str) else of
     places = [keys for path in paths for keys in find(model, path, f"{place}.of")]
+    if one.get("column", "x") in ("", None):
+        raise InputError(f"{place}.column: takes the name of a column of the table of samples")
     times = one.get("times")
     if times is not None and len(find(model, times, f"{place}.times")) != 1:
         raise InputError(f"{place}.times: {times} meets several places of the model; name one")
@@ -106,7 +112,7 @@ def _range(one: Mapping[str, Any], place: str) -> tuple[list[float], str]:
         if key not in one:
             raise InputError(f"{place}: a range is from: 0.3, to: 1.5, count: 25; {key} is missing")
     (begin, end), unit = words.quantities([one["from"], one["to"]], f"{place}: [from, to]")
-    count = words.whole(one["count"], f"{place}.count", 2)
+    count = words.whole(one["count"], f"{place}.count", 2, MOST_VALUES)
     spacing = one.get("spacing", "even")
     if spacing not in ("even", "log") or spacing == "log" and min(begin, end) <= 0:
         raise InputError(f"{place}.spacing: takes even, or log between positive values; {spacing!r} was read")

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
+import os
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from os import PathLike
 from pathlib import Path
@@ -18,11 +21,15 @@ from pounding.models import PARTS, Model, as_model, check
 from pounding.studies import words
 from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, read_factors
-from pounding.studies.motions import Intensity, doubts, measured, read_intensity
+from pounding.studies.motions import Intensity, Motion, doubts, measured, read_intensity
 from pounding.studies.quantities import UNITS, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import read_motions
 from pounding.studies.template import Template
+
+
+#: Rows of a study, at most.
+MOST_ROWS = 1_000_000_000
 
 
 @dataclass(frozen=True)
@@ -52,7 +59,7 @@ class Plan:
     @property
     def count(self) -> int:
         """Number of rows."""
-        return int(np.prod(self.shape, dtype=np.int64))
+        return math.prod(self.shape)
 
     def columns(self, rows: np.ndarray) -> dict[str, np.ndarray]:
         """Factors, record, scale and im [m/s^2] of these rows."""
@@ -142,6 +149,7 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     factors = list(points.factors)
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
     motions = measured(motions, intensity)
+    _require_scales(motions, intensity)
     kept = read_keep(one.get("keep"), words.yes(one.get("without_links", False), "study.without_links"), parts, read_limits(one.get("limits")))
     engine = str(one.get("engine", "auto"))
     if engine not in ENGINES_OF_STUDIES:
@@ -152,6 +160,8 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     stop, _ = words.quantity(one.get("stop_after", 0.05), "study.stop_after")
     plan = Plan(Template(parts, model._file or "model", tuple(factors), tuple(motions), kept, engine), points, intensity, seed, stop,
                 text or yaml_text.emit({"study": one}), tuple(doubts(motions, intensity)))
+    if plan.count > MOST_ROWS:
+        raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
     # A wrong unit or bound in the first row is told here, not by a thousand rows.
     first = plan.yaml(0)
     core.check(core.Source(first, _place(plan.template)))
@@ -166,6 +176,15 @@ def _require_free_names(factors: list[Factor]) -> None:
             raise InputError(f"study.factors.{factor.name}: the table has a column of this name already; call the factor, for example, {factor.name}_factor")
 
 
+def _require_scales(motions: Sequence[Motion], intensity: Intensity | None) -> None:
+    """Raises InputError where no factor brings a motion to a level."""
+    levels = intensity.levels if intensity else ()
+    for motion in motions if levels else ():
+        if not motion.intensity > 0 or not math.isfinite(max(levels) / motion.intensity) or min(levels) / motion.intensity == 0:
+            raise InputError(f"study.intensity: {motion.name} has the intensity {motion.intensity:g} m/s^2, which no factor brings to "
+                             f"{min(levels):g} to {max(levels):g} m/s^2")
+
+
 def _place(template: Template) -> str:
     return str(Path(template.place).with_name("row")) if template.place != "model" else "row"
 
@@ -176,7 +195,7 @@ def _absolute(model: Model) -> dict[str, Any]:
 
     def named(part: Any) -> Any:
         if isinstance(part, dict):
-            return {key: str((folder / value).resolve()) if key in ("record", "file") and isinstance(value, str) and (folder / value).is_file()
+            return {key: str((folder / value).resolve()) if key in ("record", "file") and isinstance(value, str) and os.path.isfile(folder / value)
                     else named(value) for key, value in part.items()}
         return [named(one) for one in part] if isinstance(part, list) else part
 

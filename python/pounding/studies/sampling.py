@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -17,6 +19,10 @@ from pounding.studies.scipy_stats import stats
 _WAYS = ("sobol", "latin_hypercube", "random", "saltelli", "table")
 
 
+#: Samples of a study, at most.
+MOST_SAMPLES = 10_000_000
+
+
 @dataclass(frozen=True)
 class Points:
     """Values of all factors. The sample is the same for every point of the grid: differences between grid points are then no noise,
@@ -30,7 +36,7 @@ class Points:
     @property
     def count(self) -> int:
         """Number of points: grid times sample."""
-        return int(np.prod(self.grid, dtype=np.int64)) * len(self.sample)
+        return math.prod(self.grid) * len(self.sample)
 
     def columns(self, points: np.ndarray) -> dict[str, np.ndarray]:
         """Values of the factors at some points, by their names."""
@@ -62,7 +68,7 @@ def read_points(factors: Sequence[Factor], given: Any, seed: int, model: Mapping
     one = words.only(given, _WAYS, "study.sampling")
     if len(one) != 1:
         raise InputError(f"study.sampling: takes one of {', '.join(_WAYS)}, as in {{sobol: 128}}")
-    way, count = next((way, words.whole(value, f"study.sampling.{way}")) for way, value in one.items())
+    way, count = next((way, words.whole(value, f"study.sampling.{way}", 1, MOST_SAMPLES)) for way, value in one.items())
     if not distributed:
         raise InputError("study.sampling: no factor has a distribution to take samples from; lists and ranges make a grid by themselves, so leave "
                          "sampling out, or write a factor as uniform: {from: 10 mm, to: 40 mm}")
@@ -105,6 +111,8 @@ def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any],
 
 def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     """Columns of numbers in SI and their units, by the names in the first line: `T,gap (mm)`. Raises InputError."""
+    if not os.path.isfile(path):
+        raise InputError(f"study.sampling.table: there is no file {path}")
     try:
         head, *lines = path.read_text(encoding="utf-8").strip().splitlines() or [""]
     except (OSError, UnicodeDecodeError) as error:

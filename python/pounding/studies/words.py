@@ -56,11 +56,13 @@ def quantities(values: Any, place: str) -> tuple[list[float], str]:
     return [number for number, _ in read], read[0][1]
 
 
-def whole(value: Any, place: str, least: int = 1) -> int:
+def whole(value: Any, place: str, least: int = 1, most: int | None = None) -> int:
     """A whole number. Raises InputError."""
     number, unit = quantity(value, place)
     if unit or number != int(number) or number < least:
         raise InputError(f"{place}: takes a whole number of at least {least}; {value!r} was read")
+    if most is not None and number > most:
+        raise InputError(f"{place}: takes at most {most}; {value} was read")
     return int(number)
 
 
