@@ -51,10 +51,13 @@ class UnitImpact {
     };
     return laws::extrapolated_step<2>(slope, x_, y_, h, tolerance);
   }
-  // Ends the step where the damping is full or the force is cut: the error estimate can overlook such places.
+  // Ends the step where the damping is full or the force is cut: the error estimate can overlook such places. It ends where the bodies turn, too: those that
+  // come just as deep as the depth of full damping would pass it twice in one step.
   void land(laws::ExtrapolatedStep<2>& end) {
-    const auto place = [&](int which, const State& y) { return which == 0 ? law_.corner(y[0], y[1], impact_) : law_.contact(y[0], y[1], impact_).force; };
-    for (const int which : {0, 1}) {
+    const auto place = [&](int which, const State& y) {
+      return which == 0 ? y[1] : which == 1 ? law_.corner(y[0], y[1], impact_) : law_.contact(y[0], y[1], impact_).force;
+    };
+    for (const int which : {0, 1, 2}) {
       const double before = place(which, y_), after = place(which, end.state);
       if (!(before * after < 0)) continue;
       const double h = laws::find_root([&](double part) { return place(which, moved(part).state); }, 0, before, h_, after);
