@@ -49,6 +49,12 @@ class FaultsOfRuns:
 class Hinges(FaultsOfRuns, FaultTest):
     MODEL = RUNS["hinges"] + CHECKPOINTS
 
+    def test_lack_of_memory_for_the_program_itself(self):
+        """Matrices whose sizes follow the hinges that yield: Eigen 3.4 frees the numbers of one before it asks for more of them, and frees
+        them again when it got none."""
+        self.crashes = 0
+        self.some("own_memory", 5000, 3, self.costs_no_file)
+
 
 @unittest.skipUnless(test_faults.ALL, "alike to hinges")
 class Storeys(FaultsOfRuns, FaultTest):
