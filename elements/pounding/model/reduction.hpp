@@ -23,6 +23,7 @@ struct Reduction {
   double error = 0;  ///< of what is automatic: largest error of forces of links and of displacements, relative; 0: a part of the tolerance
   bool of_acceleration = false, of_members = false;  ///< whether `error` holds for accelerations of floors and forces of members as well
 
+  /// Same kind and numbers.
   bool operator==(const Reduction&) const = default;
   /// Whether numbers were given: what cannot be kept then is an error.
   bool is_explicit() const { return kind == Kind::blocks || kind == Kind::lowest; }
