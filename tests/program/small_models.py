@@ -63,7 +63,7 @@ DEVICES = OSCILLATORS.replace("links:\n", "devices:\n  tie: {between: [left, rig
                               "  brake: {between: [left, right], damper: {coefficient: 200 kN (s/m)^0.5, exponent: 0.5}}\nlinks:\n")
 #: Models of runs by their kind.
 RUNS = {"oscillators": OSCILLATORS, "hinges": HINGES, "storeys": STOREYS, "isolators": ISOLATORS, "reduced": REDUCED, "devices": DEVICES, "masts": MASTS}
-#: What `pounding pushover` takes beside the model `HINGES`.
+#: Words of `pounding pushover` beside the model `HINGES`.
 PUSH = ("--structure", "left", "--to", "120 mm")
 #: 12 rows by the kernel, of which the solver runs some, too.
 STUDY = """\

@@ -17,7 +17,7 @@ import h5py
 from support import OSCILLATORS, PROGRAM, ProgramTest, is_sealed
 
 SHIM = os.environ["POUNDING_FAULTS"]
-#: Of so many allocations one fails, each time another one; 0 for a slice.
+#: One of so many allocations fails, each time another one; 0 for a slice.
 EVERY = int(os.environ.get("POUNDING_ALL_FAULTS", "0"))
 ALL = EVERY > 0
 #: How often such faults ended a run with this exit code, or less than zero by this signal, and with the earlier file replaced or not.

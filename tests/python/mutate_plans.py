@@ -139,7 +139,7 @@ def survey(count, seed, found):
             now = (folder / "now").read_text()
             fates["hang" if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM else f"status {status}"] += 1
             shutil.copy(folder / "study.yaml", found / f"{now}.yaml")
-            # Those before it count again only where they failed.
+            # Mutants before it count again only where they failed.
             first = int(now.split("-")[1]) + 1
     return fates
 

@@ -64,7 +64,7 @@ class ModalSolver final : public StructureSolver {
   std::string description() const override;
 
  private:
-  // What groups with the same modes share: Phi^T M, or where few() Phi^T and M.
+  // Shared by groups with the same modes: Phi^T M, or where few() Phi^T and M.
   struct Projection {
     Eigen::MatrixXd by_modes, by_unknown;
     SparseMatrix mass;

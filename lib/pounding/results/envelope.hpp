@@ -76,12 +76,12 @@ struct Extremes {
     // So does the parabola between both ends and the point where its tangents there meet.
     if (!holds(i, middle) || !holds(i, end) || !holds(i, 2 * middle - 0.5 * (begin + end))) add_parabola(i, time, h, begin, middle, end);
   }
-  /// The same on a path of degree four.
+  /// A step on a path of degree four.
   void update(std::size_t i, double time, double h, const Quartic& path) {
     const auto [low, high] = path.bounds();
     if (!holds(i, low) || !holds(i, high)) update_by_quarters(i, time, h, path);
   }
-  /// And on any smooth path, a function of s from 0 to 1: a parabola in each quarter of the step.
+  /// A step on any smooth path, a function of s from 0 to 1: a parabola in each quarter of the step.
   template <class Path>
   void update_by_quarters(std::size_t i, double time, double h, const Path& path) {
     const double quarter = h / 4;
