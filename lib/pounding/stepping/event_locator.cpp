@@ -30,6 +30,23 @@ struct EventBracket {
   double guess = 0;  // linear estimate of the zero [s after the beginning]
 };
 
+std::vector<EventBracket> brackets_in(const EventFunctions& functions, const Instant& now, const Trial& trial) {
+  const LinkSet& links = functions.links();
+  std::vector<EventBracket> found;
+  for (int i = 0; i < links.contacts(); ++i) {
+    const LinkMotion end = links.motion(i, trial.end);
+    const Contact::EventFunctions at_end = functions.values(i, end, trial.end.force[i]);
+    if (std::none_of(at_end.begin(), at_end.end(), [](double value) { return value < 0; })) continue;  // most trials
+    const Contact::EventFunctions at_begin = functions.values(i, links.motion(i, now), now.force[i]);
+    for (int k = 0; k < Contact::max_event_functions; ++k) {
+      if (!functions.has_ended({i, k}, at_end[k], end, now)) continue;
+      const double guess = at_begin[k] <= 0 ? 0 : trial.h * at_begin[k] / (at_begin[k] - at_end[k]);
+      found.push_back({{i, k}, 0, at_begin[k], at_end[k], guess});
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 // One search; `trial` changes with every call of try_step.
@@ -45,7 +62,7 @@ struct EventLocator::Search {
   bool try_step(double h, std::optional<double> end) const {
     return solve_step(h, end) && !(was_good && trial.error > beyond_belief);
   }
-  std::vector<EventBracket> brackets() const;
+  std::vector<EventBracket> brackets() const { return brackets_in(functions, now, trial); }
   void look_for_inner_touch(int link) const;
   void stop_at_corner() const;
   bool begins_inside(EventBracket& bracket, double longest) const;
@@ -63,22 +80,6 @@ struct EventLocator::Search {
     return touches ? functions.noise(id, at_end(id.link), now) : grouped_part * change;
   }
 };
-
-std::vector<EventBracket> EventLocator::Search::brackets() const {
-  std::vector<EventBracket> found;
-  for (int i = 0; i < links.contacts(); ++i) {
-    const LinkMotion end = at_end(i);
-    const Contact::EventFunctions at_end = functions.values(i, end, trial.end.force[i]);
-    if (std::none_of(at_end.begin(), at_end.end(), [](double value) { return value < 0; })) continue;  // most trials
-    const Contact::EventFunctions at_begin = functions.values(i, links.motion(i, now), now.force[i]);
-    for (int k = 0; k < Contact::max_event_functions; ++k) {
-      if (!functions.has_ended({i, k}, at_end[k], end, now)) continue;
-      const double guess = at_begin[k] <= 0 ? 0 : trial.h * at_begin[k] / (at_begin[k] - at_end[k]);
-      found.push_back({{i, k}, 0, at_begin[k], at_end[k], guess});
-    }
-  }
-  return found;
-}
 
 // Bodies that touch and part again within one trial: if they overlap between its ends, the trial is shortened to the time of
 // the smallest opening.
@@ -200,16 +201,8 @@ bool EventLocator::may_find(const Instant& now, const Trial& trial) const {
 
 std::optional<double> EventLocator::expected_end(const Instant& now, const Trial& trial) const {
   std::optional<double> first;
-  for (int i = 0; i < links_.contacts(); ++i) {
-    if (links_.contact(i).phase() == ContactPhase::open) continue;
-    const Contact::EventFunctions at_begin = functions_.values(i, links_.motion(i, now), now.force[i]);
-    const Contact::EventFunctions at_end = functions_.values(i, links_.motion(i, trial.end), trial.end.force[i]);
-    for (int k = 0; k < Contact::max_event_functions; ++k) {
-      if (!(at_begin[k] > 0 && at_end[k] < 0)) continue;
-      const double guess = trial.h * at_begin[k] / (at_begin[k] - at_end[k]);
-      if (!first || guess < *first) first = guess;
-    }
-  }
+  for (const EventBracket& bracket : brackets_in(functions_, now, trial))
+    if (links_.contact(bracket.id.link).phase() != ContactPhase::open && bracket.guess > 0 && !(first && *first <= bracket.guess)) first = bracket.guess;
   return first;
 }
 
