@@ -1,5 +1,5 @@
 #pragma once
-/// The columns of the gap Jacobian B in the coordinates of blocks that are solved each by itself.
+/// The columns of the gap Jacobian B, or of the outputs, in the coordinates of blocks that are solved each by itself.
 
 #include <Eigen/Core>
 #include <functional>

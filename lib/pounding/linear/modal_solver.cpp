@@ -109,13 +109,11 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
       const Eigen::VectorXd by_run = block.shapes().transpose() * system.load.col(j).segment(block.first, block.unknowns());
       load_.col(j).segment(block.coordinate, block.count) = block.of_modes(by_run);
     }
-  outputs_ = static_cast<int>(system.outputs.cols());
-  for (const Block& block : blocks_) {
-    if (!block.shadow) add_view(system.outputs, block, views_);
-    if (shadow_ > 0 && !block.shadowed) add_view(system.outputs, block, shadow_views_);
-  }
   gap_jacobian_ = columns_of_links(system, false);
-  if (shadow_ > 0) shadow_ends_ = columns_of_links(system, true);
+  outputs_ = columns_of_outputs(system.outputs, false);
+  if (shadow_ == 0) return;
+  shadow_ends_ = columns_of_links(system, true);
+  shadow_outputs_ = columns_of_outputs(system.outputs, true);
 }
 
 // In the blocks that count, or in the shadow and the blocks that have none.
@@ -240,19 +238,27 @@ void ModalSolver::add_coordinates(const Group& group, Block block, const Eigen::
   blocks_.push_back(std::move(block));
 }
 
-void ModalSolver::add_view(const SparseMatrix& outputs, const Block& block, std::vector<View>& views) const {
-  View view{block.coordinate, {}, {}};
-  const auto inside = [&](Eigen::Index row) { return row >= block.first && row < block.first + block.unknowns(); };
-  for (int j = 0; j < outputs_; ++j)
-    for (SparseMatrix::InnerIterator it(outputs, j); it; ++it)
-      if (inside(it.row()) && (view.rows.empty() || view.rows.back() != j)) view.rows.push_back(j);
-  if (view.rows.empty()) return;
-  view.factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(view.rows.size()), block.shapes().cols());
-  for (std::size_t i = 0; i < view.rows.size(); ++i)
-    for (SparseMatrix::InnerIterator it(outputs, view.rows[i]); it; ++it)
-      if (inside(it.row())) view.factors.row(static_cast<Eigen::Index>(i)) += it.value() * block.shapes().row(it.row() - block.first);
-  if (block.shadow) view.factors = product(view.factors, block.shadow->in_modes);
-  views.push_back(std::move(view));
+LinkColumns ModalSolver::columns_of_outputs(const SparseMatrix& outputs, bool shadow) const {
+  LinkColumns made(static_cast<int>(outputs.cols()));
+  for (const Block& block : blocks_) {
+    if (shadow ? block.shadowed : block.shadow != nullptr) continue;
+    std::vector<int> own;
+    std::vector<Eigen::VectorXd> columns;
+    for (int j = 0; j < outputs.cols(); ++j)
+      for (SparseMatrix::InnerIterator it(outputs, j); it; ++it) {
+        if (it.row() < block.first || it.row() >= block.first + block.unknowns()) continue;
+        if (own.empty() || own.back() != j) {
+          own.push_back(j);
+          columns.push_back(Eigen::VectorXd::Zero(block.shapes().cols()));
+        }
+        columns.back() += it.value() * block.shapes().row(it.row() - block.first).transpose();
+      }
+    Eigen::MatrixXd by_output(block.shapes().cols(), static_cast<Eigen::Index>(own.size()));
+    for (std::size_t i = 0; i < own.size(); ++i) by_output.col(static_cast<Eigen::Index>(i)) = columns[i];
+    if (block.shadow) by_output = product(by_output.transpose(), block.shadow->in_modes).transpose().eval();
+    made.add_block(block.coordinate, std::move(own), std::move(by_output));
+  }
+  return made;
 }
 
 void ModalSolver::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const {
@@ -364,17 +370,9 @@ void ModalSolver::add_physical_forces(const Eigen::VectorXd& f, Eigen::Ref<Eigen
   }
 }
 
-void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { observe(views_, x, values); }
+void ModalSolver::observe(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const { outputs_.gather(x, values); }
 void ModalSolver::observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const {
-  observe(shadow_ > 0 ? shadow_views_ : views_, x, values);
-}
-
-void ModalSolver::observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const {
-  values.setZero(outputs_, x.cols());
-  for (const View& view : views) {
-    const Eigen::Index rows = view.factors.rows(), count = view.factors.cols();
-    add_products({view.factors.data(), rows, count, rows}, {x.data() + view.first, count, x.cols(), x.outerStride()}, view.rows, values, sums_);
-  }
+  (shadow_ > 0 ? shadow_outputs_ : outputs_).gather(x, values);
 }
 
 Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {

@@ -92,33 +92,21 @@ class ModalSolver final : public StructureSolver {
     // Displacements of one column, [unknown of the group], where the modes are not few().
     void displace_one(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> u) const;
   };
-  // Outputs of one group: values[rows[i]] += factors.row(i) * modes from `first` on.
-  struct View {
-    int first = 0;
-    std::vector<int> rows;
-    Eigen::MatrixXd factors;
-  };
-
   void add_natural(const System& system, const Group& group, const Block* equal);
   void add_reduced(const System& system, const Group& group, const ReducedGroup& reduced);
   void add_shadow(const System& system, const Group& group, const std::shared_ptr<const ShadowModes>& shadow);
   LinkColumns columns_of_links(const System& system, bool shadow) const;
   void add_block(const System& system, const Group& group, Block block, const Eigen::MatrixXd& rest);
   void add_coordinates(const Group& group, Block block, const Eigen::MatrixXd& rest);
-  void add_view(const SparseMatrix& outputs, const Block& block, std::vector<View>& views) const;
+  LinkColumns columns_of_outputs(const SparseMatrix& outputs, bool shadow) const;
   LinkColumns::Solve solve_block() const;
-  void observe(const std::vector<View>& views, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& values) const;
 
   std::vector<Block> blocks_;
   Eigen::VectorXd single_;  // shapes of groups that all have one unknown, else empty
-  LinkColumns gap_jacobian_;
-  std::vector<View> views_;
-  // Ends of links, and outputs, in the shadow and in the blocks that have none; empty without a shadow.
-  LinkColumns shadow_ends_;
-  std::vector<View> shadow_views_;
+  LinkColumns gap_jacobian_, outputs_;
+  // Both in the shadow and in the blocks that have none; empty without a shadow.
+  LinkColumns shadow_ends_, shadow_outputs_;
   std::vector<ReducedStructure> reduced_;
-  int outputs_ = 0;  // number of output quantities
-  mutable Eigen::MatrixXd sums_;  // room to work in
   Eigen::VectorXd stiffness_, damping_;  // diagonals
   bool classical_ = true;
   int unknowns_ = 0;

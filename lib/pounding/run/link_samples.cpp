@@ -119,6 +119,7 @@ void ImpactSamples::show(LinkHistory& history) const {
 }
 
 void ImpactSamples::finish(LinkHistory& history) {
+  if (empty()) return;
   show(history);
   samples_.clear();
   stride_ = 1;
