@@ -10,9 +10,9 @@
 namespace pounding {
 namespace {
 
-// Samples are dense enough for a straight line between them to miss the force by no more than the tolerance, within these bounds, as part of
-// the peak force.
-constexpr double min_chord_error = 1e-4, max_chord_error = 1e-3;
+// Samples are dense enough for a straight line between them to miss the force by no more than this part of the peak force, and the peak itself
+// is one of them: no picture shows less, and ten times closer ones would make a file of many impacts three times as large.
+constexpr double max_chord_error = 1e-3;
 constexpr int max_depth = 5;  // halvings of half a step
 
 // The power of a link in a step, as the parabola through its values at both ends and in the middle.
@@ -134,8 +134,7 @@ void ImpactSamples::archive(Archive& archive) {
 }
 
 LinkSamples::LinkSamples(const Model& model, const Stepper& stepper, std::vector<LinkHistory>& histories)
-    : model_(model), stepper_(stepper), histories_(histories),
-      chord_error_(std::clamp(stepper.options().tolerance, min_chord_error, max_chord_error)) {
+    : model_(model), stepper_(stepper), histories_(histories) {
   if (stepper.system().contact_count() == 0) return;
   for (const Link& link : model.links) histories_.push_back(heading(link, model));
   impacts_.resize(model.links.size());
@@ -152,6 +151,13 @@ std::array<double, 2> LinkSamples::friction(std::size_t link, double LinkStep::*
   return forces;
 }
 
+void LinkSamples::add_inside(const Inside& in, double s, const Jet& at, double force) {
+  LinkSample sample{in.step.begin + s * (in.step.end - in.step.begin), at.x, at.v, force, in.work(s), {}};
+  for (int j = 0; j < histories_[in.link].tangents; ++j)
+    sample.friction[j] = force_inside(stepper_.link_step(static_cast<int>(first_tangent_[in.link] + j)), s);
+  impacts_[in.link].add(sample);
+}
+
 // Between s and e, parts of a step from 0 to 1 with these forces at them: samples wherever a straight line would miss the force.
 void LinkSamples::add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth) {
   const double mid = 0.5 * (s + e);
@@ -162,11 +168,34 @@ void LinkSamples::add_between(const Inside& in, double s, double force_s, double
   // Both halves miss by a quarter of this, or 0.35 of it where a force begins like the power 1.5 of the penetration.
   const bool deeper = depth > 1 && missed > 2 * in.allowed;
   if (deeper) add_between(in, s, force_s, mid, force, depth - 1);
-  LinkSample sample{in.step.begin + mid * (in.step.end - in.step.begin), at.x, at.v, force, in.work(mid), {}};
-  for (int j = 0; j < histories_[in.link].tangents; ++j)
-    sample.friction[j] = force_inside(stepper_.link_step(static_cast<int>(first_tangent_[in.link] + j)), mid);
-  impacts_[in.link].add(sample);
+  add_inside(in, mid, at, force);
   if (deeper) add_between(in, mid, force, e, force_e, depth - 1);
+}
+
+// Of a step in contact, without its ends.
+void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row) {
+  const LinkMotion& middle = step.motion_middle;
+  const double allowed = max_chord_error * row.peak_force;
+  // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
+  const bool looks = bends(step, row.peak_force, allowed) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
+  const bool peaks = row.t_peak > step.begin && row.t_peak < step.end;
+  const LinkSample at_middle{0.5 * (step.begin + step.end), middle.penetration, middle.rate, step.force_middle,
+                             contact.work() - Power(step).work_of_second_half(), friction(link, &LinkStep::force_middle)};
+  if (!looks && !peaks) return impacts_[link].add(at_middle);
+  const Inside inside{link, step, contact, allowed};
+  const double at_peak = (row.t_peak - step.begin) / (step.end - step.begin);
+  const auto add_half = [&](double s, double force_s, double e, double force_e) {
+    if (peaks && at_peak > s && at_peak < e) {
+      if (looks) add_between(inside, s, force_s, at_peak, row.peak_force, max_depth);
+      add_inside(inside, at_peak, inside.path.at(at_peak), row.peak_force);
+      s = at_peak;
+      force_s = row.peak_force;
+    }
+    if (looks) add_between(inside, s, force_s, e, force_e, max_depth);
+  };
+  add_half(0, step.force_begin, 0.5, step.force_middle);
+  impacts_[link].add(at_middle);
+  add_half(0.5, step.force_middle, 1, step.force_end);
 }
 
 void LinkSamples::step(bool output_due) {
@@ -178,21 +207,12 @@ void LinkSamples::step(bool output_due) {
     const bool presses = begun && std::isnan(rows.back().t_end);
     const bool ends_here = begun && !presses && rows.back().t_end >= step.end;
     ImpactSamples& impact = impacts_[i];
-    const LinkMotion &middle = step.motion_middle, &end = step.motion_end;
+    const LinkMotion& end = step.motion_end;
     if (presses || ends_here) {
       if (impact.empty() && model_.links[i].preload && rows.size() == 1)
         impact.begin_pressed({step.begin, step.motion_begin.penetration, step.motion_begin.rate, step.force_begin,
                               contact.work() - Power(step).work_after(0), friction(i, &LinkStep::force_begin)});
-      if (step.force_middle != 0) {
-        // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
-        const double peak = rows.back().peak_force, allowed = chord_error_ * peak;
-        const bool looks = bends(step, peak, allowed) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
-        const Inside inside{i, step, contact, allowed};
-        if (looks) add_between(inside, 0, step.force_begin, 0.5, step.force_middle, max_depth);
-        impact.add({0.5 * (step.begin + step.end), middle.penetration, middle.rate, step.force_middle,
-                    inside.work_at_end - inside.power.work_of_second_half(), friction(i, &LinkStep::force_middle)});
-        if (looks) add_between(inside, 0.5, step.force_middle, 1, step.force_end, max_depth);
-      }
+      if (step.force_middle != 0) add_inside(i, step, contact, rows.back());
       // A located end lies behind the true one by the round-off of the motion, and there the formula of the law would pull.
       const double force = contact.acting_force(presses ? stepper_.link_forces()[static_cast<int>(i)] : step.force_end);
       impact.add({step.end, end.penetration, end.rate, force, contact.work(), friction(i, &LinkStep::force_end)});

@@ -1,5 +1,6 @@
 #pragma once
-/// Histories of links: one sample an output time while a link is open; while it presses two a step, and more where the force bends.
+/// Histories of links: one sample an output time while a link is open; while it presses two a step, one at the peak force, and more where the
+/// force bends.
 
 #include <array>
 #include <cstddef>
@@ -65,12 +66,13 @@ class LinkSamples {
   struct Inside;
 
   std::array<double, 2> friction(std::size_t link, double LinkStep::*force) const;
+  void add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row);
+  void add_inside(const Inside& in, double s, const Jet& at, double force);
   void add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth);
 
   const Model& model_;
   const Stepper& stepper_;
   std::vector<LinkHistory>& histories_;
-  double chord_error_;  // by which a straight line between two samples may miss the force, as part of the peak force
   std::vector<ImpactSamples> impacts_;
   std::vector<int> first_tangent_;    // by link: first column of its friction; -1 for none
   std::vector<std::size_t> lengths_;  // of the histories without what is shown
