@@ -7,18 +7,30 @@ namespace pounding {
 
 using Eigen::Index;
 
-// The sum of a link is kept at hand while its entries follow each other: each would wait for the number that the last one stored.
-void LinkColumns::add_closing(const std::vector<Entry>& entries, const double* x, double* relative) {
-  double *to = nullptr, sum = 0;
-  for (const Entry& entry : entries) {
-    if (double* const next = relative + entry.link; next != to) {
-      if (to) *to = sum;
-      to = next;
-      sum = *to;
-    }
-    sum += entry.value * x[entry.coordinate];
+// The sums of a link, one a column, are kept at hand over its entries, which follow each other: each would wait for the number that the last one stored.
+template <int columns, bool begins>
+void LinkColumns::add_closing(const std::vector<Entry>& entries, const double* x, Index x_stride, double* relative, Index stride) {
+  const Entry *entry = entries.data(), *const end = entry + entries.size();
+  while (entry != end) {
+    double* const to = relative + entry->link;
+    double sums[columns];
+    for (int c = 0; c < columns; ++c) sums[c] = begins ? 0 : to[c * stride];
+    const int link = entry->link;
+    do {
+      for (int c = 0; c < columns; ++c) sums[c] += entry->value * x[entry->coordinate + c * x_stride];
+    } while (++entry != end && entry->link == link);
+    for (int c = 0; c < columns; ++c) to[c * stride] = sums[c];
   }
-  if (to) *to = sum;
+}
+
+template <bool begins>
+void LinkColumns::add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) {
+  const Index columns = x.cols(), x_stride = x.outerStride(), stride = relative.rows();
+  const double* of = x.data();
+  double* to = relative.data();
+  Index c = 0;
+  for (; c + 3 <= columns; c += 3, of += 3 * x_stride, to += 3 * stride) add_closing<3, begins>(entries, of, x_stride, to, stride);
+  for (; c < columns; ++c, of += x_stride, to += stride) add_closing<1, begins>(entries, of, x_stride, to, stride);
 }
 
 bool LinkColumns::Block::is_small() const { return by_link.size() <= few_entries; }
@@ -30,33 +42,45 @@ void LinkColumns::add_block(int first, std::vector<int> links, Eigen::MatrixXd c
   block.links = std::move(links);
   block.by_link = std::move(columns);
   block.by_coordinate = block.by_link.transpose();
-  find_entries(blocks_);
+  find_entries(blocks_, count_);
 }
 
-void LinkColumns::find_entries(std::vector<Block>& blocks) {
-  std::vector<Entry>* entries = nullptr;
+void LinkColumns::find_entries(std::vector<Block>& blocks, int count) {
+  Block* first = nullptr;
+  const auto sort = [&] {
+    if (!first) return;
+    std::ranges::stable_sort(first->entries, {}, &Entry::link);
+    int links = 0, last = -1;
+    for (const Entry& entry : first->entries) links += std::exchange(last, entry.link) != entry.link;
+    first->begins = first == blocks.data() && links == count;
+  };
   for (Block& block : blocks) {
     block.entries.clear();
+    block.begins = false;
     if (!block.is_small()) {
-      entries = nullptr;
+      sort();
+      first = nullptr;
       continue;
     }
-    if (!entries) entries = &block.entries;
+    if (!first) first = &block;
     for (std::size_t i = 0; i < block.links.size(); ++i)
-      for (int k = 0; k < block.size(); ++k) entries->push_back({block.first + k, block.links[i], block.by_link(k, static_cast<Index>(i))});
+      for (int k = 0; k < block.size(); ++k)
+        first->entries.push_back({block.first + k, block.links[i], block.by_link(k, static_cast<Index>(i))});
   }
+  sort();
 }
 
 void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
   const Index columns = x.cols();
   if (relative.rows() != count || relative.cols() != columns) relative.resize(count, columns);
-  std::fill_n(relative.data(), relative.size(), 0.0);
+  const bool begins = !blocks.empty() && blocks.front().begins;
+  if (begins)
+    add_closing<true>(blocks.front().entries, x, relative);
+  else
+    std::fill_n(relative.data(), relative.size(), 0.0);
   for (const Block& block : blocks) {
     if (block.is_small()) {
-      const double* of = x.data();
-      double* to = relative.data();
-      for (Index c = 0; c < columns; ++c, of += x.outerStride(), to += count)
-        add_closing(block.entries, of, to);
+      if (!block.begins && !block.entries.empty()) add_closing<false>(block.entries, x, relative);
       continue;
     }
     const Index ends = block.by_link.cols();
@@ -116,7 +140,7 @@ bool LinkColumns::choose(std::span<const int> links) {
     made.by_coordinate = made.by_link.transpose();
   }
   chosen_blocks_.resize(used);
-  find_entries(chosen_blocks_);
+  find_entries(chosen_blocks_, static_cast<int>(chosen_.size()));
   return true;
 }
 

@@ -49,14 +49,18 @@ class LinkColumns {
     std::vector<int> links;    // or, where they are chosen, their places among the chosen ones
     Eigen::MatrixXd by_link;   // [coordinate, link]
     Eigen::MatrixXd by_coordinate;
-    std::vector<Entry> entries;  // of this small block and of the small ones right behind it, which then have none
+    std::vector<Entry> entries;  // of this small block and of the small ones right behind it, which then have none; by link
+    bool begins = false;         // it is the first one, and these entries are of all links: their sums begin here
 
     Eigen::Index size() const { return by_link.rows(); }
     bool is_small() const;
   };
 
-  static void find_entries(std::vector<Block>& blocks);
-  static void add_closing(const std::vector<Entry>& entries, const double* x, double* relative);
+  static void find_entries(std::vector<Block>& blocks, int count);
+  template <int columns, bool begins>
+  static void add_closing(const std::vector<Entry>& entries, const double* x, Eigen::Index x_stride, double* relative, Eigen::Index stride);
+  template <bool begins>
+  static void add_closing(const std::vector<Entry>& entries, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative);
 
   void gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const;
   void add(const std::vector<Block>& blocks, double factor, const Eigen::VectorXd& f, const double* d, double* y, int from) const;

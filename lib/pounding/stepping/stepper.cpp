@@ -1,7 +1,9 @@
 #include <pounding/stepping/stepper.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -92,9 +94,8 @@ void Stepper::start(double time, const Eigen::VectorXd& u, const Eigen::VectorXd
 double Stepper::step_towards(double wanted, double left) const {
   if (!equations_.solver.prefers_dyadic_steps()) {
     // Sixteen lengths an octave, so that round-off in the error of a step does not show in the length of the next.
-    int exponent = 0;
-    const double mantissa = std::frexp(wanted * (1 + 1e-9), &exponent);
-    const double even = std::ldexp(std::floor(32 * mantissa) / 32, exponent);
+    constexpr std::uint64_t exponent_and_four_bits = 0xffff'0000'0000'0000;
+    const double even = std::bit_cast<double>(std::bit_cast<std::uint64_t>(wanted * (1 + 1e-9)) & exponent_and_four_bits);
     return left / std::ceil(left / even * (1 - 1e-9));
   }
   const double dyadic = dyadic_.at_most(wanted);
