@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -197,6 +198,11 @@ TEST(LawsByName, ZeroRestitutionIsForLawsWithWhichTheBodiesStick) {
                                                : "restitution is 0, but must be in (0, 1]: no damping of this law stops the bodies; "
                                                  "with stereomechanical and kelvin_voigt they stick at 0")
         << entry.name;
+    s.restitution = 1e-320;
+    EXPECT_EQ(refusal(s).find("restitution is 1e-320, but must be in (0, 1]: no damping") == 0, !entry.sticks_at_zero) << entry.name;
+    // The least number with all its digits is calibrated, or refused by the law.
+    s.restitution = std::numeric_limits<double>::min();
+    EXPECT_TRUE(refusal(s) == "accepted" || refusal(s).find("restitution") == 0) << entry.name << ": " << refusal(s);
   }
   Settings s = typical_settings(find_law("kelvin_voigt"));
   s.restitution = -0.1;

@@ -122,6 +122,8 @@ class Plans(unittest.TestCase):
         own = pounding.record_spectrum(Path(folder.name) / "a.csv", periods=[.5]).psa[0]
         self.assertEqual(plan.columns(np.array([0]))["scale"][0], .1 * 9.80665 / own)
         self.assertEqual(float(plan.case(0)["ground_motion"]["scale"]), .1 * 9.80665 / own)
+        with self.assertRaisesRegex(InputError, "study.intensity: a.csv has the intensity 0 m/s.2, which no factor brings to"):
+            plan_of(records={"files": folder.name}, intensity={"measure": "sa", "period": "1e308 s", "levels": ["0.1 g"]})
         both = plan_of(records={"files": folder.name}, intensity={"measure": "avg_sa"}).intensity
         np.testing.assert_allclose(both.period, (.2 * .4, 1.5 * .8), rtol=1e-12)
 
@@ -219,6 +221,17 @@ class Wrong(unittest.TestCase):
         self.refused("records.files: there is no file", records={"files": "9" * 300 + "/*"})
         self.refused("has the intensity 0.001 m/s^2, which no factor brings to 1e+308 to 1e+308 m/s^2", intensity={"measure": "pga", "levels": ["1e308"]},
                      records={"synthetic": {"count": 1, "duration": "0.8 s", "pga": "0.001"}})
+        random = lambda words: {"factors": factors(words), "sampling": {"random": 2}}
+        for cov in ("1e308", "-1e308", "0"):
+            self.refused(("study.factors.gap.lognormal.cov: takes a positive number of at most 1e+06, such as 0.3", f"{float(cov):g} was read"),
+                         **random({"lognormal": {"median": "1 mm", "cov": cov}}))
+        self.refused(("study.factors.gap.lognormal: has values from", "to inf, and finite ones are needed; type values as in {median: 2.75e9, cov: 0.3}"),
+                     **random({"lognormal": {"median": 1e308, "cov": 0.3}}))
+        self.refused(("study.factors.gap.normal: all of its values are 0.6; type a wider spread as in {mean: 5 %, sd: 1 %}", "or list: [0.6] for one value"),
+                     **random({"normal": {"mean": 0.6, "sd": "1e-320"}, "truncate": [0.3, 0.9]}))
+        self.refused("study.factors.gap.normal: has values from inf over inf to inf", **random({"normal": {"mean": 0, "sd": 1}, "truncate": [50, 60]}))
+        self.refused("study.factors.gap.scipy: has values from", **random({"scipy": {"name": "gamma", "a": -1}}))
+        self.refused("restitution is 1e-320, but must be in (0, 1]: no damping", factors={"e": {"of": "links.*.restitution", "list": [1e-320]}})
         many = {f"f{i}": {"of": f"structures.left.oscillator.{key}", "from": 1, "to": 2, "count": 10**6} for i, key in enumerate(("mass", "period"))}
         self.refused("study: has 1000000000000 rows, and 1000000000 are the most", factors=many)
 

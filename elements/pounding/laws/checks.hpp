@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -37,10 +38,12 @@ inline void require_not_negative(std::string_view name, const std::optional<doub
   if (value && !(std::isfinite(*value) && *value >= 0)) refuse(name, *value, "finite and not negative");
 }
 
-/// Throws std::invalid_argument unless the restitution lies in (0, 1], or in [0, 1] where the law `sticks_at_zero`.
+/// Throws std::invalid_argument unless the restitution lies in (0, 1], or in [0, 1] where the law `sticks_at_zero`. Numbers so small that they
+/// have fewer digits count as 0: damping that grows with 1/e would be infinite.
 inline void require_restitution(const std::optional<double>& value, bool sticks_at_zero = false) {
-  if (!value || (*value > 0 && *value <= 1) || (*value == 0 && sticks_at_zero)) return;
-  if (*value == 0)
+  constexpr double least = std::numeric_limits<double>::min();
+  if (!value || (*value >= (sticks_at_zero ? 0 : least) && *value <= 1)) return;
+  if (*value >= 0 && *value < least)
     refuse("restitution", *value, "in (0, 1]: no damping of this law stops the bodies; with stereomechanical and kelvin_voigt they stick at 0");
   refuse("restitution", *value, sticks_at_zero ? "in [0, 1]" : "in (0, 1]");
 }

@@ -21,6 +21,10 @@ EXAMPLES = {"uniform": "{from: 10 mm, to: 40 mm}", "normal": "{mean: 5 %, sd: 1 
             "scipy": "{name: gamma, a: 2, scale: 0.01}"}
 
 
+#: Coefficient of variation of a lognormal distribution, at most.
+MOST_COV = 1e6
+
+
 @dataclass(frozen=True)
 class Distribution:
     """A kind with its parameters in SI; the values of `discrete` in `values`."""
@@ -32,15 +36,16 @@ class Distribution:
     name: str = ""  #: in scipy.stats, for the kind "scipy"
 
     def ppf(self, probability: np.ndarray) -> np.ndarray:
-        """Values that are not exceeded with these probabilities."""
+        """Values that are not exceeded with these probabilities; infinite ones where numbers end."""
         if self.kind == "discrete":
             steps = np.cumsum([value for _, value in self.parameters])
             return np.asarray(self.values)[np.minimum(np.searchsorted(steps, probability, side="right"), len(self.values) - 1)]
-        frozen = self._frozen()
-        if self.truncate is not None:
-            low, high = frozen.cdf(self.truncate)
-            probability = low + probability * (high - low)
-        return np.asarray(frozen.ppf(probability), dtype=float)
+        with np.errstate(all="ignore"):
+            frozen = self._frozen()
+            if self.truncate is not None:
+                low, high = frozen.cdf(self.truncate)
+                probability = low + probability * (high - low)
+            return np.asarray(frozen.ppf(probability), dtype=float)
 
     def _frozen(self) -> Any:
         p = dict(self.parameters)
@@ -73,8 +78,19 @@ def read_distribution(kind: str, given: Any, truncate: Any, place: str) -> tuple
     for key in pure:
         p[key] = words.quantity(one[key], f"{where}.{key}")[0]
     _complete(kind, p, where)
-    bounds = _bounds(truncate, unit, where)
-    return Distribution(kind, tuple(sorted(p.items())), truncate=bounds), unit
+    made = Distribution(kind, tuple(sorted(p.items())), truncate=_bounds(truncate, unit, where))
+    _require_values(made, EXAMPLES[kind], where)
+    return made, unit
+
+
+def _require_values(made: Distribution, example: str, place: str) -> None:
+    """Raises InputError where values that samples may have are no numbers, or are all the same."""
+    least, middle, most = made.ppf(np.array([1e-12, 0.5, 1 - 1e-12]))
+    if not np.isfinite([least, middle, most]).all():
+        raise InputError(f"{place}: has values from {least:g} over {middle:g} to {most:g}, and finite ones are needed; type values as in {example}, or limits "
+                         "in which it has some, as in truncate: [LOWER, UPPER]")
+    if not least < most:
+        raise InputError(f"{place}: all of its values are {middle:g}; type a wider spread as in {example}, or list: [{middle:g}] for one value")
 
 
 def _complete(kind: str, p: dict[str, float], place: str) -> None:
@@ -82,7 +98,10 @@ def _complete(kind: str, p: dict[str, float], place: str) -> None:
     if kind == "normal" and "cov" in p and "mean" in p:
         p["sd"] = abs(p["mean"]) * p.pop("cov")
     if kind == "lognormal" and "cov" in p:
-        p["beta"] = math.sqrt(math.log1p(p.pop("cov") ** 2))
+        cov = p.pop("cov")
+        if not 0 < cov <= MOST_COV:
+            raise InputError(f"{place}.cov: takes a positive number of at most {MOST_COV:g}, such as 0.3; {cov:g} was read")
+        p["beta"] = math.sqrt(math.log1p(cov**2))
     needed = {"uniform": ("from", "to"), "normal": ("mean", "sd"), "lognormal": ("median", "beta"), "triangular": ("from", "mode", "to")}[kind]
     if set(p) != set(needed):
         raise InputError(f"{place}: takes {EXAMPLES[kind]}")
@@ -110,11 +129,9 @@ def _named(given: Any, truncate: Any, place: str) -> tuple[Distribution, str]:
     p = {key: words.quantity(value, f"{place}.{key}")[0] for key, value in given.items() if key != "name"}
     made = Distribution("scipy", tuple(sorted(p.items())), truncate=_bounds(truncate, "", place), name=str(name))
     try:
-        middle = made.ppf(np.array([0.5]))
+        _require_values(made, EXAMPLES["scipy"], place)
     except TypeError as error:
         raise InputError(f"{place}: {error}") from None
-    if not np.isfinite(middle).all():
-        raise InputError(f"{place}: {name} has no median with these parameters")
     return made, ""
 
 

@@ -61,7 +61,9 @@ class Intensity:
         periods = np.geomspace(*self.period, 20) if self.measure == "avg_sa" else np.array(self.period[:1])
         given = motion.words
         _, sd = core.record_spectrum(str(given["record"]), str(given.get("units", "")), str(given.get("channel", "")), periods.tolist(), self.damping)
-        return float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
+        # A record that does not move, or a period so long that nothing is left of its acceleration, has the intensity 0.
+        with np.errstate(divide="ignore", under="ignore"):
+            return float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
 
 
 def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:

@@ -182,7 +182,7 @@ def _require_scales(motions: Sequence[Motion], intensity: Intensity | None) -> N
     for motion in motions if levels else ():
         if not motion.intensity > 0 or not math.isfinite(max(levels) / motion.intensity) or min(levels) / motion.intensity == 0:
             raise InputError(f"study.intensity: {motion.name} has the intensity {motion.intensity:g} m/s^2, which no factor brings to "
-                             f"{min(levels):g} to {max(levels):g} m/s^2")
+                             f"{min(levels):g} to {max(levels):g} m/s^2; type other levels, another measure or period, or leave the motion out")
 
 
 def _place(template: Template) -> str:
