@@ -1,11 +1,12 @@
 """Damaged results files, made with seeds: `python3 damage.py --count 10000`, with POUNDING_PROGRAM and PYTHONPATH set. They are files of runs
 of every kind, pushovers and tables of studies. Each has one to sixteen changed bytes, or was cut, filled with zeros, or lengthened. Every reader must
 refuse it by its own message: the package in a process of its own, the verbs of the program by exit code 2; none may read it, crash, or take longer
-than `SECONDS`.
+than `SECONDS`. Verbs that Python does run in children of this process, which has loaded the package.
 """
 
 import argparse
 import collections
+import importlib
 import importlib.util
 import os
 import random
@@ -14,6 +15,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import traceback
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,8 +26,8 @@ SECONDS = 10  #: of the processor, for one file
 PATIENCE = 120  #: [s] for a process that waits
 #: Whether the package has its compiled part, without which it runs no study.
 WITH_STUDIES = importlib.util.find_spec("pounding._core") is not None
-#: Verbs with RESULTS in the place of the file, by what it holds; what they would write goes into the folder of the damaged file. Those of a run from the
-#: third on start Python.
+#: Verbs with RESULTS in the place of the file, by what it holds; what they would write goes into the folder of the damaged file. Those from the
+#: third on are done by Python.
 VERBS = {"run": (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"],
                  ["plot", "RESULTS", "-o", "picture.png"], ["export", "RESULTS", "-o", "view.xdmf"], ["animate", "RESULTS", "-o", "film.gif"]),
          "pushover": (["run", "-q", "--resume", "RESULTS", "-o", "resumed.h5"], ["spectrum", "RESULTS", "--floor", "left.1"],
@@ -103,25 +105,35 @@ def readers():
     return found
 
 
+def code_of_child(do):
+    """Exit code of a child of this process that does this, as of a subprocess: less than zero for a signal."""
+    child = os.fork()
+    if child == 0:
+        bound_time()
+        os._exit(do())
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
+def fate_by_signal(code):
+    return "hangs" if -code in (signal.SIGALRM, signal.SIGKILL) else f"ends by signal {-code}"
+
+
 def fate_of_reading(path, read):
     """Outcome of a reader of the package on a file in a process of its own: refused, read, an exception, a signal, or hangs."""
     from pounding.checked_file import NotResults
 
-    child = os.fork()
-    if child == 0:
-        bound_time()
+    def reading():
         try:
             read(path)
-            os._exit(1)
+            return 1
         except NotResults:
-            os._exit(0)
+            return 0
         except BaseException as error:
             sys.stderr.write(f"{path}: {type(error).__name__}: {error}\n")
-            os._exit(2)
-    status = os.waitpid(child, 0)[1]
-    if os.WIFSIGNALED(status):
-        return "hangs" if os.WTERMSIG(status) in (signal.SIGALRM, signal.SIGKILL) else f"ends by signal {os.WTERMSIG(status)}"
-    return ("refused", "read", "other exception")[os.WEXITSTATUS(status)]
+            return 2
+
+    code = code_of_child(reading)
+    return fate_by_signal(code) if code < 0 else ("refused", "read", "other exception")[code]
 
 
 def bound_time():
@@ -130,21 +142,52 @@ def bound_time():
     signal.alarm(PATIENCE)
 
 
+def words_for(words, path):
+    return [str(path) if word == "RESULTS" else word for word in words]
+
+
+def fate_by_message(code, messages, opening="pounding: "):
+    if code < 0:
+        return fate_by_signal(code)
+    return "refused" if code == 2 and messages.startswith(opening) and "Traceback" not in messages else f"exit code {code}"
+
+
 def fate_of_verb(words, path):
     """As `fate_of_reading`, of a verb of the program."""
-    done = subprocess.run([PROGRAM, *(str(path) if word == "RESULTS" else word for word in words)], cwd=path.parent,
+    done = subprocess.run([PROGRAM, *words_for(words, path)], cwd=path.parent,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, preexec_fn=bound_time)
-    if done.returncode in (-signal.SIGALRM, -signal.SIGKILL):
-        return "hangs"
-    if done.returncode < 0:
-        return f"ends by signal {-done.returncode}"
-    if done.returncode == 2 and done.stderr.startswith("pounding: ") and "Traceback" not in done.stderr:
-        return "refused"
-    return f"exit code {done.returncode}"
+    return fate_by_message(done.returncode, done.stderr)
+
+
+def fate_of_package(words, path):
+    """As `fate_of_verb`, of one that the package does, without a new Python."""
+    from pounding.__main__ import MODULES, STUDIES
+
+    name, given = (f"pounding.{MODULES[words[0]]}", words[1:]) if words[0] in MODULES else ("pounding.studies.command", words)
+    assert words[0] in (*MODULES, *STUDIES)
+    main = importlib.import_module(name).main
+
+    def verb():
+        os.chdir(path.parent)
+        messages = os.open("messages", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        os.dup2(messages, 1)
+        os.dup2(messages, 2)
+        sys.stdout = sys.stderr = open(2, "w", buffering=1, closefd=False)
+        try:
+            return main(words_for(given, path))
+        except SystemExit as end:
+            return end.code if isinstance(end.code, int) else 1
+        except BaseException:
+            traceback.print_exc()
+            return 1
+
+    # The modules that draw and convert name the file at once.
+    return fate_by_message(code_of_child(verb), (path.parent / "messages").read_text(), str(path) if words[0] in MODULES else "pounding: ")
 
 
 def survey(count, seed, verbs):
-    """How often each reader did what: {(kind of file, reader, fate): number}. Of the verbs that start Python one is tried for each file."""
+    """How often each reader did what: {(kind of file, reader, fate): number}. The first `verbs` files go to every verb; for every twentieth the program
+    starts a Python of its own for one of them."""
     fates = collections.Counter()
     chance = random.Random(seed)
     read = readers()
@@ -160,9 +203,13 @@ def survey(count, seed, verbs):
             path.write_bytes(changed)
             fates[kind, "read", fate_of_reading(path, read[holds])] += 1
             if number < verbs:
-                fast, slow = VERBS[holds][:2], VERBS[holds][2:]
-                for words in (*fast, slow[number // len(whole) % len(slow)]):
-                    fates[kind, " ".join(words[:2]) if words[0] == "study" else words[0], fate_of_verb(words, path)] += 1
+                by_program, by_package = VERBS[holds][:2], VERBS[holds][2:]
+                for words in VERBS[holds]:
+                    fate = fate_of_verb(words, path) if words in by_program else fate_of_package(words, path)
+                    fates[kind, " ".join(words[:2]) if words[0] == "study" else words[0], fate] += 1
+                if number % 20 == 0:
+                    words = by_package[number // 20 % len(by_package)]
+                    fates[kind, f"{words[0]}, new Python", fate_of_verb(words, path)] += 1
     return fates
 
 
@@ -170,7 +217,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=10000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--verbs", type=int, default=500, help="files that the verbs of the program read, too")
+    parser.add_argument("--verbs", type=int, default=500, help="files that every verb reads, too")
     options = parser.parse_args()
     fates = survey(options.count, options.seed, options.verbs)
     for (kind, reader, fate), number in sorted(fates.items()):

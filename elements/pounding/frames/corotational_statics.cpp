@@ -90,10 +90,11 @@ class CorotationalFrame::Path {
   double product(const Equilibrium& a, const Equilibrium& b) const {
     return a.q.dot(weight_.cwiseProduct(b.q)) / scale_ + a.factor * b.factor / (first_ * first_);
   }
-  void factor(const VectorXd& q) { lu_.compute(frame_.tangent(q)); }
+  // A new one each time: Eigen 3.4 frees parts of an old one twice where there is no memory (core/renew.hpp).
+  void factor(const VectorXd& q) { lu_.emplace().compute(frame_.tangent(q)); }
   VectorXd solve(const VectorXd& right) {
-    if (lu_.info() != Eigen::Success) return VectorXd::Constant(right.size(), NAN);
-    return lu_.solve(right);
+    if (lu_->info() != Eigen::Success) return VectorXd::Constant(right.size(), NAN);
+    return lu_->solve(right);
   }
   bool small(const VectorXd& residual, double at) const {
     const VectorXd root = weight_.cwiseSqrt();
@@ -147,7 +148,7 @@ class CorotationalFrame::Path {
   VectorXd weight_;
   Equilibrium direction_;
   std::vector<Equilibrium> points_;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
+  std::optional<Eigen::SparseLU<Eigen::SparseMatrix<double>>> lu_;
 };
 
 std::vector<CorotationalFrame::Equilibrium> CorotationalFrame::solve(const VectorXd& load, int steps,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <pounding/core/renew.hpp>
 #include <pounding/linear/wide_vectors.hpp>
 
 namespace pounding {
@@ -167,7 +168,7 @@ void add_products(const Columns& a, const Columns& x, double* y, Index y_stride)
 void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::MatrixXd& y, Eigen::MatrixXd& room) {
   const int first = rows.front();
   if (rows.back() - first + 1 == a.rows) return add_products(a, x, y.data() + first, y.rows());
-  room.resize(a.rows, x.count);
+  renew(room, a.rows, x.count);
   for (Index i = 0; i < a.rows; ++i) room.row(i) = y.row(rows[static_cast<std::size_t>(i)]);
   add_products(a, x, room.data(), a.rows);
   for (Index i = 0; i < a.rows; ++i) y.row(rows[static_cast<std::size_t>(i)]) = room.row(i);

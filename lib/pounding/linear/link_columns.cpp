@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <pounding/core/renew.hpp>
+
 namespace pounding {
 
 using Eigen::Index;
@@ -72,7 +74,7 @@ void LinkColumns::find_entries(std::vector<Block>& blocks, int count) {
 
 void LinkColumns::gather(const std::vector<Block>& blocks, int count, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::MatrixXd& relative) const {
   const Index columns = x.cols();
-  if (relative.rows() != count || relative.cols() != columns) relative.resize(count, columns);
+  renew(relative, count, columns);
   const bool begins = !blocks.empty() && blocks.front().begins;
   if (begins)
     add_closing<true>(blocks.front().entries, x, relative);
@@ -135,8 +137,9 @@ bool LinkColumns::choose(std::span<const int> links) {
     Block& made = chosen_blocks_[used++];
     made.first = block.first;
     made.links = std::move(places);
-    made.by_link.resize(block.size(), static_cast<Index>(own.size()));
+    renew(made.by_link, block.size(), static_cast<Index>(own.size()));
     for (std::size_t i = 0; i < own.size(); ++i) made.by_link.col(static_cast<Index>(i)) = block.by_link.col(own[i]);
+    renew(made.by_coordinate, made.by_link.cols(), made.by_link.rows());
     made.by_coordinate = made.by_link.transpose();
   }
   chosen_blocks_.resize(used);
@@ -146,7 +149,8 @@ bool LinkColumns::choose(std::span<const int> links) {
 
 // For one link after the other its row up to the diagonal: three of them at a time, whose last entries beside it are left out.
 void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) const {
-  g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
+  renew(g, static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
+  g.setZero();
   for (const Block& block : chosen_blocks_) {
     const Index ends = block.by_link.cols(), size = block.size();
     const auto enter = [&](Index i, Index j, double sum) {
@@ -163,13 +167,14 @@ void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) cons
         }
       continue;
     }
-    weighed_.resize(ends, size);
+    renew(weighed_, ends, size);
     for (Index k = 0; k < size; ++k)
       for (Index i = 0; i < ends; ++i) weighed_(i, k) = block.by_coordinate(i, k) * d[block.first + k];
     constexpr Index together = 3;
     for (Index j = 0; j < ends; j += together) {
       const Index columns = std::min(together, ends - j), rows = j + columns;
-      sums_.setZero(rows, columns);
+      renew(sums_, rows, columns);
+      sums_.setZero();
       add_products({weighed_.data(), rows, size, ends}, {block.by_link.col(j).data(), size, columns, size}, sums_.data(), rows);
       for (Index c = 0; c < columns; ++c)
         for (Index i = 0; i <= j + c; ++i) enter(i, j + c, sums_(i, c));
@@ -178,9 +183,11 @@ void LinkColumns::flexibility(const Eigen::VectorXd& d, Eigen::MatrixXd& g) cons
 }
 
 void LinkColumns::flexibility(const Solve& solve, Eigen::MatrixXd& g) const {
-  g.setZero(static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
+  renew(g, static_cast<Index>(chosen_.size()), static_cast<Index>(chosen_.size()));
+  g.setZero();
   for (const Block& block : chosen_blocks_)
     for (std::size_t j = 0; j < block.links.size(); ++j) {
+      renew(solved_, block.size());
       solved_ = block.by_link.col(static_cast<Index>(j));
       solve(block.first, solved_);
       for (std::size_t i = 0; i <= j; ++i) {
@@ -199,6 +206,7 @@ void LinkColumns::add_response(double factor, const Eigen::VectorXd& f, const So
   for (const Block& block : chosen_blocks_) {
     if (block.first < from) continue;
     for (std::size_t j = 0; j < block.links.size(); ++j) {
+      renew(solved_, block.size());
       solved_ = block.by_link.col(static_cast<Index>(j));
       solve(block.first, solved_);
       y.segment(block.first, block.size()) += factor * f[block.links[j]] * solved_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <pounding/core/renew.hpp>
+
 namespace pounding {
 
 // Springs alone, none of which is stiffer than its linear stiffness or has a dashpot.
@@ -36,6 +38,10 @@ bool LinkSolver::find_direction_by_cholesky(const CondensedLinks& links) {
   if (!(slopes.minCoeff() > 0)) return false;
   const Eigen::VectorXd roots = slopes.cwiseSqrt();
   if (roots.size() != roots_.size() || roots != roots_ || factored_flexibility_ != links.flexibility) {
+    const Eigen::Index count = roots.size();
+    renew(roots_, count);
+    renew(factored_flexibility_, count, count);
+    renew_factor(factor_, count);
     roots_ = roots;
     factored_flexibility_ = links.flexibility;
     Eigen::MatrixXd matrix = roots.asDiagonal() * links.flexibility * roots.asDiagonal();
@@ -52,7 +58,8 @@ bool LinkSolver::find_direction_by_cholesky(const CondensedLinks& links) {
 bool LinkSolver::eliminates_springs(const CondensedLinks& links) {
   int soft = 0;
   others_.clear();
-  slopes_of_springs_.setZero(by_penetration_.size());
+  renew(slopes_of_springs_, by_penetration_.size());
+  slopes_of_springs_.setZero();
   for (int k = 0; k < by_penetration_.size(); ++k) {
     if (!links_.is_spring(links.active[k]) || by_rate_[k] != 0 || by_penetration_[k] > 0) {
       others_.push_back(k);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <pounding/core/renew.hpp>
+
 namespace pounding {
 namespace {
 
@@ -215,18 +217,16 @@ bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
 
 bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const int count = static_cast<int>(links.active.size());
-  residual_.resize(count);
-  relief_.resize(count);
-  slopes_.resize(count, count);
-  by_penetration_.setZero(count);
-  by_rate_.setZero(count);
+  for (Eigen::VectorXd* const room : {&residual_, &relief_, &relief_at_once_, &by_penetration_, &by_rate_, &trial_, &direction_}) renew(*room, count);
+  renew(slopes_, count, count);
+  by_penetration_.setZero();
+  by_rate_.setZero();
   plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
                             links.active.begin());
   if (!links_.frictions().empty()) find_sliders(links);
   // Held contacts between the same bodies leave their shares open: the slopes are singular then.
   const auto held = std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
   const bool many = count >= many_links && held == 0 && plain_ == count && !links.relief;
-  trial_.resize(count);
   bool descends = false;
   for (int iteration = 0; iteration < 500; ++iteration) {
     const double size = residual(links, f, true);

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include <pounding/core/renew.hpp>
 #include <pounding/stepping/link_solver.hpp>
 
 namespace pounding {
@@ -17,13 +18,15 @@ void SoftSprings::choose(const Eigen::VectorXd& slopes) {
   for (int i = 0; i < slopes.size(); ++i)
     if (slopes[i] < 0) soft_.push_back(i);
   const auto count = static_cast<Eigen::Index>(soft_.size());
-  root_.resize(count);
+  renew(root_, count);
   for (Eigen::Index i = 0; i < count; ++i) root_[i] = std::sqrt(-slopes[soft_[i]]);
 }
 
 void SoftSprings::find_by_others(const CondensedLinks& links, const Eigen::VectorXd& forces) {
+  renew(by_others_, forces.size());
   by_others_.noalias() = links.by_u * links.weight * (links.flexibility * forces);
   if (!links.relief) return;
+  renew(relief_, forces.size());
   relief_.noalias() = *links.relief * forces;
   by_others_ += relief_;
 }
@@ -31,7 +34,7 @@ void SoftSprings::find_by_others(const CondensedLinks& links, const Eigen::Vecto
 // The factor of `count` soft springs from one on.
 bool SoftSprings::factorize(const CondensedLinks& links, Eigen::Index first, Eigen::Index count) {
   const double by_u = links.by_u * links.weight;
-  matrix_.resize(count, count);
+  renew(matrix_, count, count);
   for (Eigen::Index j = 0; j < count; ++j) {
     const int column = soft_[first + j];
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -41,6 +44,7 @@ bool SoftSprings::factorize(const CondensedLinks& links, Eigen::Index first, Eig
     }
     matrix_(j, j) += 1;
   }
+  renew_factor(factor_, count);
   factor_.compute(matrix_);
   return factor_.info() == Eigen::Success;
 }
@@ -52,7 +56,7 @@ bool SoftSprings::solve(const CondensedLinks& links, const Eigen::VectorXd& slop
   if (count == 0) return true;
   for (const int i : soft_) direction[i] = 0;
   find_by_others(links, direction);
-  right_.resize(count);
+  renew(right_, count);
   for (Eigen::Index i = 0; i < count; ++i) right_[i] = residual[soft_[i]] / root_[i] + root_[i] * by_others_[soft_[i]];
   if (count >= least_by_structure) {
     if (!solve_blocks(links, right_)) return false;
@@ -102,7 +106,7 @@ bool SoftSprings::solve_beside(const CondensedLinks& links, const std::vector<in
   for (const int i : others) direction[i] = 0;
   find_by_others(links, direction);
   // A column for the residual and one for a unit force of each other link.
-  by_links_.resize(count, 1 + beside);
+  renew(by_links_, count, 1 + beside);
   for (Eigen::Index i = 0; i < count; ++i) {
     by_links_(i, 0) = residual[soft_[i]] / root_[i] + root_[i] * by_others_[soft_[i]];
     for (Eigen::Index j = 0; j < beside; ++j) by_links_(i, 1 + j) = root_[i] * flexibility(links, soft_[i], others[j]);
@@ -116,6 +120,7 @@ bool SoftSprings::solve_beside(const CondensedLinks& links, const std::vector<in
   right.noalias() -= by_soft * by_links_.col(0);
   const Eigen::VectorXd forces = own.partialPivLu().solve(right);
   for (Eigen::Index j = 0; j < beside; ++j) direction[others[j]] = forces[j];
+  renew(right_, count);
   right_.noalias() = by_links_.rightCols(beside) * forces;
   for (Eigen::Index i = 0; i < count; ++i) direction[soft_[i]] = by_links_(i, 0) + right_[i];
   return true;

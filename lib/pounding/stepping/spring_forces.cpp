@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <pounding/core/renew.hpp>
+
 namespace pounding {
 namespace {
 
@@ -49,14 +51,20 @@ bool SpringForces::settle(std::vector<LinkMotion>& motions, Eigen::VectorXd& for
   return true;
 }
 
+void SpringForces::set_no_flexibility(Eigen::Index count) const {
+  renew(zero_, count, count);
+  renew(none_, count);
+  zero_.setZero();
+  none_.setZero();
+}
+
 // Newton's method for the active springs with the forces of the others; relief_ is S F.
 bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const {
   const int first = links_.contacts(), count = static_cast<int>(active_.size());
   std::vector<int> springs;
   for (const int link : active_) springs.push_back(link - first);
   flexibility_ = dense(links_.relief().flexibility(), springs);
-  zero_.setZero(count, count);
-  none_.setZero(count);
+  set_no_flexibility(count);
   Eigen::VectorXd own = force(active_);
   const Eigen::VectorXd by_own = flexibility_ * own;
   free_.resize(active_.size());
@@ -92,7 +100,7 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
   if (soft_.empty()) return;
   const auto count = static_cast<Eigen::Index>(soft_.size());
   flexibility_ = dense(s, soft_);
-  right_.resize(count, of_springs.cols());
+  renew(right_, count, of_springs.cols());
   for (Eigen::Index i = 0; i < count; ++i) right_.row(i) = of_springs.row(soft_[i]);
   const Eigen::VectorXd own = slopes(soft_);
   if (!answer_by_structure(own, right_)) {
@@ -100,6 +108,8 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
       flexibility_.col(i) *= own[i];
       flexibility_(i, i) += 1;
     }
+    renew_factor(lu_, count);
+    renew(solved_, count, right_.cols());
     lu_.compute(flexibility_);
     solved_ = lu_.solve(right_);
     right_ = own.asDiagonal() * solved_;
@@ -114,8 +124,8 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
 // Rates of the forces of the springs soft_ for these rates of deformation without them, where they are many and all yield.
 bool SpringForces::answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const {
   if (slopes.size() < SoftSprings::least_by_structure || !(slopes.maxCoeff() < 0)) return false;
-  zero_.setZero(slopes.size(), slopes.size());
-  none_.setZero(slopes.size());
+  set_no_flexibility(slopes.size());
+  renew(solved_, rates.rows(), rates.cols());
   solved_ = rates;
   const CondensedLinks condensed{.active = soft_, .free = {}, .free_acceleration = none_, .flexibility = zero_, .relief = &flexibility_};
   if (!soft_springs_.answer(condensed, slopes, solved_)) return false;

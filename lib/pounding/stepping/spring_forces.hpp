@@ -43,6 +43,7 @@ class SpringForces {
 
  private:
   bool solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd& force) const;
+  void set_no_flexibility(Eigen::Index count) const;
   bool answer_by_structure(const Eigen::VectorXd& slopes, Eigen::MatrixXd& rates) const;
 
   const LinkSet& links_;

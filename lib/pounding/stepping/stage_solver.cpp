@@ -1,5 +1,7 @@
 #include <pounding/stepping/stage_solver.hpp>
 
+#include <pounding/core/renew.hpp>
+
 namespace pounding {
 namespace {
 
@@ -39,8 +41,8 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
     }
   }
   free_.resize(active_.size());
-  free_acceleration_.resize(static_cast<Eigen::Index>(active_.size()));
-  active_force_.resize(free_acceleration_.size());
+  renew(free_acceleration_, static_cast<Eigen::Index>(active_.size()));
+  renew(active_force_, free_acceleration_.size());
   equations_.solver.set_matrix(matrix, level);
   return active_.empty() || equations_.solver.flexibility(active_, flexibility_);
 }
