@@ -10,6 +10,8 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double rounding = 2e-14;
+// From here on rounding cannot hide that the matrix is singular.
+constexpr double beyond_doubt = 1e-12;
 
 VectorXd unit_diagonal(const VectorXd& diagonal) {
   return diagonal.unaryExpr([](double k) { return k == 0 ? 1.0 : 1 / std::sqrt(std::abs(k)); });
@@ -21,24 +23,33 @@ StaticSolver::StaticSolver(const Eigen::SparseMatrix<double>& stiffness) : scale
   const Eigen::Index n = stiffness.rows();
   if (n == 0) return;
   scaled_ = scale_.asDiagonal() * stiffness * scale_.asDiagonal();
+  factors_.compute(scaled_);
+  if (const Motion weakest = weakest_motion(); weakest.positive && weakest.eigenvalue > beyond_doubt) return;
   Eigen::SparseMatrix<double> unit(n, n);
   unit.setIdentity();
   // Shifted, so that a singular matrix has factors too: its null vector is what inverse iteration grows.
   factors_.compute(scaled_ + rounding * unit);
+  shifted_ = true;
+  const Motion weakest = weakest_motion();
+  if (!weakest.positive || weakest.eigenvalue < rounding) {
+    mode_ = scale_.cwiseProduct(weakest.shape);
+    buckles_ = weakest.eigenvalue < -rounding;
+  }
+}
+
+StaticSolver::Motion StaticSolver::weakest_motion() const {
   Eigen::Index weakest = 0;
-  const bool positive = factors_.info() == Eigen::Success && factors_.vectorD().minCoeff(&weakest) > 0;
+  Motion found;
+  found.positive = factors_.info() == Eigen::Success && factors_.vectorD().minCoeff(&weakest) > 0;
   // Where L^T x is one at the weakest pivot only, x^T K x is this pivot.
-  VectorXd x = VectorXd::Unit(n, weakest);
+  VectorXd& x = found.shape = VectorXd::Unit(scale_.size(), weakest);
   if (factors_.info() == Eigen::Success) {
     factors_.matrixU().solveInPlace(x);
     x = (factors_.permutationPinv() * x).eval();
   }
-  for (int i = 0; positive && i < 4; ++i) x = factors_.solve(x).normalized();
-  const double eigenvalue = x.dot(scaled_ * x) / x.squaredNorm();
-  if (!positive || eigenvalue < rounding) {
-    mode_ = scale_.cwiseProduct(x);
-    buckles_ = eigenvalue < -rounding;
-  }
+  for (int i = 0; found.positive && i < 4; ++i) x = factors_.solve(x).normalized();
+  found.eigenvalue = x.dot(scaled_ * x) / x.squaredNorm();
+  return found;
 }
 
 Eigen::MatrixXd StaticSolver::solve(const Eigen::MatrixXd& forces) {

@@ -19,15 +19,24 @@ class StaticSolver {
   bool buckles() const { return buckles_; }
   /// Displacements that meet no stiffness or a negative one, length n; empty where K holds.
   const Eigen::VectorXd& mode() const { return mode_; }
-  /// For a K that holds. n x k. The first call factors K once more, without the shift of the test above.
+  /// For a K that holds. n x k. Where the smallest eigenvalue is so near to its rounding that only a shifted K told it, the first call
+  /// factors K once more.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& forces);
 
  private:
+  // Of the scaled K, by its factors: the motion of the smallest eigenvalue, and whether all pivots are positive.
+  struct Motion {
+    Eigen::VectorXd shape;
+    double eigenvalue = 0;
+    bool positive = false;
+  };
+  Motion weakest_motion() const;
+
   Eigen::SparseMatrix<double> scaled_;
   Eigen::VectorXd scale_;  // K = S^-1 scaled S^-1
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
   Eigen::VectorXd mode_;
-  bool buckles_ = false, shifted_ = true;
+  bool buckles_ = false, shifted_ = false;
 };
 
 }  // namespace pounding
