@@ -104,5 +104,29 @@ TEST(LinkColumns, AddForcesAndAnswersFromACoordinateOn) {
   EXPECT_LT((g - by_solves).norm(), 1e-13 * g.norm());
 }
 
+// Small blocks are summed link by link; a link without an end in any block stays at zero, whatever stood there.
+TEST(LinkColumns, GatherSmallBlocksWithTheSameBits) {
+  for (const bool has_fixed_link : {false, true}) {
+    const int count = has_fixed_link ? 3 : 2;
+    LinkColumns columns(count);
+    const Eigen::MatrixXd left = Eigen::MatrixXd::Random(2, 2), right = Eigen::MatrixXd::Random(3, 2), x = Eigen::MatrixXd::Random(5, 4);
+    columns.add_block(0, {0, 1}, left);
+    columns.add_block(2, {0, 1}, right);
+    Eigen::MatrixXd relative = Eigen::MatrixXd::Constant(count, 4, 7.0);
+    columns.gather(x, relative);
+    for (int c = 0; c < 4; ++c) {
+      for (int i = 0; i < 2; ++i) {
+        double sum = 0;
+        for (int k = 0; k < 5; ++k) {
+          const volatile double product = (k < 2 ? left(k, i) : right(k - 2, i)) * x(k, c);
+          sum += product;
+        }
+        EXPECT_EQ(relative(i, c), sum) << i << " " << c;
+      }
+      EXPECT_EQ(relative.col(c).tail(count - 2).norm(), 0) << c;
+    }
+  }
+}
+
 }  // namespace link_columns_test
 }  // namespace pounding
