@@ -5,7 +5,8 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
-namespace pounding::renew_test {
+namespace pounding {
+namespace renew_test {
 
 constexpr Eigen::Index huge = Eigen::Index{1} << 30;
 
@@ -39,4 +40,5 @@ TEST(Renew, KeepsEntriesOfTheSameSizeAndTakesTheRoomOfAsMany) {
   EXPECT_EQ(v.size(), 5);
 }
 
-}  // namespace pounding::renew_test
+}  // namespace renew_test
+}  // namespace pounding

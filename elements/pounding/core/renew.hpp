@@ -14,7 +14,7 @@ void renew(Matrix& m, Eigen::Index rows, Eigen::Index columns) {
   m.resize(rows, columns);
 }
 
-/// The same for a vector.
+/// A vector likewise.
 template <class Vector>
 void renew(Vector& v, Eigen::Index size) {
   if (v.size() == size) return;

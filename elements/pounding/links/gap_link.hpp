@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <pounding/laws/compiled.hpp>
+#include <pounding/laws/root.hpp>
 #include <pounding/links/contact.hpp>
 #include <pounding/links/contact_state.hpp>
 #include <pounding/links/force_sign.hpp>
@@ -136,34 +137,23 @@ class GapLink final : public Contact {
     return pounding::signed_force(law_, motion.penetration, motion.rate, state_.impact);
   }
 
-  // A force that rises at the beginning of a step and falls at its end has its peak inside. It is sought along the polynomial
-  // of degree five through the motion at both ends.
+  // A force that rises at the beginning of a step and falls at its end has its peak inside, where its slope on the polynomial of degree five through
+  // the motion at both ends is zero.
   void record_peak(const LinkStep& step) {
-    const auto rises = [&](const LinkMotion& motion, double acceleration) {
+    const auto slope = [&](const LinkMotion& motion, double acceleration) {
       const laws::Response f = evaluate(motion);
-      return f.by_penetration * motion.rate + f.by_rate * acceleration > 0;
+      return f.by_penetration * motion.rate + f.by_rate * acceleration;
     };
-    if (!rises(step.motion_begin, step.acceleration_begin) || rises(step.motion_end, step.acceleration_end)) return;
-    const auto force = [&](double s) { return evaluate(interpolate(step, s)).force; };
-    const double top = location_of_peak(force);
-    log_.record_peak(step.begin + top * (step.end - step.begin), force(top));
-  }
-
-  // Maximum of a function with one peak on [0, 1], by golden section.
-  template <class Force>
-  static double location_of_peak(const Force& force) {
-    constexpr double golden = 0.6180339887498949;
-    double low = 0, high = 1, a = 1 - golden, b = golden, at_a = force(a), at_b = force(b);
-    while (high - low > 1e-7) {
-      if (at_a > at_b) {
-        high = b, b = a, at_b = at_a;
-        at_a = force(a = high - golden * (high - low));
-      } else {
-        low = a, a = b, at_a = at_b;
-        at_b = force(b = low + golden * (high - low));
-      }
-    }
-    return 0.5 * (low + high);
+    const double begin = slope(step.motion_begin, step.acceleration_begin), end = slope(step.motion_end, step.acceleration_end);
+    if (!(begin > 0) || !(end <= 0)) return;
+    const Quintic path = pounding::path(step);
+    const auto slope_at = [&](double s) {
+      const Jet at = path.at(s);
+      return slope({at.x, at.v}, at.a);
+    };
+    const double top = laws::find_root(slope_at, 0, begin, 1, end);
+    const Jet at = path.at(top);
+    log_.record_peak(step.begin + top * (step.end - step.begin), evaluate({at.x, at.v}).force);
   }
 
   void separate(double time, const LinkMotion& motion, double left = 0) {

@@ -172,7 +172,7 @@ void LinkSamples::add_between(const Inside& in, double s, double force_s, double
   if (deeper) add_between(in, mid, force, e, force_e, depth - 1);
 }
 
-// Of a step in contact, without its ends.
+// Samples of a step in contact, without its ends.
 void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row) {
   const LinkMotion& middle = step.motion_middle;
   const double allowed = max_chord_error * row.peak_force;
