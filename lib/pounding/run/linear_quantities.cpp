@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include <pounding/core/renew.hpp>
 #include <pounding/linear/wide_vectors.hpp>
 
 namespace pounding {
@@ -117,7 +118,7 @@ LinearQuantities::LinearQuantities(const RowMajor& rows, int unknowns, int first
 template <int instants>
 void LinearQuantities::evaluate(const Instants<instants>& motions, std::span<const double> times, std::span<const GroundMotion> grounds,
                                 Instants<instants>& quantities) const {
-  quantities.resize(Eigen::NoChange, size());
+  renew(quantities, 2 * instants, size());
   const SparseRows rows{rows_.outerIndexPtr(), rows_.innerIndexPtr(), rows_.valuePtr(), at_rest_.data(), size()};
   const double* const from = motions.data() + static_cast<std::ptrdiff_t>(2 * instants) * first_;
   if (has_wide_vectors())
