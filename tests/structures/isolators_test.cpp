@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -176,6 +177,35 @@ TEST(SlidingSpring, TurnsAtTheFrictionOfRest) {
   // Slides twice over 0.1 m less what it sticks, at mu(v): by Simpson's rule over the velocity.
   EXPECT_GT(spring.lost(), 0.04 * 5e6 * 0.19);
   EXPECT_LT(spring.lost(), 0.08 * 5e6 * 0.2);
+}
+
+// Slow, but not at rest, it is pushed on: friction rises faster than the spring behind it, which sticks from where its slip was largest. The
+// slip is d - mu(v) W/k0, whose maximum a search over the step finds.
+TEST(SlidingSpring, SticksWhereItsSlipStops) {
+  const SlidingFriction law{.weight = 5e6, .radius = 2, .slow = 0.04, .fast = 0.08, .rate = 60};
+  const double k0 = 0.08 * 5e6 / 0.5e-3, h = 0.005, least = 5e-4, bend = 50;
+  const auto at = [&](double s) {
+    const double t = (s - 0.4) * h;
+    return Jet{0.01 + least * t + bend * t * t * t / 3, least + bend * t * t, 2 * bend * t};
+  };
+  const auto slip = [&](double s) { return at(s).x - law.coefficient(at(s).v) * law.weight / k0; };
+  double largest = slip(0), where = 0;
+  for (int i = 1; i <= 1000000; ++i)
+    if (const double s = 1e-6 * i; slip(s) > largest) largest = slip(s), where = s;
+  ASSERT_GT(where, 0.4);
+  ASSERT_LT(where, 0.9);
+  SlidingSpring spring(law);
+  const LinkMotion begin{at(0).x, at(0).v}, end{at(1).x, at(1).v};
+  spring.accept({.begin = -1, .end = 0, .motion_begin = {0, begin.rate}, .motion_middle = {}, .motion_end = begin});
+  const std::optional<double> found = spring.bend({at(0), at(1), h}, 1e-6);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(*found, where, 2e-6);
+  EXPECT_FALSE(spring.bend({at(0), at(0.9 * where), 0.9 * where * h}, 1e-6).has_value()) << "it still slides";
+  const double work = spring.lost();
+  spring.accept({.begin = 0, .end = h, .motion_begin = begin, .motion_middle = {}, .motion_end = end, .acceleration_begin = at(0).a, .acceleration_end = at(1).a});
+  ASSERT_LT(slip(1), largest - 1e-7) << "what the motion at the end alone says";
+  EXPECT_NEAR(spring.evaluate(end).force, -k0 * largest, 1e-13 * k0);
+  EXPECT_GT(spring.lost(), work);
 }
 
 TEST(SlidingSpring, RefusesWhatCannotBe) {

@@ -9,11 +9,11 @@
 namespace pounding {
 namespace {
 
-// Where the rate of a kept step changes its sign, from 0 to 1; 1 where it does not.
-double turn_of(const LinkStep& step) {
-  if (!(step.motion_begin.rate * step.motion_end.rate < 0)) return 1;
-  return path(step).turn(step.motion_end.rate > 0);
-}
+// A slider this part below the limit of friction has reached it: its slip alone says whether it slides on.
+constexpr double at_limit = 1e-9;
+// A phase is over where a function changes its sign between two of so many instants.
+constexpr int looks = 8;
+constexpr int most_phases = 16;
 
 }  // namespace
 
@@ -51,51 +51,85 @@ laws::Response SlidingSpring::evaluate(const LinkMotion& motion) const noexcept 
 }
 
 SlidingSpring::State SlidingSpring::slid(State state, const LinkMotion& motion) const noexcept {
-  const double elastic = motion.penetration - state.slip, most = law_.coefficient(motion.rate) * law_.weight / law_.stick();
-  if (std::abs(elastic) > most) state.slip = motion.penetration - std::copysign(most, elastic);
+  const double elastic = motion.penetration - state.slip;
+  if (std::abs(elastic) > reach(motion.rate)) state.slip = motion.penetration - std::copysign(reach(motion.rate), elastic);
   state.deformation = motion.penetration;
   state.rate = motion.rate;
   return state;
 }
 
-std::optional<double> SlidingSpring::corner(double deformation) const noexcept {
-  const double most = law_.coefficient(kept_.rate) * law_.weight / law_.stick();
-  const double at = kept_.slip + std::copysign(most, deformation - kept_.deformation);
-  const bool is_between = (at - kept_.deformation) * (deformation - at) > 0;
-  return is_between ? std::optional(at) : std::nullopt;
+// Where it begins to stick it moves along the limit of friction for a while, to rounding.
+bool SlidingSpring::slides(const State& state, const Jet& at) const noexcept {
+  constexpr double rounding = 1e-13;
+  const double limit = reach(at.v);
+  return std::abs(at.x - state.slip) > limit + rounding * (limit + std::abs(at.x));
 }
 
-// Along the motion between two instants of a step without a turn: it sticks, and from some point on it slides.
-SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, double from, double to) const noexcept {
-  const double k0 = law_.stick();
-  const auto slides = [&](const LinkMotion& at) { return std::abs(k0 * (at.penetration - state.slip)) > law_.coefficient(at.rate) * law_.weight; };
-  const State end = slid(state, interpolate(step, to));
-  if (!slides(interpolate(step, to))) return end;
-  double low = from, high = from;
-  if (!slides(interpolate(step, from))) {
-    high = to;
-    while (high - low > 1e-14 * (to - from) + 1e-16) {
-      const double middle = 0.5 * (low + high);
-      (slides(interpolate(step, middle)) ? high : low) = middle;
-    }
-  }
-  // Loss: work of q less what its spring takes.
-  const auto power = [&](double s) {
-    const LinkMotion at = interpolate(step, s);
-    return friction(state, at) * at.rate;
+double SlidingSpring::slip_rate(const Jet& at, double way) const noexcept {
+  return at.v - way * law_.weight / law_.stick() * law_.slope_of_coefficient(at.v) * at.a;
+}
+
+// What it does from one instant on, and until when on the way to another; until that one where it goes on.
+SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, double from, double to) const noexcept {
+  const Jet first = path.at(from);
+  const double way = std::copysign(1.0, first.x - state.slip), limit = reach(first.v);
+  const bool sliding = std::abs(first.x - state.slip) > (1 - at_limit) * limit && way * slip_rate(first, way) > 0;
+  if (!sliding) state = slid(state, {first.x, first.v});
+  double low = from;
+  const auto is_over = [&](double s) {
+    const Jet at = path.at(s);
+    return sliding ? way * slip_rate(at, way) < 0 : slides(state, at);
   };
-  const double work = (step.end - step.begin) * laws::gauss_integral(power, high, to);
-  const double before = friction(state, interpolate(step, high)), after = friction(state, interpolate(step, to));
-  State kept = end;
-  kept.lost = state.lost + work - 0.5 * (after - before) * (after + before) / k0;
-  return kept;
+  for (int i = 1; i <= looks; ++i) {
+    double high = from + (to - from) * i / looks;
+    if (!is_over(high)) {
+      low = high;
+      continue;
+    }
+    while (high - low > 1e-14) {
+      const double middle = 0.5 * (low + high);
+      (is_over(middle) ? high : low) = middle;
+    }
+    return {sliding, high};
+  }
+  return {sliding, to};
+}
+
+// Each stage finds by itself that it slides. Where it sticks it does not: what it slipped before, in the same step, is missing in all stages.
+std::optional<double> SlidingSpring::bend(const Quintic& path, double near) const noexcept {
+  constexpr double near_onset = 1e-3;
+  const Phase now = phase(kept_, path, 0, 1);
+  const double least = now.slides ? near : std::max(near, near_onset);
+  return now.end > least && now.end < 1 - least ? std::optional(now.end) : std::nullopt;
+}
+
+// Along a kept step from its beginning on.
+SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, double to) const noexcept {
+  const double k0 = law_.stick();
+  const Quintic way = path(step);
+  double from = 0;
+  for (int i = 0; i < most_phases && from < to; ++i) {
+    const auto [sliding, until] = phase(state, way, from, to);
+    const LinkMotion begin = interpolate(step, from), end = interpolate(step, until);
+    if (sliding) {
+      // Loss: work of q less what its spring takes.
+      const auto power = [&](double s) {
+        const LinkMotion at = interpolate(step, s);
+        return friction(state, at) * at.rate;
+      };
+      const double work = (step.end - step.begin) * laws::gauss_integral(power, from, until);
+      const double before = friction(state, begin), after = friction(state, end);
+      state.lost += work - 0.5 * (after - before) * (after + before) / k0;
+    }
+    state = slid(state, end);
+    from = until;
+  }
+  return slid(state, interpolate(step, to));
 }
 
 void SlidingSpring::accept(const LinkStep& step) {
   before_ = kept_;
-  const double turn = turn_of(step);
-  if (turn < 1) kept_ = follow(kept_, step, 0, turn);
-  kept_ = follow(kept_, step, turn < 1 ? turn : 0, 1);
+  kept_ = follow(kept_, step, 1);
 }
 
 // Up to some r |v| friction changes with the velocity.
@@ -105,11 +139,8 @@ bool SlidingSpring::bends_sharply(const LinkStep& step) const noexcept {
 }
 
 Spring::Instant SlidingSpring::inside(const LinkStep& step, double s, double deformation) const noexcept {
-  const double turn = turn_of(step);
-  State state = before_;
-  if (turn < s) state = follow(state, step, 0, turn);
-  const LinkMotion at{deformation, interpolate(step, s).rate};
-  return {friction(state, at) - law_.stick() * deformation, follow(state, step, turn < s ? turn : 0, s).lost};
+  const State state = follow(before_, step, s);
+  return {friction(state, {deformation, interpolate(step, s).rate}) - law_.stick() * deformation, state.lost};
 }
 
 double SlidingSpring::stored_correction() const noexcept {

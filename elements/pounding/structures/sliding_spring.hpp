@@ -1,6 +1,7 @@
 #pragma once
 /// A slider in a dish whose friction depends on the velocity.
 
+#include <cmath>
 #include <optional>
 
 #include <pounding/structures/spring.hpp>
@@ -25,8 +26,8 @@ struct SlidingFriction {
   double stick() const noexcept { return fast * weight / sliding_deformation; }  ///< k0 [N/m]
 };
 
-/// The slider as a spring. Its k is W/R + k0. At the turns of the deformation it slides at mu_slow. Its corner is where it would slide at the
-/// velocity of the kept state, which a few steps bring to where it does. Its deformation must be one of unknowns with mass.
+/// The slider as a spring. Its k is W/R + k0. At the turns of the deformation it slides at mu_slow. It sticks where its slip stops, which is at the
+/// turn or, where the friction rises faster than k0 could press on, before. Its deformation must be one of unknowns with mass.
 class SlidingSpring final : public Spring {
  public:
   /// Undeformed. Throws std::invalid_argument as check().
@@ -35,7 +36,8 @@ class SlidingSpring final : public Spring {
   laws::Response evaluate(const LinkMotion& motion) const noexcept override;
   double stiffness() const noexcept override { return law_.dish() + law_.stick(); }
   double yield_deformation() const noexcept override { return law_.sliding_deformation; }
-  std::optional<double> corner(double deformation) const noexcept override;
+  bool bends_with_rate() const noexcept override { return true; }
+  std::optional<double> bend(const Quintic& path, double near) const noexcept override;
   void start(const LinkMotion& motion) override;
   void accept(const LinkStep& step) override;
   Spring::Instant inside(const LinkStep& step, double s, double deformation) const noexcept override;
@@ -51,9 +53,19 @@ class SlidingSpring final : public Spring {
     double deformation = 0, rate = 0, slip = 0, lost = 0;  // [m], [m/s], [m], [J]
   };
 
+  // Sticks or slides up to this part of a step.
+  struct Phase {
+    bool slides = false;
+    double end = 1;
+  };
+
+  double reach(double rate) const noexcept { return law_.coefficient(rate) * law_.weight / law_.stick(); }
+  bool slides(const State& state, const Jet& at) const noexcept;
   double friction(const State& state, const LinkMotion& motion) const noexcept;
   State slid(State state, const LinkMotion& motion) const noexcept;
-  State follow(State state, const LinkStep& step, double from, double to) const noexcept;
+  double slip_rate(const Jet& at, double way) const noexcept;
+  Phase phase(State state, const Quintic& path, double from, double to) const noexcept;
+  State follow(State state, const LinkStep& step, double to) const noexcept;
 
   SlidingFriction law_;
   State kept_{}, before_{};  // and that at the beginning of the last kept step

@@ -40,6 +40,11 @@ class Spring {
   virtual std::optional<double> corner(double /*deformation*/) const noexcept { return {}; }
   /// How much the slope that it has at the end of the straight way to this deformation is below the one with which it turns back [N/m].
   virtual double slope_lost(double deformation) const noexcept { return -evaluate({deformation, 0}).by_penetration; }
+  /// Whether the force depends on the rate as well, so that bend() says where its corners are, not corner().
+  virtual bool bends_with_rate() const noexcept { return false; }
+  /// The first instant at which such a force has a corner on a path from the last kept state, from 0 to 1; nothing where it has none. What is
+  /// no further than `near` from an end does not count.
+  virtual std::optional<double> bend(const Quintic& /*path*/, double /*near*/) const noexcept { return {}; }
   /// Whether the force has corners, at which steps end.
   virtual bool has_corners() const noexcept { return true; }
   /// Whether a dashpot inside it gets longer by its own force, so that the force depends on the path in time. The integrator keeps its

@@ -10,6 +10,8 @@ namespace {
 constexpr double corner_part = 1e-3;
 // Where springs give way, so does one this near, relative to the longest step: a step that ends at a corner may leave so much to the next.
 constexpr double shortest_to_corner = 1e-4;
+// A bend of a force that depends on the rate, relative to the longest step: forces in the step that begins there come from the state before it.
+constexpr double near_bend = 1e-6;
 // A jump of the slope by a smaller part of the initial stiffness is none.
 constexpr double least_jump = 1e-6;
 
@@ -51,6 +53,11 @@ std::optional<double> corner(const Spring& spring, const LinkMotion& begin, cons
 
 }  // namespace
 
+Jet SpringCorners::jet(int link, const Instant& x) const {
+  const LinkMotion motion = links_.motion(link, x);
+  return {motion.penetration, motion.rate, x.relative(link, Instant::a) + links_.ground_part(x.by_ground, link, Instant::a)};
+}
+
 std::optional<double> SpringCorners::first(const Instant& now, const Trial& trial, double longest_step) const {
   std::vector<LinkMotion> begin, end;
   const auto stays = [&](const Eigen::VectorXd& force) {
@@ -64,7 +71,9 @@ std::optional<double> SpringCorners::first(const Instant& now, const Trial& tria
     if (!links_.spring(i).has_corners()) continue;
     const std::size_t k = i - links_.contacts();
     const LinkMotion from = bends ? begin[k] : links_.motion(i, now), to = bends ? end[k] : links_.motion(i, trial.end);
-    const std::optional<double> s = corner(links_.spring(i), from, to, trial.h, near);
+    const Spring& spring = links_.spring(i);
+    const std::optional<double> s = spring.bends_with_rate() ? spring.bend({jet(i, now), jet(i, trial.end), trial.h}, near_bend * longest_step / trial.h)
+                                                             : corner(spring, from, to, trial.h, near);
     if (s && (!first || *s < *first)) first = s;
   }
   return first;

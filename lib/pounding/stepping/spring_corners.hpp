@@ -19,6 +19,8 @@ class SpringCorners {
   std::optional<double> first(const Instant& now, const Trial& trial, double longest_step) const;
 
  private:
+  Jet jet(int link, const Instant& x) const;
+
   const SpringForces& springs_;
   const LinkSet& links_;
 };
