@@ -155,7 +155,7 @@ TEST_P(Isolation, KeepsTheTolerance) {
 }
 
 // A run at 1e-9 takes the place of the reference, whose own errors are larger than 1e-7 before walls; that it goes to the same answers say the
-// tests above. Friction that depends on the velocity begins to slide where no step ends exactly, so its errors are erratic: 1.6 tolerances at 1e-7.
+// tests above. The stiff walls multiply what the motion on sliders of constant friction still lacks: 2.5 tolerances in their forces.
 TEST_P(Isolation, KeepsTheToleranceDownToOneTenMillionth) {
   Reference own = GetParam();
   const Outcome fine = test::run_text(text_of(own, "tolerance: 1e-9"));
@@ -166,11 +166,12 @@ TEST_P(Isolation, KeepsTheToleranceDownToOneTenMillionth) {
   own.work = fine.summary.energy.hysteretic + fine.summary.energy.strain;
   own.isolator_force = s.springs[0].peak_force;
   for (std::size_t i = 0; i < own.forces.size(); ++i) own.forces[i] = fine.summary.links[i].peak_force;
-  const double allowed = own.building == rated ? 2 : 1;
+  const double allowed_by_walls = own.building == pendulum ? 3 : 1;
   for (const char* tolerance : {"1e-3", "1e-4", "1e-5", "1e-6", "1e-7"}) {
     const Errors errors = errors_of(own, test::run_text(text_of(own, fmt::format("tolerance: {}", tolerance))));
-    EXPECT_LT(errors.largest(), allowed * std::stod(tolerance)) << "at " << tolerance;
-    EXPECT_LT(std::max(errors.wall, errors.work), 3 * std::stod(tolerance)) << "at " << tolerance;
+    EXPECT_LT(errors.largest(), std::stod(tolerance)) << "at " << tolerance;
+    EXPECT_LT(errors.work, std::stod(tolerance)) << "at " << tolerance;
+    EXPECT_LT(errors.wall, allowed_by_walls * std::stod(tolerance)) << "at " << tolerance;
   }
 }
 
