@@ -98,6 +98,25 @@ TEST_P(ReducedTower, IsNormalByTheMassAndFollowsWhereNoneIs) {
   for (const int i : massless) EXPECT_LT(forces.row(i).cwiseAbs().maxCoeff(), 1e-10 * forces.cwiseAbs().maxCoeff()) << i;
 }
 
+// Directions of one block more make the modes of that depth of those that are there.
+TEST_P(ReducedTower, FindsTheDirectionsOfOneBlockMore) {
+  ReducedModes reduced = tower.reduced();
+  const ReducedDepth depth{.links = 3, .ground = 4};
+  const petsc::FurtherDirections of = reduced.further(depth);
+  const GroupModes modes = reduced.modes(depth), deeper = tower.reduced().modes({.links = 4, .ground = 4});
+  const Eigen::Index m = modes.squares.size(), more = of.own.cols();
+  ASSERT_EQ(m + more, deeper.squares.size());
+  EXPECT_EQ(of.squares, modes.squares);
+  Eigen::MatrixXd both(m + more, m + more);
+  both << Eigen::MatrixXd(of.squares.asDiagonal()), of.coupling, of.coupling.transpose(), of.own;
+  // A direction of which 1e-9 is left beside the others is rounded to 1e-7, in another way where they are joined in another order.
+  EXPECT_LT((test::dense::eigenvalues(both) - deeper.squares).cwiseAbs().maxCoeff(), 1e-6 * deeper.squares.maxCoeff());
+  Eigen::MatrixXd links(m + more, 2);
+  links << of.links, of.further_links;
+  EXPECT_LT((links.transpose() * test::dense::solve_columns(both, links) - tower.flexibility(0)).cwiseAbs().maxCoeff(), 1e-9 * tower.flexibility(0).maxCoeff());
+  EXPECT_LT((of.links - modes.shapes.transpose() * tower.inputs.links).cwiseAbs().maxCoeff(), 1e-10 * of.links.cwiseAbs().maxCoeff());
+}
+
 TEST_P(ReducedTower, AnswersStaticForcesOfLinksAndGroundExactly) {
   const GroupModes modes = tower.reduced().modes({.links = 1, .ground = 1, .shifted = false});
   EXPECT_EQ(modes.squares.size(), 3);

@@ -40,6 +40,7 @@ struct ReducedStructure {
   int ground_blocks = 0, grounds = 0;  ///< the same of the ground
   int modes = 0;                       ///< lowest modes beside the blocks
   double frequency = 0;                ///< of the block at the contact [Hz]; 0 for none
+  double flexibility_error = 0, shadow_flexibility_error = 0;  ///< of its links about the frequency of the contact, in its modes and in its shadow's [m/N]; 0 for unknown
   double error_force = std::numeric_limits<double>::quiet_NaN();         ///< of peak forces of the links that hit it, over the largest force of all links
   double error_displacement = std::numeric_limits<double>::quiet_NaN();  ///< of its floors
   double error_acceleration = std::numeric_limits<double>::quiet_NaN();  ///< of its floors, at ends of steps

@@ -9,6 +9,7 @@
 
 #include <pounding/core/error.hpp>
 #include <pounding/linear/equal_groups.hpp>
+#include <pounding/linear/flexibility_errors.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/linear/reduced_modes.hpp>
 
@@ -27,6 +28,8 @@ ReducedDepth automatic_depth(double tolerance, int deeper) {
 bool inside(const Group& group, Eigen::Index unknown) { return unknown >= group.first && unknown < group.first + group.count; }
 
 SparseMatrix part(const SparseMatrix& whole, const Group& group) { return whole.block(group.first, group.first, group.count, group.count); }
+
+RayleighDamping rayleigh_of(const Group& group) { return {.by_mass = group.by_mass, .by_stiffness = group.by_stiffness}; }
 
 // Columns that are not zero in a group.
 Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
@@ -88,6 +91,7 @@ struct Alike {
   struct Made {
     Reduction how;
     ReducedInputs inputs;
+    RayleighDamping damping;
     std::optional<ReducedGroup> group;
   };
   int left = 0;  // of them, still to be made
@@ -134,6 +138,9 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
   if (how.kind != Kind::lowest && depth.links > 1)
     made.shadow = std::make_shared<const ShadowModes>(
         basis.shadow(depth, {.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0)}));
+  FlexibilityErrors errors;
+  // A short chain of the ground may err by more than the links do.
+  if (made.shadow && inputs.shift > 0 && (grounds == 0 || depth.ground > 2 * ground_less)) errors = flexibility_errors(basis.further(depth), *made.shadow, rayleigh_of(group), std::sqrt(inputs.shift));
   made.made = {.name = name,
                .coordinates = static_cast<int>(made.modes->squares.size()),
                .unknowns = group.count,
@@ -142,7 +149,9 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                .ground_blocks = depth.ground,
                .grounds = grounds,
                .modes = how.kind == Kind::lowest ? how.modes : 0,
-               .frequency = std::sqrt(inputs.shift) / (2 * M_PI)};
+               .frequency = std::sqrt(inputs.shift) / (2 * M_PI),
+               .flexibility_error = errors.run,
+               .shadow_flexibility_error = errors.shadow};
   return made;
 }
 
@@ -151,13 +160,13 @@ std::optional<ReducedGroup> reduce_or_share(const System& system, const Group& g
                                             const ReductionPlan& plan, int dynamic, Alike& alike) {
   ReducedInputs inputs = inputs_of(system, group, plan);
   for (const Alike::Made& before : alike.made)
-    if (before.how == how && before.inputs == inputs) {
+    if (before.how == how && before.damping == rayleigh_of(group) && before.inputs == inputs) {
       std::optional<ReducedGroup> made = before.group;
       if (made) made->made.name = name;
       return made;
     }
   std::optional<ReducedGroup> made = reduce(system, group, how, name, plan, dynamic, inputs, alike);
-  if (alike.left > 0) alike.made.push_back({how, std::move(inputs), made});
+  if (alike.left > 0) alike.made.push_back({how, std::move(inputs), rayleigh_of(group), made});
   return made;
 }
 

@@ -257,6 +257,34 @@ struct ReducedModes::Structure {
     return found;
   }
 
+  // L^-1 f of the unknowns with mass, where loads on the others count by what they do to these.
+  Eigen::MatrixXd turned(const Eigen::MatrixXd& loads) const {
+    Eigen::MatrixXd own = loads(dofs.dynamic, Eigen::all);
+    if (massless)
+      if (const Eigen::MatrixXd light = loads(dofs.massless, Eigen::all); !light.isZero(0)) own -= coupling.transpose() * solve(*massless, light);
+    return root.matrixL().solve(Eigen::MatrixXd(root.permutationP() * own));
+  }
+
+  FurtherDirections further(const ReducedDepth& depth) {
+    if (basis(depth).ritz.squares.size() == 0) modes(depth);
+    const Made& of = *made;
+    const auto in_modes = [&](const Eigen::MatrixXd& loads) { return transposed_product(of.ritz.vectors, transposed_product(of.basis, loads)); };
+    const Eigen::MatrixXd columns = turned(inputs.links);
+    FurtherDirections found{.squares = of.ritz.squares, .links = in_modes(columns), .coupling = {}, .own = {}, .further_links = {}};
+    grow(links, inputs.links, depth.links + 1);
+    if (static_cast<int>(links.blocks.size()) <= depth.links) return found;
+    Chain both;
+    both.blocks.push_back(of.basis);
+    both.add(links.blocks[static_cast<std::size_t>(depth.links)], nothing_joined);
+    if (both.ended) return found;
+    const Eigen::MatrixXd& beside = both.blocks.back();
+    const Eigen::MatrixXd forces = turned(stiffness * displacements(beside));
+    found.coupling = in_modes(forces);
+    found.own = symmetric_product(beside, forces);
+    found.further_links = transposed_product(beside, columns);
+    return found;
+  }
+
   ShadowModes shadow(const ReducedDepth& depth, const ReducedDepth& less) {
     if (basis(depth).ritz.squares.size() == 0) modes(depth);
     const Eigen::MatrixXd inside = less_basis(depth, less);
@@ -288,6 +316,7 @@ int ReducedModes::most() const { return static_cast<int>(structure_->dofs.dynami
 int ReducedModes::count(const ReducedDepth& depth) { return static_cast<int>(structure_->basis(depth).basis.cols()); }
 int ReducedModes::count(const ReducedDepth& depth, const ReducedDepth& less) { return static_cast<int>(structure_->less_basis(depth, less).cols()); }
 GroupModes ReducedModes::modes(const ReducedDepth& depth) { return structure_->modes(depth); }
+FurtherDirections ReducedModes::further(const ReducedDepth& depth) { return structure_->further(depth); }
 ShadowModes ReducedModes::shadow(const ReducedDepth& depth, const ReducedDepth& less) { return structure_->shadow(depth, less); }
 
 }  // namespace pounding::petsc

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <pounding/linear/flexibility_errors.hpp>
 #include <pounding/linear/group_modes.hpp>
 #include <pounding/model/system.hpp>
 
@@ -64,6 +65,8 @@ class ReducedModes {
   GroupModes modes(const ReducedDepth& depth);
   /// Ritz modes of no more blocks, in those of this depth.
   ShadowModes shadow(const ReducedDepth& depth, const ReducedDepth& less);
+  /// Ritz modes of this depth with the directions that one block of the links more would bring: none where the chain has ended.
+  FurtherDirections further(const ReducedDepth& depth);
   /// Number of modes of this depth, and of a shadow of it, without the modes.
   int count(const ReducedDepth& depth);
   int count(const ReducedDepth& depth, const ReducedDepth& less);

@@ -20,7 +20,8 @@ namespace pounding {
 /// and grounds (StructureSolver::counted):
 ///
 /// forces of links:  peaks of every impact; the shadow's force is F - dF/dd delta - dF/dv delta' with the difference delta of the closings and the slopes of the
-///                   law at ends of steps;
+///                   law at ends of steps. What the run misses is taken as that times the root of the error of the links' flexibility in its modes
+///                   over that in the shadow's (flexibility_errors);
 /// floors:           displacements and accelerations relative to the ground, at the end of every step;
 /// members:          forces and moments at their ends, at some output times.
 ///
@@ -53,11 +54,14 @@ class ReductionErrors {
 
   void compare_forces(const Instant& end);
   double peak_difference(std::size_t link) const;
+  double nearer(int link) const;
+  bool pushes(std::size_t link, const Floors& floors) const;
   void compare_waiting();
 
   const Model& model_;
   const Stepper& stepper_;
   std::vector<Floors> floors_;          // of the structures that have a shadow
+  std::vector<double> nearer_;          // by link, errors of the run over those of the shadow
   std::vector<double> forces_;          // by link, of the peaks of its impacts that are over [N]
   std::vector<double> peaks_, shadow_peaks_;  // by link, of the impact that lasts [N]; 0 where none does
   long outputs_ = 0;
