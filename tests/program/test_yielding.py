@@ -201,7 +201,8 @@ analysis: {{duration: 3 s}}
         self.write(building("1 mm"))
         done = self.pounding("run", "model.yaml")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout + done.stderr, r"structure a, isolators: .* s, beyond the capacity of 1 mm; what happens there is not in the model")
+        self.assertRegex(done.stdout + done.stderr, r"structure a, isolators: .* s, beyond the capacity of 1 mm; what happens there is not in the model\. "
+                         r"Type a larger capacity if the part has it, or a link to a wall with that gap if it stops there")
         self.write(building("2 m"))
         done = self.pounding("run", "model.yaml")
         self.assertEqual((done.returncode, "beyond the capacity" in done.stdout + done.stderr), (0, False))

@@ -32,7 +32,8 @@ inline std::vector<std::string> beyond_capacity(const Model& model, const Summar
       const YieldingPart& part = model.structures[k].yielding[i];
       const SpringSummary& moved = summary.structures[k].springs[i];
       if (const double capacity = part.parameter("capacity"); isolates(part) && std::abs(moved.peak) > capacity)
-        texts.push_back(fmt::format("structure {}, {}: {} at {:.4g} s, beyond the capacity of {}; what happens there is not in the model",
+        texts.push_back(fmt::format("structure {}, {}: {} at {:.4g} s, beyond the capacity of {}; what happens there is not in the model. Type a larger "
+                                    "capacity if the part has it, or a link to a wall with that gap if it stops there",
                                     model.structures[k].name, part.name, format_quantity(std::abs(moved.peak), dimension::length, 4), moved.peak_time,
                                     format_quantity(capacity, dimension::length)));
     }
