@@ -1,7 +1,6 @@
 #pragma once
 /// A slider in a dish whose friction depends on the velocity.
 
-#include <cmath>
 #include <optional>
 
 #include <pounding/structures/spring.hpp>
