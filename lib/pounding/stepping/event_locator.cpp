@@ -66,6 +66,7 @@ struct EventLocator::Search {
   void look_for_inner_touch(int link) const;
   void stop_at_corner() const;
   bool begins_inside(EventBracket& bracket, double longest) const;
+  double zero_on_path(const EventId& id, double part) const;
   bool solve(const EventBracket& bracket, double longest) const;
   bool touches_now(const EventBracket& bracket) const;
   void restore(double h, double end) const {
@@ -145,17 +146,41 @@ bool EventLocator::Search::begins_inside(EventBracket& bracket, double longest) 
   return by_sign && !rebounds && from(by_sign->first, by_sign->second);
 }
 
-// Regula falsi of Anderson and Bjorck (1973) on the length of the step.
+// Time after the beginning at which the event function is zero on the polynomial of degree five through the motions at both ends of the trial, by
+// secants from its end and from another part of it. An end that moves a little hardly changes the rest of this path.
+double EventLocator::Search::zero_on_path(const EventId& id, double part) const {
+  constexpr int secants = 4;
+  const Quintic path(links.jet(id.link, now), links.jet(id.link, trial.end), trial.h);
+  const auto value = [&](double s) {
+    const Jet at = path.at(s);
+    return functions.values(id.link, {at.x, at.v}, trial.end.force[id.link])[id.event];
+  };
+  double before = 1, at_before = functions.value(id, trial.end), s = part;
+  for (int i = 0; i < secants; ++i) {
+    const double at = value(s), next = s - at * (s - before) / (at - at_before);
+    before = s;
+    at_before = at;
+    if (!(next > 0 && next < 2)) return -1;
+    s = next;
+    if (std::abs(s - before) < zero_part) break;
+  }
+  return s * trial.h;
+}
+
+// Guesses on the paths of the trials, and where they lead astray regula falsi of Anderson and Bjorck (1973) on the length of the step.
 bool EventLocator::Search::solve(const EventBracket& bracket, double longest) const {
   const double noise = functions.noise(bracket.id, at_end(bracket.id.link), now), change = bracket.at_begin - bracket.at_end;
   // Below the round-off, so that the located event is not taken for an end of the next phase.
   const double zero = noise > 0 ? std::min(zero_part * change, 0.1 * noise) : zero_part * change;
   double low = bracket.from, at_low = bracket.at_begin, high = longest, at_high = bracket.at_end;
-  double guess = bracket.guess, last = change;
+  const bool along_paths = low == 0;  // else a hop that is much shorter than the trial, of which its path says nothing
+  double guess = along_paths ? zero_on_path(bracket.id, bracket.guess / longest) : bracket.guess, last = change;
+  double before = 0, at_before = 0;  // the guess before, and the value there
   int crawling = 0;  // guesses in a row that hardly came nearer
   enum { lower, upper } replaced = upper;
   // Enough for bisections down to the last digit, should the function jump.
   for (int iteration = 0; iteration < 200; ++iteration) {
+    if (!(guess > low && guess < high) && iteration == 0) guess = bracket.guess;
     if (!(guess > low && guess < high)) guess = 0.5 * (low + high);
     if (!try_step(guess, std::nullopt)) return false;
     const double value = functions.value(bracket.id, trial.end);
@@ -174,15 +199,22 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
       at_low = value;
       replaced = lower;
     }
+    const double here = trial.h;
     crawling = std::abs(value) > 0.5 * std::abs(last) ? crawling + 1 : 0;
     last = value;
     if (crawling < 2) {
       guess = low + (high - low) * at_low / (at_low - at_high);
+      if (along_paths) {
+        const double nearer = iteration == 0 ? zero_on_path(bracket.id, guess / trial.h) : here + value * (before - here) / (value - at_before);
+        if (nearer > low && nearer < high) guess = nearer;
+      }
     } else {
       // A hop may be shorter than the trial by many orders of magnitude.
       guess = low > 0 && high > 16 * low ? std::sqrt(low * high) : 0.5 * (low + high);
       crawling = 0;
     }
+    before = here;
+    at_before = value;
   }
   return false;
 }

@@ -64,6 +64,11 @@ class LinkSet {
     without_relief(link, x, motion);
     if (is_spring(link) && x.relief.size() > 0) motion.penetration -= x.relief[link - contacts_];
   }
+  /// With its acceleration.
+  Jet jet(int link, const Instant& x) const {
+    const LinkMotion at = motion(link, x);
+    return {at.penetration, at.rate, x.relative(link, Instant::a) + ground_part(x.by_ground, link, Instant::a)};
+  }
   /// The motion as if the force of no spring were there; the rate of a spring is that at constant forces in both.
   void without_relief(int link, const Instant& x, LinkMotion& motion) const {
     double relative_displacement = x.relative(link, Instant::u), rate = x.relative(link, Instant::v);

@@ -53,11 +53,6 @@ std::optional<double> corner(const Spring& spring, const LinkMotion& begin, cons
 
 }  // namespace
 
-Jet SpringCorners::jet(int link, const Instant& x) const {
-  const LinkMotion motion = links_.motion(link, x);
-  return {motion.penetration, motion.rate, x.relative(link, Instant::a) + links_.ground_part(x.by_ground, link, Instant::a)};
-}
-
 std::optional<double> SpringCorners::first(const Instant& now, const Trial& trial, double longest_step) const {
   std::vector<LinkMotion> begin, end;
   const auto stays = [&](const Eigen::VectorXd& force) {
@@ -72,7 +67,7 @@ std::optional<double> SpringCorners::first(const Instant& now, const Trial& tria
     const std::size_t k = i - links_.contacts();
     const LinkMotion from = bends ? begin[k] : links_.motion(i, now), to = bends ? end[k] : links_.motion(i, trial.end);
     const Spring& spring = links_.spring(i);
-    const std::optional<double> s = spring.bends_with_rate() ? spring.bend({jet(i, now), jet(i, trial.end), trial.h}, near_bend * longest_step / trial.h)
+    const std::optional<double> s = spring.bends_with_rate() ? spring.bend({links_.jet(i, now), links_.jet(i, trial.end), trial.h}, near_bend * longest_step / trial.h)
                                                              : corner(spring, from, to, trial.h, near);
     if (s && (!first || *s < *first)) first = s;
   }

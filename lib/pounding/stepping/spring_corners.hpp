@@ -19,8 +19,6 @@ class SpringCorners {
   std::optional<double> first(const Instant& now, const Trial& trial, double longest_step) const;
 
  private:
-  Jet jet(int link, const Instant& x) const;
-
   const SpringForces& springs_;
   const LinkSet& links_;
 };
