@@ -110,42 +110,58 @@ ModalSolver::ModalSolver(const System& system, const std::vector<std::optional<R
       load_.col(j).segment(block.coordinate, block.count) = block.of_modes(by_run);
     }
   gap_jacobian_ = columns_of_links(system, false);
-  outputs_ = columns_of_outputs(system.outputs, false);
+  outputs_ = columns_of_outputs(system, false);
   if (shadow_ == 0) return;
   shadow_ends_ = columns_of_links(system, true);
-  shadow_outputs_ = columns_of_outputs(system.outputs, true);
+  shadow_outputs_ = columns_of_outputs(system, true);
 }
 
-// In the blocks that count, or in the shadow and the blocks that have none.
-LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) const {
-  LinkColumns made(system.links());
+// In the blocks that count, or in the shadow and the blocks that have none. `column_of(block, j, entries)` makes column j in the modes of a block
+// from the entries of the matrix there, (unknown of the block, value), none of them zero.
+template <class Column>
+LinkColumns ModalSolver::columns_of(const SparseMatrix& matrix, bool shadow, const Column& column_of) const {
+  LinkColumns made(static_cast<int>(matrix.cols()));
   for (const Block& block : blocks_) {
     if (shadow ? block.shadowed : block.shadow != nullptr) continue;
-    std::vector<int> links;
-    const Eigen::MatrixXd& shapes = block.shapes();
-    Eigen::MatrixXd columns(shapes.cols(), system.links());
-    for (int i = 0; i < system.links(); ++i) {
-      Eigen::VectorXd part = Eigen::VectorXd::Zero(shapes.rows());
-      for (SparseMatrix::InnerIterator it(system.gap_jacobian, i); it; ++it)
-        if (it.row() >= block.first && it.row() < block.first + part.size()) part[it.row() - block.first] = it.value();
-      if (part.isZero(0)) continue;
-      for (int k = 0; k < part.size() && !is_spring(system, i); ++k)
-        if (part[k] != 0 && !(system.mass.coeff(block.first + k, block.first + k) > 0))
-          throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, block.first + k));
-      auto column = columns.col(static_cast<Eigen::Index>(links.size()));
-      if (block.few()) {
-        column.setZero();
-        for (int k = 0; k < part.size(); ++k)
-          if (part[k] != 0) column += part[k] * shapes.row(k).transpose();
-      } else {
-        column = shapes.transpose() * part;
-      }
-      links.push_back(i);
+    std::vector<int> own;
+    std::vector<Eigen::VectorXd> columns;
+    std::vector<Entry> entries;
+    for (int j = 0; j < matrix.cols(); ++j) {
+      entries.clear();
+      for (SparseMatrix::InnerIterator it(matrix, j); it; ++it)
+        if (it.row() >= block.first && it.row() < block.first + block.unknowns() && it.value() != 0)
+          entries.emplace_back(static_cast<int>(it.row()) - block.first, it.value());
+      if (entries.empty()) continue;
+      own.push_back(j);
+      columns.push_back(column_of(block, j, entries));
     }
-    columns.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(links.size()));
-    made.add_block(block.coordinate, std::move(links), block.of_modes(std::move(columns)));
+    Eigen::MatrixXd by_mode(block.shapes().cols(), static_cast<Eigen::Index>(own.size()));
+    for (std::size_t i = 0; i < own.size(); ++i) by_mode.col(static_cast<Eigen::Index>(i)) = columns[i];
+    made.add_block(block.coordinate, std::move(own), block.of_modes(std::move(by_mode)));
   }
   return made;
+}
+
+Eigen::VectorXd ModalSolver::sum_of_shapes(const Block& block, const std::vector<Entry>& entries) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(block.shapes().cols());
+  for (const auto& [unknown, value] : entries) sum += value * block.shapes().row(unknown).transpose();
+  return sum;
+}
+
+LinkColumns ModalSolver::columns_of_links(const System& system, bool shadow) const {
+  return columns_of(system.gap_jacobian, shadow, [&](const Block& block, int i, const std::vector<Entry>& entries) -> Eigen::VectorXd {
+    for (const auto& [unknown, value] : entries)
+      if (const int at = block.first + unknown; !is_spring(system, i) && !(system.mass.coeff(at, at) > 0))
+        throw std::invalid_argument(fmt::format("link {} acts on unknown {}, which has no mass", i, at));
+    if (block.few()) return sum_of_shapes(block, entries);
+    Eigen::VectorXd part = Eigen::VectorXd::Zero(block.unknowns());
+    for (const auto& [unknown, value] : entries) part[unknown] = value;
+    return block.shapes().transpose() * part;
+  });
+}
+
+LinkColumns ModalSolver::columns_of_outputs(const System& system, bool shadow) const {
+  return columns_of(system.outputs, shadow, [](const Block& block, int, const std::vector<Entry>& entries) { return sum_of_shapes(block, entries); });
 }
 
 void ModalSolver::add_natural(const System& system, const Group& group, const Block* equal) {
@@ -236,29 +252,6 @@ void ModalSolver::add_coordinates(const Group& group, Block block, const Eigen::
   stiffness_.tail(block.count) = squares;
   damping_.tail(block.count) = diagonal;
   blocks_.push_back(std::move(block));
-}
-
-LinkColumns ModalSolver::columns_of_outputs(const SparseMatrix& outputs, bool shadow) const {
-  LinkColumns made(static_cast<int>(outputs.cols()));
-  for (const Block& block : blocks_) {
-    if (shadow ? block.shadowed : block.shadow != nullptr) continue;
-    std::vector<int> own;
-    std::vector<Eigen::VectorXd> columns;
-    for (int j = 0; j < outputs.cols(); ++j)
-      for (SparseMatrix::InnerIterator it(outputs, j); it; ++it) {
-        if (it.row() < block.first || it.row() >= block.first + block.unknowns()) continue;
-        if (own.empty() || own.back() != j) {
-          own.push_back(j);
-          columns.push_back(Eigen::VectorXd::Zero(block.shapes().cols()));
-        }
-        columns.back() += it.value() * block.shapes().row(it.row() - block.first).transpose();
-      }
-    Eigen::MatrixXd by_output(block.shapes().cols(), static_cast<Eigen::Index>(own.size()));
-    for (std::size_t i = 0; i < own.size(); ++i) by_output.col(static_cast<Eigen::Index>(i)) = columns[i];
-    if (block.shadow) by_output = product(by_output.transpose(), block.shadow->in_modes).transpose().eval();
-    made.add_block(block.coordinate, std::move(own), std::move(by_output));
-  }
-  return made;
 }
 
 void ModalSolver::stiffness_times(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::Ref<Eigen::MatrixXd> y) const {

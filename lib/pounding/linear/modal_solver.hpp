@@ -95,10 +95,14 @@ class ModalSolver final : public StructureSolver {
   void add_natural(const System& system, const Group& group, const Block* equal);
   void add_reduced(const System& system, const Group& group, const ReducedGroup& reduced);
   void add_shadow(const System& system, const Group& group, const std::shared_ptr<const ShadowModes>& shadow);
+  using Entry = std::pair<int, double>;
+  template <class Column>
+  LinkColumns columns_of(const SparseMatrix& matrix, bool shadow, const Column& column_of) const;
+  static Eigen::VectorXd sum_of_shapes(const Block& block, const std::vector<Entry>& entries);
   LinkColumns columns_of_links(const System& system, bool shadow) const;
+  LinkColumns columns_of_outputs(const System& system, bool shadow) const;
   void add_block(const System& system, const Group& group, Block block, const Eigen::MatrixXd& rest);
   void add_coordinates(const Group& group, Block block, const Eigen::MatrixXd& rest);
-  LinkColumns columns_of_outputs(const SparseMatrix& outputs, bool shadow) const;
   LinkColumns::Solve solve_block() const;
 
   std::vector<Block> blocks_;
