@@ -65,7 +65,7 @@ void ContactEvents::strike(const std::vector<int>& touching, bool in_place, Inst
     const int i = closed[k];
     strikes.rate[k] += links_.ground_part(now.by_ground, i, Instant::v);
     strikes.restitution[k] = links_.contact(i).restitution();
-    const double press = now.relative(i, Instant::a) + links_.ground_part(now.by_ground, i, Instant::a);
+    const double press = links_.acceleration(i, now);
     strikes.slowest[k] = std::max(tolerance_ * scales.max_velocity(),
                                   slowest_bounce(press, strikes.restitution[k], scales.max_displacement(), now.time));
   }

@@ -174,8 +174,8 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
   const double zero = noise > 0 ? std::min(zero_part * change, 0.1 * noise) : zero_part * change;
   double low = bracket.from, at_low = bracket.at_begin, high = longest, at_high = bracket.at_end;
   const bool along_paths = low == 0;  // else a hop that is much shorter than the trial, of which its path says nothing
-  double guess = along_paths ? zero_on_path(bracket.id, bracket.guess / longest) : bracket.guess, last = change;
-  double before = 0, at_before = 0;  // the guess before, and the value there
+  double guess = along_paths ? zero_on_path(bracket.id, bracket.guess / longest) : bracket.guess;
+  double before = 0, at_before = change;  // the guess before, and the value there
   int crawling = 0;  // guesses in a row that hardly came nearer
   enum { lower, upper } replaced = upper;
   // Enough for bisections down to the last digit, should the function jump.
@@ -200,8 +200,7 @@ bool EventLocator::Search::solve(const EventBracket& bracket, double longest) co
       replaced = lower;
     }
     const double here = trial.h;
-    crawling = std::abs(value) > 0.5 * std::abs(last) ? crawling + 1 : 0;
-    last = value;
+    crawling = std::abs(value) > 0.5 * std::abs(at_before) ? crawling + 1 : 0;
     if (crawling < 2) {
       guess = low + (high - low) * at_low / (at_low - at_high);
       if (along_paths) {

@@ -64,10 +64,12 @@ class LinkSet {
     without_relief(link, x, motion);
     if (is_spring(link) && x.relief.size() > 0) motion.penetration -= x.relief[link - contacts_];
   }
-  /// With its acceleration.
+  /// Time derivative of the rate [m/s^2].
+  double acceleration(int link, const Instant& x) const { return x.relative(link, Instant::a) + ground_part(x.by_ground, link, Instant::a); }
+  /// The motion with its acceleration.
   Jet jet(int link, const Instant& x) const {
     const LinkMotion at = motion(link, x);
-    return {at.penetration, at.rate, x.relative(link, Instant::a) + ground_part(x.by_ground, link, Instant::a)};
+    return {at.penetration, at.rate, acceleration(link, x)};
   }
   /// The motion as if the force of no spring were there; the rate of a spring is that at constant forces in both.
   void without_relief(int link, const Instant& x, LinkMotion& motion) const {

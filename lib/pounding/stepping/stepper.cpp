@@ -174,8 +174,8 @@ void Stepper::describe(int i, LinkStep& step) const {
   step.force_begin = x.force[i];
   step.force_middle = kept.force_middle[i];
   step.force_end = y.force[i];
-  step.acceleration_begin = x.relative(i, Instant::a) + links.ground_part(x.by_ground, i, Instant::a);
-  step.acceleration_end = y.relative(i, Instant::a) + links.ground_part(y.by_ground, i, Instant::a);
+  step.acceleration_begin = links.acceleration(i, x);
+  step.acceleration_end = links.acceleration(i, y);
   if (!links.is_spring(i) || !equations_.springs.any() || kept.springs_stay) return;
   const auto rates = kept.spring_rates.row(i - links.contacts());
   step.motion_begin.rate = rates[0];
