@@ -107,14 +107,18 @@ std::optional<double> SlidingSpring::bend(const Quintic& path, double near) cons
 SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, double to) const noexcept {
   const double k0 = law_.stick();
   const Quintic way = path(step);
+  const auto motion = [&](double s) {
+    const Jet at = way.at(s);
+    return LinkMotion{at.x, at.v};
+  };
   double from = 0;
   for (int i = 0; i < most_phases && from < to; ++i) {
     const auto [sliding, until] = phase(state, way, from, to);
-    const LinkMotion begin = interpolate(step, from), end = interpolate(step, until);
+    const LinkMotion begin = motion(from), end = motion(until);
     if (sliding) {
       // Loss: work of q less what its spring takes.
       const auto power = [&](double s) {
-        const LinkMotion at = interpolate(step, s);
+        const LinkMotion at = motion(s);
         return friction(state, at) * at.rate;
       };
       const double work = (step.end - step.begin) * laws::gauss_integral(power, from, until);
@@ -124,7 +128,7 @@ SlidingSpring::State SlidingSpring::follow(State state, const LinkStep& step, do
     state = slid(state, end);
     from = until;
   }
-  return slid(state, interpolate(step, to));
+  return slid(state, motion(to));
 }
 
 void SlidingSpring::accept(const LinkStep& step) {

@@ -36,8 +36,8 @@ class Power {
 // Whether straight lines from the ends of a step to its middle might miss the force. They miss by a quarter of what one line misses, but
 // where the force turns from bending one way to the other: there it is steep, and a third derivative of it cannot do that where it
 // changes by less than a fifth.
-bool bends(const LinkStep& step, double peak_force, double allowed) {
-  return std::abs(step.force_middle - 0.5 * (step.force_begin + step.force_end)) > 2 * allowed ||
+bool bends(const LinkStep& step, double peak_force) {
+  return std::abs(step.force_middle - 0.5 * (step.force_begin + step.force_end)) > 2 * max_chord_error * peak_force ||
          std::abs(step.force_end - step.force_begin) > 0.2 * peak_force;
 }
 
@@ -175,14 +175,13 @@ void LinkSamples::add_between(const Inside& in, double s, double force_s, double
 // Samples of a step in contact, without its ends.
 void LinkSamples::add_inside(std::size_t link, const LinkStep& step, const Contact& contact, const ImpactRow& row) {
   const LinkMotion& middle = step.motion_middle;
-  const double allowed = max_chord_error * row.peak_force;
   // A step is as long as its error allows. The law can be asked again unless its memory has moved in this step.
-  const bool looks = bends(step, row.peak_force, allowed) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
+  const bool looks = bends(step, row.peak_force) && contact.acting_force(contact.evaluate(middle).force) == step.force_middle;
   const bool peaks = row.t_peak > step.begin && row.t_peak < step.end;
   const LinkSample at_middle{0.5 * (step.begin + step.end), middle.penetration, middle.rate, step.force_middle,
                              contact.work() - Power(step).work_of_second_half(), friction(link, &LinkStep::force_middle)};
   if (!looks && !peaks) return impacts_[link].add(at_middle);
-  const Inside inside{link, step, contact, allowed};
+  const Inside inside{link, step, contact, max_chord_error * row.peak_force};
   const double at_peak = (row.t_peak - step.begin) / (step.end - step.begin);
   const auto add_half = [&](double s, double force_s, double e, double force_e) {
     if (peaks && at_peak > s && at_peak < e) {
