@@ -15,23 +15,53 @@ constexpr int stage_count = esdirk4::stages;
 // Share of the error by Simpson's rule beside that of the embedded scheme, where a link presses.
 constexpr double simpson_part = 3;
 
-// r -= K and C times what the accelerations of `earlier` stages add to displacement and velocity. `products` has three columns
-// of n a stage: acceleration, K and C times it. One pass over them, with the number of stages known to the compiler.
+// Forces on the accelerations of a stage at t + c h: r = -push - K (u0 + c h v0) - C v0, less K and C times what the accelerations of
+// `earlier` stages add to displacement and velocity. `products` has three columns of n a stage: acceleration, K and C times it. One pass over
+// all of it, with the number of stages known to the compiler.
 template <int earlier>
-void subtract_stages(int n, double h, const double* __restrict products, double* __restrict r) {
+void forces_of_stage(int n, double h, double c, const Instant& x, const double* push, const double* __restrict products, double* __restrict r) {
+  const double *ku0 = x.at(ku), *kv0 = x.at(kv), *cv0 = x.at(cv);
+  const double ch = c * h;
   double by_k[earlier], by_c[earlier];
   for (int j = 0; j < earlier; ++j) {
     by_k[j] = h * h * squared[earlier][j];
     by_c[j] = h * esdirk4::a[earlier][j];
   }
   for (int k = 0; k < n; ++k) {
-    double sum = r[k];
+    double sum = -push[k] - ku0[k] - cv0[k] - ch * kv0[k];
     for (int j = 0; j < earlier; ++j) sum -= by_k[j] * products[(3 * j + 1) * n + k] + by_c[j] * products[(3 * j + 2) * n + k];
     r[k] = sum;
   }
 }
 
-constexpr std::array subtract{subtract_stages<1>, subtract_stages<2>, subtract_stages<3>, subtract_stages<4>, subtract_stages<5>};
+constexpr std::array forces_of{forces_of_stage<1>, forces_of_stage<2>, forces_of_stage<3>, forces_of_stage<4>, forces_of_stage<5>};
+
+// The end of a step and its errors from the accelerations of all stages.
+void sum_stages(int n, double h, const Instant& x, const double* __restrict products, Instant& end, StepError& error) {
+  double by_u[stage_count], by_v[stage_count], error_by_u[stage_count], error_by_v[stage_count];
+  for (int j = 0; j < stage_count; ++j) {
+    by_u[j] = h * h * squared[stage_count - 1][j];
+    by_v[j] = h * esdirk4::a[stage_count - 1][j];
+    error_by_u[j] = h * h * esdirk4::error.displacement[j];
+    error_by_v[j] = h * esdirk4::error.velocity[j];
+  }
+  const double *u0 = x.at(u), *v0 = x.at(v);
+  double *__restrict u1 = end.at(u), *__restrict v1 = end.at(v), *__restrict error_u = error.u.data(), *__restrict error_v = error.v.data();
+  for (int k = 0; k < n; ++k) {
+    double du = u0[k] + h * v0[k], dv = v0[k], eu = 0, ev = 0;
+    for (int j = 0; j < stage_count; ++j) {
+      const double aj = products[3 * j * n + k];
+      du += by_u[j] * aj;
+      dv += by_v[j] * aj;
+      eu += error_by_u[j] * aj;
+      ev += error_by_v[j] * aj;
+    }
+    u1[k] = du;
+    v1[k] = dv;
+    error_u[k] = eu;
+    error_v[k] = ev;
+  }
+}
 
 // The unknown of each of the five implicit stages is its acceleration, from dynamic equilibrium at t + c h.
 class Esdirk4Scheme final : public TimeScheme {
@@ -39,7 +69,6 @@ class Esdirk4Scheme final : public TimeScheme {
   Esdirk4Scheme(Equations& equations, StageSolver& stages)
       : eq_(equations),
         solver_(stages),
-        r_(Eigen::VectorXd::Zero(equations.solver.size())),
         ground_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations.system.grounds.size()))),
         stages_(Eigen::MatrixXd::Zero(equations.solver.size(), 3 * stage_count)) {}
 
@@ -76,14 +105,11 @@ class Esdirk4Scheme final : public TimeScheme {
     if (eq_.links.moved() && !last && !middle) eq_.supports.relative_motion(x.time + ci * h, ground, by_ground_);
     const Eigen::MatrixXd& by_ground = last ? t.end.by_ground : middle ? t.by_ground_middle : by_ground_;
     const double* push = eq_.supports.push(ground).data();
-    const double *ku0 = x.at(ku), *kv0 = x.at(kv), *cv0 = x.at(cv);
-    double* r = r_.data();
-    for (int k = 0; k < n; ++k) r[k] = -push[k] - ku0[k] - cv0[k] - ci * h * kv0[k];
-    subtract[i - 1](n, h, stages_.data(), r);
+    forces_of[i - 1](n, h, ci, x, push, stages_.data(), acceleration(i).data());
     if (t.short_motions) {
       const ShortMotionStep& step = *t.short_motions;
       missed_ = defect(i, h, step.begin, last ? step.end : middle ? step.middle : eq_.short_motions.at(x.time + ci * h, ground, x));
-      r_ -= eq_.short_motions.forces(missed_);
+      acceleration(i) -= eq_.short_motions.forces(missed_);
     }
     const Stage stage{shift * shift * h * h, shift * h, 1};
     const auto free_motion = [&](int link, double g, LinkMotion& motion) {
@@ -113,13 +139,12 @@ class Esdirk4Scheme final : public TimeScheme {
       for (int j = 0; j < i; ++j) free_displacement_ += h * h * squared[i][j] * acceleration(j);
       if (t.short_motions) free_displacement_ += eq_.short_motions.shift(missed_.u);
       guess_ = acceleration(i - 1);
-      if (!solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, r_, t.end.force)) return false;
-    } else if (!solver_.solve(stage, free_motion, r_, t.end.force)) {
+      if (!solver_.solve_with_pseudo_forces(stage, free_displacement_, guess_, free_motion, acceleration(i), t.end.force)) return false;
+    } else if (!solver_.solve(stage, free_motion, acceleration(i), t.end.force)) {
       return false;
     }
     for (std::size_t k = 0; k < solver_.active().size(); ++k) link_accelerations_(solver_.active()[k], i) = solver_.link_acceleration(k);
     if (eq_.slips.any()) find_slip_rates(i, stage);
-    std::copy_n(r, n, acceleration(i).data());
     if (last) return true;
     eq_.solver.stiffness_and_damping_times(acceleration(i), stages_.col(3 * i + 1), stages_.col(3 * i + 2));
     return true;
@@ -171,25 +196,7 @@ class Esdirk4Scheme final : public TimeScheme {
   bool finish(const Instant& x, Trial& t, StepError& error) {
     const int n = eq_.solver.size();
     const double h = t.h;
-    const double *u0 = x.at(u), *v0 = x.at(v);
-    double *u1 = t.end.at(u), *v1 = t.end.at(v);
-    double *error_u = error.u.data(), *error_v = error.v.data();
-    for (int k = 0; k < n; ++k) {
-      u1[k] = u0[k] + h * v0[k];
-      v1[k] = v0[k];
-      error_u[k] = error_v[k] = 0;
-    }
-    for (int j = 0; j < stage_count; ++j) {
-      const double* aj = stages_.col(3 * j).data();
-      const double by_u = h * h * squared[stage_count - 1][j], by_v = h * esdirk4::a[stage_count - 1][j];
-      const double error_by_u = h * h * esdirk4::error.displacement[j], error_by_v = h * esdirk4::error.velocity[j];
-      for (int k = 0; k < n; ++k) {
-        u1[k] += by_u * aj[k];
-        v1[k] += by_v * aj[k];
-        error_u[k] += error_by_u * aj[k];
-        error_v[k] += error_by_v * aj[k];
-      }
-    }
+    sum_stages(n, h, x, stages_.data(), t.end, error);
     if (t.short_motions) correct_end(t, error);
     eq_.hold_end(x, t);
     if (eq_.pseudo_forces.any()) eq_.pseudo_force(t.end.motion.col(u), t.end.pseudo_force);
@@ -205,7 +212,7 @@ class Esdirk4Scheme final : public TimeScheme {
 
   Equations& eq_;
   StageSolver& solver_;
-  Eigen::VectorXd r_, ground_;
+  Eigen::VectorXd ground_;
   Eigen::MatrixXd by_ground_;
   Eigen::MatrixXd stages_;              // three columns a stage: acceleration, K and C times it
   Eigen::MatrixXd link_accelerations_;  // closing, [link, stage]

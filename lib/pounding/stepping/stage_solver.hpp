@@ -54,7 +54,7 @@ class StageSolver {
   /// `r`, the forces other than those of links, becomes the acceleration of the stage. `force` of all links [N] is a
   /// guess and becomes the solution. False if the equations could not be solved.
   template <class FreeMotion>
-  bool solve(const Stage& stage, const FreeMotion& free_motion, Eigen::VectorXd& r, Eigen::VectorXd& force) {
+  bool solve(const Stage& stage, const FreeMotion& free_motion, Eigen::Ref<Eigen::VectorXd> r, Eigen::VectorXd& force) {
     if (springs_.holds()) r -= stage.weight * held_push_;
     if (!equations_.solver.solve(r)) return false;
     if (active_.empty()) {
@@ -80,10 +80,10 @@ class StageSolver {
   /// iteration from x = guess.
   template <class FreeMotion>
   bool solve_with_pseudo_forces(const Stage& stage, const Eigen::VectorXd& free_displacement, const Eigen::VectorXd& guess,
-                                const FreeMotion& free_motion, Eigen::VectorXd& r, Eigen::VectorXd& force) {
+                                const FreeMotion& free_motion, Eigen::Ref<Eigen::VectorXd> r, Eigen::VectorXd& force) {
     const Eigen::VectorXd others = r;
     Eigen::VectorXd displacement;
-    const auto map = [&](const Eigen::VectorXd& x, Eigen::VectorXd& image) {
+    const auto map = [&](const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> image) {
       displacement = free_displacement + stage.by_u * x;
       equations_.pseudo_force(displacement, pseudo_force_);
       image = others - stage.weight * pseudo_force_;
