@@ -228,6 +228,18 @@ class TheChecks(unittest.TestCase):
         self.history["force"][np.argmax(self.history["force"])] *= -1
         self.finds("it pulls")
 
+    def test_find_an_impulse_that_pulls(self):
+        self.run_.rows[0]["impulse"] = -2e-9 * self.run_.reduced_mass(self.run_.case["links"][0]) * self.run_.speed
+        self.finds("pulls,")
+
+    def test_accept_a_spring_that_follows_the_rounding_of_a_rigid_rest(self):
+        """Bodies that rest on each other drift away for two seconds: a spring of 1.9e10 N/m beside pulls 3e-6 N s by ten roundings of 0.4 m."""
+        case = stress_cases.case_of(44, 33021)
+        self.assertEqual([l["law"] for l in case["links"]], ["stereomechanical", "jankowski", "modified_linear_viscoelastic"])
+        run = run_of(case)
+        self.assertLess(run.rows[2]["impulse"][-1], 0)
+        self.assertEqual(list(faults_of(run)), [])
+
     def test_find_an_overlap_without_an_impact(self):
         self.history["penetration"][0] = 1e-6
         self.finds("outside every impact")
