@@ -109,6 +109,51 @@ TEST(HystereticSpring, GoesOnFromItsArchiveWithTheSameBitsByEveryLaw) {
   }
 }
 
+// Beside differences of its force before and behind the turn, which a copy of the spring keeps.
+TEST(HystereticSpring, SaysHowTheSlopeJumpsWhereItTurnsByEveryLaw) {
+  std::vector<hysteresis::Settings> all;
+  for (const hysteresis::Entry& entry : hysteresis::catalogue()) all.push_back(hysteresis::typical_settings(entry));
+  all.push_back({.law = "bouc_wen", .values = {{"stiffness", 1e7}, {"yield_force", 1e5}}});
+  for (const hysteresis::Settings& settings : all) {
+    const std::unique_ptr<Spring> spring = make_spring(settings), turned = make_spring(settings);
+    const double dy = spring->yield_deformation(), k = spring->stiffness(), way = 1e-5 * dy;
+    int jumps = 0, compared = 0;
+    for (int i = 0; i < 300; ++i) {
+      const LinkMotion begin = motion(0.01 * i, dy), end = motion(0.01 * (i + 1), dy);
+      const double d = end.penetration;
+      turned->accept(step(begin, end));
+      if (begin.rate * end.rate > 0 && std::abs(d - begin.penetration) > 10 * way) {
+        const double direction = std::copysign(1, d - begin.penetration);
+        const auto slope = [&](const Spring& of, double from, double to) {
+          return (of.evaluate({to, 0}).force - of.evaluate({from, 0}).force) / (to - from);
+        };
+        const double before = slope(*spring, d - direction * way, d), behind = slope(*turned, d, d - direction * way);
+        const double earlier = slope(*spring, d - 2 * direction * way, d - direction * way);
+        // No corner lies there.
+        if (std::abs(before - earlier) < 1e-4 * k) {
+          EXPECT_NEAR(spring->slope_lost(d), behind - before, 2e-4 * k) << settings.law << " step " << i;
+          ++compared;
+          jumps += std::abs(behind - before) > 0.01 * k;
+        }
+      }
+      spring->accept(step(begin, end));
+    }
+    EXPECT_GT(compared, 200) << settings.law;
+    EXPECT_GT(jumps, 10) << settings.law;
+  }
+}
+
+// Pressed back elastically with half of its force left, Bouc-Wen's spring falls off at once where it is pressed again.
+TEST(HystereticSpring, ASmallExcursionOfBoucWenTurnsSharplyTwice) {
+  const double k = 1e7, fy = 1e5;
+  const auto spring = make_spring({.law = "bouc_wen", .values = {{"stiffness", k}, {"yield_force", fy}, {"hardening", 0}}});
+  const double yielding = 2 * fy / k, y = std::tanh(2);
+  spring->accept(step({0, 1}, {yielding, 1}));
+  EXPECT_NEAR(spring->slope_lost(yielding + 1e-12) / k, y * y, 1e-6) << "it turns back with k";
+  const double back = yielding - 0.3 * fy / k;
+  EXPECT_NEAR(spring->slope_lost(back) / k, -(y - 0.3) * (y - 0.3), 1e-6) << "it came back with k";
+}
+
 TEST(HystereticSpring, BeginsWhereTheRunDoesWithoutALoss) {
   const auto spring = make_spring({.law = "bouc_wen", .values = {{"stiffness", 1e6}, {"yield_force", 1e4}}});
   spring->start({0.005, 0});

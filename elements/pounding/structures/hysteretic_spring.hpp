@@ -1,6 +1,7 @@
 #pragma once
 /// A storey, a hinge or a device that yields by one of the laws of hysteresis/.
 
+#include <cmath>
 #include <type_traits>
 
 #include <pounding/hysteresis/law.hpp>
@@ -25,6 +26,11 @@ class HystereticSpring : public Spring {
   double stiffness() const noexcept override { return law_.stiffness(); }
   double yield_deformation() const noexcept override { return law_.yield_deformation(); }
   std::optional<double> corner(double deformation) const noexcept override { return law_.corner(kept_, deformation); }
+  /// The slope behind the turn is asked for: it is not k where a force that came back elastically is pressed again on a curve.
+  double slope_lost(double deformation) const noexcept override {
+    const double back = deformation + std::copysign(turned_part * law_.yield_deformation(), kept_.deformation - deformation);
+    return hysteresis::excess(law_, law_.advance(kept_, deformation), back).slope - hysteresis::excess(law_, kept_, deformation).slope;
+  }
   std::optional<Spring::Elastic> elastic() const noexcept override {
     if constexpr (requires { law_.elastic(kept_); }) {
       const hysteresis::Range range = law_.elastic(kept_);
@@ -78,6 +84,8 @@ class HystereticSpring : public Spring {
   const typename L::State& kept() const noexcept { return kept_; }
 
  private:
+  /// A way back by this part of the yield deformation is a turn, and no more.
+  static constexpr double turned_part = 1e-9;
   /// Whether the law says itself what it loses. Else the loss is the work less what is stored, which is asked for less often.
   static constexpr bool counts_loss =
       requires(const L& law, const typename L::State& kept, double d) { law.lost(kept, d); };

@@ -42,12 +42,11 @@ std::optional<double> corner(const Spring& spring, const LinkMotion& begin, cons
   const double turned = turn < 1 ? between.at(turn) : end.penetration;
   if (const auto deformation = spring.corner(turned))
     if (const double s = onset(*deformation, 0, turn); inside(s)) return s;
-  // Springs unload with about k, whatever slope they had.
+  if (turn == 1) return std::nullopt;
   const bool turns_sharply = std::abs(spring.slope_lost(turned)) > least_jump * (spring.stiffness() + spring.first_slope());
   if (turns_sharply) return inside(turn) ? std::optional(turn) : std::nullopt;
-  if (turn < 1)
-    if (const auto deformation = spring.corner(end.penetration))
-      if (const double s = onset(*deformation, turn, 1); inside(s)) return s;
+  if (const auto deformation = spring.corner(end.penetration))
+    if (const double s = onset(*deformation, turn, 1); inside(s)) return s;
   return std::nullopt;
 }
 
