@@ -58,6 +58,14 @@ TEST(ShownLine, TakesOtherBytesAsLatin1) {
   EXPECT_EQ(shown_line("Z\xfcrich \x1b[31m \u00fc"), "Z\u00fcrich  [31m \u00fc");
 }
 
+TEST(Parts, LieBetweenSeparatorsAndAreNotEmpty) {
+  using Parts = std::vector<std::string_view>;
+  EXPECT_EQ(parts_between("", " "), Parts{});
+  EXPECT_EQ(parts_between("\n\n", "\n"), Parts{});
+  EXPECT_EQ(parts_between("-a 1\n-b", "\n"), (Parts{"-a 1", "-b"}));
+  EXPECT_EQ(parts_between(" \t-a  1\t", " \t"), (Parts{"-a", "1"}));
+}
+
 TEST(Names, AreShortAndWithoutControlCharacters) {
   EXPECT_EQ(wrong_name("Hochhaus \u00e4"), "");
   EXPECT_EQ(wrong_name("a\nb"), R"(the name "a\nb" holds a control character; type letters, digits and blanks)");

@@ -1,5 +1,6 @@
 #include <pounding/core/text.hpp>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -94,6 +95,16 @@ std::string shown_line(std::string_view text) {
     text.remove_prefix(c.size);
   }
   return shown;
+}
+
+std::vector<std::string_view> parts_between(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = text.find_first_not_of(separators); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(separators, end);
+  }
+  return parts;
 }
 
 std::string wrong_name(std::string_view name) {

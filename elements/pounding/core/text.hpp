@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pounding {
 
@@ -27,6 +28,10 @@ std::optional<WrongText> wrong_text(std::string_view text);
 
 /// A text in UTF-8 that can be shown in a line: bytes that are no UTF-8 are taken as Latin-1, control characters become blanks.
 std::string shown_line(std::string_view text);
+
+/// The parts of a text that lie between any of these characters, without empty ones. Streams, which read words and lines as well, end in
+/// silence where they get no memory.
+std::vector<std::string_view> parts_between(std::string_view text, std::string_view separators);
 
 /// The fault of a name: more than 200 bytes, a control character, no UTF-8. Empty where all is well.
 std::string wrong_name(std::string_view name);

@@ -6,9 +6,10 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
+#include <pounding/core/text.hpp>
 #include <pounding/petsc/launch.hpp>
 
 namespace pounding::petsc {
@@ -109,18 +110,18 @@ std::vector<std::string> Environment::unread_options() {
 std::vector<std::string> Environment::given_options() {
   char* text = nullptr;
   check(PetscOptionsGetAll(nullptr, &text));
-  std::istringstream all(text);
+  const std::string all = text;
   check(PetscFree(text));
   std::vector<std::string> given;
   bool ours = false;
-  for (std::string word; all >> word;) {
+  for (const std::string_view word : parts_between(all, " \t\r\n")) {
     const bool name = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
-    if (name) ours = word.rfind("-pounding_", 0) == 0;
+    if (name) ours = word.starts_with("-pounding_");
     if (!ours) continue;
     if (name)
-      given.push_back(word);
+      given.emplace_back(word);
     else
-      given.back() += ' ' + word;
+      given.back().append(1, ' ').append(word);
   }
   std::sort(given.begin(), given.end());
   return given;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/checksum.hpp>
+#include <pounding/core/text.hpp>
 #include <pounding/results/hdf5.hpp>
 #include <pounding/input/input.hpp>
 #include <pounding/input/resolved.hpp>
@@ -52,13 +53,6 @@ std::string checksum_of_ground(const GroundPlan& ground) {
   return any ? checksum.text() : "";
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 // The first line in which two texts differ, counted from 1.
 std::size_t first_different_line(const std::string& a, const std::string& b) {
   const auto difference = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
@@ -96,7 +90,8 @@ void read(hid_t file, InterruptedRun& run) {
   if (has_other_run && !run.without_links) run.no_pounding = hdf5::group_image(file, without_links_group);
   checkpoint.ground = hdf5::read_attribute(place, "ground");
   checkpoint.model_file = hdf5::read_text(place, "model_file");
-  checkpoint.options = lines_of(hdf5::read_text(place, "options"));
+  const std::string options = hdf5::read_text(place, "options");
+  for (const std::string_view option : parts_between(options, "\n")) checkpoint.options.emplace_back(option);
   hdf5::read_bytes(place, "state", checkpoint.state);
   const std::string reduction = run.without_links ? std::string(without_links_group) + "/solver/reduction" : "solver/reduction";
   if (hdf5::has(file, reduction.c_str())) {

@@ -84,15 +84,7 @@ std::string upper(std::string_view text) {
 
 std::string single_spaced(std::string_view text) { return fmt::format("{}", fmt::join(split_at_blanks(text), " ")); }
 
-std::vector<std::string_view> split_at_blanks(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = text.find_first_not_of(blanks, end);
-  }
-  return words;
-}
+std::vector<std::string_view> split_at_blanks(std::string_view text) { return parts_between(text, blanks); }
 
 bool contains(std::string_view text, std::string_view part) { return upper(text).find(part) != std::string::npos; }
 
