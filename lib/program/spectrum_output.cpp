@@ -53,11 +53,12 @@ std::string spectra_json(const std::string& title, double damping, const std::ve
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const NamedSpectrum& s : spectra) {
     nlohmann::ordered_json one{{"name", s.name}};
-    for (const SpectrumPoint& p : s.points) {
-      one["period"].push_back(p.period);
-      one["sd"].push_back(p.sd);
-      one["psv"].push_back(p.psv);
-      one["psa"].push_back(p.psa);
+    constexpr std::pair<const char*, double SpectrumPoint::*> columns[] = {
+        {"period", &SpectrumPoint::period}, {"sd", &SpectrumPoint::sd}, {"psv", &SpectrumPoint::psv}, {"psa", &SpectrumPoint::psa}};
+    for (const auto& [name, value] : columns) {
+      nlohmann::ordered_json values = nlohmann::ordered_json::array();
+      for (const SpectrumPoint& p : s.points) values.push_back(p.*value);
+      one[name] = std::move(values);
     }
     all.push_back(std::move(one));
   }

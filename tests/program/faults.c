@@ -4,7 +4,8 @@
    POUNDING_FAULT_CALL   write, fsync, rename, open, ftruncate; step, a kept step of the run; hdf5_memory, petsc_memory, own_memory: what
                          these libraries ask for, or the program itself and its libraries of C++, from main on
    POUNDING_FAULT_AT     the number of the call that fails, from 1
-   POUNDING_FAULT_KIND   an error number; or short (half is written, then the disk is full), kill, or signal NUMBER as -NUMBER
+   POUNDING_FAULT_KIND   an error number; or short (half is written, then the disk is full), kill, or signal NUMBER as -NUMBER; or each:
+                         see meets_in_children
    POUNDING_FAULT_COUNT  file to which the number of calls is written at the end
    POUNDING_FAULT_SERVES when set, the program does not run itself: for each line CALL AT KIND of its input it runs once in a child, which
                          writes its messages to this file, and answers with the child's status as wait gives it. Libraries load once. */
@@ -43,10 +44,59 @@ __attribute__((destructor)) static void at_the_end(void) { count_to_file(); }
 
 enum Fate { passes, fails, is_cut };
 
+/* Set in a child and while one runs: nothing counts then. */
+static int in_child = 0;
+
+static ino_t inode_of(const char* path) {
+  struct stat status;
+  return stat(path, &status) == 0 ? status.st_ino : 0;
+}
+
+/* The calls from POUNDING_FAULT_AT to POUNDING_FAULT_LAST fail, each in a child that goes on from there to its end, while the run itself
+   meets no fault: the way to each of them is gone once. The folder of the run holds out.h5, which each child finds as the run has it. After a
+   child the file `endings` gets a line: the number of the call, the child's status as wait gives it, the inode of out.h5 that it found, the name
+   under which an out.h5 that it wrote was put aside, or a dash, and its messages, parted by tabs. */
+static enum Fate meets_in_children(void) {
+  if (calls < atol(setting("POUNDING_FAULT_AT")) || calls > atol(setting("POUNDING_FAULT_LAST"))) return passes;
+  in_child = 1;
+  const ino_t before = inode_of("out.h5");
+  unlink("kept");
+  if (before && link("out.h5", "kept") != 0) exit(1);
+  const pid_t child = fork();
+  if (child == 0) {
+    const int messages = open("messages", O_CREAT | O_TRUNC | O_WRONLY, 0600);
+    dup2(messages, 2);
+    close(messages);
+    alarm(60);
+    errno = ENOMEM;
+    return fails;
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) exit(1);
+  char written[32] = "-", text[1000];
+  if (inode_of("out.h5") != before) {
+    snprintf(written, sizeof written, "written_%ld", calls);
+    rename("out.h5", written);
+    if (before) rename("kept", "out.h5");
+  }
+  FILE *messages = fopen("messages", "r"), *endings = fopen("endings", "a");
+  if (!messages || !endings) exit(1);
+  text[fread(text, 1, sizeof text - 1, messages)] = 0;
+  for (char* c = text; *c; ++c)
+    if (*c == '\n' || *c == '\t') *c = ' ';
+  fprintf(endings, "%ld\t%d\t%lu\t%s\t%s\n", calls, status, (unsigned long)before, written, text);
+  fclose(messages);
+  fclose(endings);
+  in_child = 0;
+  return passes;
+}
+
 static enum Fate fate(const char* call) {
-  if (strcmp(setting("POUNDING_FAULT_CALL"), call) != 0) return passes;
-  if (++calls != atol(setting("POUNDING_FAULT_AT"))) return passes;
+  if (in_child || strcmp(setting("POUNDING_FAULT_CALL"), call) != 0) return passes;
   const char* kind = setting("POUNDING_FAULT_KIND");
+  ++calls;
+  if (strcmp(kind, "each") == 0) return meets_in_children();
+  if (calls != atol(setting("POUNDING_FAULT_AT"))) return passes;
   if (strcmp(kind, "short") == 0) return is_cut;
   if (strcmp(kind, "kill") == 0) raise(SIGKILL);
   if (kind[0] == '-') {
@@ -176,6 +226,12 @@ static void serve(const char* path) {
   }
   unsetenv("POUNDING_FAULT_COUNT");
   exit(0);
+}
+
+/* It would wait for a thread of MPI, which a child has not. */
+int MPI_Finalize(void) {
+  REAL(int, "MPI_Finalize", void);
+  return in_child ? 0 : real();
 }
 
 static int in_main = 0;

@@ -59,6 +59,15 @@ class Storeys(FaultsOfRuns, FaultTest):
     MODEL = RUNS["storeys"] + CHECKPOINTS
 
 
+class EndsOfRuns(FaultTest):
+    """Each allocation while the summary and the file are made: a library of JSON uses an object that it could not make."""
+
+    MODEL = RUNS["storeys"] + CHECKPOINTS
+
+    def test_lack_of_memory(self):
+        self.in_children("own_memory", self.count("own_memory") - 2500, self.tells)
+
+
 class Reduced(FaultsOfRuns, FaultTest):
     MODEL = RUNS["reduced"] + CHECKPOINTS
 

@@ -147,7 +147,7 @@ Json elevations_json(const Structure& s) {
 
 Json mode_json(const Structure& s, const Mode& mode) {
   const auto list = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
-  Json one;
+  Json one = Json::object();
   one["period"] = std::isfinite(mode.period) ? Json(mode.period) : Json(nullptr);
   one["damping_ratio"] = mode.damping_ratio;
   if (along_x_only(s)) {

@@ -143,8 +143,12 @@ Json hinges_json(const std::vector<StructureSummary>& structures) {
 // Energy that each part has lost [J]; nothing where no structure yields.
 Json hysteretic_json(const std::vector<StructureSummary>& structures) {
   Json all = Json::object();
-  for (const StructureSummary& s : structures)
-    for (const SpringSummary& part : s.springs) all[s.name][part.name] = part.energy_lost;
+  for (const StructureSummary& s : structures) {
+    if (s.springs.empty()) continue;
+    Json parts = Json::object();
+    for (const SpringSummary& part : s.springs) parts[part.name] = part.energy_lost;
+    all[s.name] = std::move(parts);
+  }
   return all;
 }
 
