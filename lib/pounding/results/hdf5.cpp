@@ -65,7 +65,11 @@ hid_t checked(hid_t status, std::string_view action) {
   } message{"HDF5 could not " + std::string(action)};
   const auto append = [](unsigned, const H5E_error2_t* error, void* target) -> herr_t {
     auto& told = *static_cast<decltype(message)*>(target);
-    if (error->desc != nullptr) told.text.append(": ").append(error->desc);
+    try {
+      if (error->desc != nullptr) told.text.append(": ").append(error->desc);
+    } catch (const std::bad_alloc&) {  // no exception may pass through HDF5
+      told.lacks_memory = true;
+    }
     if (error->maj_num == H5E_RESOURCE) told.lacks_memory = true;
     return 0;
   };
@@ -117,7 +121,7 @@ std::vector<std::byte> checked_image(const std::function<void(hid_t file)>& writ
 Handle group(hid_t parent, const std::string& name) {
   const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "describe a group");
   checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "keep the order");
-  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose, "create group " + name};
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose, "create group ", name};
 }
 
 Handle text_type(std::size_t size) {

@@ -50,7 +50,10 @@ class Handle {
  public:
   /// The HDF5 function that closes an identifier of this kind.
   using Close = herr_t (*)(hid_t);
-  Handle(hid_t id, Close close, std::string_view action) : id_(checked(id, action)), close_(close) {}
+  /// Throws as `checked` does, for this action on the thing of this name. The two are joined here, where a lack of memory loses no identifier.
+  Handle(hid_t id, Close close, std::string_view action, std::string_view name = {}) : id_(id), close_(close) {
+    if (id < 0) checked(id, std::string(action).append(name));
+  }
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   ~Handle() {
     if (id_ >= 0) close_(id_);

@@ -2,32 +2,55 @@
 
 #include <pounding/results/hdf5.hpp>
 
+#include <new>
 #include <stdexcept>
+#include <utility>
 
 #include <pounding/results/checked_file.hpp>
 
 namespace pounding::hdf5 {
 namespace {
 
+// Names that HDF5 tells one after the other. It calls in C, and what an exception passes there stays open.
+class Names {
+ public:
+  template <class Info>
+  static herr_t add(hid_t, const char* name, const Info*, void* target) noexcept {
+    auto& names = *static_cast<Names*>(target);
+    try {
+      names.found_.emplace_back(name);
+      return 0;
+    } catch (const std::bad_alloc&) {
+      names.lacks_memory_ = true;
+      return -1;
+    }
+  }
+  std::vector<std::string> all_after(herr_t status, const char* action) && {
+    if (lacks_memory_) throw std::bad_alloc();
+    checked(status, action);
+    return std::move(found_);
+  }
+
+ private:
+  std::vector<std::string> found_;
+  bool lacks_memory_ = false;
+};
+
 std::vector<std::string> members_of(hid_t group) {
-  std::vector<std::string> found;
-  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* target) -> herr_t {
-    static_cast<std::vector<std::string>*>(target)->emplace_back(name);
-    return 0;
-  };
-  checked(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &found), "list a group");
-  return found;
+  Names names;
+  const herr_t status = H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, Names::add<H5L_info_t>, &names);
+  return std::move(names).all_after(status, "list a group");
+}
+
+std::vector<std::string> attributes_of(hid_t object) {
+  Names names;
+  const herr_t status = H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, Names::add<H5A_info_t>, &names);
+  return std::move(names).all_after(status, "list attributes");
 }
 
 // Copies all members and the attributes, which are texts, of a group or of the root of a file.
 void copy_content(hid_t from, hid_t to, const std::set<std::string>& but) {
-  std::vector<std::string> attributes;
-  const auto list_attribute = [](hid_t, const char* name, const H5A_info_t*, void* target) -> herr_t {
-    static_cast<std::vector<std::string>*>(target)->emplace_back(name);
-    return 0;
-  };
-  checked(H5Aiterate2(from, H5_INDEX_NAME, H5_ITER_INC, nullptr, list_attribute, &attributes), "list attributes");
-  for (const std::string& name : attributes) attribute(to, name.c_str(), read_attribute(from, name.c_str()));
+  for (const std::string& name : attributes_of(from)) attribute(to, name.c_str(), read_attribute(from, name.c_str()));
   for (const std::string& name : members_of(from))
     if (!but.contains(name)) checked(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "copy " + name);
 }
@@ -44,7 +67,7 @@ void add_file(hid_t file, const std::string& name, const std::vector<std::byte>&
 }
 
 std::vector<std::byte> group_image(hid_t file, const std::string& name) {
-  const Handle from(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, "open group " + name);
+  const Handle from(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, "open group ", name);
   return file_image([&](hid_t to) { copy_content(from, to, {}); });
 }
 
@@ -58,13 +81,13 @@ void open_file(const std::string& path, const std::function<void(hid_t file)>& r
 bool has(hid_t file, const char* path) { return H5Lexists(file, path, H5P_DEFAULT) > 0; }
 
 std::vector<std::string> members(hid_t file, const char* path) {
-  return members_of(Handle(H5Gopen2(file, path, H5P_DEFAULT), H5Gclose, std::string("open group ") + path));
+  return members_of(Handle(H5Gopen2(file, path, H5P_DEFAULT), H5Gclose, "open group ", path));
 }
 
 namespace {
 
 Handle open_dataset(hid_t file, const char* path) {
-  return {H5Dopen2(file, path, H5P_DEFAULT), H5Dclose, std::string("open dataset ") + path};
+  return {H5Dopen2(file, path, H5P_DEFAULT), H5Dclose, "open dataset ", path};
 }
 
 // One text of the fixed length of `type`.
@@ -82,7 +105,7 @@ std::string fixed_text(const Handle& type, Read&& read, const char* name) {
 template <class Value>
 void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& values) {
   const Handle dataset = open_dataset(file, path);
-  const Handle space(H5Dget_space(dataset), H5Sclose, std::string("size dataset ") + path);
+  const Handle space(H5Dget_space(dataset), H5Sclose, "size dataset ", path);
   values.resize(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), std::string("size dataset ") + path)));
   if (!values.empty())
     checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("read dataset ") + path);
@@ -92,16 +115,16 @@ void read_all(hid_t file, const char* path, hid_t type, std::vector<Value>& valu
 
 std::vector<std::size_t> shape(hid_t file, const char* path) {
   const Handle dataset = open_dataset(file, path);
-  const Handle space(H5Dget_space(dataset), H5Sclose, std::string("size dataset ") + path);
+  const Handle space(H5Dget_space(dataset), H5Sclose, "size dataset ", path);
   std::vector<hsize_t> extents(static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space), "size a dataset")));
   checked(H5Sget_simple_extent_dims(space, extents.data(), nullptr), "size a dataset");
   return {extents.begin(), extents.end()};
 }
 
 std::string read_attribute(hid_t object, const char* name) {
-  const Handle made(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, std::string("open attribute ") + name);
-  const Handle type(H5Aget_type(made), H5Tclose, std::string("read attribute ") + name);
-  const Handle space(H5Aget_space(made), H5Sclose, std::string("read attribute ") + name);
+  const Handle made(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open attribute ", name);
+  const Handle type(H5Aget_type(made), H5Tclose, "read attribute ", name);
+  const Handle space(H5Aget_space(made), H5Sclose, "read attribute ", name);
   if (H5Tis_variable_str(type) <= 0 || H5Sget_simple_extent_npoints(space) != 1)
     throw std::runtime_error(std::string("attribute ") + name + " is no text");
   char* text = nullptr;
@@ -113,7 +136,7 @@ std::string read_attribute(hid_t object, const char* name) {
 
 std::string read_text(hid_t file, const char* path) {
   const Handle dataset = open_dataset(file, path);
-  const Handle type(H5Dget_type(dataset), H5Tclose, std::string("read ") + path);
+  const Handle type(H5Dget_type(dataset), H5Tclose, "read ", path);
   return fixed_text(type, [&](hid_t as, char* text) { return H5Dread(dataset, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, text); }, path);
 }
 
