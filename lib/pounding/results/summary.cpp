@@ -15,6 +15,13 @@ using Json = nlohmann::ordered_json;
 // An energy imbalance above this many times the tolerance means that something was not resolved.
 constexpr double suspicious_imbalance = 100;
 
+// An object with room for so many members: one that grows copies all that it holds.
+Json object_of(std::size_t members) {
+  Json made = Json::object();
+  made.get_ref<Json::object_t&>().reserve(members);
+  return made;
+}
+
 // JSON has no NaN; a missing value is null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -34,10 +41,12 @@ Json places_json(const std::vector<double>& values, std::size_t along) {
 }
 
 Json extremes_json(const Extremes& e, std::size_t along) {
-  return {{"min", places_json(e.min, along)},
-          {"max", places_json(e.max, along)},
-          {"t_min", places_json(e.t_min, along)},
-          {"t_max", places_json(e.t_max, along)}};
+  Json all = object_of(4);
+  all["min"] = places_json(e.min, along);
+  all["max"] = places_json(e.max, along);
+  all["t_min"] = places_json(e.t_min, along);
+  all["t_max"] = places_json(e.t_max, along);
+  return all;
 }
 
 // The lowest storey of a list of storeys.
@@ -54,7 +63,7 @@ Extremes lowest(const Extremes& storeys, std::size_t along) {
 
 Json envelope_json(const StructureSummary& s) {
   const StructureEnvelope& e = s.envelope;
-  Json all = Json::object();
+  Json all = object_of(10);
   const std::size_t directions = s.directions.size(), storey_directions = directions == 1 ? 1 : 2;
   if (e.displacement.size() > 0) {
     all["displacement"] = extremes_json(e.displacement, directions);
@@ -97,18 +106,21 @@ Json yielding_json(const std::vector<SpringSummary>& springs) {
                      {"first_yield", number(s.first_yield)},
                      {"damping_shear", number(s.damping_shear)}});
   const SpringSummary& most = *most_ductile(springs);
-  return {{"yielded", std::ranges::count_if(springs, &SpringSummary::yielded)},
-          {"largest", {{"name", most.name}, {"ductility", most.ductility}, {"deformation", most.peak}, {"time", most.peak_time}}},
-          {"springs", std::move(parts)}};
+  Json all = object_of(3);
+  all["yielded"] = std::ranges::count_if(springs, &SpringSummary::yielded);
+  all["largest"] = {{"name", most.name}, {"ductility", most.ductility}, {"deformation", most.peak}, {"time", most.peak_time}};
+  all["springs"] = std::move(parts);
+  return all;
 }
 
 Json structures_json(const std::vector<StructureSummary>& structures) {
-  Json all = Json::object();
+  Json all = object_of(structures.size());
   for (const StructureSummary& s : structures) {
-    Json& one = all[s.name] = {{"peak_displacement", s.peak_displacement},
-                               {"peak_drift", s.peak_drift},
-                               {"peak_acceleration", s.peak_acceleration},
-                               {"envelope", envelope_json(s)}};
+    Json& one = all[s.name] = object_of(8);
+    one["peak_displacement"] = s.peak_displacement;
+    one["peak_drift"] = s.peak_drift;
+    one["peak_acceleration"] = s.peak_acceleration;
+    one["envelope"] = envelope_json(s);
     if (s.springs.empty()) continue;
     one["residual_displacement"] = s.residual_displacement;
     one["residual_drift"] = s.residual_drift;
@@ -242,24 +254,18 @@ std::string to_json(const Summary& summary) {
                      {"energy_stored", s.energy_stored},
                      {"presses", s.presses}});
   const EnergySummary& e = summary.energy;
-  Json all = {{"status", summary.status},
-              {"links", links},
-              {"impacts", impacts_json(summary)},
-              {"structures", structures_json(summary.structures)},
-              {"energy",
-               {{"input", e.input},
-                {"kinetic", e.kinetic},
-                {"strain", e.strain},
-                {"damping", e.damping},
-                {"hysteretic", e.hysteretic},
-                {"impact", e.impact},
-                {"error", e.error}}},
-              {"solver",
-               {{"integrator", summary.integrator},
-                {"steps", summary.solver.steps},
-                {"rejected", summary.solver.rejected},
-                {"events", summary.solver.events},
-                {"wall_seconds", summary.solver.wall_seconds}}}};
+  Json all = object_of(11);
+  all["status"] = summary.status;
+  all["links"] = std::move(links);
+  all["impacts"] = impacts_json(summary);
+  all["structures"] = structures_json(summary.structures);
+  all["energy"] = {{"input", e.input},           {"kinetic", e.kinetic}, {"strain", e.strain}, {"damping", e.damping},
+                   {"hysteretic", e.hysteretic}, {"impact", e.impact},   {"error", e.error}};
+  all["solver"] = {{"integrator", summary.integrator},
+                   {"steps", summary.solver.steps},
+                   {"rejected", summary.solver.rejected},
+                   {"events", summary.solver.events},
+                   {"wall_seconds", summary.solver.wall_seconds}};
   if (!summary.reduced.empty()) all["solver"]["reduction"] = reduction_json(summary.reduced);
   if (!summary.devices.empty()) all["devices"] = devices_json(summary.devices);
   if (!summary.devices.empty() || e.devices > 0) all["energy"]["devices"] = e.devices;
@@ -274,10 +280,11 @@ std::string to_json(const Summary& summary) {
                                 summary.without_pounding[k].peak_displacement[i]));
       amplification[summary.structures[k].name] = ratios;
     }
-    all["no_pounding"] = {{"status", summary.without_links_status},
-                          {"structures", structures_json(summary.without_pounding)},
-                          {"amplification", amplification},
-                          {"separations", separations_json(summary.separations)}};
+    Json& part = all["no_pounding"] = object_of(4);
+    part["status"] = summary.without_links_status;
+    part["structures"] = structures_json(summary.without_pounding);
+    part["amplification"] = std::move(amplification);
+    part["separations"] = separations_json(summary.separations);
   }
   all["warnings"] = summary.warnings;
   // Names in a model may be no UTF-8, which JSON demands.
