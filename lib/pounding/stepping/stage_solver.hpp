@@ -82,8 +82,8 @@ class StageSolver {
   bool solve_with_pseudo_forces(const Stage& stage, const Eigen::VectorXd& free_displacement, const Eigen::VectorXd& guess,
                                 const FreeMotion& free_motion, Eigen::Ref<Eigen::VectorXd> r, Eigen::VectorXd& force) {
     const Eigen::VectorXd others = r;
-    Eigen::VectorXd displacement;
-    const auto map = [&](const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> image) {
+    Eigen::VectorXd displacement, found;
+    const auto map = [&](const Eigen::VectorXd& x, Eigen::VectorXd& image) {
       displacement = free_displacement + stage.by_u * x;
       equations_.pseudo_force(displacement, pseudo_force_);
       image = others - stage.weight * pseudo_force_;
@@ -93,7 +93,9 @@ class StageSolver {
     };
     const auto size = [&](const Eigen::VectorXd& residual) { return norm_.relative_size(stage.by_u * residual, displacement); };
     const auto product = [this](const Eigen::VectorXd& p, const Eigen::VectorXd& q) { return norm_.product(p, q); };
-    return solve_fixed_point(guess, r, map, size, product);
+    if (!solve_fixed_point(guess, found, map, size, product)) return false;
+    r = found;
+    return true;
   }
 
   /// Closing acceleration of active link number k in the last stage that was solved [m/s^2], without that of the ground.
