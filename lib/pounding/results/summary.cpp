@@ -154,10 +154,10 @@ Json hinges_json(const std::vector<StructureSummary>& structures) {
 
 // Energy that each part has lost [J]; nothing where no structure yields.
 Json hysteretic_json(const std::vector<StructureSummary>& structures) {
-  Json all = Json::object();
+  Json all = object_of(structures.size());
   for (const StructureSummary& s : structures) {
     if (s.springs.empty()) continue;
-    Json parts = Json::object();
+    Json parts = object_of(s.springs.size());
     for (const SpringSummary& part : s.springs) parts[part.name] = part.energy_lost;
     all[s.name] = std::move(parts);
   }
