@@ -17,7 +17,7 @@ constexpr double simpson_part = 3;
 
 // Forces on the accelerations of a stage at t + c h: r = -push - K (u0 + c h v0) - C v0, less K and C times what the accelerations of
 // `earlier` stages add to displacement and velocity. `products` has three columns of n a stage: acceleration, K and C times it. One pass over
-// all of it, with the number of stages known to the compiler.
+// all of it, with the number of stages known to the compiler; `r` is the column of the stage's own acceleration, which is not read.
 template <int earlier>
 void forces_of_stage(int n, double h, double c, const Instant& x, const double* push, const double* __restrict products, double* __restrict r) {
   const double *ku0 = x.at(ku), *kv0 = x.at(kv), *cv0 = x.at(cv);
