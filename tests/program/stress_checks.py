@@ -87,6 +87,11 @@ def touches_in(path):
         return file["impacts"]["t_start"]
 
 
+def exponent_of(l):
+    """The power of the penetration that the force of a link follows."""
+    return 1.0 if l["law"] in LINEAR else 1.5
+
+
 def pressing_work(l, d, mass, speed):
     """Least work that presses a link from touch to the penetration d [J]; nothing that is known for bilinear_hertz."""
     if l["law"] == "bilinear_hertz":
@@ -95,7 +100,7 @@ def pressing_work(l, d, mass, speed):
         design = (1.25 * mass * v * v / l["stiffness"]) ** 0.4
         stiffness, d_y = l["stiffness"] * math.sqrt(design), 0.1 * design
         return 0.5 * stiffness * min(d, d_y) ** 2 + stiffness * d_y * max(0.0, d - d_y)
-    n = 1.0 if l["law"] in LINEAR else 1.5
+    n = exponent_of(l)
     return l["stiffness"] * d ** (n + 1) / (n + 1)
 
 
@@ -115,8 +120,7 @@ def faults_of_impacts(run, index):
     mass = run.reduced_mass(l) if run.simple else max(mass_of(s) for s in run.case["structures"])
     disturbance = run.disturbance(l) if run.simple else math.inf
     # A spring beside a rigid contact that rests follows the rounding of positions.
-    exponent = 1 if l["law"] in LINEAR else 1.5
-    rounding = l.get("stiffness", 0) * (OF_POSITIONS * math.sqrt(run.steps) * run.reach) ** exponent
+    rounding = l.get("stiffness", 0) * (OF_POSITIONS * math.sqrt(run.steps) * run.reach) ** exponent_of(l)
     for number, row in enumerate(rows):
         at = f"link {index} ({l['law']}), impact {number} at {row['t_start']:.9g}:"
         if not math.isnan(row["t_end"]):
@@ -178,7 +182,7 @@ def faults_of_histories(run, index):
         k = int(np.argmax(~inside & (force != 0)))
         yield f"link {index} ({l['law']}): a force of {force[k]:.6g} N at {t[k]:.9g} outside every impact"
     # A located separation may lie behind the true one by rounding of the motion; the spring then pulls so much.
-    rounding = 1e-9 * float(np.max(force, initial=0)) + l["stiffness"] * (1e-11 * run.reach) ** (1 if l["law"] in LINEAR else 1.5)
+    rounding = 1e-9 * float(np.max(force, initial=0)) + l["stiffness"] * (1e-11 * run.reach) ** exponent_of(l)
     if l["law"] != "kelvin_voigt" and np.min(force, initial=0) < -rounding:
         k = int(np.argmin(force))
         yield f"link {index} ({l['law']}): it pulls with {-force[k]:.6g} N at {t[k]:.9g}"
