@@ -57,18 +57,6 @@ TEST(ColumnSums, HaveTheSameBitsForAnyNumberOfVectorsAtATime) {
     }
 }
 
-TEST(ColumnSums, OfASymmetricProductAreThoseOfItsHalf) {
-  std::mt19937 random(4);
-  std::normal_distribution<double> normal;
-  for (const int count : {1, 3, 47, 48, 49, 130}) {
-    const Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(200, count, [&] { return normal(random); });
-    const Eigen::MatrixXd b = a.array().colwise() * Eigen::ArrayXd::LinSpaced(200, 1, 3);
-    const Eigen::MatrixXd whole = transposed_product(a, b), half = symmetric_product(a, b);
-    EXPECT_EQ(half, half.transpose()) << count;
-    for (int j = 0; j < count; ++j) EXPECT_EQ(half.col(j).tail(count - j), whole.col(j).tail(count - j)) << count << ", column " << j;
-  }
-}
-
 TEST(ScaledColumns, HaveTheBitsOfOneLoopWithWeightsAndWithout) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;

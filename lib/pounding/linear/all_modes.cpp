@@ -47,8 +47,18 @@ class DirectSolver {
 
 }  // namespace
 
+Eigenpairs eigenpairs_of(const Eigen::MatrixXd& symmetric) {
+  const Eigen::Index n = symmetric.rows();
+  DirectSolver solver(static_cast<PetscInt>(n));
+  solver.with(DS_MAT_A, n, [&](auto&& matrix) { matrix = symmetric; });
+  Eigenpairs made;
+  made.values.resize(n);
+  solver.solve(made.values);
+  solver.with(DS_MAT_Q, n, [&](auto&& matrix) { made.vectors = matrix; });
+  return made;
+}
+
 Eigenpairs all_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
-  const Eigen::Index n = mass.rows();
   const bool lumped = mass.isDiagonal(0);
   Eigen::VectorXd root;
   Eigen::LLT<Eigen::MatrixXd> factor;
@@ -64,12 +74,7 @@ Eigenpairs all_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffne
     a.transposeInPlace();
     factor.matrixL().solveInPlace(a);
   }
-  DirectSolver solver(static_cast<PetscInt>(n));
-  solver.with(DS_MAT_A, n, [&](auto&& matrix) { matrix = 0.5 * (a + a.transpose()); });
-  Eigenpairs made;
-  made.values.resize(n);
-  solver.solve(made.values);
-  solver.with(DS_MAT_Q, n, [&](auto&& matrix) { made.vectors = matrix; });
+  Eigenpairs made = eigenpairs_of(0.5 * (a + a.transpose()));
   if (lumped)
     made.vectors = root.asDiagonal() * made.vectors;
   else

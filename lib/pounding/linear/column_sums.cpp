@@ -29,36 +29,44 @@ POUNDING_INLINE void add_row(const Columns& a, const double* x, Index x_stride, 
 }
 
 #ifdef POUNDING_HAS_FOUR
-POUNDING_INLINE Four& four(double* at) { return *reinterpret_cast<Four*>(at); }
-POUNDING_INLINE const Four& four(const double* at) { return *reinterpret_cast<const Four*>(at); }
+template <class Vector>
+POUNDING_INLINE Vector& vector(double* at) {
+  return *reinterpret_cast<Vector*>(at);
+}
+template <class Vector>
+POUNDING_INLINE const Vector& vector(const double* at) {
+  return *reinterpret_cast<const Vector*>(at);
+}
 
-// 4 `blocks` rows from `row` on; the sums stay in registers.
-template <int blocks, int columns>
+// `blocks` vectors of rows from `row` on; the sums stay in registers.
+template <class Vector, int blocks, int columns>
 POUNDING_INLINE Index add_rows(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride, Index row) {
-  for (; row + 4 * blocks <= a.rows; row += 4 * blocks) {
-    Four sum[columns][blocks];
-#pragma GCC unroll 4
+  constexpr Index width = sizeof(Vector) / sizeof(double);
+  for (; row + width * blocks <= a.rows; row += width * blocks) {
+    Vector sum[columns][blocks];
+#pragma GCC unroll 8
     for (int c = 0; c < columns; ++c)
 #pragma GCC unroll 4
-      for (int k = 0; k < blocks; ++k) sum[c][k] = four(y + row + c * y_stride + 4 * k);
+      for (int k = 0; k < blocks; ++k) sum[c][k] = vector<Vector>(y + row + c * y_stride + width * k);
     const double* of = a.values + row;
     for (Index j = 0; j < a.count; ++j, of += a.stride) {
 #pragma GCC unroll 4
       for (int k = 0; k < blocks; ++k) {
-        const Four value = four(of + 4 * k);
-#pragma GCC unroll 4
+        const Vector value = vector<Vector>(of + width * k);
+#pragma GCC unroll 8
         for (int c = 0; c < columns; ++c) sum[c][k] += value * x[j + c * x_stride];
       }
     }
-#pragma GCC unroll 4
+#pragma GCC unroll 8
     for (int c = 0; c < columns; ++c)
 #pragma GCC unroll 4
-      for (int k = 0; k < blocks; ++k) four(y + row + c * y_stride + 4 * k) = sum[c][k];
+      for (int k = 0; k < blocks; ++k) vector<Vector>(y + row + c * y_stride + width * k) = sum[c][k];
   }
   return row;
 }
 #else
-template <int blocks, int columns>
+using Four = double;
+template <class Vector, int blocks, int columns>
 Index add_rows(const Columns&, const double*, Index, double*, Index, Index row) {
   return row;
 }
@@ -66,26 +74,36 @@ Index add_rows(const Columns&, const double*, Index, double*, Index, Index row) 
 
 template <int columns>
 POUNDING_INLINE void add_few(const Columns& a, const double* x, Index x_stride, double* y, Index y_stride) {
-  Index row = add_rows<4, columns>(a, x, x_stride, y, y_stride, 0);
-  row = add_rows<2, columns>(a, x, x_stride, y, y_stride, row);
-  row = add_rows<1, columns>(a, x, x_stride, y, y_stride, row);
+  Index row = add_rows<Four, 4, columns>(a, x, x_stride, y, y_stride, 0);
+  row = add_rows<Four, 2, columns>(a, x, x_stride, y, y_stride, row);
+  row = add_rows<Four, 1, columns>(a, x, x_stride, y, y_stride, row);
   for (; row < a.rows; ++row) add_row<columns>(a, x, x_stride, y, y_stride, row);
 }
 
-POUNDING_INLINE void add_all(const Columns& a, const Columns& x, double* y, Index y_stride) {
-  Index c = 0;
+// The columns of X from `c` on.
+POUNDING_INLINE void add_all(const Columns& a, const Columns& x, double* y, Index y_stride, Index c) {
   for (; c + 3 <= x.count; c += 3) add_few<3>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
   if (c + 2 == x.count) add_few<2>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
   if (c + 1 == x.count) add_few<1>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride);
 }
 
-POUNDING_WIDE void add_by_wide_vectors(const Columns& a, const Columns& x, double* y, Index y_stride) { add_all(a, x, y, y_stride); }
+POUNDING_WIDE void add_by_wide_vectors(const Columns& a, const Columns& x, double* y, Index y_stride, Index c) { add_all(a, x, y, y_stride, c); }
+
+// Whole pieces of rows by eight columns of X; the columns that are done.
+POUNDING_WIDEST Index add_by_widest_vectors(const Columns& a, const Columns& x, double* y, Index y_stride) {
+  Index c = 0;
+#ifdef POUNDING_HAS_FOUR
+  for (; c + 8 <= x.count; c += 8) add_rows<Eight, 2, 8>(a, x.values + c * x.stride, x.stride, y + c * y_stride, y_stride, 0);
+#endif
+  return c;
+}
 
 void add(const Columns& a, const Columns& x, double* y, Index y_stride) {
+  const Index done = a.rows == piece_rows && has_widest_vectors() ? add_by_widest_vectors(a, x, y, y_stride) : 0;
   if (has_wide_vectors())
-    add_by_wide_vectors(a, x, y, y_stride);
+    add_by_wide_vectors(a, x, y, y_stride, done);
   else
-    add_all(a, x, y, y_stride);
+    add_all(a, x, y, y_stride, done);
 }
 
 POUNDING_INLINE void scale_all(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {
@@ -96,16 +114,16 @@ POUNDING_INLINE void scale_all(std::span<const ScaledColumn> columns, Index rows
     Four sum[blocks], weight[blocks];
 #pragma GCC unroll 4
     for (int b = 0; b < blocks; ++b) {
-      sum[b] = four(y + k + 4 * b);
-      weight[b] = weights ? four(weights + k + 4 * b) : Four{1, 1, 1, 1};
+      sum[b] = vector<Four>(y + k + 4 * b);
+      weight[b] = weights ? vector<Four>(weights + k + 4 * b) : Four{1, 1, 1, 1};
     }
     for (const ScaledColumn& column : columns) {
       const Four factor{column.factor, column.factor, column.factor, column.factor};
 #pragma GCC unroll 4
-      for (int b = 0; b < blocks; ++b) sum[b] += factor * weight[b] * four(column.values + k + 4 * b);
+      for (int b = 0; b < blocks; ++b) sum[b] += factor * weight[b] * vector<Four>(column.values + k + 4 * b);
     }
 #pragma GCC unroll 4
-    for (int b = 0; b < blocks; ++b) four(y + k + 4 * b) = sum[b];
+    for (int b = 0; b < blocks; ++b) vector<Four>(y + k + 4 * b) = sum[b];
   }
 #endif
   for (; k < rows; ++k) {
@@ -172,27 +190,6 @@ void add_products(const Columns& a, const Columns& x, std::span<const int> rows,
   for (Index i = 0; i < a.rows; ++i) room.row(i) = y.row(rows[static_cast<std::size_t>(i)]);
   add_products(a, x, room.data(), a.rows);
   for (Index i = 0; i < a.rows; ++i) y.row(rows[static_cast<std::size_t>(i)]) = room.row(i);
-}
-
-Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(a.rows(), b.cols());
-  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {b.data(), b.rows(), b.cols(), b.rows()}, made.data(), made.rows());
-  return made;
-}
-
-Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return product(a.transpose(), b); }
-
-Eigen::MatrixXd symmetric_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  constexpr Index together = 48;
-  const Eigen::MatrixXd rows = a.transpose();
-  const Index count = b.cols();
-  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(count, count);
-  for (Index j = 0; j < count; j += together) {
-    const Index columns = std::min(together, count - j);
-    add_products({rows.data() + j, count - j, rows.cols(), rows.rows()}, {b.col(j).data(), b.rows(), columns, b.rows()}, made.col(j).data() + j, count);
-  }
-  made.triangularView<Eigen::StrictlyUpper>() = made.transpose();
-  return made;
 }
 
 void add_scaled(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {

@@ -32,10 +32,4 @@ struct ScaledColumn {
 };
 void add_scaled(std::span<const ScaledColumn> columns, Eigen::Index rows, const double* weights, double* y);
 
-/// A B, and A^T B, by such sums.
-Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-/// A^T B where it is symmetric: the half below the diagonal is computed, the other one is its copy.
-Eigen::MatrixXd symmetric_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-
 }  // namespace pounding

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include <pounding/linear/column_sums.hpp>
+#include <pounding/linear/dense_products.hpp>
 
 namespace pounding::petsc {
 namespace {

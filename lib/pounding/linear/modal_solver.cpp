@@ -10,6 +10,7 @@
 
 #include <pounding/linear/all_modes.hpp>
 #include <pounding/linear/column_sums.hpp>
+#include <pounding/linear/dense_products.hpp>
 #include <pounding/linear/equal_groups.hpp>
 #include <pounding/structures/damping.hpp>
 
@@ -199,7 +200,7 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Re
   group_masses_.push_back(mass.diagonal().sum());
   const Eigen::Index count = reduced.modes->squares.size();
   const Eigen::MatrixXd rest = damping.nonZeros() == 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count))
-                                                       : symmetric_product(block.shapes(), damping * block.shapes());
+                                                       : petsc::symmetric_product(block.shapes(), damping * block.shapes());
   add_block(system, group, std::move(block), rest);
 }
 
@@ -228,8 +229,8 @@ void ModalSolver::add_shadow(const System& system, const Group& group, const std
   const Eigen::Index count = shadow->squares.size();
   Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(count, count);
   if (damping.nonZeros() > 0) {
-    const Eigen::MatrixXd shapes = product(block.shapes(), shadow->in_modes);
-    rest = symmetric_product(shapes, damping * shapes);
+    const Eigen::MatrixXd shapes = petsc::product(block.shapes(), shadow->in_modes);
+    rest = petsc::symmetric_product(shapes, damping * shapes);
   }
   add_coordinates(group, std::move(block), rest);
 }
@@ -383,7 +384,11 @@ void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Ei
   const Eigen::Index rows = unknowns();
   if (few()) {
     Eigen::MatrixXd own = x.middleRows(coordinate, count);
-    if (shadow) own = product(shadow->in_modes, own);
+    if (shadow) {
+      const Eigen::MatrixXd &by = shadow->in_modes, of_shadow = std::move(own);
+      own.setZero(by.rows(), of_shadow.cols());
+      add_products({by.data(), by.rows(), by.cols(), by.rows()}, {of_shadow.data(), of_shadow.rows(), of_shadow.cols(), of_shadow.rows()}, own.data(), own.rows());
+    }
     own.transposeInPlace();
     const Eigen::Index all = own.cols();
     auto to = u.middleCols(first, rows);

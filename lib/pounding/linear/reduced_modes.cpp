@@ -1,6 +1,5 @@
 #include <pounding/linear/reduced_modes.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -10,7 +9,8 @@
 #include <utility>
 
 #include <pounding/core/error.hpp>
-#include <pounding/linear/column_sums.hpp>
+#include <pounding/linear/all_modes.hpp>
+#include <pounding/linear/dense_products.hpp>
 #include <pounding/linear/factor.hpp>
 
 namespace pounding::petsc {
@@ -66,9 +66,8 @@ struct Ritz {
 };
 
 Ritz ritz_of(const Eigen::MatrixXd& stiffness) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
-  if (solver.info() != Eigen::Success) throw SolverError("the modes of a reduced structure could not be computed");
-  return {solver.eigenvalues().cwiseMax(0), solver.eigenvectors()};
+  Eigenpairs found = eigenpairs_of(stiffness);
+  return {found.values.cwiseMax(0), std::move(found.vectors)};
 }
 
 // Blocks of one chain, orthonormal together, the first `count` of them beside each other.
