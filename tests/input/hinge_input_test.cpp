@@ -117,6 +117,11 @@ TEST(HingeInput, RefusesWhatIsWrong) {
   refused("{beams: {at: both, yield_moment: 1, hardening: 100 %}}",
           R"(56: hinges.beams.hardening: takes a number in [0, 1) such as "5 %"; "100 %" is outside)");
   refused("{beams: {at: both, yield_moment: 1, hardning: 0.1}}", R"(45: hinges.beams: unknown key "hardning". Did you mean "hardening"?)");
+  for (const char* law : {"bouc_wen", "{bouc_wen: {yield_moment: 1}}"})
+    refused("{beams: {at: both, law: " + std::string(law) + "}}",
+            R"(28: hinges.beams: unknown key "law". Type "bouc_wen: {yield_moment: 210 kN m}" in its place.)");
+  refused("{beams: {at: both, bouc_wen: 210 kN m}}",
+          "38: hinges.beams.bouc_wen: takes keys with values such as {yield_moment: 210 kN m}; a single value was read");
   refused("{beams: {at: feet, yield_moment: 1}}", "22: hinges.beams.at: no end stands on a node that the ground holds; type at: start, at: end or at: both");
   refused("{beams: {at: both, axis: z, yield_moment: 1}}", "34: hinges.beams.axis: a plane frame bends about y only; leave the axis out");
   refused("{beams: {at: both, yield_moment: 1}}",

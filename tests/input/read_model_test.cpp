@@ -49,9 +49,9 @@ TEST(ModelInput, IsAMapWithStructures) {
   refused(file("structures: {}\nanalysis: {duration: 1}\n"),
           "1:13: structures: no structure that can move; add a body, an oscillator, a shear_building or a frame");
   refused(file("structures:\nanalysis: {duration: 1}\n"),
-          "1:1: structures: takes keys with values such as {key: value}; nothing was read");
+          "1:1: structures: takes keys with values such as {left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}; nothing was read");
   refused(file("structures: []\nanalysis: {duration: 1}\n"),
-          "1:13: structures: takes keys with values such as {key: value}; a list was read");
+          "1:13: structures: takes keys with values such as {left: {oscillator: {mass: 100 t, period: 0.8, damping: 5 %}}}; a list was read");
   refused(file("structures: {a: {wall: {}}}\nanalysis: {duration: 1}\n"),
           "1:13: structures: no structure that can move; add a body, an oscillator, a shear_building or a frame");
   refused(file("structures:\n  a: {body: {mass: 1}}\n  a: {body: {mass: 1}}\nanalysis: {duration: 1}\n"),
@@ -98,7 +98,7 @@ TEST(StructureInput, OfAWallHasNothingElse) {
 TEST(StructureInput, OfABodyHasAMass) {
   refused(structure("{body: {}}"), R"(2:13: structures.a.body: key "mass" is missing; type "mass: 100 t")");
   refused(structure("{body: 5}"),
-          "2:13: structures.a.body: takes keys with values such as {key: value}; a single value was read");
+          "2:13: structures.a.body: takes keys with values such as {mass: 60 t}; a single value was read");
   refused(structure("{body: {mass: 0}}"),
           R"(2:20: structures.a.body.mass: takes a mass > 0 such as "100 t"; "0" is outside)");
   refused(structure("{body: {mass: -5 t}}"),
@@ -188,7 +188,7 @@ TEST(DampingInput, IsRayleighOrModal) {
   refused(building("damping: {modal: {}}"),
           R"(2:84: structures.a.damping.modal: key "ratio" is missing; type "ratio: 5 %")");
   refused(building("damping: {modal: 5 %}"),
-          "2:84: structures.a.damping.modal: takes keys with values such as {key: value}; a single value was read");
+          "2:84: structures.a.damping.modal: takes keys with values such as {ratio: 5 %}; a single value was read");
   refused(building("damping: {rayleigh: {modes: [1, 2]}}"),
           R"(2:87: structures.a.damping.rayleigh: key "ratio" is missing; type "ratio: 5 %")");
   refused(building("damping: {modal: {ratio: 5 %, modes: [1, 2]}}"),
@@ -259,7 +259,7 @@ TEST(AnalysisInput, TakesWhatTheIntegratorCanDo) {
   refused(whole("analysis: {duration: 1, max_step: 0}"),
           R"(4:35: analysis.max_step: takes a time > 0 such as "0.5 s"; "0" is outside)");
   refused(whole("analysis: {duraton: 1}"), R"(4:12: analysis: unknown key "duraton". Did you mean "duration"?)");
-  refused(whole("analysis: 5"), "4:11: analysis: takes keys with values such as {key: value}; a single value was read");
+  refused(whole("analysis: 5"), "4:11: analysis: takes keys with values such as {duration: 10 s}; a single value was read");
 }
 
 TEST(GroundMotionInput, IsOneKindInItsUnits) {

@@ -65,6 +65,11 @@ TEST(SpringInput, SaysWhereItIsWrongAndWhatToType) {
           "spring: says the law alone; type spring: {bouc_wen: {yield_force: 2 MN}} with its numbers");
   refused("spring: {boucwen: {yield_force: 600 kN}}", "87: structures.a.shear_building.",
           "spring: unknown key \"boucwen\". Did you mean \"bouc_wen\"?");
+  refused("spring: {law: bouc_wen, yield_force: 600 kN}", "87: structures.a.shear_building.",
+          "spring: unknown key \"law\". Type \"bouc_wen: {yield_force: 150 kN}\" in its place.");
+  refused("law: bouc_wen", "78: structures.a.shear_building",
+          ": unknown key \"law\". Type \"isolator: {bouc_wen: {stiffness: 1e+07 N/m, yield_force: 150 kN}}\" or "
+          "\"spring: {bouc_wen: {yield_force: 150 kN}}\" in its place.");
   refused("spring: {}", "86: structures.a.shear_building.",
           "spring: the law is missing; type spring: {bouc_wen: {yield_force: 2 MN}}");
   refused("spring: {bilinear: {yield_force: 1 MN}, bouc_wen: {yield_force: 1 MN}}", "118: structures.a.shear_building.",

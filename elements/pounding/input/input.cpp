@@ -37,6 +37,24 @@ bool names_values(words::Form form, std::string_view key) {
   return form == words::Form::named || form == words::Form::named_lists;
 }
 
+// How to type a value that is the name of an allowed key, or that has such a key alone, else how to type a name that is a key inside of
+// allowed ones: `"spring: {bouc_wen: {yield_force: 150 kN}}"`, where "law: bouc_wen" was read. Empty where it is neither.
+std::string ways_to_type(const words::Section& section, std::span<const std::string_view> allowed, const YAML::Node& value) {
+  const bool holds_one = value.IsMap() && value.size() == 1;
+  if (!value.IsScalar() && !holds_one) return {};
+  const std::string& name = (holds_one ? value.begin()->first : value).Scalar();
+  const auto typed = [](std::string_view key, std::string_view example) { return fmt::format("{}: {}", key, example); };
+  std::string ways;
+  for (const std::string_view key : allowed) {
+    const words::Word* const word = section.find(key);
+    if (!word) continue;
+    if (key == name) return fmt::format("\"{}\"", typed(key, word->example));
+    const words::Word* const inner = !holds_one && word->inside && word->form == words::Form::one ? word->inside->find(name) : nullptr;
+    if (inner) ways += fmt::format("{}\"{}\"", ways.empty() ? "" : " or ", typed(key, fmt::format("{{{}}}", typed(name, inner->example))));
+  }
+  return ways;
+}
+
 }  // namespace
 
 /// Walks a whole tree before it is read, and refuses keys that nothing could read. Paths are made only for messages: the names in them
@@ -163,7 +181,9 @@ void Input::only_keys(std::span<const std::string_view> allowed) const {
     for (const std::string_view name : allowed) known = known || name == key;
     if (known) continue;
     const YAML::Mark mark = entry.first.Mark();
-    fail_at({mark.line + 1, mark.column + 1}, fmt::format("unknown key \"{}\".{}", excerpt(key), suggestion(key, allowed)));
+    const std::string ways = section_ ? ways_to_type(*section_, allowed, entry.second) : std::string();
+    fail_at({mark.line + 1, mark.column + 1},
+            fmt::format("unknown key \"{}\".{}", excerpt(key), ways.empty() ? suggestion(key, allowed) : fmt::format(" Type {} in its place.", ways)));
   }
 }
 
@@ -299,7 +319,8 @@ void Input::fail_at(const Place& place, std::string_view message) const {
 void Input::expect_map() const {
   if (is_map()) return;
   const std::string_view read = node_.IsNull() ? "nothing" : is_scalar() ? "a single value" : "a list";
-  fail(fmt::format("takes keys with values such as {{key: value}}; {} was read", read));
+  const bool shown = word_ && part_ == Part::value && word_->example.starts_with('{');
+  fail(fmt::format("takes keys with values such as {}; {} was read", shown ? word_->example : "{key: value}", read));
 }
 
 }  // namespace pounding
