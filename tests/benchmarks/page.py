@@ -193,7 +193,7 @@ def yielding(measured):
     return (f"Measured {about['date']}, {about['cores']} cores; load average {about['load_before']:.1f} before, {about['load_after']:.1f} after.{busy}{short}\n\n"
             + table(["problem", "OpenSees", "pounding", "integrator", "ratio", "wanted", "reached"], rows)
             + f"\n\nThe towers in space, {hinges['hinges']} hinges, {hinges['yielded']} of which yield: {seconds(hinges['seconds_per_step'])} a step, "
-            f"{solves:.2g} back-solves of {seconds(hinges['seconds_per_solve'])} ({STEP_SOLVES} wanted: {'yes' if solves <= STEP_SOLVES else 'no'}); "
+            f"{solves:.2g} back-solves of {seconds(hinges['seconds_per_solve'])} for all unknowns ({STEP_SOLVES} wanted: {'yes' if solves <= STEP_SOLVES else 'no'}); "
             f"without hinges {seconds(elastic['seconds_per_step'])} a step, {elastic['seconds_per_step'] / elastic['seconds_per_solve']:.2g} back-solves.")
 
 
