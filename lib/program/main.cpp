@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <pounding/core/error.hpp>
-#include "blas_threads.hpp"
+#include "one_thread.hpp"
 #include "exit_code.hpp"
 #include "serve.hpp"
 
@@ -43,7 +43,7 @@ void tell_of_hdf5(int status, void*) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  pounding::program::use_one_blas_thread();
+  pounding::program::use_one_thread();
   on_exit(tell_of_hdf5, nullptr);
   try {
     return pounding::program::serve(argc, argv);
