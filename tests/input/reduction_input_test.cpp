@@ -93,6 +93,41 @@ TEST(ReductionInput, RefusesNumbersForWhatCannotBeReduced) {
   EXPECT_NO_THROW(model_of(pair("", own)));
 }
 
+// Its matrix is full: of thousands of modes there shall be none where the modes of the reduced structure have the ratio.
+TEST(ReductionInput, NeedsNoMatrixOfModalDamping) {
+  const auto matrix_of = [](const std::string& reduction, const std::string& own = "") {
+    const Model model = model_of(pair(reduction, own, "hertz, stiffness: 1e9", "{modal: {ratio: 5 %}}"));
+    EXPECT_EQ(model.structures[0].modal_ratio, 0.05);
+    EXPECT_EQ(why_not_reduced(model, 0), "");
+    return model.structures[0].modal_damping.size() > 0;
+  };
+  EXPECT_TRUE(matrix_of(""));
+  EXPECT_TRUE(matrix_of(", reduction: auto")) << "small structures are not reduced by it";
+  EXPECT_FALSE(matrix_of(", reduction: {links: 2}"));
+  EXPECT_FALSE(matrix_of("", ", reduction: {links: 2}"));
+}
+
+TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
+  const auto read = [](const std::string& place, const std::string& reduction) {
+    const std::string beside = place == "beside" ? ", damping: {modal: {ratio: 5 %}}" : "", inside = place == "inside" ? ", damping: {modal: {ratio: 5 %}}" : "";
+    const std::string yaml = "structures:\n  a: {frame: {material: {E: 30 GPa}, grid: {storeys: 40, bays: 20, storey_height: 3 m, bay_width: 6 m, columns: "
+                             "{circle: 0.5}, beams: {circle: 0.5}, floor_mass: 20 t}" + inside + "}" + beside + "}\nanalysis: {duration: 1" + reduction + "}\n";
+    const ModeSolver quick = [](const SparseMatrix& mass, const SparseMatrix&, int count) {
+      return Eigenmodes{Eigen::VectorXd::Ones(count), Eigen::MatrixXd::Zero(mass.rows(), count)};
+    };
+    return read_model(Input::read_text(yaml, "test.yaml"), quick);
+  };
+  for (const std::string place : {"beside", "inside"}) try {
+      read(place, "");
+      ADD_FAILURE() << "a matrix of 1680 modes was formed, damping " << place;
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      EXPECT_NE(text.find("damping.modal: fills a matrix of 1680 x 1680 modes; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}, or analysis: "
+                          "{reduction: auto}, which needs no matrix"), std::string::npos) << text;
+    }
+  EXPECT_EQ(read("beside", ", reduction: auto").structures[0].modal_damping.size(), 0);
+}
+
 TEST(ReductionInput, RefusesNumbersForWallsAndBodies) {
   const std::string pair = "links: [{between: [a, b], gap: 1 mm, law: hertz, stiffness: 1e9}]\nanalysis: {duration: 1}\nstructures:\n";
   refused(pair + "  a: {body: {mass: 1 t, initial_velocity: 1}, reduction: {links: 5}}\n  b: {wall: {}}\n", "nothing holds it to the ground");

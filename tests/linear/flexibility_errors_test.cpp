@@ -15,7 +15,7 @@ namespace flexibility_errors_test {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
-using petsc::RayleighDamping;
+using petsc::ClassicalDamping;
 
 // A cantilever of eight unit masses and springs that grow towards the ground; links at its top and in its middle.
 struct Chain {
@@ -33,10 +33,12 @@ struct Chain {
     links(size / 2, 1) = -1;
   }
   // In a basis that is orthonormal.
-  MatrixXcd flexibility(const MatrixXd& basis, const RayleighDamping& damping, double w) const {
+  MatrixXcd flexibility(const MatrixXd& basis, const ClassicalDamping& damping, double w) const {
     const MatrixXd k = basis.transpose() * stiffness * basis, b = basis.transpose() * links;
     const std::complex<double> by_k(1, w * damping.by_stiffness), by_m(-w * w, w * damping.by_mass);
     MatrixXcd a = by_k * k.cast<std::complex<double>>();
+    if (damping.modal > 0)
+      a += std::complex<double>(0, 2 * damping.modal * w) * Eigen::SelfAdjointEigenSolver<MatrixXd>(k).operatorSqrt().cast<std::complex<double>>();
     a.diagonal().array() += by_m;
     return b.transpose() * a.fullPivLu().solve(b.cast<std::complex<double>>());
   }
@@ -67,7 +69,7 @@ struct Case {
 
 TEST(FlexibilityErrors, AreThoseOfDenseMatricesWhereTheDirectionsAreAllThatIsLeft) {
   const double contact = 12;
-  for (const RayleighDamping damping : {RayleighDamping{0.3, 0.02}, RayleighDamping{0, 1e-3}}) {
+  for (const ClassicalDamping damping : {ClassicalDamping{0.3, 0.02}, ClassicalDamping{0, 1e-3}, ClassicalDamping{0, 0, 0.1}, ClassicalDamping{0.1, 0.01, 0.05}}) {
     const Case of(4);
     double run = 0, shadow = 0;
     for (int k = 0; k < 15; ++k) {
@@ -86,7 +88,7 @@ TEST(FlexibilityErrors, AreThoseOfDenseMatricesWhereTheDirectionsAreAllThatIsLef
 // Shared damping makes the steps from one block to the next larger; little damping leaves errors alike.
 TEST(FlexibilityErrors, AreAlikeWhereResonancesAreMissing) {
   const Case of(4);
-  const auto ratio = [&](const RayleighDamping& damping) {
+  const auto ratio = [&](const ClassicalDamping& damping) {
     const petsc::FlexibilityErrors found = petsc::flexibility_errors(of.further, of.shadow, damping, 12);
     return found.run / found.shadow;
   };

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/linear/damping_matrix.hpp>
 #include <pounding/linear/equal_groups.hpp>
 #include <pounding/linear/make_solver.hpp>
 #include <pounding/linear/modal_solver.hpp>
@@ -166,6 +167,45 @@ TEST(ReducedGroups, LeaveTheSystemToFactorsWhereALargeOneIsNotReduced) {
 }
 
 // Blocks without end, as light damping asks for them: 600 modes a structure cost less than factors.
+TEST(ModalDamping, HasTheSameMatrixWhoeverFormsIt) {
+  const Model model = test::model_of(
+      "structures:\n  a: {shear_building: {storeys: 4, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 5 %}}}\n"
+      "  b: {shear_building: {storeys: 3, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 3 %}}}\nanalysis: {duration: 1}\n");
+  const System formed = assemble(model);
+  System bare = formed;
+  bare.modal_damping = {};
+  ASSERT_GT(Eigen::MatrixXd(formed.modal_damping).norm(), 0);
+  EXPECT_EQ(Eigen::MatrixXd(bare.formed_damping()).norm(), 0);
+  EXPECT_EQ(Eigen::MatrixXd(petsc::damping_matrix(bare)), Eigen::MatrixXd(petsc::damping_matrix(formed)));
+  EXPECT_EQ(Eigen::MatrixXd(petsc::damping_matrix(formed)), Eigen::MatrixXd(formed.modal_damping));
+  // The other group has its matrix.
+  bare.modal_damping = formed.modal_damping;
+  bare.modal_damping.prune([](int i, int, double) { return i < 4; });
+  EXPECT_EQ(Eigen::MatrixXd(petsc::damping_matrix(bare)), Eigen::MatrixXd(formed.modal_damping));
+}
+
+TEST(ModalDamping, OfALargeStructureThatIsNotReducedIsRefused) {
+  System system;
+  constexpr int large = 1501;
+  system.mass.resize(large + 1, large + 1);
+  system.mass.setIdentity();
+  system.stiffness = system.mass;
+  system.damping.resize(large + 1, large + 1);
+  system.gap_jacobian.resize(large + 1, 0);
+  system.outputs.resize(large + 1, 0);
+  system.load.resize(large + 1, 0);
+  system.groups = {{.first = 0, .count = 1}, {.first = 1, .count = large, .modal_ratio = 0.05}};
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(large + 1);
+  const ReductionPlan plan{{"small", "large"}, {{.kind = Kind::automatic}, {}}, zero, zero};
+  try {
+    petsc::make_solver(system, SolverKind::automatic, plan, PETSC_COMM_SELF);
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), "\"large\" is not reduced, and its modal damping would fill a matrix of 1501 x 1501 modes; type damping: 5 % for it, or "
+                                         "let all large structures be reduced");
+  }
+}
+
 TEST(ReducedGroups, AreAllModesWhereAnAutomaticBasisWouldBeTooLarge) {
   const Pair pair(30, 9);
   const Reduction automatic{.kind = Kind::automatic};

@@ -214,5 +214,89 @@ TEST(AutomaticReduction, GoesDeeperForLightDamping) {
   RecordProperty("blocks", fmt::format("usual {}, light {}, fixed {}", blocks(usual), blocks(deep), fixed.summary.reduced[0].error_text()));
 }
 
+double peak_displacement_error(const Outcome& found, const Outcome& exact) {
+  double worst = 0;
+  for (std::size_t k = 0; k < exact.results.structures.size(); ++k)
+    worst = std::max(worst, history_error(found.results.structures[k].displacement, exact.results.structures[k].displacement));
+  return worst;
+}
+
+struct Told {
+  double force = 0, displacement = 0;
+
+  explicit Told(const Outcome& outcome) {
+    for (const ReducedStructure& s : outcome.summary.reduced) {
+      force = std::max(force, s.error_force);
+      displacement = std::max(displacement, s.error_displacement);
+    }
+  }
+};
+
+void record(const Outcome& found, const Outcome& exact, const std::string& name) {
+  const Told told(found);
+  testing::Test::RecordProperty(name, fmt::format("forces {:.1e} told {:.1e}, displacements {:.1e} told {:.1e}, coordinates {}", force_error(found, exact),
+                                                  told.force, peak_displacement_error(found, exact), told.displacement,
+                                                  found.summary.reduced.empty() ? 0 : found.summary.reduced[0].coordinates));
+}
+
+void expect_right(const Outcome& found, const Outcome& exact, double tolerance, const std::string& name) {
+  record(found, exact, name);
+  EXPECT_LT(force_error(found, exact), tolerance) << name;
+  EXPECT_LT(peak_displacement_error(found, exact), tolerance) << name;
+}
+
+// Both runs are so exact in time that what differs is the reduction.
+void expect_told(const Outcome& found, const Outcome& exact, const std::string& name) {
+  record(found, exact, name);
+  ASSERT_FALSE(found.summary.reduced.empty()) << name;
+  EXPECT_LT(force_error(found, exact), Told(found).force + floor) << name;
+  EXPECT_LT(peak_displacement_error(found, exact), Told(found).displacement + floor) << name;
+}
+
+class ModalDampingReduced : public testing::Test {
+ protected:
+  static Pair pair(const std::string& ratio, double tolerance) {
+    Pair own = large;
+    own.damping = "{modal: {ratio: " + ratio + "}}";
+    own.tolerance = tolerance;
+    return own;
+  }
+};
+
+TEST_F(ModalDampingReduced, HitsAsHardAsAllModes) {
+  const Outcome exact = pair("20 %", 1e-5).run(", reduction: all modes");
+  ASSERT_GT(exact.results.impacts.size(), 2u);
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const Outcome found = pair("20 %", tolerance).run(", reduction: auto");
+    ASSERT_EQ(found.summary.reduced.size(), 2u);
+    EXPECT_FALSE(says(found, "reduc"));
+    expect_right(found, exact, tolerance, fmt::format("modal_{:g}", tolerance));
+  }
+  for (const int links : {2, 4, 8}) {
+    const Outcome fixed = pair("20 %", 1e-5).run(fmt::format(", reduction: {{links: {}, ground: 20}}", links));
+    expect_told(fixed, exact, fmt::format("modal_{}_blocks", links));
+  }
+}
+
+TEST_F(ModalDampingReduced, SaysThatAllModesAreNeededWhereTheyRing) {
+  const Outcome exact = pair("5 %", 1e-5).run(", reduction: all modes");
+  const Outcome fixed = pair("5 %", 1e-3).run(", reduction: {links: 5, ground: 20}"), found = pair("5 %", 1e-3).run(", reduction: auto");
+  EXPECT_TRUE(says(fixed, "The reduction may cost more than 0.3 of the tolerance 0.001"));
+  EXPECT_TRUE(found.summary.reduced.empty());
+  EXPECT_TRUE(says(found, "the links need so many blocks that all modes were taken"));
+  expect_right(found, exact, 1e-3, "ringing");
+  expect_told(fixed, exact, "fixed");
+}
+
+// All modes of a small structure have their damping by a matrix, those of a large one by the ratio.
+TEST_F(ModalDampingReduced, IsThatOfTheMatrixInAllModes) {
+  Pair brief = pair("5 %", 1e-5);
+  brief.duration = 0.1;
+  const Outcome by_matrix = brief.run(""), by_ratio = brief.run(", reduction: all modes");
+  ASSERT_GT(by_matrix.results.impacts.size(), 1u);
+  EXPECT_LT(force_error(by_ratio, by_matrix), floor);
+  EXPECT_LT(peak_displacement_error(by_ratio, by_matrix), floor);
+}
+
 }  // namespace reduced_test
 }  // namespace pounding

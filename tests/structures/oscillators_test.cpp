@@ -149,6 +149,28 @@ TEST(ModalDamping, HasItsRatioInEveryMode) {
   EXPECT_LT((damping - damping.transpose()).norm(), 1e-12 * damping.norm());
 }
 
+TEST(ModalDamping, IsTheSameWithAndWithoutItsMatrix) {
+  Structure s = building("{modal: {ratio: 3 %}}");
+  ASSERT_GT(s.modal_damping.nonZeros(), 0);
+  const Eigen::MatrixXd damping = s.whole_damping();
+  const std::vector<Mode> with = modes(s);
+  s.modal_damping = {};
+  EXPECT_EQ(Eigen::MatrixXd(s.whole_damping()), damping);
+  EXPECT_EQ(s.formed_damping().norm(), 0);
+  for (std::size_t i = 0; i < with.size(); ++i) EXPECT_NEAR(modes(s)[i].damping_ratio, with[i].damping_ratio, 1e-12) << i;
+}
+
+TEST(ModalDamping, OfTooManyModesHasNoMatrix) {
+  SparseMatrix one(1501, 1501);
+  one.setIdentity();
+  try {
+    modal_damping_matrix(one, one, 0.05);
+    ADD_FAILURE() << "a matrix of 1501 modes was formed";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()), "fills a matrix of 1501 x 1501 modes; type damping: {rayleigh: {ratio: 5 %, modes: [1, 2]}}");
+  }
+}
+
 TEST(Damping, OfZeroIsNone) { EXPECT_EQ(building("0").whole_damping().norm(), 0); }
 
 const std::string two_structures =

@@ -57,6 +57,14 @@ Input component(const Input& motion, int axis) {
   return motion.at("components").at(names[axis]);
 }
 
+// Modal damping of a structure, beside its kind or inside it.
+Input modal_damping_in(const Input& place) {
+  std::optional<Input> damping = place.find("damping");
+  for (const auto& [word, inside] : place.entries())
+    if (!damping && inside.is_map()) damping = inside.find("damping");
+  return damping && damping->is_map() ? damping->find("modal").value_or(place) : place;
+}
+
 // Location in the input of what the complete model was refused for.
 Input place_of(const ModelError& error, const Input& input) {
   const Input structures = input.at("structures");
@@ -64,6 +72,7 @@ Input place_of(const ModelError& error, const Input& input) {
   if (error.option() == ModelOption::structures) return structures;
   if (error.structure() >= 0) {
     const Input place = structures.entries()[error.structure()].second;
+    if (error.option() == ModelOption::damping) return modal_damping_in(place);
     if (error.option() == ModelOption::delay) return place.find("delay").value_or(place);
     if (error.option() == ModelOption::ground_component) return component(place.at("ground_motion"), error.axis());
     return place;

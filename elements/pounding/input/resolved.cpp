@@ -136,8 +136,10 @@ void emit_storeys(YAML::Emitter& out, const Structure& s) {
     if (!storeys.empty()) emit_springs(out, storeys);
     emit_isolators(out, s);
     emit_list(out, "periods", periods(s));
-    const Eigen::MatrixXd damping = s.whole_damping();
-    if (s.size() <= max_shown_matrix) emit_list(out, "damping_matrix", {damping.data(), damping.data() + damping.size()});
+    if (s.size() <= max_shown_matrix) {
+      const Eigen::MatrixXd damping = s.whole_damping();
+      emit_list(out, "damping_matrix", {damping.data(), damping.data() + damping.size()});
+    }
   }
   if (s.floors.front().elevation) {
     std::vector<double> heights;

@@ -115,7 +115,7 @@ System assemble(const Model& model, bool with_links) {
   const int n = total_size(model);
   const GroundPlan plan = ground_plan(model);
   System system;
-  Triplets mass, damping, stiffness, closing, relief;
+  Triplets mass, damping, modal, stiffness, closing, relief;
   system.grounds = plan.motions;
   system.load = Eigen::MatrixXd::Zero(n, static_cast<int>(plan.motions.size()));
   double fastest = 0;
@@ -126,13 +126,14 @@ System assemble(const Model& model, bool with_links) {
     if (s.is_rigid()) continue;
     add_entries(mass, s.mass, first[i]);
     add_entries(damping, s.damping, first[i]);
+    add_entries(modal, s.modal_damping, first[i]);
     add_entries(stiffness, s.stiffness, first[i]);
     for (std::size_t k = 0; k < s.supports.size(); ++k)
       for (int j = 0; j < 3; ++j)
         if (const int ground = plan.supports[i].at(k, j); ground >= 0)
           system.load.col(ground).segment(first[i], s.size()) += s.supports[k].load.col(j);
     Group group{.first = first[i], .count = s.size(), .displacement_floor = 1e-12, .velocity_floor = 1e-9,
-                .by_mass = s.by_mass, .by_stiffness = s.by_stiffness};
+                .by_mass = s.by_mass, .by_stiffness = s.by_stiffness, .modal_ratio = s.modal_ratio};
     // A structure that nothing holds has no period; the ground moves it for as long as it moves, which a second stands for.
     const double w = s.rigid_motions > 0 ? 2 * M_PI : std::max(s.frequencies[0], 2 * M_PI);
     group.rigid_motions = s.rigid_motions;
@@ -160,6 +161,7 @@ System assemble(const Model& model, bool with_links) {
       system.load.col((of_plan++)->motion).segment(first[i], model.structures[i].size()) -= force.direction;
   system.mass = sparse(mass, n, n);
   system.damping = sparse(damping, n, n);
+  if (!modal.empty()) system.modal_damping = sparse(modal, n, n);
   system.stiffness = sparse(stiffness, n, n);
 
   // Which way a column closes, for what the ground does to it.

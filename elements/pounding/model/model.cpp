@@ -17,6 +17,7 @@
 #include <pounding/model/initial_shape.hpp>
 #include <pounding/model/plausible.hpp>
 #include <pounding/model/preload.hpp>
+#include <pounding/model/reducible.hpp>
 #include <pounding/model/storey_heights.hpp>
 
 namespace pounding {
@@ -135,6 +136,22 @@ void require_devices_on_one_ground(const Model& model) {
                            fmt::format("{} has a device, {}, and its supports move differently; leave out their delay and ground_motion, the "
                                        "wave, or the device",
                                        s.name, part.name));
+}
+
+// Structures that are reduced, or large ones in all their modes, need no matrix of their modal damping.
+void form_modal_damping(Model& model) {
+  for (std::size_t i = 0; i < model.structures.size(); ++i) {
+    Structure& s = model.structures[i];
+    const Reduction how = reduction_of(model, static_cast<int>(i));
+    const bool is_small = count_of_modes(s) <= small_structure;
+    if (s.modal_ratio == 0 || how.is_explicit() || (how.kind != Reduction::Kind::none && !is_small)) continue;
+    try {
+      s.modal_damping = modal_damping_matrix(s.mass, s.stiffness, s.modal_ratio);
+    } catch (const std::invalid_argument& error) {
+      throw ModelError(ModelOption::damping, static_cast<int>(i),
+                       fmt::format("{}, or analysis: {{reduction: auto}}, which needs no matrix where it reduces the structure", error.what()));
+    }
+  }
 }
 
 // A ground that waits is at rest, and would have to take its velocity up at once.
@@ -287,6 +304,7 @@ void Model::complete() {
   put_on_ground();
   check_ground();
   require_devices_on_one_ground(*this);
+  form_modal_damping(*this);
   press_preloaded(structures, links);
   given_duration_ = analysis.duration, given_output_step_ = analysis.output_step;
   fill_in_times();

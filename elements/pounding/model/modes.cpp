@@ -53,7 +53,8 @@ std::vector<Mode> modes(const Structure& s, int count, const ModeSolver& solver)
   const int available = static_cast<int>(split_by_mass(s.mass).dynamic.size());
   const Eigenmodes solved = solver(s.mass, s.stiffness, std::min(count, available));
   const Eigen::MatrixX3d load = whole_load(s);
-  const SparseMatrix damping = s.whole_damping();
+  const SparseMatrix damping = s.formed_damping();
+  const double unformed = s.modal_damping.size() > 0 ? 0 : s.modal_ratio;
   for (int i = 0; i < solved.frequencies.size(); ++i) {
     const double w = solved.frequencies[i];
     const Eigen::VectorXd unit = solved.shapes.col(i);  // phi^T M phi = 1
@@ -62,7 +63,7 @@ std::vector<Mode> modes(const Structure& s, int count, const ModeSolver& solver)
     const Eigen::Vector3d along = load.transpose() * unit;
     Mode mode;
     mode.period = w > 0 ? 2 * M_PI / w : std::numeric_limits<double>::infinity();
-    mode.damping_ratio = w > 0 ? unit.dot(damping * unit) / (2 * w) : 0;
+    mode.damping_ratio = w > 0 ? unit.dot(damping * unit) / (2 * w) + unformed : 0;
     mode.effective_mass = along.cwiseAbs2();
     mode.participation = along / factor;
     mode.shape = factor * floors;

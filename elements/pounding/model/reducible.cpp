@@ -5,7 +5,7 @@
 namespace pounding {
 namespace {
 
-// Columns of a damping matrix beside the Rayleigh damping that are dashpots still; modal damping fills all of them.
+// Columns of a damping matrix beside the Rayleigh and the modal damping that are dashpots still; modal damping above isolators fills all of them.
 constexpr int most_dashpots = 64;
 
 int columns_in_use(const SparseMatrix& matrix) {
@@ -33,7 +33,7 @@ std::string why_not_reduced(const Model& model, int structure) {
   if (!s.yielding.empty())
     return "it has parts that yield or devices, which are no inputs of reduced structures yet";
   if (columns_in_use(s.damping) > most_dashpots)
-    return "its damping is a full matrix, as modal damping makes it; type damping: 5 % for Rayleigh damping";
+    return "its damping is a full matrix, as modal damping makes it above isolators; type damping: 5 %, in proportion to the stiffness above them";
   for (const Link& link : model.links) {
     if (link.left.structure != structure && link.right.structure != structure) continue;
     if (link.contact->is_rigid())

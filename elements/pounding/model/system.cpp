@@ -6,6 +6,13 @@
 
 namespace pounding {
 
+bool System::has_modal_matrix(const Group& group) const {
+  if (modal_damping.size() == 0) return false;
+  for (int j = group.first; j < group.first + group.count; ++j)
+    if (SparseMatrix::InnerIterator(modal_damping, j)) return true;
+  return false;
+}
+
 void System::check() const {
   const Eigen::Index ground_count = static_cast<Eigen::Index>(grounds.size());
   const int frictions_from = contact_count() + static_cast<int>(springs.size());

@@ -24,6 +24,7 @@ struct Group {
   double velocity_floor = 0;      ///< [m/s]
   double by_mass = 0;             ///< Rayleigh damping of this structure: by_mass M + by_stiffness K [1/s]
   double by_stiffness = 0;        ///< [s]
+  double modal_ratio = 0;         ///< modal damping of this structure: part of critical damping in every mode of its M and K [-]
   int rigid_motions = 0;          ///< modes that meet no stiffness at all
   /// Instead of K u, which stays their part that is linear at rest, and what the damping goes by; nothing for K u alone.
   const ElasticForces* elastic = nullptr;
@@ -42,7 +43,8 @@ struct Group {
 /// Contacts, springs and elastic forces are owned by the model and outlive the system.
 struct System {
   SparseMatrix mass;       ///< M, symmetric [kg]
-  SparseMatrix damping;    ///< C without the Rayleigh damping of the groups [N s/m]
+  SparseMatrix damping;    ///< C without the Rayleigh and the modal damping of the groups [N s/m]
+  SparseMatrix modal_damping;  ///< that of the groups whose modal damping has a matrix; empty for none [N s/m]
   SparseMatrix stiffness;  ///< K, symmetric [N/m]
   Eigen::MatrixXd load;    ///< P, one column a ground motion [kg], then one a force: minus the displacement on which it works [-]
   SparseMatrix gap_jacobian;    ///< B, one column a contact, then one a spring, then one or two a friction
@@ -61,6 +63,11 @@ struct System {
   int size() const { return static_cast<int>(mass.rows()); }
   int contact_count() const { return static_cast<int>(contacts.size()); }
   int links() const { return static_cast<int>(gap_jacobian.cols()); }
+
+  /// Whether the modal damping of this group has a matrix.
+  bool has_modal_matrix(const Group& group) const;
+  /// C without the Rayleigh damping, and without modal damping that has no matrix.
+  SparseMatrix formed_damping() const { return modal_damping.size() > 0 ? SparseMatrix(damping + modal_damping) : damping; }
 
   /// Throws std::invalid_argument where the numbers of columns do not fit, or a friction has no contact that can take it.
   void check() const;

@@ -121,4 +121,12 @@ Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& mod
   return shapes * (2 * ratio * modes.frequencies).asDiagonal() * shapes.transpose();
 }
 
+SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& stiffness, double ratio) {
+  const int count = static_cast<int>(split_by_mass(mass).dynamic.size());
+  if (count > max_for_modal_damping)
+    throw std::invalid_argument(
+        fmt::format("fills a matrix of {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}", count));
+  return SparseMatrix(modal_damping(Eigen::MatrixXd(mass), dense_modes(mass, stiffness, count), ratio).sparseView());
+}
+
 }  // namespace pounding

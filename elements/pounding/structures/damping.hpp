@@ -62,4 +62,11 @@ Rayleigh rayleigh_damping(double ratio, double w1, double w2);
 /// C = M Phi diag(2 ratio w) Phi^T M: the ratio in every mode.
 Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigenmodes& modes, double ratio);
 
+/// Modal damping fills a matrix of as many rows as there are modes; of more than these none is formed.
+inline constexpr int max_for_modal_damping = 1500;
+
+/// The matrix of a ratio in every mode of sparse M (may have empty rows), K. Unknowns without mass take no part in it. Throws std::invalid_argument
+/// for more modes than max_for_modal_damping, with what to type instead, and as dense_modes does.
+SparseMatrix modal_damping_matrix(const SparseMatrix& mass, const SparseMatrix& stiffness, double ratio);
+
 }  // namespace pounding

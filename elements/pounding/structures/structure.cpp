@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <pounding/structures/damping.hpp>
+
 namespace pounding {
 
 YieldingPart::YieldingPart(std::string part, Row factors, std::string law_name, std::vector<Parameter> numbers,
@@ -49,7 +51,15 @@ Row Surface::displacement(const std::string&, const std::string&) const {
   throw std::invalid_argument("it has no nodes; name a floor");
 }
 
-SparseMatrix Structure::whole_damping() const { return by_mass * mass + by_stiffness * stiffness + damping; }
+SparseMatrix Structure::formed_damping() const {
+  const SparseMatrix own = by_mass * mass + by_stiffness * stiffness + damping;
+  return modal_damping.size() > 0 ? SparseMatrix(own + modal_damping) : own;
+}
+
+SparseMatrix Structure::whole_damping() const {
+  const SparseMatrix formed = formed_damping();
+  return modal_ratio > 0 && modal_damping.size() == 0 ? SparseMatrix(formed + modal_damping_matrix(mass, stiffness, modal_ratio)) : formed;
+}
 
 Eigen::Vector3d Structure::total_mass() const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

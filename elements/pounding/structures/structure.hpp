@@ -169,9 +169,11 @@ struct Structure {
   std::string kind;   ///< the word of the input: oscillator, shear_building, frame ...
   int dimension = 1;  ///< 1: along x only; 2: in x and z; 3: in space
   SparseMatrix mass, stiffness;  ///< n x n, symmetric [kg], [N/m]
-  SparseMatrix damping;          ///< n x n, beside the Rayleigh damping [N s/m]
+  SparseMatrix damping;          ///< n x n, beside the Rayleigh and the modal damping [N s/m]
   std::shared_ptr<const ElasticForces> elastic;  ///< where they are not K q; nothing else
   double by_mass = 0, by_stiffness = 0;  ///< Rayleigh damping: by_mass M + by_stiffness K [1/s], [s]
+  double modal_ratio = 0;                ///< modal damping: part of critical damping in every mode of M and K [-]
+  SparseMatrix modal_damping;            ///< its matrix, which is full [N s/m]; empty where nothing has needed it
   std::vector<std::string> unknowns;     ///< what each unknown is, for messages
   /// The supports as a wave along a horizontal direction reaches them one after the other; empty where they are at one place.
   std::function<std::vector<Support>(const Eigen::Vector3d& direction)> supports_along;
@@ -210,7 +212,9 @@ struct Structure {
   std::size_t members_that_yield() const;
   /// Whether drift and storey shear mean something.
   bool has_storeys() const { return !floors.empty() && !floors.front().storey_shear.empty(); }
-  /// The whole damping matrix.
+  /// The damping matrix, without modal damping whose matrix has not been formed.
+  SparseMatrix formed_damping() const;
+  /// The whole damping matrix. Forms that of modal damping where it has not been; throws std::invalid_argument as modal_damping_matrix().
   SparseMatrix whole_damping() const;
   /// The mass that the ground moves along x, y, z, by all supports together [kg].
   Eigen::Vector3d total_mass() const;

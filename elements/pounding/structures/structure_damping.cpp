@@ -89,14 +89,11 @@ void damp(Structure& s, const RayleighDamping& rayleigh, const ModeSolver& solve
 
 void damp(Structure& s, const ModalDamping& modal, const ModeSolver&) {
   check_ratio(modal.ratio);
-  const int count = count_of_modes(s);
-  if (count > max_for_modal_damping)
-    throw std::invalid_argument(
-        fmt::format("fills a matrix of {0} x {0} modes; type damping: {{rayleigh: {{ratio: 5 %, modes: [1, 2]}}}}", count));
-  // Unknowns without mass take no part in the dashpots, which M Phi shows.
   const bool isolated = is_isolated(s);
-  const Eigenmodes all = dense_modes(s.mass, isolated ? SparseMatrix(s.stiffness - stiffness_of_isolators(s)) : s.stiffness, count);
-  s.damping += SparseMatrix(modal_damping(Eigen::MatrixXd(s.mass), all, modal.ratio).sparseView());
+  if (isolated)
+    s.damping += modal_damping_matrix(s.mass, s.stiffness - stiffness_of_isolators(s), modal.ratio);
+  else
+    s.modal_ratio = modal.ratio;
   s.damping_note = fmt::format("modal, {:.4g} % in every mode{}", 100 * modal.ratio, isolated ? " of the structure without its isolators" : "");
 }
 

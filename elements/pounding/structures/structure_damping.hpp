@@ -12,8 +12,6 @@ namespace pounding {
 
 /// Lowest modes that are found of every structure.
 inline constexpr int modes_of_a_structure = 6;
-/// Modal damping fills a matrix of as many rows as there are modes; of more than these it is refused.
-inline constexpr int max_for_modal_damping = 1500;
 
 /// The ratio in two modes of the structure, or at two periods. Modes 1 and 2 unless something is given.
 struct RayleighDamping {
@@ -48,8 +46,9 @@ int count_of_modes(const Structure& structure);
 void set_frequencies(Structure& structure, const ModeSolver& modes = dense_modes);
 
 /// Adds the damping to a structure whose frequencies have been set, and notes it in damping_note.
+/// Of modal damping it notes the ratio alone, without a matrix, but on isolators, which it leaves out.
 /// Throws std::invalid_argument for a ratio outside [0, 1), modes that it has not, periods that are not positive, both of them,
-/// and modal damping of too many modes.
+/// and modal damping of too many modes on isolators.
 void set_damping(Structure& structure, const Damping& damping, const ModeSolver& modes = dense_modes);
 
 }  // namespace pounding

@@ -16,11 +16,11 @@ struct FurtherDirections {
   Eigen::MatrixXd further_links;  ///< [direction, link]
 };
 
-/// Rayleigh damping, by_mass M + by_stiffness K [1/s, s].
-struct RayleighDamping {
-  double by_mass = 0, by_stiffness = 0;
+/// Rayleigh damping, by_mass M + by_stiffness K [1/s, s], and a part of critical damping in every mode.
+struct ClassicalDamping {
+  double by_mass = 0, by_stiffness = 0, modal = 0;
 
-  bool operator==(const RayleighDamping&) const = default;
+  bool operator==(const ClassicalDamping&) const = default;
 };
 
 /// Errors of the links' flexibility G(w) = B^T (K + i w C - w^2 M)^-1 B in the modes of a run, and in those of its shadow.
@@ -31,7 +31,7 @@ struct FlexibilityErrors {
 /// Both against the modes with the further directions: largest entries at frequencies up to four times that of the contact, w [rad/s],
 /// each over 1 + (w / contact)^2, as the spectrum of a pulse of half a period of the contact falls. What the shadow misses of a force is such a
 /// pulse through the error of its flexibility, and so is what the run misses. Resonances that neither has yet count in both, so that the errors are
-/// alike where modes that are little damped are missing.
-FlexibilityErrors flexibility_errors(const FurtherDirections& of, const ShadowModes& shadow, const RayleighDamping& damping, double contact);
+/// alike where modes that are little damped are missing. Modal damping is that of the modes of each basis.
+FlexibilityErrors flexibility_errors(const FurtherDirections& of, const ShadowModes& shadow, const ClassicalDamping& damping, double contact);
 
 }  // namespace pounding::petsc

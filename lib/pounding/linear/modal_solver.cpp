@@ -170,8 +170,12 @@ void ModalSolver::add_natural(const System& system, const Group& group, const Bl
   const Eigen::MatrixXd mass = dense_submatrix(system.mass, dynamic, dynamic, group.first);
   Block block;
   block.modes = equal ? equal->modes : std::make_shared<const GroupModes>(natural_modes(system, group, mass, dynamic, massless));
-  if (!massless.empty() && (!dense_submatrix(system.damping, massless, massless, group.first).isZero(0) ||
-                            !dense_submatrix(system.damping, massless, dynamic, group.first).isZero(0)))
+  const auto damping = [&](const std::vector<int>& rows, const std::vector<int>& columns) {
+    Eigen::MatrixXd formed = dense_submatrix(system.damping, rows, columns, group.first);
+    if (system.modal_damping.size() > 0) formed += dense_submatrix(system.modal_damping, rows, columns, group.first);
+    return formed;
+  };
+  if (!massless.empty() && (!damping(massless, massless).isZero(0) || !damping(massless, dynamic).isZero(0)))
     throw std::invalid_argument("a dashpot acts on an unknown without mass");
   const Eigen::MatrixXd phi = block.shapes()(dynamic, Eigen::all);
   if (equal) {
@@ -182,7 +186,8 @@ void ModalSolver::add_natural(const System& system, const Group& group, const Bl
     block.projection = std::make_shared<const Projection>(std::move(projection));
   }
   group_masses_.push_back(mass.diagonal().sum());
-  add_block(system, group, std::move(block), phi.transpose() * dense_submatrix(system.damping, dynamic, dynamic, group.first) * phi);
+  block.modal_ratio = system.has_modal_matrix(group) ? 0 : group.modal_ratio;
+  add_block(system, group, std::move(block), phi.transpose() * damping(dynamic, dynamic) * phi);
 }
 
 void ModalSolver::add_reduced(const System& system, const Group& group, const ReducedGroup& reduced) {
@@ -196,6 +201,7 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Re
   const SparseMatrix mass = system.mass.block(group.first, group.first, group.count, group.count);
   Block block;
   block.reduced = true;
+  block.modal_ratio = group.modal_ratio;
   block.modes = reduced.modes;
   group_masses_.push_back(mass.diagonal().sum());
   const Eigen::Index count = reduced.modes->squares.size();
@@ -204,7 +210,7 @@ void ModalSolver::add_reduced(const System& system, const Group& group, const Re
   add_block(system, group, std::move(block), rest);
 }
 
-// `rest` is the damping of the modes without Rayleigh's.
+// `rest` is the damping of the modes without Rayleigh's, and without modal damping that the block has as a ratio.
 void ModalSolver::add_block(const System& system, const Group& group, Block block, const Eigen::MatrixXd& rest) {
   if (block.few() && !block.projection) {
     const auto equal = std::ranges::find(blocks_, block.modes, &Block::modes);
@@ -242,6 +248,7 @@ void ModalSolver::add_coordinates(const Group& group, Block block, const Eigen::
   block.coordinate = static_cast<int>(stiffness_.size());
   Eigen::VectorXd diagonal = rest.diagonal() + group.by_stiffness * squares;
   diagonal.array() += group.by_mass;
+  if (block.modal_ratio > 0) diagonal += 2 * block.modal_ratio * squares.cwiseSqrt();
   Eigen::MatrixXd coupled = rest;
   coupled.diagonal().setZero();
   if (coupled.cwiseAbs().maxCoeff() > rounding * diagonal.cwiseAbs().maxCoeff()) {

@@ -19,7 +19,8 @@ namespace pounding {
 
 /// All mass-normalised modes of each group, u = Phi q: M becomes the identity and K diagonal, so a step of any length costs a
 /// few operations per degree of freedom and no factorization. Massless degrees of freedom are condensed statically, which is
-/// exact. C becomes diagonal too when the damping is classical (Rayleigh, modal); else it stays a full block per group, and
+/// exact. Modal damping of modes that are not the natural ones is that of each of them, whether the system has its matrix or not. C becomes diagonal
+/// too when the damping is classical (Rayleigh, modal); else it stays a full block per group, and
 /// each length of step is factored once.
 ///
 /// Groups with equal mass and stiffness, such as those of buildings that are built twice, share their modes: they are computed once, with the same bits.
@@ -78,6 +79,7 @@ class ModalSolver final : public StructureSolver {
     std::shared_ptr<const ShadowModes> shadow;  // of a shadow alone
     std::shared_ptr<const Projection> projection;
     Eigen::MatrixXd damping;  // full C of these modes when it is not classical, else empty
+    double modal_ratio = 0;   // of critical damping in each of these modes, beside what the matrices of the system hold
     bool reduced = false;     // in fewer modes than unknowns with mass
     bool shadowed = false;    // a later block is its shadow
 

@@ -29,7 +29,9 @@ bool inside(const Group& group, Eigen::Index unknown) { return unknown >= group.
 
 SparseMatrix part(const SparseMatrix& whole, const Group& group) { return whole.block(group.first, group.first, group.count, group.count); }
 
-RayleighDamping rayleigh_of(const Group& group) { return {.by_mass = group.by_mass, .by_stiffness = group.by_stiffness}; }
+ClassicalDamping damping_of(const Group& group) {
+  return {.by_mass = group.by_mass, .by_stiffness = group.by_stiffness, .modal = group.modal_ratio};
+}
 
 // Columns that are not zero in a group.
 Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
@@ -91,7 +93,7 @@ struct Alike {
   struct Made {
     Reduction how;
     ReducedInputs inputs;
-    RayleighDamping damping;
+    ClassicalDamping damping;
     std::optional<ReducedGroup> group;
   };
   int left = 0;  // of them, still to be made
@@ -140,7 +142,7 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
         basis.shadow(depth, {.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0)}));
   FlexibilityErrors errors;
   // A short chain of the ground may err by more than the links do.
-  if (made.shadow && inputs.shift > 0 && (grounds == 0 || depth.ground > 2 * ground_less)) errors = flexibility_errors(basis.further(depth), *made.shadow, rayleigh_of(group), std::sqrt(inputs.shift));
+  if (made.shadow && inputs.shift > 0 && (grounds == 0 || depth.ground > 2 * ground_less)) errors = flexibility_errors(basis.further(depth), *made.shadow, damping_of(group), std::sqrt(inputs.shift));
   made.made = {.name = name,
                .coordinates = static_cast<int>(made.modes->squares.size()),
                .unknowns = group.count,
@@ -160,13 +162,13 @@ std::optional<ReducedGroup> reduce_or_share(const System& system, const Group& g
                                             const ReductionPlan& plan, int dynamic, Alike& alike) {
   ReducedInputs inputs = inputs_of(system, group, plan);
   for (const Alike::Made& before : alike.made)
-    if (before.how == how && before.damping == rayleigh_of(group) && before.inputs == inputs) {
+    if (before.how == how && before.damping == damping_of(group) && before.inputs == inputs) {
       std::optional<ReducedGroup> made = before.group;
       if (made) made->made.name = name;
       return made;
     }
   std::optional<ReducedGroup> made = reduce(system, group, how, name, plan, dynamic, inputs, alike);
-  if (alike.left > 0) alike.made.push_back({how, std::move(inputs), rayleigh_of(group), made});
+  if (alike.left > 0) alike.made.push_back({how, std::move(inputs), damping_of(group), made});
   return made;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <pounding/linear/damping_matrix.hpp>
 #include <pounding/linear/row_ranges.hpp>
 #include <pounding/linear/system_checks.hpp>
 
@@ -117,8 +118,9 @@ void SystemMatrices::fill() {
   for (int j = 0; j < n; ++j)
     for (SparseMatrix::InnerIterator it(system_.mass, j); it; ++it) lumped = lumped && (it.row() == j || it.value() == 0);
   bool dashpots = false;
-  for (int j = 0; j < system_.damping.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator it(system_.damping, j); it; ++it) dashpots = dashpots || it.value() != 0;
+  const SparseMatrix damping = damping_matrix(system_);
+  for (int j = 0; j < damping.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(damping, j); it; ++it) dashpots = dashpots || it.value() != 0;
   // Columns of a symmetric matrix are its rows.
   Eigen::VectorXd k_row = Eigen::VectorXd::Zero(n), m_row = k_row, c_row = k_row;
   std::vector<int> columns;
@@ -133,7 +135,7 @@ void SystemMatrices::fill() {
     };
     scatter(system_.stiffness, k_row);
     scatter(system_.mass, m_row);
-    scatter(system_.damping, c_row);
+    scatter(damping, c_row);
     std::sort(columns.begin(), columns.end());
     columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
     for (const int j : columns) {
