@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Errors of reduced structures against all natural modes, and what the runs tell of them, for six pairs of towers in space.
+"""Errors of reduced structures against all natural modes, and what the runs tell of them, for eight pairs of towers in space.
 
     python3 tests/benchmarks/reduction.py PROGRAM [--models NAME,...] [--tolerances 1e-3,1e-4] [--words "auto" "{links: 5, ground: 20}" ...]
     python3 tests/benchmarks/reduction.py yaml NAME             # prints a model
@@ -32,7 +32,9 @@ MODELS = {"flexible": (10, 4, False, 2, HERTZ, FIVE),
           "points": (10, 4, False, 5, HERTZ, FIVE),
           "kelvin": (10, 4, False, 2, kelvin("1e10"), FIVE),
           "twenty": (20, 5, False, 2, HERTZ, FIVE),
-          "light": (10, 4, False, 2, HERTZ, LIGHT)}
+          "light": (10, 4, False, 2, HERTZ, LIGHT),
+          "modal": (10, 4, False, 2, HERTZ, "{modal: {ratio: 5 %}}"),
+          "friction": (10, 4, False, 2, HERTZ + ", friction: 0.3", FIVE)}
 DURATION, BAY, GAP = 4.0, 6.0, 0.02
 
 

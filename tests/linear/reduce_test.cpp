@@ -184,6 +184,22 @@ TEST(ModalDamping, HasTheSameMatrixWhoeverFormsIt) {
   EXPECT_EQ(Eigen::MatrixXd(petsc::damping_matrix(bare)), Eigen::MatrixXd(formed.modal_damping));
 }
 
+TEST(ModalDamping, IsTheSameInAllModesByItsMatrixAndByItsRatio) {
+  const Model model = test::model_of(
+      "structures:\n  a: {shear_building: {storeys: 4, mass: 100 t, stiffness: 1.5e5 kN/m}, damping: {modal: {ratio: 5 %}}}\nanalysis: {duration: 1}\n");
+  const System formed = assemble(model);
+  System bare = formed;
+  bare.modal_damping = {};
+  const auto damping = [](const System& system) {
+    Eigen::MatrixXd kx(4, 4), cx(4, 4);
+    ModalSolver(system).stiffness_and_damping_times(Eigen::MatrixXd::Identity(4, 4), kx, cx);
+    EXPECT_LT((cx.diagonal() - 0.1 * kx.diagonal().cwiseSqrt()).cwiseAbs().maxCoeff(), 1e-9 * cx(0, 0));
+    return cx;
+  };
+  EXPECT_LT((damping(formed) - damping(bare)).cwiseAbs().maxCoeff(), 1e-9 * damping(formed)(0, 0));
+  EXPECT_NE(ModalSolver(bare).description().find("decoupled"), std::string::npos);
+}
+
 TEST(ModalDamping, OfALargeStructureThatIsNotReducedIsRefused) {
   System system;
   constexpr int large = 1501;

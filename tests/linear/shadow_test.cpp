@@ -20,7 +20,7 @@ namespace shadow_test {
 using petsc::ReducedGroups;
 
 // Two plane frames that hit each other at two floors, on ground that shakes fast enough to count as a short motion for `wave` below 0.2 s.
-std::string pair(double wave) {
+std::string pair(double wave, const std::string& friction = "") {
   const auto frame = [&](const std::string& name, double origin, double mass) {
     return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: 12, bays: 2, storey_height: 3.2, bay_width: 6, columns: "
                        "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: 5 %}}\n",
@@ -29,9 +29,9 @@ std::string pair(double wave) {
   const double gap = 0.01 * std::min(1.0, wave);
   return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 2}}}}\nstructures:\n", wave < 0.2 ? 20 : 3, wave) + frame("left", 0, 80) +
          frame("right", 12 + gap, 40) +
-         fmt::format("links:\n  - {{between: [left.12, right.12], gap: {0}, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}\n"
-                     "  - {{between: [left.6, right.6], gap: {0}, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}}\nanalysis: {{duration: 2}}\n",
-                     gap);
+         fmt::format("links:\n  - {{between: [left.12, right.12], gap: {0}, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65{1}}}\n"
+                     "  - {{between: [left.6, right.6], gap: {0}, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65{1}}}\nanalysis: {{duration: 2}}\n",
+                     gap, friction);
 }
 
 struct Followed {
@@ -41,6 +41,8 @@ struct Followed {
   std::unique_ptr<Stepper> stepper;
   double hardest = 0;      // force of all links [N]
   double stray = 0;        // of the closings of the shadow while they press [m]
+  double hardest_friction = 0;  // of all links [N]
+  double stray_sliding = 0;     // of the velocities along them while they press [m/s]
   double stray_floors = 0; // of displacements of its floors [m]
   double largest = 0;      // displacement of all floors [m]
 
@@ -81,6 +83,11 @@ struct Followed {
       const double force = stepper->link_steps()[i].force_end;
       hardest = std::max(hardest, force);
       if (force > 0) stray = std::max(stray, std::abs(end.relative(i, 0) - closings(i, 0)));
+    }
+    for (const Friction& friction : system.frictions) {
+      if (!(stepper->link_steps()[friction.contact].force_end > 0)) continue;
+      hardest_friction = std::max(hardest_friction, std::abs(stepper->link_steps()[friction.first].force_end));
+      stray_sliding = std::max(stray_sliding, std::abs(end.relative(friction.first, 1) - closings(friction.first, 1)));
     }
   }
 };
@@ -124,6 +131,15 @@ TEST_P(Shadow, MovesAsTheRunWhereItsModesAreTheSame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Waves, Shadow, testing::Values(0.9, 0.05));
+
+TEST(ShadowOfLinksThatRub, MovesAsTheRunWhereItsModesAreTheSame) {
+  const Followed same(pair(0.9, ", friction: 0.3"), make_equal), less(pair(0.9, ", friction: 0.3"), keep);
+  ASSERT_GT(same.hardest, 1e5);
+  ASSERT_GT(same.hardest_friction, 1e4);
+  EXPECT_LT(same.stray, 1e-13);
+  EXPECT_LT(same.stray_sliding, 1e-11);
+  EXPECT_GT(less.stray_sliding, 1e-7);
+}
 
 // A structure in all its modes has no shadow: its own motion stands for it.
 TEST(ShadowBesideAllModes, TakesTheMotionOfAWholeStructure) {

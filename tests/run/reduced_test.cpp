@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <unistd.h>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,7 @@ struct Pair {
   std::string law = "hertz_damped, stiffness: 2.75e9, restitution: 0.65";
   double tolerance = 1e-5, duration = 4, gap = 20;  // [s], [mm]
   std::string own = "";  // beside the left frame
+  double amplitude = 3, period = 1.5;  // of the ground [m/s^2], [s]
 
   // Two plane frames that are hit at three floors: 160 unknowns with mass each, as many rotations without.
   std::string text(const std::string& reduction) const {
@@ -33,7 +35,7 @@ struct Pair {
     std::string links;
     for (const int floor : {storeys, 3 * storeys / 4, storeys / 2})
       links += fmt::format("  - {{between: [left.{0}, right.{0}], gap: {1} mm, law: {2}}}\n", floor, gap, law);
-    return "ground_motion: {harmonic: {amplitude: 3, period: 1.5, duration: 4}}\nstructures:\n" + frame("left", 0, 40.0 * bays, own) +
+    return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 4}}}}\nstructures:\n", amplitude, period) + frame("left", 0, 40.0 * bays, own) +
            frame("right", 6 * bays + 1e-3 * gap, 20.0 * bays, "") + "links:\n" + links +
            fmt::format("analysis: {{duration: {}, tolerance: {}{}}}\n", duration, tolerance, reduction);
   }
@@ -288,15 +290,74 @@ TEST_F(ModalDampingReduced, SaysThatAllModesAreNeededWhereTheyRing) {
   expect_told(fixed, exact, "fixed");
 }
 
-// All modes of a small structure have their damping by a matrix, those of a large one by the ratio.
-TEST_F(ModalDampingReduced, IsThatOfTheMatrixInAllModes) {
-  Pair brief = pair("5 %", 1e-5);
-  brief.duration = 0.1;
-  const Outcome by_matrix = brief.run(""), by_ratio = brief.run(", reduction: all modes");
-  ASSERT_GT(by_matrix.results.impacts.size(), 1u);
-  EXPECT_LT(force_error(by_ratio, by_matrix), floor);
-  EXPECT_LT(peak_displacement_error(by_ratio, by_matrix), floor);
+// The largest difference of the peaks of friction, as a part of the largest force of all links.
+double friction_error(const Outcome& found, const Outcome& exact) {
+  double worst = 0;
+  for (std::size_t i = 0; i < exact.results.links.size(); ++i) {
+    const auto peak = [i](const Outcome& of) {
+      double largest = 0;
+      for (const double force : of.results.links[i].friction) largest = std::max(largest, std::abs(force));
+      return largest;
+    };
+    worst = std::max(worst, std::abs(peak(found) - peak(exact)));
+  }
+  return worst / peak_force(exact);
 }
+
+// Least and largest part of Coulomb's force while links press: 0 is rest, 1 sliding.
+std::pair<double, double> use_of_friction(const Outcome& outcome, double coefficient) {
+  double least = 1, largest = 0;
+  for (const LinkHistory& link : outcome.results.links)
+    for (std::size_t i = 0; i < link.force.size(); ++i) {
+      if (link.force[i] < 0.05 * peak_force(outcome)) continue;
+      const double part = std::abs(link.friction[i]) / (coefficient * link.force[i]);
+      least = std::min(least, part), largest = std::max(largest, part);
+    }
+  return {least, largest};
+}
+
+struct Rubbing {
+  Pair pair = large;
+  double coefficient = 0.2;
+
+  Rubbing(double of, double period, double amplitude) : coefficient(of) {
+    pair.law += fmt::format(", friction: {}", coefficient);
+    pair.period = period, pair.amplitude = amplitude;
+    pair.gap = 10, pair.duration = 4, pair.own = "";
+  }
+  Outcome run(double tolerance, const std::string& reduction) const {
+    Pair of = pair;
+    of.tolerance = tolerance;
+    return of.run(", reduction: " + reduction);
+  }
+};
+
+class FrictionReduced : public testing::TestWithParam<Rubbing> {};
+
+TEST_P(FrictionReduced, SticksAndSlipsAsInAllModes) {
+  const Outcome exact = GetParam().run(1e-6, "all modes");
+  ASSERT_GT(exact.results.impacts.size(), 2u);
+  const auto [sticking, sliding] = use_of_friction(exact, GetParam().coefficient);
+  EXPECT_LT(sticking, 0.5);
+  EXPECT_GT(sliding, 0.99);
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const Outcome found = GetParam().run(tolerance, "auto");
+    ASSERT_EQ(found.summary.reduced.size(), 2u);
+    EXPECT_FALSE(says(found, "reduc"));
+    expect_right(found, exact, tolerance, fmt::format("friction_{:g}", tolerance));
+    EXPECT_LT(friction_error(found, exact), tolerance);
+    EXPECT_NE(found.summary.reduced[0].size_text().find(" x 6, 3 of them friction, ground "), std::string::npos) << found.summary.reduced[0].size_text();
+  }
+  for (const int links : {2, 3, 4, 5}) {
+    const Outcome fixed = GetParam().run(1e-6, fmt::format("{{links: {}, ground: 20}}", links));
+    expect_told(fixed, exact, fmt::format("friction_{}_blocks", links));
+    EXPECT_LT(friction_error(fixed, exact), Told(fixed).force + floor) << links;
+    RecordProperty(fmt::format("rubs_{}_blocks", links), fmt::format("{:.1e}", friction_error(fixed, exact)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Links, FrictionReduced, testing::Values(Rubbing(0.2, 1.0, 6), Rubbing(0.6, 1.5, 5)),
+                         [](const testing::TestParamInfo<Rubbing>& test) { return test.param.coefficient < 0.5 ? "ThatSlide" : "ThatStick"; });
 
 }  // namespace reduced_test
 }  // namespace pounding

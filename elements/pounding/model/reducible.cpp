@@ -40,8 +40,6 @@ std::string why_not_reduced(const Model& model, int structure) {
       return fmt::format("link \"{}\" hits it without a stiffness, by a jump of velocities that few modes cannot follow; type a law with a "
                          "stiffness",
                          link.name);
-    if (link.friction != 0)
-      return fmt::format("link \"{}\" rubs on it, and friction is no input of reduced structures yet", link.name);
   }
   for (const Device& device : model.devices)
     if (device.left.structure == structure || device.right.structure == structure)

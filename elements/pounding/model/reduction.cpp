@@ -6,6 +6,13 @@
 
 namespace pounding {
 
+namespace {
+
+// The inputs that are no contacts.
+std::string links_text(const ReducedStructure& s) { return s.frictions > 0 ? fmt::format(", {} of them friction", s.frictions) : ""; }
+
+}  // namespace
+
 std::string Reduction::text() const {
   switch (kind) {
     case Kind::none: return "none";
@@ -26,7 +33,7 @@ std::string Reduction::text() const {
 std::string ReducedStructure::size_text() const {
   std::string text = fmt::format("{}: {} coordinates of {} (", name, coordinates, unknowns);
   text += modes > 0 ? fmt::format("{} lowest modes, static answers", modes)
-                    : fmt::format("links {} x {}, ground {} x {}", link_blocks, links, ground_blocks, grounds);
+                    : fmt::format("links {} x {}{}, ground {} x {}", link_blocks, links, links_text(*this), ground_blocks, grounds);
   if (frequency > 0) text += fmt::format(", one at {:.2g} Hz", frequency);
   return text + ")";
 }

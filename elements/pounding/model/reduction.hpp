@@ -37,6 +37,7 @@ struct ReducedStructure {
   std::string name;
   int coordinates = 0, unknowns = 0;
   int link_blocks = 0, links = 0;      ///< blocks of the chain of the links, and vectors that drive it
+  int frictions = 0;                   ///< of these vectors: directions in which its links rub
   int ground_blocks = 0, grounds = 0;  ///< the same of the ground
   int modes = 0;                       ///< lowest modes beside the blocks
   double frequency = 0;                ///< of the block at the contact [Hz]; 0 for none
@@ -46,7 +47,8 @@ struct ReducedStructure {
   double error_acceleration = std::numeric_limits<double>::quiet_NaN();  ///< of its floors, at ends of steps
   double error_members = std::numeric_limits<double>::quiet_NaN();       ///< of forces and moments at the ends of its members
 
-  /// Size and blocks in one line: "tower: 239 coordinates of 4320 (links 4 x 40, ground 20 x 2, one at 10 Hz)".
+  /// Size and blocks in one line: "tower: 239 coordinates of 4320 (links 4 x 40, 20 of them friction, ground 20 x 2, one
+  /// at 10 Hz)".
   std::string size_text() const;
   /// The errors in one line: "forces 2e-4, displacements 1e-5".
   std::string error_text() const;

@@ -33,8 +33,8 @@ ClassicalDamping damping_of(const Group& group) {
   return {.by_mass = group.by_mass, .by_stiffness = group.by_stiffness, .modal = group.modal_ratio};
 }
 
-// Columns that are not zero in a group.
-Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
+// Numbers of the columns that are not zero in a group.
+std::vector<int> used_columns(const SparseMatrix& matrix, const Group& group) {
   std::vector<int> used;
   for (int j = 0; j < matrix.outerSize(); ++j)
     for (SparseMatrix::InnerIterator it(matrix, j); it; ++it)
@@ -42,11 +42,21 @@ Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
         used.push_back(j);
         break;
       }
+  return used;
+}
+
+Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
+  const std::vector<int> used = used_columns(matrix, group);
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(group.count, static_cast<Eigen::Index>(used.size()));
   for (std::size_t j = 0; j < used.size(); ++j)
     for (SparseMatrix::InnerIterator it(matrix, used[j]); it; ++it)
       if (inside(group, it.row())) columns(it.row() - group.first, static_cast<Eigen::Index>(j)) = it.value();
   return columns;
+}
+
+int frictions_on(const System& system, const Group& group) {
+  const int first = system.contact_count() + static_cast<int>(system.springs.size());
+  return static_cast<int>(std::ranges::count_if(used_columns(system.gap_jacobian, group), [&](int column) { return column >= first; }));
 }
 
 ReducedInputs inputs_of(const System& system, const Group& group, const ReductionPlan& plan) {
@@ -148,6 +158,7 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                .unknowns = group.count,
                .link_blocks = depth.links,
                .links = links,
+               .frictions = frictions_on(system, group),
                .ground_blocks = depth.ground,
                .grounds = grounds,
                .modes = how.kind == Kind::lowest ? how.modes : 0,

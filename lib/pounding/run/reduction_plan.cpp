@@ -87,7 +87,8 @@ std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan, co
   std::vector<std::string> warnings;
   if (plan.asked && reduced.empty() && plan.deeper > 0)
     warnings.emplace_back("the links need so many blocks that all modes were taken instead, or factors where a structure has more than 2,500 unknowns with "
-                          "mass: high modes that are little damped ring up to the frequency of the contacts");
+                          "mass: high modes that are little damped ring up to the frequency of the contacts, or there are many links, which count once more for "
+                          "each direction in which they rub");
   else if (plan.asked && reduced.empty())
     warnings.emplace_back("no structure is reduced: those of up to 500 unknowns with mass keep all their modes, as do those of up to 2,500 whose links are too "
                           "many; a larger one, or one that cannot be reduced, leaves all of them to factors");
