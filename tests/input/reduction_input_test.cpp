@@ -91,6 +91,8 @@ TEST(ReductionInput, RefusesNumbersForWhatCannotBeReduced) {
   EXPECT_EQ(why_not_reduced(model_of(pair("")), 0), "");
   EXPECT_NO_THROW(model_of(pair("", own)));
   EXPECT_NO_THROW(model_of(pair("", own, "hertz, stiffness: 1e9, friction: 0.3")));
+  EXPECT_NO_THROW(model_of(pair("", own, "hertz, stiffness: 1e9", "5 %", ", devices: {brace: {between: [\"0.0\", \"1.1\"], bar: {stiffness: 1e7}}}")));
+  EXPECT_NO_THROW(model_of(pair("", own) + "devices: {tie: {between: [left.2, right.2], bar: {stiffness: 1e7}}}\n"));
 }
 
 // Its matrix is full: of thousands of modes there shall be none where the modes of the reduced structure have the ratio.

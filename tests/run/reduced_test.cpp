@@ -24,19 +24,20 @@ struct Pair {
   double tolerance = 1e-5, duration = 4, gap = 20;  // [s], [mm]
   std::string own = "";  // beside the left frame
   double amplitude = 3, period = 1.5;  // of the ground [m/s^2], [s]
+  std::string inside = "", devices = "";  // the left frame; beside the links
 
   // Two plane frames that are hit at three floors: 160 unknowns with mass each, as many rotations without.
   std::string text(const std::string& reduction) const {
     const auto frame = [&](const std::string& name, double origin, double mass, const std::string& beside) {
       return fmt::format("  {}: {{frame: {{origin: [{}], material: {{E: 30 GPa}}, grid: {{storeys: {}, bays: {}, storey_height: 3.2, bay_width: 6, columns: "
-                         "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}}}, damping: {}{}}}\n",
-                         name, origin, storeys, bays, mass, damping, beside);
+                         "{{rectangle: [0.6, 0.6]}}, beams: {{rectangle: [0.3, 0.6]}}, floor_mass: {} t}}{}}}, damping: {}{}}}\n",
+                         name, origin, storeys, bays, mass, name == "left" ? inside : "", damping, beside);
     };
     std::string links;
     for (const int floor : {storeys, 3 * storeys / 4, storeys / 2})
       links += fmt::format("  - {{between: [left.{0}, right.{0}], gap: {1} mm, law: {2}}}\n", floor, gap, law);
     return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 4}}}}\nstructures:\n", amplitude, period) + frame("left", 0, 40.0 * bays, own) +
-           frame("right", 6 * bays + 1e-3 * gap, 20.0 * bays, "") + "links:\n" + links +
+           frame("right", 6 * bays + 1e-3 * gap, 20.0 * bays, "") + "links:\n" + links + devices +
            fmt::format("analysis: {{duration: {}, tolerance: {}{}}}\n", duration, tolerance, reduction);
   }
   Outcome run(const std::string& reduction) const { return test::run_text(text(reduction)); }
@@ -358,6 +359,78 @@ TEST_P(FrictionReduced, SticksAndSlipsAsInAllModes) {
 
 INSTANTIATE_TEST_SUITE_P(Links, FrictionReduced, testing::Values(Rubbing(0.2, 1.0, 6), Rubbing(0.6, 1.5, 5)),
                          [](const testing::TestParamInfo<Rubbing>& test) { return test.param.coefficient < 0.5 ? "ThatSlide" : "ThatStick"; });
+
+// The largest difference of peak forces of devices, as a part of the largest force of all links.
+double device_error(const Outcome& found, const Outcome& exact) {
+  double worst = 0;
+  for (std::size_t i = 0; i < exact.summary.devices.size(); ++i)
+    worst = std::max(worst, std::abs(found.summary.devices[i].extremes.peak(1) - exact.summary.devices[i].extremes.peak(1)));
+  for (std::size_t k = 0; k < exact.summary.structures.size(); ++k)
+    for (std::size_t i = 0; i < exact.summary.structures[k].springs.size(); ++i)
+      worst = std::max(worst, std::abs(found.summary.structures[k].springs[i].peak_force - exact.summary.structures[k].springs[i].peak_force));
+  return worst / peak_force(exact);
+}
+
+struct Coupled {
+  std::string name, inside, devices;
+  int inputs;  // of the left frame
+
+  Outcome run(double tolerance, const std::string& reduction) const {
+    Pair pair = large;
+    pair.inside = inside, pair.devices = devices;
+    pair.amplitude = 6, pair.period = 1, pair.gap = 10, pair.duration = 3, pair.own = "", pair.tolerance = tolerance;
+    return pair.run(", reduction: " + reduction);
+  }
+};
+
+class DevicesReduced : public testing::TestWithParam<Coupled> {};
+
+TEST_P(DevicesReduced, ActAsInAllModes) {
+  const Coupled& coupled = GetParam();
+  const Outcome exact = coupled.run(1e-6, "all modes");
+  ASSERT_GT(exact.results.impacts.size(), 0u);
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const Outcome found = coupled.run(tolerance, "auto");
+    ASSERT_EQ(found.summary.reduced.size(), 2u);
+    EXPECT_FALSE(says(found, "reduc"));
+    expect_right(found, exact, tolerance, fmt::format("devices_{:g}", tolerance));
+    EXPECT_LT(device_error(found, exact), tolerance);
+    EXPECT_NE(found.summary.reduced[0].size_text().find(fmt::format(" x {}, {} of them devices, ground ", 3 + coupled.inputs, coupled.inputs)), std::string::npos)
+        << found.summary.reduced[0].size_text();
+  }
+  for (const int links : {2, 4}) {
+    const Outcome fixed = coupled.run(1e-6, fmt::format("{{links: {}, ground: 20}}", links));
+    expect_told(fixed, exact, fmt::format("devices_{}_blocks", links));
+    EXPECT_LT(device_error(fixed, exact), Told(fixed).force + floor) << links;
+    RecordProperty(fmt::format("forces_of_devices_{}_blocks", links), fmt::format("{:.1e}", device_error(fixed, exact)));
+  }
+}
+
+// Modes take the place of all unknowns, but for what parts that yield add to displacements and forces.
+TEST_P(DevicesReduced, MoveAndLoadTheFrameAsWithAllUnknowns) {
+  const Outcome modes = GetParam().run(1e-6, "all modes"), unknowns = GetParam().run(1e-6, "none");
+  ASSERT_EQ(modes.summary.devices.size(), unknowns.summary.devices.size());
+  EXPECT_LT(device_error(modes, unknowns), floor);
+  const StructureHistory &found = modes.results.structures[0], &exact = unknowns.results.structures[0];
+  // Inside steps the motion of a point without mass is a cubic, though its velocity jumps where the device yields.
+  const double between = 1e-3;
+  EXPECT_LT(history_error(found.storey_shear, exact.storey_shear), between);
+  EXPECT_LT(history_error(found.reaction, exact.reaction), between);
+  if (!exact.node_displacement.empty()) {
+    EXPECT_LT(history_error(found.node_displacement, exact.node_displacement), between);
+  }
+}
+
+// Nonlinear dampers, a bar with a damper, and what yields; on points with mass and on one without.
+INSTANTIATE_TEST_SUITE_P(
+    Pairs, DevicesReduced,
+    testing::Values(Coupled{"DamperBetween", "", "devices: {top: {between: [left.30, right.30], damper: {coefficient: 400 kN (s/m)^0.35, exponent: 0.35, stiffness: 60 MN/m}}}\n", 1},
+                    Coupled{"BarBetween", "", "devices: {tie: {between: [left.20, right.20], bar: {stiffness: 20 MN/m}, damper: {coefficient: 20 MN s/m}}}\n", 1},
+                    Coupled{"BraceAndDamperInside", ", devices: {brace: {between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 200 MN/m, yield_force: 300 kN, hardening: 0.02}}, dash: {between: "
+                                                    "[\"15.9\", ground], axis: x, damper: {coefficient: 2 MN s/m}}}", "", 2},
+                    Coupled{"OnAPointWithoutMass", ", members: {column 16.0: {parts: 2}}, report: {nodes: [column 16.0/1]}, devices: {stop: {between: [column 16.0/1, ground], axis: x, "
+                                                   "bilinear: {stiffness: 100 MN/m, yield_force: 300 kN, hardening: 0.02}}}", "", 1}),
+    [](const testing::TestParamInfo<Coupled>& test) { return test.param.name; });
 
 }  // namespace reduced_test
 }  // namespace pounding

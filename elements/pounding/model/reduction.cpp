@@ -9,7 +9,12 @@ namespace pounding {
 namespace {
 
 // The inputs that are no contacts.
-std::string links_text(const ReducedStructure& s) { return s.frictions > 0 ? fmt::format(", {} of them friction", s.frictions) : ""; }
+std::string links_text(const ReducedStructure& s) {
+  std::string text;
+  if (s.frictions > 0) text += fmt::format(", {} of them friction", s.frictions);
+  if (s.devices > 0) text += fmt::format(", {} of them devices", s.devices);
+  return text;
+}
 
 }  // namespace
 

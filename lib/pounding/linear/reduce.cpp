@@ -12,6 +12,7 @@
 #include <pounding/linear/flexibility_errors.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/linear/reduced_modes.hpp>
+#include <pounding/linear/spring_relief.hpp>
 
 namespace pounding::petsc {
 namespace {
@@ -54,9 +55,12 @@ Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
   return columns;
 }
 
-int frictions_on(const System& system, const Group& group) {
-  const int first = system.contact_count() + static_cast<int>(system.springs.size());
-  return static_cast<int>(std::ranges::count_if(used_columns(system.gap_jacobian, group), [&](int column) { return column >= first; }));
+void count_links(const System& system, const Group& group, ReducedStructure& made) {
+  const int frictions_from = system.contact_count() + static_cast<int>(system.springs.size());
+  for (const int column : used_columns(system.gap_jacobian, group)) {
+    made.frictions += column >= frictions_from ? 1 : 0;
+    made.devices += is_spring(system, column) ? 1 : 0;
+  }
 }
 
 ReducedInputs inputs_of(const System& system, const Group& group, const ReductionPlan& plan) {
@@ -158,13 +162,13 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                .unknowns = group.count,
                .link_blocks = depth.links,
                .links = links,
-               .frictions = frictions_on(system, group),
                .ground_blocks = depth.ground,
                .grounds = grounds,
                .modes = how.kind == Kind::lowest ? how.modes : 0,
                .frequency = std::sqrt(inputs.shift) / (2 * M_PI),
                .flexibility_error = errors.run,
                .shadow_flexibility_error = errors.shadow};
+  count_links(system, group, made.made);
   return made;
 }
 

@@ -17,7 +17,7 @@
 namespace pounding {
 
 /// Compares the structures with their shadow, which has one block of the links and five of the ground less and feels the same forces of links,
-/// of contacts and of their friction, and grounds (StructureSolver::counted):
+/// of contacts, their friction and devices, and grounds (StructureSolver::counted):
 ///
 /// forces of links:  peaks of every impact; the shadow's force is F - dF/dd delta - dF/dv delta' with the difference delta of the closings and the slopes of the
 ///                   law at ends of steps. What the run misses is taken as that times the root of the error of the links' flexibility in its modes

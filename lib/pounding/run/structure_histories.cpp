@@ -58,7 +58,9 @@ StructureHistories::StructureHistories(const Model& model, const GroundPlan& pla
     const bool is_frame = !s.nodes.motion.empty() || s.forces.rows.rows() > 0 || (s.has_storeys() && s.storey_stiffness.empty());
     reported_.push_back(reported_forces(s));
     rows_.emplace_back();
-    if (const auto modes = s.is_rigid() || s.supports.size() > 1 ? std::nullopt : stepper.base().few_modes(group); modes && stepper.is_linear())
+    // Parts that yield add to displacements and forces what no mode has.
+    const bool by_modes = !s.is_rigid() && s.supports.size() == 1 && s.yielding.empty() && stepper.is_linear();
+    if (const auto modes = by_modes ? stepper.base().few_modes(group) : std::nullopt)
       rows_.back().emplace(s, reported_.back(), *modes);
     needs_unknowns_ = needs_unknowns_ || (is_frame && !rows_.back());
     has_rows_ = has_rows_ || rows_.back();
