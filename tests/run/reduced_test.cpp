@@ -24,7 +24,7 @@ struct Pair {
   double tolerance = 1e-5, duration = 4, gap = 20;  // [s], [mm]
   std::string own = "";  // beside the left frame
   double amplitude = 3, period = 1.5;  // of the ground [m/s^2], [s]
-  std::string inside = "", devices = "";  // the left frame; beside the links
+  std::string inside = "", devices = "", wave = "";  // the left frame; beside the links; in the ground motion
 
   // Two plane frames that are hit at three floors: 160 unknowns with mass each, as many rotations without.
   std::string text(const std::string& reduction) const {
@@ -36,7 +36,7 @@ struct Pair {
     std::string links;
     for (const int floor : {storeys, 3 * storeys / 4, storeys / 2})
       links += fmt::format("  - {{between: [left.{0}, right.{0}], gap: {1} mm, law: {2}}}\n", floor, gap, law);
-    return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 4}}}}\nstructures:\n", amplitude, period) + frame("left", 0, 40.0 * bays, own) +
+    return fmt::format("ground_motion: {{harmonic: {{amplitude: {}, period: {}, duration: 4}}{}}}\nstructures:\n", amplitude, period, wave) + frame("left", 0, 40.0 * bays, own) +
            frame("right", 6 * bays + 1e-3 * gap, 20.0 * bays, "") + "links:\n" + links + devices +
            fmt::format("analysis: {{duration: {}, tolerance: {}{}}}\n", duration, tolerance, reduction);
   }
@@ -289,6 +289,26 @@ TEST_F(ModalDampingReduced, SaysThatAllModesAreNeededWhereTheyRing) {
   EXPECT_TRUE(says(found, "the links need so many blocks that all modes were taken"));
   expect_right(found, exact, 1e-3, "ringing");
   expect_told(fixed, exact, "fixed");
+}
+
+// Supports that move one after the other: every one of them loads the frames by itself.
+TEST(SeveralSupports, AreGroundsOfTheChains) {
+  const auto run = [](double tolerance, const std::string& reduction) {
+    Pair pair = large;
+    pair.wave = ", wave: {velocity: 500}";
+    pair.amplitude = 6, pair.period = 1, pair.gap = 10, pair.duration = 3, pair.own = "", pair.tolerance = tolerance;
+    return pair.run(", reduction: " + reduction);
+  };
+  const Outcome exact = run(1e-6, "all modes");
+  ASSERT_GT(exact.results.impacts.size(), 0u);
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const Outcome found = run(tolerance, "auto");
+    ASSERT_EQ(found.summary.reduced.size(), 2u);
+    EXPECT_EQ(found.summary.reduced[0].grounds, 10);
+    EXPECT_FALSE(says(found, "reduc"));
+    expect_right(found, exact, tolerance, fmt::format("supports_{:g}", tolerance));
+  }
+  for (const int links : {2, 4}) expect_told(run(1e-6, fmt::format("{{links: {}, ground: 3}}", links)), exact, fmt::format("supports_{}_blocks", links));
 }
 
 // The largest difference of the peaks of friction, as a part of the largest force of all links.
