@@ -68,7 +68,7 @@ class Options(ProgramTest):
         self.assertNotIn("reduction", usual["solver"])
         told = reduced["solver"]["reduction"]["left"]
         self.assertEqual(told["blocks"], [5, 20])
-        self.assertEqual(told["inputs"], {"links": 1, "friction": 0, "devices": 0, "ground": 1})
+        self.assertEqual(told["inputs"], {"links": 1, "friction": 0, "devices": 0, "parts": 0, "ground": 1})
         self.assertLess(told["coordinates"], told["unknowns"])
         peak, found = usual["links"][0]["peak_force"], reduced["links"][0]["peak_force"]
         self.assertNotEqual(found, peak)
@@ -79,7 +79,7 @@ class Options(ProgramTest):
         with h5py.File(self.folder / "out.h5") as file:
             left = file["solver/reduction/left"]
             self.assertEqual(list(left["blocks"]), [5, 20])
-            self.assertEqual(list(left["inputs"]), [1, 0, 0, 1])
+            self.assertEqual(list(left["inputs"]), [1, 0, 0, 0, 1])
             for name in ("error_force", "error_displacement", "error_acceleration", "error_members"):
                 self.assertEqual(left[name][()], told[name])
 

@@ -452,5 +452,75 @@ INSTANTIATE_TEST_SUITE_P(
                                                    "bilinear: {stiffness: 100 MN/m, yield_force: 300 kN, hardening: 0.02}}}", "", 1}),
     [](const testing::TestParamInfo<Coupled>& test) { return test.param.name; });
 
+// Frames of 280 unknowns with mass. The left one yields at its feet and at the ends of all beams of its lowest two floors: 31 hinges.
+struct Hinged {
+  std::string name, law;
+
+  Pair pair(double tolerance) const {
+    Pair made{.bays = 6, .tolerance = tolerance, .duration = 1.5, .gap = 3, .own = ", initial_velocity: 0.3", .amplitude = 6, .period = 1};
+    made.inside = hinges(6, 2);
+    return made;
+  }
+  std::string hinges(int bays, int storeys) const {
+    std::string all = fmt::format(", hinges: {{columns: {{at: feet, {}}}", law);
+    for (int storey = 1; storey <= storeys; ++storey)
+      for (int bay = 0; bay < bays; ++bay) all += fmt::format(", \"beam x {}.{}\": {{at: both, {}}}", storey, bay, law);
+    return all + "}";
+  }
+};
+
+double rotation_error(const Outcome& found, const Outcome& exact) {
+  double worst = 0, largest = 0;
+  const auto &a = found.summary.structures[0].springs, &b = exact.summary.structures[0].springs;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    worst = std::max(worst, std::abs(std::abs(a[i].peak) - std::abs(b[i].peak)));
+    largest = std::max(largest, std::abs(b[i].peak));
+  }
+  return worst / largest;
+}
+
+class HingesReduced : public testing::TestWithParam<Hinged> {};
+
+TEST_P(HingesReduced, YieldAsInAllModes) {
+  const Outcome exact = GetParam().pair(1e-5).run("");
+  ASSERT_GT(exact.results.impacts.size(), 2u);
+  ASSERT_EQ(exact.summary.structures[0].springs.size(), 31u);
+  EXPECT_GT(std::ranges::count_if(exact.summary.structures[0].springs, [](const SpringSummary& s) { return s.ductility > 1; }), 10);
+  for (const int links : {2, 5}) {
+    const Outcome found = GetParam().pair(1e-5).run(fmt::format(", reduction: {{links: {}, ground: 20}}", links));
+    expect_told(found, exact, fmt::format("hinges_{}_blocks", links));
+    const ReducedStructure& left = found.summary.reduced[0];
+    EXPECT_EQ(left.parts, 31);
+    EXPECT_NE(left.size_text().find(", parts that yield 2 x 31, ground "), std::string::npos) << left.size_text();
+    EXPECT_LT(rotation_error(found, exact), left.error_displacement + 10 * floor);
+    EXPECT_LT(history_error(found.results.structures[0].storey_shear, exact.results.structures[0].storey_shear), left.error_members + 10 * floor);
+    EXPECT_LT(history_error(found.results.structures[0].reaction, exact.results.structures[0].reaction), left.error_members + 10 * floor);
+    RecordProperty(fmt::format("rotations_{}_blocks", links), fmt::format("{:.1e}, members told {:.1e}", rotation_error(found, exact), left.error_members));
+  }
+  const Outcome coarse = GetParam().pair(1e-3).run(", reduction: {links: 5, ground: 20}");
+  expect_right(coarse, exact, 1e-3, "hinges_at_1e-3");
+  EXPECT_LT(rotation_error(coarse, exact), 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, HingesReduced,
+                         testing::Values(Hinged{"RigidPlastic", "yield_moment: 150 kN m, hardening: 3 %"},
+                                         Hinged{"Smooth", "menegotto_pinto: {yield_moment: 150 kN m, hardening: 0.01, stiffness_factor: 10}"}),
+                         [](const testing::TestParamInfo<Hinged>& test) { return test.param.name; });
+
+// 600 unknowns with mass: 82 hinges are reduced, 172 are too many, and their frame takes all its modes.
+TEST(AutomaticReduction, TakesAQuarterOfAsManyHingesAsUnknownsWithMass) {
+  const Hinged few{"", "yield_moment: 150 kN m, hardening: 3 %"};
+  Pair pair = large;
+  pair.duration = 0.05;
+  pair.inside = few.hinges(9, 4);
+  const Outcome reduced = pair.run(", reduction: {error: 0.1}");
+  ASSERT_EQ(reduced.summary.reduced.size(), 2u);
+  EXPECT_EQ(reduced.summary.reduced[0].parts, 82);
+  pair.inside = few.hinges(9, 9);
+  const Outcome whole = pair.run(", reduction: {error: 0.1}");
+  ASSERT_EQ(whole.summary.reduced.size(), 1u);
+  EXPECT_EQ(whole.summary.reduced[0].name, "right");
+}
+
 }  // namespace reduced_test
 }  // namespace pounding

@@ -195,6 +195,7 @@ System assemble(const Model& model, bool with_links) {
       Archive fresh(part.fresh);
       part.spring->archive(fresh);
       system.springs.push_back(part.spring.get());
+      system.is_part.push_back(!part.is_device());
       system.names.push_back(fmt::format("{} of {}", part.name, model.structures[i].name));
       columns.push_back({.at_rest = part.at_rest});
       // Preloads leave a device undeformed, as gravity does.
@@ -207,6 +208,7 @@ System assemble(const Model& model, bool with_links) {
     add_column(device, -device.direction, true);  // it gets longer
     *device.member = DeviceSpring(device.parts);
     system.springs.push_back(device.member.get());
+    system.is_part.push_back(false);
     system.names.push_back(device.name);
   }
   for (std::size_t i = 0; with_links && i < model.links.size(); ++i) {

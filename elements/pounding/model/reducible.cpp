@@ -30,7 +30,6 @@ std::string why_not_reduced(const Model& model, int structure) {
   if (s.is_rigid()) return "a wall has no modes";
   if (s.elastic) return "its members turn (corotational), so that its stiffness changes";
   if (s.is_free || s.rigid_motions > 0) return "nothing holds it to the ground, so that it has no static answers";
-  if (s.members_that_yield() > 0) return "it has parts that yield, which are no inputs of reduced structures yet";
   if (columns_in_use(s.damping) > most_dashpots)
     return "its damping is a full matrix, as modal damping makes it above isolators; type damping: 5 %, in proportion to the stiffness above them";
   for (const Link& link : model.links) {

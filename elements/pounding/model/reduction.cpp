@@ -13,6 +13,7 @@ std::string links_text(const ReducedStructure& s) {
   std::string text;
   if (s.frictions > 0) text += fmt::format(", {} of them friction", s.frictions);
   if (s.devices > 0) text += fmt::format(", {} of them devices", s.devices);
+  if (s.parts > 0) text += fmt::format(", parts that yield {} x {}", s.part_blocks, s.parts);
   return text;
 }
 

@@ -38,6 +38,7 @@ struct ReducedStructure {
   int coordinates = 0, unknowns = 0;
   int link_blocks = 0, links = 0;      ///< blocks of the chain of the links, and vectors that drive it
   int frictions = 0, devices = 0;      ///< of these vectors: directions in which its links rub; devices on it
+  int part_blocks = 0, parts = 0;      ///< the same of what yields in it: storeys, hinges, isolators
   int ground_blocks = 0, grounds = 0;  ///< the same of the ground
   int modes = 0;                       ///< lowest modes beside the blocks
   double frequency = 0;                ///< of the block at the contact [Hz]; 0 for none

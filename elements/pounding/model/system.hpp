@@ -51,6 +51,7 @@ struct System {
   std::vector<Contact*> contacts;
   std::vector<std::string> names;  ///< of the contacts and then of the springs, for messages; may be empty
   std::vector<Spring*> springs;
+  std::vector<bool> is_part;        ///< by spring, whether K holds what it stands for: a storey, a hinge, an isolator; no device. Empty for none
   SparseMatrix spring_flexibility;  ///< R, springs x springs, symmetric; empty for none
   std::vector<Friction> frictions;
   std::vector<Group> groups;

@@ -21,9 +21,11 @@ using Kind = Reduction::Kind;
 
 // Blocks of the links with which most contacts stay below 0.3 of a tolerance; fewer are tried where these are too many.
 constexpr int most_start = 6, least_start = 4;
+// Blocks of what yields: one carries its answers, and the shadow has one less.
+constexpr int least_parts = 2;
 
 ReducedDepth automatic_depth(double tolerance, int deeper) {
-  return {.links = (tolerance >= 1e-2 ? least_start : most_start) + deeper, .ground = 20 + deeper};
+  return {.links = (tolerance >= 1e-2 ? least_start : most_start) + deeper, .ground = 20 + deeper, .parts = least_parts + deeper / 2};
 }
 
 bool inside(const Group& group, Eigen::Index unknown) { return unknown >= group.first && unknown < group.first + group.count; }
@@ -46,8 +48,8 @@ std::vector<int> used_columns(const SparseMatrix& matrix, const Group& group) {
   return used;
 }
 
-Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
-  const std::vector<int> used = used_columns(matrix, group);
+// These columns in a group.
+Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group, const std::vector<int>& used) {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(group.count, static_cast<Eigen::Index>(used.size()));
   for (std::size_t j = 0; j < used.size(); ++j)
     for (SparseMatrix::InnerIterator it(matrix, used[j]); it; ++it)
@@ -55,17 +57,30 @@ Eigen::MatrixXd columns_of(const SparseMatrix& matrix, const Group& group) {
   return columns;
 }
 
+// Whether a link stands for what yields in a structure.
+bool is_part(const System& system, int link) {
+  return is_spring(system, link) && !system.is_part.empty() && system.is_part[static_cast<std::size_t>(link - system.contact_count())];
+}
+
 void count_links(const System& system, const Group& group, ReducedStructure& made) {
   const int frictions_from = system.contact_count() + static_cast<int>(system.springs.size());
   for (const int column : used_columns(system.gap_jacobian, group)) {
     made.frictions += column >= frictions_from ? 1 : 0;
-    made.devices += is_spring(system, column) ? 1 : 0;
+    made.devices += is_spring(system, column) && !is_part(system, column) ? 1 : 0;
   }
 }
 
 ReducedInputs inputs_of(const System& system, const Group& group, const ReductionPlan& plan) {
   ReducedInputs inputs;
-  const Eigen::MatrixXd links = columns_of(system.gap_jacobian, group), dashpots = columns_of(part(system.damping, group), {.count = group.count});
+  std::vector<int> parts, others = used_columns(system.gap_jacobian, group);
+  std::erase_if(others, [&](int link) {
+    if (is_part(system, link)) parts.push_back(link);
+    return is_part(system, link);
+  });
+  const Group alone{.count = group.count};
+  const SparseMatrix damping = part(system.damping, group);
+  const Eigen::MatrixXd links = columns_of(system.gap_jacobian, group, others), dashpots = columns_of(damping, alone, used_columns(damping, alone));
+  inputs.parts = columns_of(system.gap_jacobian, group, parts);
   inputs.links.resize(group.count, links.cols() + dashpots.cols());
   inputs.links << links, dashpots;
   inputs.ground.resize(group.count, 0);
@@ -98,7 +113,7 @@ constexpr int ground_less = 5;
 int shadow_links(ReducedModes& basis, const ReducedDepth& depth, int links) {
   const int all = basis.count(depth), new_ones = (links + 1) / 2;
   int blocks = depth.links - 1;
-  while (blocks > 1 && all - basis.count(depth, {.links = blocks, .ground = depth.ground}) < new_ones) --blocks;
+  while (blocks > 1 && all - basis.count(depth, {.links = blocks, .ground = depth.ground, .parts = depth.parts}) < new_ones) --blocks;
   return blocks;
 }
 
@@ -126,11 +141,11 @@ struct Alike {
 // Nothing where the basis would not pay.
 std::optional<ReducedGroup> reduce(const System& system, const Group& group, const Reduction& how, const std::string& name, const ReductionPlan& plan,
                            int dynamic, ReducedInputs inputs, Alike& alike) {
-  ReducedDepth depth = how.kind == Kind::blocks ? ReducedDepth{.links = how.links, .ground = how.ground}
+  ReducedDepth depth = how.kind == Kind::blocks ? ReducedDepth{.links = how.links, .ground = how.ground, .parts = least_parts}
                                                 : automatic_depth(how.error > 0 ? how.error : plan.tolerance, plan.deeper);
-  const int links = static_cast<int>(inputs.links.cols()), grounds = static_cast<int>(inputs.ground.cols());
+  const int links = static_cast<int>(inputs.links.cols()), parts = static_cast<int>(inputs.parts.cols()), grounds = static_cast<int>(inputs.ground.cols());
   if (how.kind == Kind::lowest) {
-    depth = {.links = 1, .ground = 1};
+    depth = {.links = 1, .ground = 1, .parts = 1};
     if (how.modes < dynamic) {
       const Eigenmodes lowest = lowest_modes(part(system.mass, group), part(system.stiffness, group), how.modes);
       Eigen::MatrixXd starts(group.count, inputs.starts.cols() + lowest.shapes.cols());
@@ -138,7 +153,7 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
       inputs.starts = starts;
     }
   }
-  const auto largest = [&] { return links * (depth.links + 1) + grounds * depth.ground + static_cast<int>(inputs.starts.cols()); };
+  const auto largest = [&] { return links * (depth.links + 1) + parts * depth.parts + grounds * depth.ground + static_cast<int>(inputs.starts.cols()); };
   while (how.kind == Kind::automatic && depth.links > least_start + plan.deeper && 2 * largest() > dynamic) --depth.links;
   const int most = largest();
   // A run again with a third of all modes costs more than one with all of them, which needs no further one.
@@ -153,7 +168,7 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
   ReducedGroup made{.modes = std::make_shared<const GroupModes>(basis.modes(depth))};
   if (how.kind != Kind::lowest && depth.links > 1)
     made.shadow = std::make_shared<const ShadowModes>(
-        basis.shadow(depth, {.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0)}));
+        basis.shadow(depth, {.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0), .parts = depth.parts - 1}));
   FlexibilityErrors errors;
   // A short chain of the ground may err by more than the links do.
   if (made.shadow && inputs.shift > 0 && (grounds == 0 || depth.ground > 2 * ground_less)) errors = flexibility_errors(basis.further(depth), *made.shadow, damping_of(group), std::sqrt(inputs.shift));
@@ -162,6 +177,8 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                .unknowns = group.count,
                .link_blocks = depth.links,
                .links = links,
+               .part_blocks = parts > 0 ? depth.parts : 0,
+               .parts = parts,
                .ground_blocks = depth.ground,
                .grounds = grounds,
                .modes = how.kind == Kind::lowest ? how.modes : 0,

@@ -53,7 +53,7 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& x, double least) {
 }
 
 void require_rows(const SparseMatrix& stiffness, const ReducedInputs& inputs) {
-  for (const Eigen::MatrixXd* input : {&inputs.links, &inputs.ground, &inputs.starts})
+  for (const Eigen::MatrixXd* input : {&inputs.links, &inputs.parts, &inputs.ground, &inputs.starts})
     if (input->size() > 0 && input->rows() != stiffness.rows())
       throw std::invalid_argument("an input of a reduced structure has another number of rows");
 }
@@ -115,7 +115,7 @@ Eigen::MatrixXd joined(const std::vector<Eigen::MatrixXd>& parts, const Eigen::M
 }  // namespace
 
 bool ReducedInputs::operator==(const ReducedInputs& other) const {
-  return shift == other.shift && same(links, other.links) && same(ground, other.ground) && same(starts, other.starts);
+  return shift == other.shift && same(links, other.links) && same(parts, other.parts) && same(ground, other.ground) && same(starts, other.starts);
 }
 
 // The structure in the coordinates y = L^T u of its unknowns with mass, M = L L^T, in which mass-normal vectors are orthonormal.
@@ -127,7 +127,7 @@ struct ReducedModes::Structure {
   std::optional<Factor> factor, massless;
   SparseMatrix coupling;                    // K from the unknowns with mass to those without
   ReducedInputs inputs;
-  Chain links, ground;
+  Chain links, yielding, ground;
   std::optional<Eigen::MatrixXd> shifted;
   std::optional<std::pair<double, Factor>> contact_factor;  // of K + shift M
 
@@ -211,8 +211,9 @@ struct ReducedModes::Structure {
   // The chains and the block at the contact.
   std::vector<Eigen::MatrixXd> parts(const ReducedDepth& depth) {
     grow(links, inputs.links, depth.links);
+    grow(yielding, inputs.parts, depth.parts);
     grow(ground, inputs.ground, depth.ground);
-    return {links.first(depth.links), ground.first(depth.ground), depth.shifted ? at_the_contact() : Eigen::MatrixXd()};
+    return {links.first(depth.links), ground.first(depth.ground), depth.shifted ? at_the_contact() : Eigen::MatrixXd(), yielding.first(depth.parts)};
   }
 
   // At unit length. A structure that nothing moves has a coordinate still.
@@ -305,6 +306,7 @@ void ReducedModes::drive(const ReducedInputs& inputs) {
   if (inputs == s.inputs) return;
   const bool same_links = same(inputs.links, s.inputs.links);
   if (!same_links) s.links = {};
+  if (!same(inputs.parts, s.inputs.parts)) s.yielding = {};
   if (!same(inputs.ground, s.inputs.ground)) s.ground = {};
   if (!same_links || inputs.shift != s.inputs.shift) s.shifted.reset();
   s.inputs = inputs;

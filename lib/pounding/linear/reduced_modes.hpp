@@ -13,7 +13,8 @@ namespace pounding::petsc {
 
 /// Vectors that drive one structure, a column each, at all of its unknowns.
 struct ReducedInputs {
-  Eigen::MatrixXd links;   ///< forces of links: columns of B
+  Eigen::MatrixXd links;   ///< forces of links and devices: columns of B
+  Eigen::MatrixXd parts;   ///< moments or forces of what yields in the structure: columns of B
   Eigen::MatrixXd ground;  ///< loads of ground motions and forces over time: columns of P
   Eigen::MatrixXd starts;  ///< displacements and velocities from which the run starts; columns of zeros are left out
   double shift = 0;        ///< square of the circular frequency of a contact [rad^2/s^2]; 0 for no block there
@@ -27,6 +28,7 @@ struct ReducedDepth {
   int links = 4;
   int ground = 20;
   bool shifted = true;  ///< with the block at the frequency of the contact
+  int parts = 2;        ///< of what yields
 
   bool operator==(const ReducedDepth&) const = default;
 };
@@ -34,6 +36,8 @@ struct ReducedDepth {
 /// Ritz modes on two block-Lanczos chains and one block at the frequency of the contact,
 ///
 ///   K^-1 (M K^-1)^j B,  j < depth.links,     K^-1 (M K^-1)^j P,  j < depth.ground,     (K + s M)^-1 B,
+///
+/// and a third chain as that of the links for what yields, with depth.parts blocks and none at the contact.
 ///
 /// the load-dependent vectors of Wilson, Yuan and Dickens (1982) for the ground and for every link, with the vectors about a frequency of
 /// Gu, Ma and Hulbert (2000). Each chain is orthogonal by itself and grows from its orthonormal last block. The chains are joined at the

@@ -257,8 +257,8 @@ void write_reduction(hid_t file, const Results& results) {
     const Handle place = group(reduction, s.name);
     scalar(place, {"coordinates", "1", "coordinates of the structure"}, static_cast<long>(s.coordinates));
     hdf5::integers(place, {"blocks", "1", "blocks of the chain of the links and of that of the ground"}, {s.link_blocks, s.ground_blocks}, {2});
-    hdf5::integers(place, {"inputs", "1", "vectors that drive the chain of the links, those of friction and of devices among them, and vectors of the ground"},
-                   {s.links, s.frictions, s.devices, s.grounds}, {4});
+    hdf5::integers(place, {"inputs", "1", "vectors that drive the chain of the links, those of friction and of devices among them, parts that yield, and vectors of the ground"},
+                   {s.links, s.frictions, s.devices, s.parts, s.grounds}, {5});
     scalar(place, {"frequency", "Hz", "of the block at the contact; 0 for none"}, s.frequency);
     scalar(place, {"error_force", "1", "three times the estimated error of peak forces of links over the largest force"}, s.error_force);
     scalar(place, {"error_displacement", "1", "the same of displacements of floors"}, s.error_displacement);

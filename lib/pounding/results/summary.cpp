@@ -203,7 +203,7 @@ Json reduction_json(const std::vector<ReducedStructure>& structures) {
     all[s.name] = {{"coordinates", s.coordinates},
                    {"unknowns", s.unknowns},
                    {"blocks", {s.link_blocks, s.ground_blocks}},
-                   {"inputs", {{"links", s.links}, {"friction", s.frictions}, {"devices", s.devices}, {"ground", s.grounds}}},
+                   {"inputs", {{"links", s.links}, {"friction", s.frictions}, {"devices", s.devices}, {"parts", s.parts}, {"ground", s.grounds}}},
                    {"frequency", s.frequency},
                    {"error_force", number(s.error_force)},
                    {"error_displacement", number(s.error_displacement)},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pounding {
 namespace {
@@ -16,6 +17,22 @@ constexpr double share = 0.3;
 constexpr double compared_times = 400;
 constexpr int together = LinearQuantities::batch;  // of them
 
+using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+// Forces of a structure as factors of its unknowns, and behind them of the forces of what yields in it.
+RowMajor rows_with_parts(const Structure& s) {
+  RowMajor rows(s.forces.rows.rows(), s.size() + static_cast<Eigen::Index>(s.yielding.size()));
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](const RowMajor& from, int first) {
+    for (int row = 0; row < from.outerSize(); ++row)
+      for (RowMajor::InnerIterator it(from, row); it; ++it) entries.emplace_back(row, first + static_cast<int>(it.col()), it.value());
+  };
+  add(s.forces.rows, 0);
+  add(s.forces.by_yielding, s.size());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
 double ratio(double difference, double largest) { return difference > 0 ? safety * difference / largest : 0; }
 
 }  // namespace
@@ -25,16 +42,20 @@ ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& respon
   for (std::vector<double>* by_link : {&forces_, &peaks_, &shadow_peaks_}) by_link->assign(static_cast<std::size_t>(stepper.system().contact_count()), 0.0);
   for (int i = 0; i < static_cast<int>(forces_.size()); ++i) nearer_.push_back(nearer(i));
   const std::vector<int> first = offsets(model);
+  Eigen::Index parts = 0;
   for (int k = 0; k < static_cast<int>(model.structures.size()); ++k) {
     const Structure& s = model.structures[k];
+    const Eigen::Index first_part = std::exchange(parts, parts + static_cast<Eigen::Index>(s.yielding.size()));
     const auto reduced = std::ranges::find(stepper.base().reduced(), s.name, &ReducedStructure::name);
     if (reduced == stepper.base().reduced().end() || reduced->link_blocks < 2 || reduced->modes > 0) continue;
     Floors floors;
     floors.structure = k;
+    floors.first_part = first_part;
+    floors.parts = static_cast<Eigen::Index>(s.yielding.size());
     if (const auto count = static_cast<int>(s.forces.members.size() * s.forces.components.size()); count > 0) {
       const auto of_member = [count](int row) { return row < count; };
       const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.forces.rows.rows());
-      floors.forces.emplace(s.forces.rows, s.size(), first[k], none, none, of_member, true);
+      floors.forces.emplace(rows_with_parts(s), s.size(), first[k], none, none, of_member, true);
       floors.units.resize(static_cast<std::size_t>(floors.forces->size()));
       for (int row = 0; row < count; ++row) {
         const std::string& component = s.forces.components[static_cast<std::size_t>(row) % s.forces.components.size()];
@@ -63,6 +84,10 @@ void ReductionErrors::step(bool output_due) {
   const long every = std::max(1L, std::lround(model_.analysis.duration / model_.analysis.output_step / compared_times));
   if (!output_due || outputs_++ % every != 0) return;
   waiting_.resize(end.motion.rows(), together);
+  if (const auto springs = static_cast<Eigen::Index>(stepper_.system().springs.size()); springs > 0) {
+    waiting_forces_.resize(springs, together);
+    waiting_forces_.col(waits_) = end.force.segment(stepper_.system().contact_count(), springs);
+  }
   waiting_.col(waits_++) = end.motion.col(Instant::u);
   if (waits_ == together) compare_waiting();
 }
@@ -70,15 +95,26 @@ void ReductionErrors::step(bool output_due) {
 // Places without an output time repeat the first one.
 void ReductionErrors::compare_waiting() {
   if (waits_ == 0) return;
-  for (int i = waits_; i < together; ++i) waiting_.col(i) = waiting_.col(0);
+  for (int i = waits_; i < together; ++i) {
+    waiting_.col(i) = waiting_.col(0);
+    if (waiting_forces_.size() > 0) waiting_forces_.col(i) = waiting_forces_.col(0).eval();
+  }
   motions_.resize(Eigen::NoChange, stepper_.system().size());
   stepper_.base().physical_of_columns(waiting_, unknowns_);
   motions_.topRows(together) = unknowns_;
   stepper_.base().physical_shadow_of_columns(waiting_, unknowns_);
   motions_.bottomRows(together) = unknowns_;
+  Eigen::VectorXd way;
+  for (int i = 0; i < together && waiting_forces_.size() > 0; ++i) {
+    way.setZero(motions_.cols());
+    stepper_.base().relief().add_way(-1, waiting_forces_.col(i), way);
+    motions_.row(i) += way.transpose();
+    motions_.row(together + i) += way.transpose();
+  }
   for (Floors& floors : floors_) {
     if (!floors.forces) continue;
     floors.forces->evaluate<together>(motions_, {}, {}, evaluated_);
+    if (floors.parts > 0) add_yielding(floors);
     for (int q = 0; q < floors.forces->size(); ++q) {
       const auto own = evaluated_.col(q).head<together>(), of_shadow = evaluated_.col(q).tail<together>();
       const auto unit = static_cast<std::size_t>(floors.units[static_cast<std::size_t>(q)]);
@@ -87,6 +123,17 @@ void ReductionErrors::compare_waiting() {
     }
   }
   waits_ = 0;
+}
+
+// Run and shadow have it alike: it counts in the largest values.
+void ReductionErrors::add_yielding(const Floors& floors) {
+  Eigen::VectorXd forces;
+  for (int i = 0; i < together; ++i) {
+    forces.setZero(floors.forces->size());
+    floors.forces->add_yielding(waiting_forces_.col(i).segment(floors.first_part, floors.parts), forces);
+    evaluated_.row(i) += forces.transpose();
+    evaluated_.row(together + i) += forces.transpose();
+  }
 }
 
 // The root of the ratio of errors of flexibility, as the ratio itself was six times too small for towers of 20 storeys. Where a structure of

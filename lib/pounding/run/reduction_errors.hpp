@@ -17,7 +17,7 @@
 namespace pounding {
 
 /// Compares the structures with their shadow, which has one block of the links and five of the ground less and feels the same forces of links,
-/// of contacts, their friction and devices, and grounds (StructureSolver::counted):
+/// of contacts, their friction, devices and what yields, and grounds (StructureSolver::counted):
 ///
 /// forces of links:  peaks of every impact; the shadow's force is F - dF/dd delta - dF/dv delta' with the difference delta of the closings and the slopes of the
 ///                   law at ends of steps. What the run misses is taken as that times the root of the error of the links' flexibility in its modes
@@ -46,6 +46,7 @@ class ReductionErrors {
   struct Floors {
     int structure = 0;       // of the model
     std::optional<LinearQuantities> forces;  // of its members, without those at rest
+    Eigen::Index first_part = 0, parts = 0;  // of the springs of the system: what yields in the structure, or acts inside it
     std::vector<int> units;  // of each of them: 0 for forces, 1 for moments
     std::vector<int> rows;   // of the outputs: translations of floors
     double displacement = 0, acceleration = 0;
@@ -57,6 +58,7 @@ class ReductionErrors {
   double nearer(int link) const;
   bool pushes(std::size_t link, const Floors& floors) const;
   void compare_waiting();
+  void add_yielding(const Floors& floors);
 
   const Model& model_;
   const Stepper& stepper_;
@@ -66,6 +68,7 @@ class ReductionErrors {
   std::vector<double> peaks_, shadow_peaks_;  // by link, of the impact that lasts [N]; 0 where none does
   long outputs_ = 0;
   Eigen::MatrixXd waiting_;             // coordinates at output times whose members are to be compared, together
+  Eigen::MatrixXd waiting_forces_;      // of springs at these times [spring, time]; empty without springs
   int waits_ = 0;                       // so many of them
   // Room to work in.
   Eigen::MatrixXd closings_, motion_, unknowns_;
