@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include <pounding/run/link_samples.hpp>
+#include "support/runs.hpp"
 
 namespace pounding {
 namespace link_samples_test {
@@ -73,6 +76,23 @@ TEST(ImpactSamples, GoOnAlikeFromAnArchive) {
   restored.finish(continued);
   EXPECT_EQ(whole.time, continued.time);
   EXPECT_EQ(whole.force, continued.force);
+}
+
+// Bodies that hardly move as a motion of the ground begins: between the ends of a first step the path of their contact is so flat that the formula
+// of the law would pull there, by half a percent of the greatest force so far.
+TEST(LinkSamples, InsideAStepShowNoPullOfALawThatNeverPulls) {
+  for (const double restitution : {0.05, 0.1, 0.5}) {
+    const Outcome run = test::run_text(fmt::format(
+        "ground_motion: {{pulse: {{shape: half_sine, amplitude: -4.6, duration: 2.5}}}}\n"
+        "structures:\n  a: {{body: {{mass: 3500}}}}\n  b: {{body: {{mass: 2200}}}}\n  w: {{wall: {{}}}}\n"
+        "links:\n  - {{between: [a, b], gap: 0, law: kelvin_voigt_no_tension, stiffness: 4.7e5, restitution: {}}}\n"
+        "  - {{between: [b, w], gap: 0, law: viscous_hertz, stiffness: 2.5e9, restitution: 0.1}}\n"
+        "analysis: {{duration: 1, tolerance: 1e-3}}\n", restitution));
+    for (const LinkHistory& link : run.results.links) {
+      ASSERT_GT(link.force.size(), 20u);
+      EXPECT_GE(*std::ranges::min_element(link.force), 0) << link.name << ", restitution " << restitution;
+    }
+  }
 }
 
 }  // namespace link_samples_test

@@ -162,6 +162,7 @@ void LinkSamples::add_inside(const Inside& in, double s, const Jet& at, double f
 void LinkSamples::add_between(const Inside& in, double s, double force_s, double e, double force_e, int depth) {
   const double mid = 0.5 * (s + e);
   const Jet at = in.path.at(mid);
+  // The path misses the motion by what the error of the step allows, and where hardly any force acts the formula of the law would pull on it.
   const double force = in.contact.acting_force(in.contact.evaluate({at.x, at.v}).force);
   const double missed = std::abs(force - 0.5 * (force_s + force_e));
   if (missed <= in.allowed) return;
