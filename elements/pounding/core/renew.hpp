@@ -1,6 +1,8 @@
 #pragma once
 /// Room to work in whose size changes during a run.
 
+#include <optional>
+
 #include <Eigen/Core>
 
 namespace pounding {
@@ -22,10 +24,11 @@ void renew(Vector& v, Eigen::Index size) {
   v.resize(size);
 }
 
-/// Gives a factor room for matrices of this size.
+/// Makes a factor with room for matrices of this size; none is left where there is no memory. Throws std::bad_alloc.
 template <class Factor>
-void renew_factor(Factor& factor, Eigen::Index size) {
-  if (factor.rows() != size) factor = Factor(size);
+void renew_factor(std::optional<Factor>& factor, Eigen::Index size) {
+  // Made in its place: one that has not factorized yet has members without a value, which must not be moved.
+  if (!factor || factor->rows() != size) factor.emplace(size);
 }
 
 }  // namespace pounding

@@ -46,11 +46,11 @@ bool LinkSolver::find_direction_by_cholesky(const CondensedLinks& links) {
     factored_flexibility_ = links.flexibility;
     Eigen::MatrixXd matrix = roots.asDiagonal() * links.flexibility * roots.asDiagonal();
     matrix.diagonal().array() += 1;
-    factor_.compute(matrix);
-    if (factor_.info() != Eigen::Success) roots_.resize(0);
+    factor_->compute(matrix);
+    if (factor_->info() != Eigen::Success) roots_.resize(0);
   }
   if (roots_.size() == 0) return false;
-  direction_ = roots.cwiseProduct(factor_.solve(residual_.cwiseQuotient(roots)));
+  direction_ = roots.cwiseProduct(factor_->solve(residual_.cwiseQuotient(roots)));
   return true;
 }
 

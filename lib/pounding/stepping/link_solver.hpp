@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -82,7 +83,7 @@ class LinkSolver {
   // Many contacts and springs alone: a Cholesky factor of 1 + R G R, R the roots of the slopes, takes the place of slopes_. It stays while both do.
   Eigen::VectorXd roots_;
   Eigen::MatrixXd factored_flexibility_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  std::optional<Eigen::LLT<Eigen::MatrixXd>> factor_;
 };
 
 }  // namespace pounding

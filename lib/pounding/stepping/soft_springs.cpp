@@ -45,8 +45,8 @@ bool SoftSprings::factorize(const CondensedLinks& links, Eigen::Index first, Eig
     matrix_(j, j) += 1;
   }
   renew_factor(factor_, count);
-  factor_.compute(matrix_);
-  return factor_.info() == Eigen::Success;
+  factor_->compute(matrix_);
+  return factor_->info() == Eigen::Success;
 }
 
 bool SoftSprings::solve(const CondensedLinks& links, const Eigen::VectorXd& slopes, const Eigen::VectorXd& residual, Eigen::VectorXd& direction) {
@@ -62,7 +62,7 @@ bool SoftSprings::solve(const CondensedLinks& links, const Eigen::VectorXd& slop
     if (!solve_blocks(links, right_)) return false;
   } else {
     if (!factorize(links, 0, count)) return false;
-    factor_.solveInPlace(right_);
+    factor_->solveInPlace(right_);
   }
   for (Eigen::Index i = 0; i < count; ++i) direction[soft_[i]] = root_[i] * right_[i];
   return true;
@@ -83,7 +83,7 @@ bool SoftSprings::solve_blocks(const CondensedLinks& links, Eigen::Ref<Eigen::Ma
     const Eigen::Index block = block_from(links, first);
     if (!factorize(links, first, block)) return false;
     auto rows = right.middleRows(first, block);
-    factor_.solveInPlace(rows);
+    factor_->solveInPlace(rows);
     first += block;
   }
   return true;

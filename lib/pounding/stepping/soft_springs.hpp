@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace pounding {
@@ -42,7 +43,7 @@ class SoftSprings {
   std::vector<int> soft_;
   Eigen::VectorXd root_, by_others_, relief_, right_;
   Eigen::MatrixXd matrix_, by_links_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  std::optional<Eigen::LLT<Eigen::MatrixXd>> factor_;
 };
 
 }  // namespace pounding

@@ -110,8 +110,8 @@ void SpringForces::rates(const Eigen::VectorXd& slopes, Eigen::MatrixXd& of_spri
     }
     renew_factor(lu_, count);
     renew(solved_, count, right_.cols());
-    lu_.compute(flexibility_);
-    solved_ = lu_.solve(right_);
+    lu_->compute(flexibility_);
+    solved_ = lu_->solve(right_);
     right_ = own.asDiagonal() * solved_;
   }
   change_.setZero(slopes.size());

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <optional>
 #include <vector>
 
 #include <pounding/stepping/link_set.hpp>
@@ -54,7 +55,7 @@ class SpringForces {
   mutable Eigen::MatrixXd flexibility_, zero_;
   mutable Eigen::MatrixXd right_, solved_;
   mutable Eigen::VectorXd change_;
-  mutable Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  mutable std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
   mutable SoftSprings soft_springs_;
   mutable std::vector<int> soft_;    // springs
   mutable std::vector<int> active_;  // links
