@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include <pounding/input/resolved.hpp>
 #include <pounding/model/modes.hpp>
@@ -22,6 +23,10 @@ namespace oscillators_test {
 using test::model_of;
 
 double damping_ratio(const Structure& s, int mode) { return modes(s)[mode].damping_ratio; }
+
+// Eigen 3.4 copies a sparse matrix where others move theirs. Where that throws in what must not, the process ends.
+static_assert(!std::is_nothrow_move_constructible_v<Structure> || std::is_nothrow_move_constructible_v<SparseMatrix>);
+static_assert(!std::is_nothrow_move_assignable_v<Structure> || std::is_nothrow_move_assignable_v<SparseMatrix>);
 
 TEST(Oscillator, HasTheMatricesOfItsMassAndSpring) {
   test::Book book("Oscillators and shear buildings", "oscillator: 2 pi sqrt(m/k)", "rounding");

@@ -162,8 +162,8 @@ struct Geometry {
 /// the displacements of the supports. A wall has no unknown at all.
 struct Structure {
   Structure() = default;
-  Structure(Structure&&) noexcept = default;  // Eigen's sparse matrices do not promise it
-  Structure& operator=(Structure&&) noexcept = default;
+  Structure(Structure&&) = default;  // not noexcept: Eigen 3.4 copies sparse matrices, for which memory may be lacking
+  Structure& operator=(Structure&&) = default;
 
   std::string name;
   std::string kind;   ///< the word of the input: oscillator, shear_building, frame ...
