@@ -2,7 +2,8 @@
    signal. Of the calls that write, those on regular files count, and on names of results files.
 
    POUNDING_FAULT_CALL   write, fsync, rename, open, ftruncate; step, a kept step of the run; hdf5_memory, petsc_memory, own_memory: what
-                         these libraries ask for, or the program itself and its libraries of C++, from main on
+                         these libraries ask for, or the program itself and its libraries of C++, from main on; other_memory: what all
+                         others ask for, such as MPI, BLAS and the C library, in the thread of main
    POUNDING_FAULT_AT     the number of the call that fails, from 1
    POUNDING_FAULT_KIND   an error number; or short (half is written, then the disk is full), kill, or signal NUMBER as -NUMBER; or each:
                          see meets_in_children
@@ -12,6 +13,7 @@
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <link.h>
 #include <signal.h>
@@ -47,44 +49,77 @@ enum Fate { passes, fails, is_cut };
 /* Set in a child and while one runs: nothing counts then. */
 static int in_child = 0;
 
-static ino_t inode_of(const char* path) {
+/* Tells whether a file is another one, or was written to. */
+struct Version {
+  ino_t inode;
+  struct timespec written;
+};
+static struct Version version_of(const char* path) {
   struct stat status;
-  return stat(path, &status) == 0 ? status.st_ino : 0;
+  struct Version none = {0};
+  return stat(path, &status) == 0 ? (struct Version){status.st_ino, status.st_mtim} : none;
+}
+static int differs(struct Version a, struct Version b) {
+  return a.inode != b.inode || a.written.tv_sec != b.written.tv_sec || a.written.tv_nsec != b.written.tv_nsec;
 }
 
-/* The calls from POUNDING_FAULT_AT to POUNDING_FAULT_LAST fail, each in a child that goes on from there to its end, while the run itself
+static void write_stack(void) {
+  void* frames[64];
+  const int stack = open("stack", O_CREAT | O_TRUNC | O_WRONLY, 0600);
+  backtrace_symbols_fd(frames, backtrace(frames, 64), stack);
+  close(stack);
+}
+
+/* Every POUNDING_FAULT_STRIDE-th call from POUNDING_FAULT_AT to POUNDING_FAULT_LAST fails, each in a child that goes on from there to its end, while the run itself
    meets no fault: the way to each of them is gone once. The folder of the run holds out.h5, which each child finds as the run has it. After a
    child the file `endings` gets a line: the number of the call, the child's status as wait gives it, the inode of out.h5 that it found, the name
-   under which an out.h5 that it wrote was put aside, or a dash, and its messages, parted by tabs. */
+   under which an out.h5 that it wrote was put aside, or a dash, and its messages with their lines parted by the byte 1, parted by tabs. The stack of a call whose child ended by a
+   signal stays in `stack_NUMBER`. With POUNDING_FAULT_APART set a child goes on in a copy of the folder, which stays beside it as `apart_NUMBER`. */
 static enum Fate meets_in_children(void) {
-  if (calls < atol(setting("POUNDING_FAULT_AT")) || calls > atol(setting("POUNDING_FAULT_LAST"))) return passes;
+  const long first = atol(setting("POUNDING_FAULT_AT")), stride = *setting("POUNDING_FAULT_STRIDE") ? atol(setting("POUNDING_FAULT_STRIDE")) : 1;
+  if (calls < first || calls > atol(setting("POUNDING_FAULT_LAST")) || (calls - first) % stride != 0) return passes;
   in_child = 1;
-  const ino_t before = inode_of("out.h5");
+  const int apart = *setting("POUNDING_FAULT_APART") != 0;
+  char folder[40], copy[60];
+  snprintf(folder, sizeof folder, "../apart_%ld", calls);
+  snprintf(copy, sizeof copy, "cp -a . %s", folder);
+  if (apart && system(copy) != 0) exit(1);
+  const struct Version before = version_of("out.h5");
   unlink("kept");
-  if (before && link("out.h5", "kept") != 0) exit(1);
+  if (before.inode && link("out.h5", "kept") != 0) exit(1);
   const pid_t child = fork();
   if (child == 0) {
     const int messages = open("messages", O_CREAT | O_TRUNC | O_WRONLY, 0600);
     dup2(messages, 2);
     close(messages);
+    if (apart && chdir(folder) != 0) exit(1);
     alarm(60);
+    write_stack();
+    /* MPI may start a program, for which nothing shall fail. unsetenv would wait for ever where setenv has asked for this memory. */
+    for (char** word = environ; *word; ++word)
+      if (strncmp(*word, "LD_PRELOAD=", 11) == 0) **word = 'X';
     errno = ENOMEM;
     return fails;
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) != child) exit(1);
-  char written[32] = "-", text[1000];
-  if (inode_of("out.h5") != before) {
+  if (WIFSIGNALED(status)) {
+    char stack[32];
+    snprintf(stack, sizeof stack, "stack_%ld", calls);
+    rename("stack", stack);
+  }
+  char written[32] = "-", text[20000];
+  if (differs(version_of("out.h5"), before)) {
     snprintf(written, sizeof written, "written_%ld", calls);
     rename("out.h5", written);
-    if (before) rename("kept", "out.h5");
+    if (before.inode) rename("kept", "out.h5");
   }
   FILE *messages = fopen("messages", "r"), *endings = fopen("endings", "a");
   if (!messages || !endings) exit(1);
   text[fread(text, 1, sizeof text - 1, messages)] = 0;
   for (char* c = text; *c; ++c)
-    if (*c == '\n' || *c == '\t') *c = ' ';
-  fprintf(endings, "%ld\t%d\t%lu\t%s\t%s\n", calls, status, (unsigned long)before, written, text);
+    if (*c == '\n' || *c == '\r' || *c == '\t') *c = *c == '\n' ? '\001' : ' ';
+  fprintf(endings, "%ld\t%d\t%lu\t%s\t%s\n", calls, status, (unsigned long)before.inode, written, text);
   fclose(messages);
   fclose(endings);
   in_child = 0;
@@ -234,7 +269,7 @@ int MPI_Finalize(void) {
   return in_child ? 0 : real();
 }
 
-static int in_main = 0;
+static __thread int in_main = 0;
 static int (*true_main)(int, char**, char**) = NULL;
 static int counted_main(int count, char** words, char** environment) {
   if (*setting("POUNDING_FAULT_SERVES")) serve(setting("POUNDING_FAULT_SERVES"));
@@ -255,12 +290,23 @@ int __libc_start_main(Main* main, int count, char** words, void (*init)(void), v
 static const char* const hdf5[] = {"libhdf5", NULL};
 static const char* const petsc[] = {"libpetsc", NULL};
 static const char* const own[] = {"/pounding", "libstdc++", "libyaml-cpp", "libfmt", NULL};
+static const char* const others[] = {NULL};
 static const char* const* counted_libraries(void) {
   const char* call = setting("POUNDING_FAULT_CALL");
-  return strcmp(call, "hdf5_memory") == 0 ? hdf5 : strcmp(call, "petsc_memory") == 0 ? petsc : strcmp(call, "own_memory") == 0 ? own : NULL;
+  return strcmp(call, "hdf5_memory") == 0    ? hdf5
+         : strcmp(call, "petsc_memory") == 0 ? petsc
+         : strcmp(call, "own_memory") == 0   ? own
+         : strcmp(call, "other_memory") == 0 ? others
+                                             : NULL;
 }
 
-/* Whether the code at this address belongs to one of the libraries. Answers are kept, since to find one takes longer than to allocate. */
+static int has_any(const char* name, const char* const* libraries) {
+  for (; *libraries; ++libraries)
+    if (strstr(name, *libraries)) return 1;
+  return 0;
+}
+
+/* Whether the code at this address belongs to one of the libraries, or for `others` to none of all lists. Answers are kept, since to find one takes longer than to allocate. */
 static int is_in(const void* caller, const char* const* libraries) {
   static struct {
     const void* caller;
@@ -274,7 +320,8 @@ static int is_in(const void* caller, const char* const* libraries) {
   Dl_info where;
   int found = 0;
   if (dladdr(caller, &where) != 0 && where.dli_fname)
-    for (; *libraries; ++libraries) found |= strstr(where.dli_fname, *libraries) != NULL;
+    found = libraries == others ? !has_any(where.dli_fname, hdf5) && !has_any(where.dli_fname, petsc) && !has_any(where.dli_fname, own)
+                                : has_any(where.dli_fname, libraries);
   known[place].caller = caller;
   known[place].found = found;
   inside = 0;

@@ -5,14 +5,15 @@ import errno
 import os
 import shutil
 import signal
+import subprocess
 import sys
 import unittest
 from unittest import mock
 
 import h5py
 import test_faults
-from small_models import PUSH, RUNS, STUDY
-from test_faults import FaultTest, Served
+from small_models import FEW_COORDINATES, FEW_HINGES, FEW_ROWS, PUSH, RUNS, STUDY
+from test_faults import FaultTest, LacksOfMemory, Served
 
 tearDownModule = test_faults.tearDownModule
 CHECKPOINTS = "checkpoint: {every_simulated: 0.1 s}\n"
@@ -48,6 +49,7 @@ class FaultsOfRuns:
 
 class Hinges(FaultsOfRuns, FaultTest):
     MODEL = RUNS["hinges"] + CHECKPOINTS
+    MANY = 20  #: Every one in LackOfMemoryWithHinges.
 
     def test_lack_of_memory_for_the_program_itself(self):
         """More numbers than elsewhere: the sizes of many matrices follow the hinges that yield (core/renew.hpp)."""
@@ -57,6 +59,14 @@ class Hinges(FaultsOfRuns, FaultTest):
 @unittest.skipUnless(test_faults.ALL, "alike to hinges")
 class Storeys(FaultsOfRuns, FaultTest):
     MODEL = RUNS["storeys"] + CHECKPOINTS
+
+
+class LackOfMemoryWithHinges(LacksOfMemory, FaultTest):
+    MODEL = FEW_HINGES + CHECKPOINTS
+
+
+class LackOfMemoryWhereReduced(LacksOfMemory, FaultTest):
+    MODEL = FEW_COORDINATES + CHECKPOINTS
 
 
 class EndsOfRuns(FaultTest):
@@ -70,6 +80,7 @@ class EndsOfRuns(FaultTest):
 
 class Reduced(FaultsOfRuns, FaultTest):
     MODEL = RUNS["reduced"] + CHECKPOINTS
+    MANY = 200  #: Every one in LackOfMemoryWhereReduced.
 
 
 class Pushover(FaultsOfRuns, FaultTest):
@@ -82,11 +93,12 @@ class Pushover(FaultsOfRuns, FaultTest):
 class Study(FaultTest):
     """Rows by the kernel, some by the solver, too; in one process, which the faults can reach."""
 
+    MODEL = STUDY
     COMMAND = ("-m", "pounding", "study", "study.yaml", "-q", "-j", "0", "--chunk", "3", "-o", "out.h5")
 
     def setUp(self):
         super(FaultTest, self).setUp()
-        self.write(STUDY, "study.yaml")
+        self.write(self.MODEL, "study.yaml")
         self.path = self.folder / "out.h5"
         self.served, self.again = self.python(*self.COMMAND), self.python(*self.COMMAND)
         self.start_again()
@@ -103,8 +115,8 @@ class Study(FaultTest):
         self.path.unlink(missing_ok=True)
         shutil.rmtree(self.folder / "out.h5.parts", ignore_errors=True)
 
-    def rows(self):
-        with h5py.File(self.path) as file:
+    def rows(self, path=None):
+        with h5py.File(path or self.path) as file:
             return {name: data[()].tobytes() for group in ("rows", "check") for name, data in file[group].items() if data.dtype.kind != "O"}
 
     def fails(self, call, number, kind):
@@ -137,6 +149,15 @@ class Study(FaultTest):
     def run_with(self, call, number, kind):
         return self.served.run(call, number, kind)
 
+    def counts(self):
+        """How many allocations there are until the package is loaded, and in all."""
+        self.assertEqual(self.python("-c", "import pounding.studies.command").run("own_memory", 0, 0).returncode, 0)
+        loaded = int((self.folder / "count").read_text())
+        self.start_again()
+        count = self.count("own_memory")
+        self.assertGreater(count, loaded + 500)
+        return loaded, count
+
     def test_writes(self):
         self.all("write", errno.ENOSPC, "short", "kill")
         self.all("open", errno.EMFILE, "kill")
@@ -144,15 +165,67 @@ class Study(FaultTest):
         self.all("fsync", errno.EIO)
 
     def test_lack_of_memory_for_the_kernel(self):
-        """But for what is asked for while the package is loaded, where C++ ends a process that gets no memory."""
-        self.assertEqual(self.python("-c", "import pounding.studies.command").run("own_memory", 0, 0).returncode, 0)
-        loaded = int((self.folder / "count").read_text())
-        self.start_again()
-        count = self.count("own_memory")
-        self.assertGreater(count, loaded + 500)
-        for number in range(loaded + 1, count + 1, test_faults.EVERY or (count - loaded) // 3):
+        """Few, with the command again after each of them: StudyLacksMemory takes more."""
+        loaded, count = self.counts()
+        for number in range(loaded + 1, count + 1, (count - loaded) // 3):
             with self.subTest(number=number, of=count):
                 self.fails("own_memory", number, errno.ENOMEM)
+
+
+@unittest.skipUnless(os.environ.get("POUNDING_PACKAGE"), "needs the compiled part of the Python package")
+class StudyLacksMemory(Study):
+    """The kernel and the solver, in children of one interpreter."""
+
+    MODEL = FEW_ROWS
+    COMMAND = ("-m", "pounding", "study", "study.yaml", "-q", "-j", "0", "--chunk", "1", "-o", "out.h5")
+    #: Folders of children that are kept at a time.
+    AT_ONCE = 1000
+    test_writes = None
+
+    def state(self, folder):
+        """Tells apart what a command finds that goes on in a folder."""
+        parts = sorted(path.name for path in (folder / "out.h5.parts").iterdir()) if (folder / "out.h5.parts").exists() else None
+        return str(parts), (folder / "out.h5").exists() and str(self.rows(folder / "out.h5"))
+
+    def in_children(self, first, last, stride):
+        run = self.folder / "run"
+        shutil.rmtree(run, ignore_errors=True)
+        run.mkdir()
+        shutil.copy(self.folder / "study.yaml", run)
+        settings = {"LD_PRELOAD": test_faults.SHIM, "POUNDING_FAULT_CALL": "own_memory", "POUNDING_FAULT_AT": str(first),
+                    "POUNDING_FAULT_LAST": str(last), "POUNDING_FAULT_STRIDE": str(stride), "POUNDING_FAULT_KIND": "each",
+                    "POUNDING_FAULT_APART": "1", "PYTHONPATH": os.environ["POUNDING_PACKAGE"]}
+        done = subprocess.run([sys.executable, *self.COMMAND], cwd=run, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              env=os.environ | settings)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.rows(run / "out.h5"), self.right)
+        for ending in (run / "endings").read_text(errors="replace").rstrip("\n").split("\n"):
+            number, status, _, _, messages = ending.split("\t")
+            with self.subTest(number=number):
+                self.check_child(self.folder / f"apart_{number}", os.waitstatus_to_exitcode(int(status)), messages)
+            shutil.rmtree(self.folder / f"apart_{number}")
+
+    def check_child(self, folder, code, messages):
+        test_faults.ENDINGS["Study", "own_memory", code, (folder / "out.h5").exists()] += 1
+        if code != 0:
+            self.assertEqual(code, 3, messages)
+            self.assertRegex(messages, r"\Apounding: .*memory")
+            self.assertNotIn("Traceback", messages)
+            if self.state(folder) in self.seen:
+                return
+            self.seen.add(self.state(folder))
+            again = subprocess.run([sys.executable, *self.COMMAND], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                                   env=os.environ | {"PYTHONPATH": os.environ["POUNDING_PACKAGE"]})
+            self.assertEqual((again.returncode, again.stderr), (0, ""))
+        self.assertEqual(self.rows(folder / "out.h5"), self.right)
+
+    def test_lack_of_memory_for_the_kernel(self):
+        """But for what is asked for while the package is loaded, where C++ ends a process that gets no memory."""
+        loaded, count = self.counts()
+        self.seen = set()
+        stride = test_faults.EVERY or (count - loaded) // 20
+        for first in range(loaded + 1, count + 1, self.AT_ONCE * stride):
+            self.in_children(first, first + self.AT_ONCE * stride - 1, stride)
 
 
 if __name__ == "__main__":
