@@ -8,73 +8,70 @@
 namespace pounding::program {
 namespace one_thread_test {
 
-class BlasThreads : public testing::Test {
+// A library of threads that is set by one function and asked by another; `many` and `one` are what it answers.
+class Threads : public testing::Test {
  protected:
+  Threads(const char* set, const char* get, int many, int one)
+      : many_(many),
+        one_(one),
+        set_(reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, set))),
+        get_(reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, get))) {}
+
   void SetUp() override {
-    set_ = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
-    get_ = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
-    if (!set_ || !get_) GTEST_SKIP() << "BLAS is not OpenBLAS";
-    for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) unsetenv(name);
-    set_(2);
-    if (get_() != 2) GTEST_SKIP() << "this OpenBLAS has no threads";
+    if (!set_ || !get_) GTEST_SKIP() << "nothing here uses this library";
+    forget();
+    set_(many_);
+    if (get_() != many_) GTEST_SKIP() << "this library has no threads";
   }
   void TearDown() override {
+    forget();
+    if (set_) set_(one_);
+  }
+  // What the program leaves where the environment has this variable.
+  int left(const char* name = nullptr, const char* value = nullptr) {
+    forget();
+    set_(many_);
+    if (name) setenv(name, value, 1);
+    use_one_thread();
+    return get_();
+  }
+
+  const int many_, one_;
+
+ private:
+  static void forget() {
     for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) unsetenv(name);
-    if (set_) set_(1);
   }
 
   void (*set_)(int) = nullptr;
   int (*get_)() = nullptr;
 };
 
-TEST_F(BlasThreads, AreOneWhereNobodyAskedForMore) {
-  use_one_thread();
-  EXPECT_EQ(get_(), 1);
-}
+class BlasThreads : public Threads {
+ protected:
+  BlasThreads() : Threads("openblas_set_num_threads", "openblas_get_num_threads", 2, 1) {}
+};
+
+TEST_F(BlasThreads, AreOneWhereNobodyAskedForMore) { EXPECT_EQ(left(), one_); }
 
 TEST_F(BlasThreads, AreThoseOfTheUser) {
-  for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) {
-    setenv(name, "2", 1);
-    use_one_thread();
-    EXPECT_EQ(get_(), 2) << name;
-    unsetenv(name);
-  }
+  EXPECT_EQ(left("OPENBLAS_NUM_THREADS", "2"), many_);
+  EXPECT_EQ(left("OMP_NUM_THREADS", "2"), many_);
 }
 
-class OpenMPThreads : public testing::Test {
+// Without an active level each parallel part has one thread.
+class OpenMPThreads : public Threads {
  protected:
-  void SetUp() override {
-    set_ = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
-    get_ = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
-    if (!set_ || !get_) GTEST_SKIP() << "nothing here uses OpenMP";
-    unsetenv("OMP_NUM_THREADS");
-    set_(1);
-  }
-  void TearDown() override {
-    unsetenv("OMP_NUM_THREADS");
-    if (set_) set_(0);
-  }
-
-  void (*set_)(int) = nullptr;
-  int (*get_)() = nullptr;
+  OpenMPThreads() : Threads("omp_set_max_active_levels", "omp_get_max_active_levels", 1, 0) {}
 };
 
 TEST_F(OpenMPThreads, AreOneWhereNobodyAskedForMore) {
-  use_one_thread();
-  EXPECT_EQ(get_(), 0);
+  EXPECT_EQ(left(), one_);
+  EXPECT_EQ(left("OPENBLAS_NUM_THREADS", "2"), one_);
+  EXPECT_EQ(left("OMP_NUM_THREADS", "1"), one_);
 }
 
-TEST_F(OpenMPThreads, AreOneWhereTheUserSaysSo) {
-  setenv("OMP_NUM_THREADS", "1", 1);
-  use_one_thread();
-  EXPECT_EQ(get_(), 0);
-}
-
-TEST_F(OpenMPThreads, AreThoseOfTheUser) {
-  setenv("OMP_NUM_THREADS", "3", 1);
-  use_one_thread();
-  EXPECT_EQ(get_(), 1);
-}
+TEST_F(OpenMPThreads, AreThoseOfTheUser) { EXPECT_EQ(left("OMP_NUM_THREADS", "3"), many_); }
 
 }  // namespace one_thread_test
 }  // namespace pounding::program
