@@ -27,7 +27,7 @@ class Threads : public testing::Test {
     forget();
     if (set_) set_(one_);
   }
-  // What the program leaves where the environment has this variable.
+  // The number that the program leaves where the environment has this variable.
   int left(const char* name = nullptr, const char* value = nullptr) {
     forget();
     set_(many_);

@@ -220,7 +220,7 @@ class StudyLacksMemory(Study):
         self.assertEqual(self.rows(folder / "out.h5"), self.right)
 
     def test_lack_of_memory_for_the_kernel(self):
-        """But for what is asked for while the package is loaded, where C++ ends a process that gets no memory."""
+        """All behind the loading of the package, in which C++ ends a process that gets no memory."""
         loaded, count = self.counts()
         self.seen = set()
         stride = test_faults.EVERY or (count - loaded) // 20
