@@ -112,15 +112,6 @@ study:
   intensity: {measure: pga, levels: [0.2 g, 0.4 g]}
   keep: [displacement, force, impacts]
 """
-#: For faults at every allocation: two rows in which the oscillators collide.
-FEW_ROWS = """\
-ground_motion: {synthetic: {seed: 1, duration: 0.3 s, pga: 0.3 g, soil: firm}}
-structures:
-  left: {oscillator: {mass: 150 t, period: 0.4 s, damping: 5 %}}
-  right: {oscillator: {mass: 100 t, period: 0.8 s, damping: 5 %}}
-links: [{between: [left, right], gap: 0.1 mm, law: hertz_damped, stiffness: 2.75e9, restitution: 0.65}]
-analysis: {tolerance: 1e-2}
-study:
-  factors: {gap: {of: links.*.gap, list: [0.1 mm, 0.2 mm]}}
-  keep: [displacement, force, impacts]
-"""
+#: For faults at every allocation: its first two rows, shorter.
+FEW_ROWS = (STUDY.partition("  records:")[0].replace("duration: 0.8 s", "duration: 0.3 s").replace("[left, right]", "[right, left]")
+            .replace("list: [1 mm, 3 mm]", "list: [0.1 mm, 0.2 mm]") + "  keep: [displacement, force, impacts]\n")

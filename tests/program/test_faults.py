@@ -23,7 +23,7 @@ EVERY = int(os.environ.get("POUNDING_ALL_FAULTS", "0"))
 ALL = EVERY > 0
 #: How often such faults ended a run with this exit code, or less than zero by this signal, and with the earlier file replaced or not.
 ENDINGS = Counter()
-#: Crashes of a run, whichever of its allocations fails.
+#: PETSc crashes fewer times than this in a run in which each of its allocations fails.
 MOST_CRASHES_OF_PETSC = 6
 #: Written often, so that there are many calls.
 MODEL = OSCILLATORS.replace("analysis: {duration: 3.0}", "analysis: {duration: 3.0, tolerance: 1e-7}\ncompare: no_pounding\n"
