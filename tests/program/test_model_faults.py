@@ -16,6 +16,8 @@ from small_models import FEW_COORDINATES, FEW_HINGES, FEW_ROWS, PUSH, RUNS, STUD
 from test_faults import FaultTest, LacksOfMemory, Served
 
 tearDownModule = test_faults.tearDownModule
+#: pybind11 ends a process fewer times than this where each allocation of a study fails once, as it registers an object or forgets one.
+MOST_CRASHES_OF_PYBIND11 = 8
 CHECKPOINTS = "checkpoint: {every_simulated: 0.1 s}\n"
 
 
@@ -207,10 +209,13 @@ class StudyLacksMemory(Study):
 
     def check_child(self, folder, code, messages):
         test_faults.ENDINGS["Study", "own_memory", code, (folder / "out.h5").exists()] += 1
-        if code != 0:
+        if code == -signal.SIGABRT:
+            self.crashes += 1
+        elif code != 0:
             self.assertEqual(code, 3, messages)
             self.assertRegex(messages, r"\Apounding: .*memory")
             self.assertNotIn("Traceback", messages)
+        if code != 0:
             if self.state(folder) in self.seen:
                 return
             self.seen.add(self.state(folder))
@@ -222,10 +227,11 @@ class StudyLacksMemory(Study):
     def test_lack_of_memory_for_the_kernel(self):
         """All behind the loading of the package, in which C++ ends a process that gets no memory."""
         loaded, count = self.counts()
-        self.seen = set()
+        self.seen, self.crashes = set(), 0
         stride = test_faults.EVERY or (count - loaded) // 20
         for first in range(loaded + 1, count + 1, self.AT_ONCE * stride):
             self.in_children(first, first + self.AT_ONCE * stride - 1, stride)
+        self.assertLess(self.crashes, MOST_CRASHES_OF_PYBIND11)
 
 
 if __name__ == "__main__":
