@@ -17,7 +17,7 @@ from test_faults import FaultTest, LacksOfMemory, Served
 
 tearDownModule = test_faults.tearDownModule
 #: pybind11 ends a process fewer times than this where each allocation of a study fails once, as it registers an object or forgets one.
-MOST_CRASHES_OF_PYBIND11 = 8
+MOST_CRASHES_OF_PYBIND11 = 16
 CHECKPOINTS = "checkpoint: {every_simulated: 0.1 s}\n"
 
 
