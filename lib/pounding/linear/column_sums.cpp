@@ -192,6 +192,12 @@ void add_products(const Columns& a, const Columns& x, std::span<const int> rows,
   for (Index i = 0; i < a.rows; ++i) y.row(rows[static_cast<std::size_t>(i)]) = room.row(i);
 }
 
+Eigen::MatrixXd summed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x) {
+  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(a.rows(), x.cols());
+  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {x.data(), x.rows(), x.cols(), x.rows()}, made.data(), made.rows());
+  return made;
+}
+
 void add_scaled(std::span<const ScaledColumn> columns, Index rows, const double* weights, double* y) {
   if (has_wide_vectors())
     scale_by_wide_vectors(columns, rows, weights, y);

@@ -24,6 +24,8 @@ struct Columns {
 void add_products(const Columns& a, const Columns& x, double* y, Eigen::Index y_stride);
 /// The same to some rows of Y, one for each row of A, ascending. `room` is overwritten where they do not follow each other.
 void add_products(const Columns& a, const Columns& x, std::span<const int> rows, Eigen::MatrixXd& y, Eigen::MatrixXd& room);
+/// A X, by the same sums.
+Eigen::MatrixXd summed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x);
 
 /// y_k += (f_j w_k) a_kj for one column j of A after the other; without weights y_k += f_j a_kj. `weights` is one number a row, or empty.
 struct ScaledColumn {

@@ -47,24 +47,17 @@ void multiply(bool transposed, const Eigen::Ref<const Eigen::MatrixXd>& a, const
   check(MatProductNumeric(made));
 }
 
-// The sums of column_sums.hpp.
-Eigen::MatrixXd summed(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(a.rows(), b.cols());
-  add_products({a.data(), a.rows(), a.cols(), a.rows()}, {b.data(), b.rows(), b.cols(), b.rows()}, made.data(), made.rows());
-  return made;
-}
-
 }  // namespace
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  if (!by_blas(a, b)) return summed(a, b);
+  if (!by_blas(a, b)) return summed_product(a, b);
   Eigen::MatrixXd made(a.rows(), b.cols());
   multiply(false, a, b, made);
   return made;
 }
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  if (!by_blas(a, b)) return summed(a.transpose(), b);
+  if (!by_blas(a, b)) return summed_product(a.transpose(), b);
   Eigen::MatrixXd made(a.cols(), b.cols());
   multiply(true, a, b, made);
   return made;

@@ -391,11 +391,7 @@ void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Ei
   const Eigen::Index rows = unknowns();
   if (few()) {
     Eigen::MatrixXd own = x.middleRows(coordinate, count);
-    if (shadow) {
-      const Eigen::MatrixXd &by = shadow->in_modes, of_shadow = std::move(own);
-      own.setZero(by.rows(), of_shadow.cols());
-      add_products({by.data(), by.rows(), by.cols(), by.rows()}, {of_shadow.data(), of_shadow.rows(), of_shadow.cols(), of_shadow.rows()}, own.data(), own.rows());
-    }
+    if (shadow) own = summed_product(shadow->in_modes, own);
     own.transposeInPlace();
     const Eigen::Index all = own.cols();
     auto to = u.middleCols(first, rows);

@@ -25,24 +25,19 @@ using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
 using Eight = double __attribute__((vector_size(64), aligned(8), may_alias));
 #endif
 
-/// Whether this processor runs POUNDING_WIDE functions.
-inline bool has_wide_vectors() {
+/// Whether this processor runs POUNDING_WIDE functions, and whether it runs POUNDING_WIDEST ones.
 #if defined(__GNUC__) && defined(__x86_64__)
+inline bool has_wide_vectors() {
   static const bool has = __builtin_cpu_supports("avx") != 0;
   return has;
-#else
-  return false;
-#endif
 }
-
-/// Whether it runs POUNDING_WIDEST functions.
 inline bool has_widest_vectors() {
-#if defined(__GNUC__) && defined(__x86_64__)
   static const bool has = __builtin_cpu_supports("avx512f") != 0;
   return has;
-#else
-  return false;
-#endif
 }
+#else
+inline bool has_wide_vectors() { return false; }
+inline bool has_widest_vectors() { return false; }
+#endif
 
 }  // namespace pounding

@@ -142,6 +142,16 @@ template void LinearQuantities::evaluate<1>(const Instants<1>&, std::span<const 
 template void LinearQuantities::evaluate<LinearQuantities::batch>(const Instants<batch>&, std::span<const double>,
                                                                   std::span<const GroundMotion>, Instants<batch>&) const;
 
+void add_member_forces(std::vector<Eigen::Triplet<double>>& entries, const Structure& s, int first_row) {
+  const auto add = [&](const RowMajor& from, int first_column) {
+    for (int row = 0; row < from.outerSize(); ++row)
+      for (RowMajor::InnerIterator it(from, row); it; ++it)
+        if (it.value() != 0) entries.emplace_back(first_row + row, first_column + static_cast<int>(it.col()), it.value());
+  };
+  add(s.forces.rows, 0);
+  add(s.forces.by_yielding, s.size());
+}
+
 LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan, const LinearQuantities::Choice& chosen,
                                  bool merge) {
   const Structure& s = model.structures[structure];
@@ -152,12 +162,7 @@ LinearQuantities internal_forces(const Model& model, int structure, const Ground
       add_row(entries, shears, floor.storey_shear[j], 1, 0);
       if (!floor.storey_shear_by_yielding.empty()) add_row(entries, shears, floor.storey_shear_by_yielding[j], 1, s.size());
     }
-  for (int row = 0; row < s.forces.rows.outerSize(); ++row)
-    for (RowMajor::InnerIterator it(s.forces.rows, row); it; ++it)
-      if (it.value() != 0) entries.emplace_back(shears + row, static_cast<int>(it.col()), it.value());
-  for (int row = 0; row < s.forces.by_yielding.outerSize(); ++row)
-    for (RowMajor::InnerIterator it(s.forces.by_yielding, row); it; ++it)
-      if (it.value() != 0) entries.emplace_back(shears + static_cast<int>(it.row()), s.size() + static_cast<int>(it.col()), it.value());
+  add_member_forces(entries, s, shears);
   const int count = shears + static_cast<int>(s.forces.rows.rows());
   RowMajor rows(count, s.size() + static_cast<int>(s.yielding.size()));
   rows.setFromTriplets(entries.begin(), entries.end());

@@ -61,6 +61,9 @@ class LinearQuantities {
   Eigen::MatrixXd by_ground_;  // empty for none
 };
 
+/// Entries of the forces at the ends of the members of a structure, from this row on [row, unknown]; behind its unknowns those of what yields in it.
+void add_member_forces(std::vector<Eigen::Triplet<double>>& entries, const Structure& structure, int first_row);
+
 /// Quantities of one frame: storey shears floor by floor, then InternalForces row by row. Without what members that turn add. Columns of
 /// `rows` after the unknowns are those of its parts that yield.
 LinearQuantities internal_forces(const Model& model, int structure, const GroundPlan& plan, const LinearQuantities::Choice& chosen,

@@ -23,12 +23,7 @@ using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 RowMajor rows_with_parts(const Structure& s) {
   RowMajor rows(s.forces.rows.rows(), s.size() + static_cast<Eigen::Index>(s.yielding.size()));
   std::vector<Eigen::Triplet<double>> entries;
-  const auto add = [&](const RowMajor& from, int first) {
-    for (int row = 0; row < from.outerSize(); ++row)
-      for (RowMajor::InnerIterator it(from, row); it; ++it) entries.emplace_back(row, first + static_cast<int>(it.col()), it.value());
-  };
-  add(s.forces.rows, 0);
-  add(s.forces.by_yielding, s.size());
+  add_member_forces(entries, s, 0);
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
