@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -166,7 +167,12 @@ struct Ran {
 
 // The bytes of the results file on all processes; only the first one has whole histories.
 std::vector<std::byte> image_for_all(const petsc::Ranks& ranks, const Results& results) {
-  return ranks.gather(ranks.is_root() ? results_image(results) : std::vector<std::byte>{}).front();
+  std::vector<std::byte> mine;
+  if (ranks.is_root()) {
+    const FileImage made = results_image(results);
+    mine.assign(made.begin(), made.end());
+  }
+  return ranks.gather(mine).front();
 }
 
 Ran ran(const Model& model, Outcome outcome, std::string failure) {
@@ -238,7 +244,7 @@ struct RunOutcome {
 
   /// Bytes of the results file.
   py::bytes image() const {
-    std::vector<std::byte> made;
+    FileImage made;
     if (results) {
       const py::gil_scoped_release free;
       // HDF5 works for one thread at a time; a function that shows the progress of another run has the right already.
@@ -246,7 +252,7 @@ struct RunOutcome {
       if (!PetscForThisThread::holds()) mine.emplace();
       made = results_image(*results);
     }
-    const std::vector<std::byte>& whole = results ? made : bytes;
+    const std::span<const std::byte> whole = results ? std::span<const std::byte>(made) : bytes;
     return {reinterpret_cast<const char*>(whole.data()), whole.size()};
   }
 };

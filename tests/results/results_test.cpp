@@ -350,6 +350,22 @@ TEST_F(ResultsFile, LargeHistoriesAreUnchangedAndInChunksThatAreFull) {
   EXPECT_LT(fs::file_size(path), 1.03 * samples * (5 * floors + 2) * sizeof(double)) << "five histories, the time and the ground";
 }
 
+TEST_F(ResultsFile, RunWithoutLinksStandsInTheOtherOne) {
+  Results run = small_run(), without_links = small_run();
+  without_links.time = {0.0, 0.7, 1.5};
+  without_links.title = "without links";
+  run.no_pounding = image_to_add(without_links);
+  for (int times = 0; times < 2; ++times) {
+    SCOPED_TRACE("the image is not used up");
+    write_results(run, path);
+    const Reader file(path);
+    EXPECT_EQ(file.values("/time"), run.time);
+    EXPECT_EQ(file.values("/no_pounding/time"), without_links.time);
+    EXPECT_EQ(file.values("/no_pounding/structures/tower.A/drift"), without_links.structures[0].drift);
+    EXPECT_EQ(file.text_attribute("/no_pounding", "title"), "without links");
+  }
+}
+
 TEST_F(ResultsFile, NewFileReplacesTheEarlierOne) {
   Results run = small_run();
   run.status = "running";
@@ -420,7 +436,7 @@ TEST_F(ResultsFile, LimitOnTheSizeOfFilesLeavesTheEarlierFile) {
 }
 
 TEST_F(ResultsFile, PlaceOfAnotherRunIsRefusedUntilThatEnds) {
-  const std::vector<std::byte> image = results_image(small_run());
+  const FileImage image = results_image(small_run());
   const std::string busy = "cannot write \"" + path + "\": another run writes it now. Wait for its end, or name another file: -o other.h5";
   {
     ReplacedFile one(path);

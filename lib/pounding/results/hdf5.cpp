@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
-#include <pounding/results/checked_file.hpp>
 
 namespace pounding::hdf5 {
 namespace {
@@ -83,39 +82,6 @@ void require_room() {
   void* volatile taken = std::malloc(room);  // volatile, or a compiler leaves both calls out
   if (taken == nullptr) throw NoMemory("HDF5 finds no 8 MB to begin with");
   std::free(taken);
-}
-
-std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write) {
-  const Quiet quiet;
-  constexpr std::size_t growth = std::size_t{1} << 20;
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe a file");
-  checked(H5Pset_fapl_core(access, growth, false), "choose a file in memory");
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "describe a file");
-  checked(H5Pset_userblock(creation, checked_block_size), "leave room in front");
-  const Handle file(H5Fcreate("results in memory", H5F_ACC_TRUNC, creation, access), H5Fclose, "create a file");
-  write(file);
-  checked(H5Fflush(file, H5F_SCOPE_GLOBAL), "complete the file");
-  // HDF5 counts the block in front in every address of the file, and leaves it out of the image.
-  const auto size = static_cast<std::size_t>(checked(H5Fget_file_image(file, nullptr, 0), "size the file"));
-  std::vector<std::byte> image(checked_block_size + size);
-  checked(H5Fget_file_image(file, image.data() + checked_block_size, size), "copy the file");
-  return image;
-}
-
-std::vector<std::byte> checked_image(const std::function<void(hid_t file)>& write) {
-  try {
-    std::vector<std::byte> image = file_image(write);
-    write_checked_block(image);
-    return image;
-  } catch (const InputError&) {
-    throw;
-  } catch (const NoMemory& error) {
-    throw OutOfMemory(fmt::format("there is no memory left to make the results file, which keeps what was written before: {}", error.what()));
-  } catch (const std::runtime_error& error) {
-    throw SolverError(fmt::format("the results file could not be made in memory, and keeps what was written before: {}", error.what()));
-  } catch (const std::bad_alloc&) {
-    throw OutOfMemory("there is no memory left to make the results file, which keeps what was written before");
-  }
 }
 
 Handle group(hid_t parent, const std::string& name) {
@@ -192,8 +158,8 @@ Handle array(hid_t parent, const Label& label, const std::vector<double>& values
 }
 
 void text(hid_t parent, const char* name, const char* long_name, const std::string& value) {
-  const PaddedTexts text({value});
-  describe(dataset(parent, name, text_type(text.size), dataspace({}), H5P_DEFAULT, text.data()), {name, "text", long_name});
+  const char* const data = value.empty() ? nullptr : value.data();
+  describe(dataset(parent, name, text_type(value.size()), dataspace({}), H5P_DEFAULT, data), {name, "text", long_name});
 }
 
 void scalar(hid_t parent, const Label& label, long value) {

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <pounding/results/file_image.hpp>
+
 namespace pounding::hdf5 {
 
 /// HDF5 failed because it got no memory.
@@ -68,11 +70,16 @@ class Handle {
 
 /// Makes a file in memory, lets `write` fill it, and returns its bytes behind `checked_block_size` bytes without a meaning; HDF5
 /// never touches the disk.
-std::vector<std::byte> file_image(const std::function<void(hid_t file)>& write);
+FileImage file_image(const std::function<void(hid_t file)>& write);
 
 /// As `file_image`, with the checksum in front. Throws OutOfMemory where memory ends, SolverError where HDF5 fails in another way, and InputError as
 /// `write` does.
-std::vector<std::byte> checked_image(const std::function<void(hid_t file)>& write);
+FileImage checked_image(const std::function<void(hid_t file)>& write);
+/// As `checked_image` without a checksum, for `add_file`.
+FileImage image_to_add(const std::function<void(hid_t file)>& write);
+
+/// Opens the image of a file for `read`, where it is, and closes it afterwards.
+void open_image(const FileImage& image, const std::function<void(hid_t file)>& read);
 
 /// Creates a group whose members are listed in the order of their creation.
 Handle group(hid_t parent, const std::string& name);
@@ -111,9 +118,9 @@ void table(hid_t parent, const char* name, const char* long_name, hid_t row_type
 void bytes(hid_t parent, const char* name, const char* long_name, const std::vector<std::byte>& values);
 
 /// Adds the content of a file image, its attributes included, as a group; members of its root named in `but` are left out.
-void add_file(hid_t file, const std::string& name, const std::vector<std::byte>& image, const std::set<std::string>& but = {});
+void add_file(hid_t file, const std::string& name, const FileImage& image, const std::set<std::string>& but = {});
 /// The content of a group as the image of a file: the inverse of add_file().
-std::vector<std::byte> group_image(hid_t file, const std::string& name);
+FileImage group_image(hid_t file, const std::string& name);
 
 /// Opens a results file on the disk for `read` and closes it afterwards. Throws InputError where require_whole() does.
 void open_file(const std::string& path, const std::function<void(hid_t file)>& read);

@@ -57,16 +57,11 @@ void copy_content(hid_t from, hid_t to, const std::set<std::string>& but) {
 
 }  // namespace
 
-void add_file(hid_t file, const std::string& name, const std::vector<std::byte>& image, const std::set<std::string>& but) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe a file");
-  checked(H5Pset_fapl_core(access, image.size(), false), "choose a file in memory");
-  std::vector<std::byte> bytes = image;  // HDF5 asks for a buffer that it may change, and copies it
-  checked(H5Pset_file_image(access, bytes.data(), bytes.size()), "give a file image");
-  const Handle from(H5Fopen("results to add", H5F_ACC_RDONLY, access), H5Fclose, "open a file image");
-  copy_content(from, group(file, name), but);
+void add_file(hid_t file, const std::string& name, const FileImage& image, const std::set<std::string>& but) {
+  open_image(image, [&](hid_t from) { copy_content(from, group(file, name), but); });
 }
 
-std::vector<std::byte> group_image(hid_t file, const std::string& name) {
+FileImage group_image(hid_t file, const std::string& name) {
   const Handle from(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, "open group ", name);
   return file_image([&](hid_t to) { copy_content(from, to, {}); });
 }

@@ -332,6 +332,9 @@ void visit_all(AnyResults& results, Visit&& visit) {
 }
 
 void write_all(hid_t file, const Results& results) {
+  check_names(results.structures, "structure");
+  check_names(results.links, "link");
+  check_names(results.devices, "device");
   attribute(file, "program", results.program);
   attribute(file, "version", results.version);
   attribute(file, "created", results.created);
@@ -383,11 +386,12 @@ std::string checksum_of_histories(const Results& results) {
   return checksum.text();
 }
 
-std::vector<std::byte> results_image(const Results& results) {
-  check_names(results.structures, "structure");
-  check_names(results.links, "link");
-  check_names(results.devices, "device");
+FileImage results_image(const Results& results) {
   return hdf5::checked_image([&](hid_t file) { write_all(file, results); });
+}
+
+FileImage image_to_add(const Results& results) {
+  return hdf5::image_to_add([&](hid_t file) { write_all(file, results); });
 }
 
 void write_results(const Results& results, const std::string& path) { ReplacedFile(path).replace(results_image(results)); }

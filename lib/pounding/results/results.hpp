@@ -10,6 +10,7 @@
 
 #include <pounding/results/checkpoint.hpp>
 #include <pounding/results/envelope.hpp>
+#include <pounding/results/file_image.hpp>
 #include <pounding/results/spring_history.hpp>
 #include <pounding/links/impact_row.hpp>
 #include <pounding/model/reduction.hpp>
@@ -106,7 +107,7 @@ struct Results {
   /// how far the two have approached each other [m]. Else empty.
   Extremes approach;
   /// File image of the run without links that `compare: no_pounding` asks for; else empty.
-  std::vector<std::byte> no_pounding;
+  FileImage no_pounding;
   SolverStatistics solver;
   std::vector<ReducedStructure> reduced;  ///< structures in fewer coordinates, with estimated errors
   int deeper = 0;                         ///< blocks of automatic reductions beside those that the tolerance asks for
@@ -124,7 +125,10 @@ struct Results {
 void write_results(const Results& results, const std::string& path);
 
 /// Bytes of the file that write_results() writes, for readers without a disk; throws as write_results().
-std::vector<std::byte> results_image(const Results& results);
+FileImage results_image(const Results& results);
+
+/// The same without a checksum, for `Results::no_pounding` of another run.
+FileImage image_to_add(const Results& results);
 
 /// Calls `visit` for every history in time, those of links and energies included, with its path in the file and its values.
 void visit_histories(Results& results,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <pounding/results/checkpoint.hpp>
+#include <pounding/results/file_image.hpp>
 
 namespace pounding {
 
@@ -23,7 +24,7 @@ struct InterruptedRun {
   std::string histories = {};      ///< checksum of the histories
   /// Whether `compare: no_pounding` was interrupted in its first part, the run without links: the checkpoint and the histories are its.
   bool without_links = false;
-  std::vector<std::byte> no_pounding = {};  ///< image of its run without links; empty for none
+  FileImage no_pounding = {};  ///< image of its run without links; empty for none
   Checkpoint checkpoint = {};
   int deeper = 0;  ///< Results::deeper
 };

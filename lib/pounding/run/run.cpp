@@ -69,7 +69,7 @@ std::optional<Outcome> try_run(const Model& model, const RunOptions& options, co
     outcome.summary.without_pounding = without.summary.structures;
     outcome.summary.without_links_status = without.results.status;
     outcome.summary.separations = separations(model, without.results.approach);
-    if (!options.numbers_only) results.no_pounding = results_image(without.results);
+    if (!options.numbers_only) results.no_pounding = image_to_add(without.results);
   }
 
   const System system = assemble(model, with_links);
@@ -135,7 +135,7 @@ Outcome run_once(const Model& model, const RunOptions& options, const WriteResul
 Outcome first_part(const Model& model, const RunOptions& options, const Results& without_links) {
   Outcome outcome{heading(model, options), {}};
   Results& results = outcome.results;
-  results.no_pounding = results_image(without_links);
+  results.no_pounding = image_to_add(without_links);
   const std::string failed = "failed: ";
   if (!without_links.status.starts_with(failed)) return outcome;
   results.status = outcome.summary.status = failed + "(the run without links) " + without_links.status.substr(failed.size());
