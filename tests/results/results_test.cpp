@@ -350,6 +350,20 @@ TEST_F(ResultsFile, LargeHistoriesAreUnchangedAndInChunksThatAreFull) {
   EXPECT_LT(fs::file_size(path), 1.03 * samples * (5 * floors + 2) * sizeof(double)) << "five histories, the time and the ground";
 }
 
+TEST_F(ResultsFile, ZerosInFrontAreReadAndTakeNoRoom) {
+  Results run;
+  const std::size_t samples = 50000;
+  run.time.resize(samples);
+  run.ground_acceleration.resize(samples);
+  for (std::size_t i = 30000; i < samples; ++i) run.ground_acceleration[i] = double(i);
+  run.ground_acceleration[40000] = 0;
+  write_results(run, path);
+  const Reader file(path);
+  EXPECT_EQ(file.values("/time"), run.time);
+  EXPECT_EQ(file.values("/ground/acceleration"), run.ground_acceleration);
+  EXPECT_LT(fs::file_size(path), 0.8 * samples * sizeof(double)) << "the times are zeros, as the first half of the ground's accelerations is";
+}
+
 TEST_F(ResultsFile, RunWithoutLinksStandsInTheOtherOne) {
   Results run = small_run(), without_links = small_run();
   without_links.time = {0.0, 0.7, 1.5};
