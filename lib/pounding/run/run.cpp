@@ -47,6 +47,14 @@ void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
   solver.iterations = stepper.iterations();
 }
 
+// What the runs with and without links have alike.
+struct Task {
+  const Model& model;
+  const RunOptions& options;
+  WriteResults write;  // empty where there is no file to write
+  Results heading;     // histories and ends are still to come
+};
+
 Results heading(const Model& model, const RunOptions& options) {
   Results results;
   results.version = POUNDING_VERSION;
@@ -59,11 +67,13 @@ Results heading(const Model& model, const RunOptions& options) {
   return results;
 }
 
-// `without` is the run without links, where there is one. `write` is empty where there is no file to write. Automatic reductions have `deeper`
+// `without` is the run without links, where there is one. Automatic reductions have `deeper`
 // blocks more than the tolerance asks for; nothing where they need still more of them: then nothing has moved, and no end was written.
-std::optional<Outcome> try_run(const Model& model, const RunOptions& options, const WriteResults& write, bool with_links, const Outcome& without,
-                               int deeper, const Stopwatch& since_start, const InterruptedRun* earlier) {
-  Outcome outcome{heading(model, options), {}};
+std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome& without, int deeper, const Stopwatch& since_start,
+                               const InterruptedRun* earlier) {
+  const Model& model = task.model;
+  const RunOptions& options = task.options;
+  Outcome outcome{task.heading, {}};
   Results& results = outcome.results;
   if (!without.summary.structures.empty()) {
     outcome.summary.without_pounding = without.summary.structures;
@@ -92,7 +102,7 @@ std::optional<Outcome> try_run(const Model& model, const RunOptions& options, co
   refuse_unread_options(true);
 
   Recorder recorder(model, stepper, results);
-  RunWriter writer(model, options, write, setup.ts, stepper, recorder, outcome, since_start, plan);
+  RunWriter writer(model, options, task.write, setup.ts, stepper, recorder, outcome, since_start, plan);
   if (earlier)
     writer.restart(*earlier);
   else
@@ -118,22 +128,20 @@ std::optional<Outcome> try_run(const Model& model, const RunOptions& options, co
     }
   }
   const std::string done = monitor.collapse().empty() ? "done" : "done: " + monitor.collapse();
-  writer.conclude(failure.empty() ? done : "failed: " + failure);
-  writer.write(results.status);
+  writer.end(failure.empty() ? done : "failed: " + failure);
   if (!failure.empty()) throw FailedRun(failure, std::move(outcome));
   return outcome;
 }
 
-Outcome run_once(const Model& model, const RunOptions& options, const WriteResults& write, bool with_links, const Outcome& without,
-                 const InterruptedRun* earlier = nullptr) {
+Outcome run_once(const Task& task, bool with_links, const Outcome& without, const InterruptedRun* earlier = nullptr) {
   const Stopwatch since_start;
   for (int deeper = earlier ? earlier->deeper : 0;; deeper = still_deeper(deeper), earlier = nullptr)
-    if (std::optional<Outcome> outcome = try_run(model, options, write, with_links, without, deeper, since_start, earlier)) return std::move(*outcome);
+    if (std::optional<Outcome> outcome = try_run(task, with_links, without, deeper, since_start, earlier)) return std::move(*outcome);
 }
 
 // The file of a run whose first part, without links, has this state.
-Outcome first_part(const Model& model, const RunOptions& options, const Results& without_links) {
-  Outcome outcome{heading(model, options), {}};
+Outcome first_part(const Task& task, const Results& without_links) {
+  Outcome outcome{task.heading, {}};
   Results& results = outcome.results;
   results.no_pounding = image_to_add(without_links);
   const std::string failed = "failed: ";
@@ -146,20 +154,18 @@ Outcome first_part(const Model& model, const RunOptions& options, const Results&
 }
 
 // The run that `compare: no_pounding` asks for. It is kept in the output of the run that is to follow.
-Outcome run_without_links(const Model& model, const RunOptions& options, const WriteResults& write,
-                          const InterruptedRun* earlier = nullptr) {
-  WriteResults write_part;
+Outcome run_without_links(const Task& task, const InterruptedRun* earlier = nullptr) {
+  Task part = task;
+  part.heading.command.clear();
   // Its end has no state to continue from: until the run with links has one, the file keeps the last one before.
-  if (write)
-    write_part = [&](const Results& results) {
-      if (!results.status.starts_with("done")) write(first_part(model, options, results).results);
+  if (task.write)
+    part.write = [&](const Results& results) {
+      if (!results.status.starts_with("done")) task.write(first_part(task, results).results);
     };
-  RunOptions quiet = options;
-  quiet.command.clear();
   try {
-    return run_once(model, quiet, write_part, false, {}, earlier);
+    return run_once(part, false, {}, earlier);
   } catch (const FailedRun& failed) {
-    throw FailedRun(fmt::format("the run without links: {}", failed.what()), first_part(model, options, failed.outcome().results));
+    throw FailedRun(fmt::format("the run without links: {}", failed.what()), first_part(task, failed.outcome().results));
   }
 }
 
@@ -181,20 +187,20 @@ Outcome run(const Model& model, const RunOptions& options) {
       throw std::logic_error("this model has been run; read it again");
   require_same_model(petsc::Ranks(options.comm), model);
   ReplacedFile file(options.output);
-  WriteResults write;
+  Task task{model, options, {}, heading(model, options)};
   if (!options.output.empty()) {
     petsc::Ranks(options.comm).on_root([&] { file.require_free(); });
-    write = [&](const Results& results) { file.replace(results_image(results)); };
+    task.write = [&](const Results& results) { file.replace(results_image(results)); };
   }
   if (options.resume.empty()) {
     Outcome without_links;
-    if (model.compare_no_pounding) without_links = run_without_links(model, options, write);
-    return run_once(model, options, write, true, without_links);
+    if (model.compare_no_pounding) without_links = run_without_links(task);
+    return run_once(task, true, without_links);
   }
   const InterruptedRun earlier = read_interrupted_run(options.resume);
   check_same_run(earlier, model, petsc::Environment::given_options());
-  if (!earlier.without_links) return run_once(model, options, write, true, {}, &earlier);
-  return run_once(model, options, write, true, run_without_links(model, options, write, &earlier));
+  if (!earlier.without_links) return run_once(task, true, {}, &earlier);
+  return run_once(task, true, run_without_links(task, &earlier));
 }
 
 }  // namespace pounding

@@ -107,9 +107,13 @@ void RunWriter::conclude(const std::string& status) {
 }
 
 void RunWriter::write(const std::string& status) {
-  if (!write_results_) return;
+  if (write_results_) end(status);
+}
+
+void RunWriter::end(const std::string& status) {
   const Stopwatch cost;
   conclude(status);
+  if (!write_results_) return;
   recorder_.with_present_state([&] { ranks_.on_root([&] { write_results_(outcome_.results); }); });
   since_write_.restart();
   written_time_ = stepper_.time();

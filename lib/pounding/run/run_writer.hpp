@@ -40,13 +40,14 @@ class RunWriter {
   /// Whether the file is due to be written: by the checkpoints that the model asks for, else often enough for writing to take a
   /// small part of the run.
   bool is_due() const;
-  /// Completes the summary with a status.
-  void conclude(const std::string& status);
+  /// Completes the summary with the last status, and writes the results where there is an output.
+  void end(const std::string& status);
   /// Wall time of the run, parts before an interruption included [s].
   double seconds() const { return earlier_seconds_ + since_start_.seconds(); }
 
  private:
   void archive(Archive& archive);
+  void conclude(const std::string& status);
   std::vector<std::byte> own_part(const std::vector<std::byte>& saved) const;
 
   petsc::Ranks ranks_;
