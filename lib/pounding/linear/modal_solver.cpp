@@ -391,7 +391,6 @@ void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Ei
   const Eigen::Index rows = unknowns();
   if (few()) {
     Eigen::MatrixXd own = x.middleRows(coordinate, count);
-    if (shadow) own = summed_product(shadow->in_modes, own);
     own.transposeInPlace();
     const Eigen::Index all = own.cols();
     auto to = u.middleCols(first, rows);
@@ -435,10 +434,13 @@ void ModalSolver::physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen
     if (!block.shadow) block.displace(x, u);
 }
 
-void ModalSolver::physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const {
-  u.resize(x.cols(), unknowns_);
-  for (const Block& block : blocks_)
-    if (!block.shadowed) block.displace(x, u);
+void ModalSolver::as_shadow(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) const {
+  y = x;
+  for (const Block& block : blocks_) {
+    if (!block.shadow) continue;
+    const Block& run = *std::ranges::find(blocks_, block.first, &Block::first);
+    y.middleRows(run.coordinate, run.count) = summed_product(block.shadow->in_modes, x.middleRows(block.coordinate, block.count));
+  }
 }
 
 std::optional<StructureSolver::FewModes> ModalSolver::few_modes(int group) const {

@@ -60,7 +60,7 @@ class ModalSolver final : public StructureSolver {
   void gather_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& relative) const override;
   void observe_shadow(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& values) const override;
   void physical_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const override;
-  void physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const override;
+  void as_shadow(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) const override;
   std::optional<FewModes> few_modes(int group) const override;
   std::string description() const override;
 

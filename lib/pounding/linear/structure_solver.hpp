@@ -119,8 +119,8 @@ class StructureSolver {
       u.row(j) = one;
     }
   }
-  /// As physical_of_columns(), from the shadow for structures that have one.
-  virtual void physical_shadow_of_columns(Eigen::Ref<const Eigen::MatrixXd> x, Eigen::MatrixXd& u) const { physical_of_columns(x, u); }
+  /// For each column of coordinates x those in which the run would move as the shadow does; behind counted() they mean nothing.
+  virtual void as_shadow(const Eigen::MatrixXd& x, Eigen::MatrixXd& y) const { y = x; }
   /// The modes of a group [unknown of the group, mode] and the first of its coordinates, where these are so few that sums over them cost less
   /// than sums over its unknowns.
   struct FewModes {

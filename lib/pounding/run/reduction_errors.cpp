@@ -13,9 +13,8 @@ constexpr double safety = 3;
 constexpr double nearest = 0.04;
 // The part of the tolerance that the reduction may use; the steps use about half of it.
 constexpr double share = 0.3;
-// Times at which forces of members are compared: each takes a product with all shapes.
-constexpr double compared_times = 400;
-constexpr int together = LinearQuantities::batch;  // of them
+// Times at which the difference from the shadow is measured.
+constexpr double measured_times = 400;
 
 using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
@@ -45,6 +44,7 @@ ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& respon
     if (reduced == stepper.base().reduced().end() || reduced->link_blocks < 2 || reduced->modes > 0) continue;
     Floors floors;
     floors.structure = k;
+    floors.coordinates = *std::ranges::find(stepper.base().segments(), k, &StructureSolver::Segment::group);
     floors.first_part = first_part;
     floors.parts = static_cast<Eigen::Index>(s.yielding.size());
     if (const auto count = static_cast<int>(s.forces.members.size() * s.forces.components.size()); count > 0) {
@@ -63,6 +63,12 @@ ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& respon
         if (s.dimension < 3 || direction < 2) floors.rows.push_back(response.row(k, floor, direction));
     floors_.push_back(std::move(floors));
   }
+  waiting_.setZero(stepper.base().size(), together);
+  last_.setZero(stepper.base().size(), 2);
+  kept_.setZero(stepper.base().size(), 2 * together);
+  last_forces_.setZero(parts);
+  waiting_forces_.setZero(parts, together);
+  kept_forces_.setZero(parts, together);
 }
 
 void ReductionErrors::step(bool output_due) {
@@ -76,58 +82,87 @@ void ReductionErrors::step(bool output_due) {
       floors.displacement = std::max(floors.displacement, std::abs(own(row, 0) - motion_(row, 0)));
       floors.acceleration = std::max(floors.acceleration, std::abs(own(row, 2) - motion_(row, 2)));
     }
-  const long every = std::max(1L, std::lround(model_.analysis.duration / model_.analysis.output_step / compared_times));
+  const long every = std::max(1L, std::lround(model_.analysis.duration / model_.analysis.output_step / measured_times));
   if (!output_due || outputs_++ % every != 0) return;
-  waiting_.resize(end.motion.rows(), together);
-  if (const auto springs = static_cast<Eigen::Index>(stepper_.system().springs.size()); springs > 0) {
-    waiting_forces_.resize(springs, together);
-    waiting_forces_.col(waits_) = end.force.segment(stepper_.system().contact_count(), springs);
-  }
+  waiting_forces_.col(waits_) = end.force.segment(stepper_.system().contact_count(), waiting_forces_.rows());
   waiting_.col(waits_++) = end.motion.col(Instant::u);
-  if (waits_ == together) compare_waiting();
+  if (waits_ == together) measure_waiting();
 }
 
-// Places without an output time repeat the first one.
-void ReductionErrors::compare_waiting() {
-  if (waits_ == 0) return;
-  for (int i = waits_; i < together; ++i) {
-    waiting_.col(i) = waiting_.col(0);
-    if (waiting_forces_.size() > 0) waiting_forces_.col(i) = waiting_forces_.col(0).eval();
+std::optional<int> ReductionErrors::Peaks::take(double next) {
+  std::optional<int> place;
+  const auto least = std::ranges::min_element(measures);
+  if (last >= before && last > next && last > *least) {
+    *least = last;
+    place = static_cast<int>(least - measures.begin());
   }
-  motions_.resize(Eigen::NoChange, stepper_.system().size());
-  stepper_.base().physical_of_columns(waiting_, unknowns_);
-  motions_.topRows(together) = unknowns_;
-  stepper_.base().physical_shadow_of_columns(waiting_, unknowns_);
-  motions_.bottomRows(together) = unknowns_;
+  before = last;
+  last = next;
+  return place;
+}
+
+// Each structure has peaks at times of its own.
+void ReductionErrors::keep_last(Floors& floors, double own, double difference) {
+  const auto coordinates = [&](auto&& motion) { return motion.segment(floors.coordinates.first, floors.coordinates.count); };
+  const auto forces = [&](auto&& of_springs) { return of_springs.segment(floors.first_part, floors.parts); };
+  if (const std::optional<int> place = floors.own.take(own)) {
+    coordinates(kept_.col(*place)) = coordinates(last_.col(0));
+    forces(kept_forces_.col(*place)) = forces(last_forces_);
+  }
+  if (const std::optional<int> place = floors.difference.take(difference)) coordinates(kept_.col(together + *place)) = coordinates(last_.col(1));
+}
+
+void ReductionErrors::measure_waiting() {
+  if (waits_ == 0) return;
+  const StructureSolver& base = stepper_.base();
+  base.as_shadow(waiting_, differences_);
+  differences_ = waiting_ - differences_;
+  stiffness_times_.resize(waiting_.rows(), 2 * together);
+  base.stiffness_times(waiting_, stiffness_times_.leftCols(together));
+  base.stiffness_times(differences_, stiffness_times_.rightCols(together));
+  for (int i = 0; i < waits_; ++i) {
+    for (Floors& floors : floors_) {
+      const auto [first, count, group] = floors.coordinates;
+      keep_last(floors, waiting_.col(i).segment(first, count).dot(stiffness_times_.col(i).segment(first, count)),
+                differences_.col(i).segment(first, count).dot(stiffness_times_.col(together + i).segment(first, count)));
+    }
+    last_.col(0) = waiting_.col(i);
+    last_.col(1) = differences_.col(i);
+    last_forces_ = waiting_forces_.col(i);
+  }
+  waits_ = 0;
+}
+
+void ReductionErrors::compare_members() {
+  const StructureSolver& base = stepper_.base();
+  base.physical_of_columns(kept_, unknowns_);
+  motions_ = unknowns_;
   Eigen::VectorXd way;
-  for (int i = 0; i < together && waiting_forces_.size() > 0; ++i) {
+  for (int i = 0; i < together && kept_forces_.rows() > 0; ++i) {
     way.setZero(motions_.cols());
-    stepper_.base().relief().add_way(-1, waiting_forces_.col(i), way);
+    base.relief().add_way(-1, kept_forces_.col(i), way);
     motions_.row(i) += way.transpose();
-    motions_.row(together + i) += way.transpose();
   }
   for (Floors& floors : floors_) {
     if (!floors.forces) continue;
     floors.forces->evaluate<together>(motions_, {}, {}, evaluated_);
     if (floors.parts > 0) add_yielding(floors);
+    floors.members = floors.largest_members = {};
     for (int q = 0; q < floors.forces->size(); ++q) {
-      const auto own = evaluated_.col(q).head<together>(), of_shadow = evaluated_.col(q).tail<together>();
       const auto unit = static_cast<std::size_t>(floors.units[static_cast<std::size_t>(q)]);
-      floors.members[unit] = std::max(floors.members[unit], (own - of_shadow).cwiseAbs().maxCoeff());
-      floors.largest_members[unit] = std::max(floors.largest_members[unit], own.cwiseAbs().maxCoeff());
+      floors.largest_members[unit] = std::max(floors.largest_members[unit], evaluated_.col(q).head<together>().cwiseAbs().maxCoeff());
+      floors.members[unit] = std::max(floors.members[unit], evaluated_.col(q).tail<together>().cwiseAbs().maxCoeff());
     }
   }
-  waits_ = 0;
 }
 
-// Run and shadow have it alike: it counts in the largest values.
+// Run and shadow have it alike.
 void ReductionErrors::add_yielding(const Floors& floors) {
   Eigen::VectorXd forces;
   for (int i = 0; i < together; ++i) {
     forces.setZero(floors.forces->size());
-    floors.forces->add_yielding(waiting_forces_.col(i).segment(floors.first_part, floors.parts), forces);
+    floors.forces->add_yielding(kept_forces_.col(i).segment(floors.first_part, floors.parts), forces);
     evaluated_.row(i) += forces.transpose();
-    evaluated_.row(together + i) += forces.transpose();
   }
 }
 
@@ -198,8 +233,18 @@ std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) co
   return all;
 }
 
+// A measure may still have been rising.
+void ReductionErrors::end() {
+  if (floors_.empty()) return;
+  measure_waiting();
+  for (Floors& floors : floors_) keep_last(floors, 0, 0);
+  compare_members();
+}
+
 void ReductionErrors::archive(Archive& archive) {
-  compare_waiting();
+  if (floors_.empty()) return;
+  measure_waiting();
+  if (!archive.reading()) compare_members();
   archive(forces_);
   archive(peaks_);
   archive(shadow_peaks_);
@@ -207,9 +252,15 @@ void ReductionErrors::archive(Archive& archive) {
   for (Floors& floors : floors_) {
     archive(floors.displacement);
     archive(floors.acceleration);
+    archive(floors.own);
+    archive(floors.difference);
     archive(floors.members);
     archive(floors.largest_members);
   }
+  archive(last_);
+  archive(last_forces_);
+  archive(kept_);
+  archive(kept_forces_);
 }
 
 bool exceeds(const ReducedStructure& errors, const Reduction& asked, double tolerance) {

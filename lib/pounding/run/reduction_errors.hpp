@@ -23,7 +23,8 @@ namespace pounding {
 ///                   law at ends of steps. What the run misses is taken as that times the root of the error of the links' flexibility in its modes
 ///                   over that in the shadow's (flexibility_errors);
 /// floors:           displacements and accelerations relative to the ground, at the end of every step;
-/// members:          forces and moments at their ends, at some output times.
+/// members:          forces and moments at their ends, at those of some output times at which the strain energy of the difference, or of the run, has its
+///                   largest peaks.
 ///
 /// The largest differences over the largest values of the run, times three, are the reported errors. The run itself is better than its shadow
 /// by the blocks that this lacks.
@@ -36,16 +37,27 @@ class ReductionErrors {
   void step(bool output_due);
   /// The reduced structures with their errors, by the peaks of a summary whose links and structures are filled.
   std::vector<ReducedStructure> errors(const Summary& summary) const;
-  /// The run is over: compares what waits. To be called before errors().
-  void end() { compare_waiting(); }
+  /// The run is over. To be called before the last errors().
+  void end();
   /// For a checkpoint.
   void archive(Archive& archive);
 
  private:
+  static constexpr int together = LinearQuantities::batch;
+  // The largest peaks in time of a measure of motions that are kept.
+  struct Peaks {
+    std::array<double, together> measures{};  // 0 where none is kept
+    double last = 0, before = 0;              // at the last two times
+
+    // Takes the measure at the next time. If it had a peak at the last one, larger than one of those that are kept, returns the place of that.
+    std::optional<int> take(double next);
+  };
   // Largest differences from the shadow, and largest values where no summary has them.
   struct Floors {
     int structure = 0;       // of the model
     std::optional<LinearQuantities> forces;  // of its members, without those at rest
+    StructureSolver::Segment coordinates{};
+    Peaks own, difference;   // by strain energy
     Eigen::Index first_part = 0, parts = 0;  // of the springs of the system: what yields in the structure, or acts inside it
     std::vector<int> units;  // of each of them: 0 for forces, 1 for moments
     std::vector<int> rows;   // of the outputs: translations of floors
@@ -57,7 +69,9 @@ class ReductionErrors {
   double peak_difference(std::size_t link) const;
   double nearer(int link) const;
   bool pushes(std::size_t link, const Floors& floors) const;
-  void compare_waiting();
+  void measure_waiting();
+  void keep_last(Floors& floors, double own, double difference);
+  void compare_members();
   void add_yielding(const Floors& floors);
 
   const Model& model_;
@@ -67,11 +81,15 @@ class ReductionErrors {
   std::vector<double> forces_;          // by link, of the peaks of its impacts that are over [N]
   std::vector<double> peaks_, shadow_peaks_;  // by link, of the impact that lasts [N]; 0 where none does
   long outputs_ = 0;
-  Eigen::MatrixXd waiting_;             // coordinates at output times whose members are to be compared, together
-  Eigen::MatrixXd waiting_forces_;      // of springs at these times [spring, time]; empty without springs
+  Eigen::MatrixXd waiting_;             // coordinates at output times that are to be measured, together
+  Eigen::MatrixXd waiting_forces_;      // of springs at these times [spring, time]
   int waits_ = 0;                       // so many of them
+  Eigen::MatrixXd last_;                // at the last time measured: coordinates of the run, and of its difference from the shadow
+  Eigen::VectorXd last_forces_;         // of springs there
+  Eigen::MatrixXd kept_;                // the same at the peaks of each structure, those of the run before those of the difference
+  Eigen::MatrixXd kept_forces_;         // of springs at the peaks of the run
   // Room to work in.
-  Eigen::MatrixXd closings_, motion_, unknowns_;
+  Eigen::MatrixXd closings_, motion_, differences_, stiffness_times_, unknowns_;
   LinearQuantities::Instants<LinearQuantities::batch> motions_, evaluated_;
 };
 
