@@ -15,9 +15,12 @@ class FileImage {
   /// `bytes` holds `size` bytes or more.
   FileImage(std::shared_ptr<const std::byte> bytes, std::size_t size) : bytes_(std::move(bytes)), size_(size) {}
 
+  /// Whether there is no file.
   bool empty() const { return size_ == 0; }
+  /// Number of bytes, and the first of them.
   std::size_t size() const { return size_; }
   const std::byte* data() const { return bytes_.get(); }
+  /// For loops over the bytes.
   const std::byte* begin() const { return data(); }
   const std::byte* end() const { return data() + size_; }
 

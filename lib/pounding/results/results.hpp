@@ -127,7 +127,7 @@ void write_results(const Results& results, const std::string& path);
 /// Bytes of the file that write_results() writes, for readers without a disk; throws as write_results().
 FileImage results_image(const Results& results);
 
-/// The same without a checksum, for `Results::no_pounding` of another run.
+/// An image without a checksum, for `Results::no_pounding` of another run.
 FileImage image_to_add(const Results& results);
 
 /// Calls `visit` for every history in time, those of links and energies included, with its path in the file and its values.

@@ -47,7 +47,7 @@ void fill_statistics(TS ts, const Stepper& stepper, SolverStatistics& solver) {
   solver.iterations = stepper.iterations();
 }
 
-// What the runs with and without links have alike.
+// A model and how it is run, with and without links.
 struct Task {
   const Model& model;
   const RunOptions& options;
