@@ -143,14 +143,16 @@ def tower_reduced(rows):
     found = [r for r in rows if r["program"] == "reduced"]
     if not found:
         return ""
-    head = ["reduced towers, floors", "coordinates of one", "set-up", "a step apart", "a step pressed", "by factors", "times less", "memory"]
+    head = ["reduced towers, floors", "coordinates of one", "set-up", "a step apart", "a step pressed", "by factors", "times less",
+            "apart / pressed, with impacts and all that is recorded", "memory"]
     whole = {r["case"]: r for r in rows if r["program"] == "pounding" and r["ranks"] == 1 and "pressed" in r}
     body = []
     for r in found:
-        ours = [r[name]["seconds_per_step"] for name in ("apart", "pressed")]
+        ours = [r[name]["alone"]["seconds"] for name in ("apart", "pressed")]
         sparse = [whole[r["case"]][name]["seconds_per_step"] for name in ("apart", "pressed")] if r["case"] in whole else []
         body.append([r["case"], f"{r['apart']['told']['coordinates']:.0f}", f"{r['pressed']['seconds_setup']:.2g} s", *(f"{1e3 * t:.2g} ms" for t in ours),
                      " / ".join(f"{1e3 * t:.3g} ms" for t in sparse), " / ".join(f"{s / t:.2g}" for s, t in zip(sparse, ours)),
+                     " / ".join(f"{1e3 * r[name]['seconds_per_step']:.2g} ms" for name in ("apart", "pressed")),
                      f"{r['pressed']['memory_mb'] / 1024:.2g} GB"])
     return table(head, body)
 
@@ -164,16 +166,18 @@ def tower_runs(rows):
 
 
 def tower_peers(rows):
-    head = ["towers, floors", "equations", "OpenSees", "a step", "iterations", "memory", "pounding, a step", "ratio"]
+    head = ["towers, floors", "equations", "OpenSees", "a step", "iterations", "memory", "pounding, a step", "ratio", "reduced", "ratio"]
     ours = {r["case"]: r for r in rows if r["program"] == "pounding" and r["ranks"] == 1 and "pressed" in r}
+    reduced = {r["case"]: r["pressed"]["alone"]["seconds"] for r in rows if r["program"] == "reduced"}
     lines = []
     for r in (r for r in rows if r["program"] == "opensees"):
         if "seconds_per_step" not in r:
-            lines.append([r["case"], "", r["system"], r.get("failed", f"Newton failed at {r.get('failed_at')} s")] + [""] * 4)
+            lines.append([r["case"], "", r["system"], r.get("failed", f"Newton failed at {r.get('failed_at')} s")] + [""] * 6)
             continue
+        less = reduced.get(r["case"])
         own = ours[r["case"]]["pressed"]["seconds_per_step"] if r["case"] in ours else None
         lines.append([r["case"], r["unknowns"], r["system"], seconds(r["seconds_per_step"]), f"{r['iterations_per_step']:.1f}",
-                      f"{r['memory_mb']:.0f} MB", seconds(own), f"{r['seconds_per_step'] / own:.3g}" if own else "-"])
+                      f"{r['memory_mb']:.0f} MB", *(cell for t in (own, less) for cell in ((seconds(t), f"{r['seconds_per_step'] / t:.3g}") if t else ("-", "-")))])
     return table(head, lines)
 
 
