@@ -60,12 +60,19 @@ struct Few {
   std::vector<LinkMotion> free;
   Eigen::VectorXd free_acceleration, force;
   Eigen::MatrixXd flexibility;
+  LinkBlocks blocks;
   double by_u = 1e-6, by_v = 2e-3, weight = 0.5;
 
   template <class Law>
   void press(const Law& law) {
     contacts.push_back(std::make_unique<GapLink<Law>>(law, 0.0));
     contacts.back()->on_event(0, 0, {0, 1});
+  }
+  void press_either(bool curved, const Linear& law) {
+    if (curved)
+      press(laws::Hertz{.stiffness = 1e9});
+    else
+      press(law);
   }
   void rest() {
     contacts.push_back(std::make_unique<RigidGapLink>(0.5, 0.0));
@@ -84,7 +91,15 @@ struct Few {
     for (int i = 0; i < count; ++i) active.push_back(i);
     if (free_acceleration.size() == 0) free_acceleration = Eigen::VectorXd::Zero(count);
     force = Eigen::VectorXd::Constant(count, guess);
-    return solver->solve({active, free, free_acceleration, flexibility, by_u, by_v, weight}, force);
+    blocks.find(flexibility);
+    return solver->solve({active, free, free_acceleration, flexibility, by_u, by_v, weight, nullptr, &blocks}, force);
+  }
+  /// The largest difference between the answer of a law, at the motion that all forces leave, and its force, as a part of all forces.
+  double worst() const {
+    double largest = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      largest = std::max(largest, std::abs(contacts[i]->evaluate(motion(static_cast<int>(i))).force - force[static_cast<Eigen::Index>(i)]) / force.norm());
+    return largest;
   }
   /// Motion that the forces leave.
   LinkMotion motion(int i) const {
@@ -302,32 +317,43 @@ TEST(LinkSolver, FindsTheForcesOfAHundredLinksThatPressTogether) {
   constexpr int count = 100;
   Few few;
   for (int i = 0; i < count; ++i) {
-    if (i % 3 == 0)
-      few.press(laws::Hertz{.stiffness = 1e9});
-    else
-      few.press(Linear{1e6 * (1 + i % 7), 1e3 * (i % 2)});
+    few.press_either(i % 3 == 0, {1e6 * (1 + i % 7), 1e3 * (i % 2)});
     few.free.push_back({1e-3 * (1 + i % 5), 0.1});
   }
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(count, 40);
   few.flexibility = b * b.transpose() + 0.1 * Eigen::MatrixXd::Identity(count, count);
-  const auto worst = [&] {
-    double largest = 0;
-    for (int i = 0; i < count; ++i)
-      largest = std::max(largest, std::abs(few.contacts[static_cast<std::size_t>(i)]->evaluate(few.motion(i)).force - few.force[i]) / few.force.norm());
-    return largest;
-  };
   ASSERT_TRUE(few.solve());
-  EXPECT_LT(worst(), 1e-12);
+  EXPECT_LT(few.worst(), 1e-12);
   const Eigen::VectorXd first = few.force;
   few.flexibility *= 2;
-  const CondensedLinks softer{few.active, few.free, few.free_acceleration, few.flexibility, few.by_u, few.by_v, few.weight};
+  const CondensedLinks softer{few.active, few.free, few.free_acceleration, few.flexibility, few.by_u, few.by_v, few.weight, nullptr, &few.blocks};
   ASSERT_TRUE(few.solver->solve(softer, few.force));
-  EXPECT_LT(worst(), 1e-12);
+  EXPECT_LT(few.worst(), 1e-12);
   EXPECT_GT((few.force - first).norm(), 1e-3 * first.norm());
   const Eigen::VectorXd second = few.force;
   few.force.setConstant(few.force.mean());
   ASSERT_TRUE(few.solver->solve(softer, few.force));
   EXPECT_LT((few.force - second).norm(), 1e-10 * second.norm()) << "from another guess";
+}
+
+// As in a row of bodies: links on the same body act on each other, three at most in a chain, and then a body is free.
+TEST(LinkSolver, FindsTheForcesOfLinksInBlocksAsThoseOfAll) {
+  constexpr int count = 150;
+  Few few;
+  few.flexibility = Eigen::MatrixXd::Zero(count, count);
+  for (int i = 0; i < count; ++i) {
+    few.press_either(i % 2 == 0, {1e6 * (1 + i % 7), 1e3 * (i % 3)});
+    few.free.push_back({1e-3 * (1 + i % 5), 0.1});
+    few.flexibility(i, i) = 1 + 0.1 * (i % 4);
+    if (i % 3 != 0) few.flexibility(i, i - 1) = few.flexibility(i - 1, i) = -0.4;
+  }
+  ASSERT_TRUE(few.solve());
+  EXPECT_EQ(few.blocks.ends().size(), 50U);
+  EXPECT_LT(few.worst(), 1e-12);
+  const Eigen::VectorXd by_blocks = few.force;
+  few.force.setZero();
+  ASSERT_TRUE(few.solver->solve({few.active, few.free, few.free_acceleration, few.flexibility, few.by_u, few.by_v, few.weight}, few.force));
+  EXPECT_LT((few.force - by_blocks).norm(), 1e-12 * by_blocks.norm());
 }
 
 TEST(LinkSolver, SaysThatALawWithoutAnAnswerFailed) {

@@ -125,7 +125,9 @@ bool LinkColumns::choose(std::span<const int> links) {
     std::vector<int> places;
     std::vector<Index> own;
     auto it = block.links.begin();
-    for (std::size_t place = 0; place < chosen_.size(); ++place) {
+    // Most of many blocks have none of the chosen links, and none need look at all of these.
+    const auto first = std::lower_bound(chosen_.begin(), chosen_.end(), block.links.front());
+    for (auto place = static_cast<std::size_t>(first - chosen_.begin()); place < chosen_.size(); ++place) {
       it = std::lower_bound(it, block.links.end(), chosen_[place]);
       if (it == block.links.end()) break;
       if (*it != chosen_[place]) continue;

@@ -19,6 +19,7 @@ bool LinkSolver::is_symmetric(const CondensedLinks& links) const {
 void LinkSolver::find_slopes(const CondensedLinks& links) {
   const Eigen::MatrixXd& g = links.flexibility;
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
+  renew(slopes_, g.rows(), g.cols());
   for (int i = 0; i < plain_; ++i) {
     if (links_.is_held(links.active[i])) {
       slopes_.row(i) = g.row(i) / g(i, i);
@@ -37,20 +38,10 @@ bool LinkSolver::find_direction_by_cholesky(const CondensedLinks& links) {
   const Eigen::VectorXd slopes = by_u * by_penetration_ + by_v * by_rate_;
   if (!(slopes.minCoeff() > 0)) return false;
   const Eigen::VectorXd roots = slopes.cwiseSqrt();
-  if (roots.size() != roots_.size() || roots != roots_ || factored_flexibility_ != links.flexibility) {
-    const Eigen::Index count = roots.size();
-    renew(roots_, count);
-    renew(factored_flexibility_, count, count);
-    renew_factor(factor_, count);
-    roots_ = roots;
-    factored_flexibility_ = links.flexibility;
-    Eigen::MatrixXd matrix = roots.asDiagonal() * links.flexibility * roots.asDiagonal();
-    matrix.diagonal().array() += 1;
-    factor_->compute(matrix);
-    if (factor_->info() != Eigen::Success) roots_.resize(0);
-  }
-  if (roots_.size() == 0) return false;
-  direction_ = roots.cwiseProduct(factor_->solve(residual_.cwiseQuotient(roots)));
+  if (!factors_.factorize(*links.blocks, links.flexibility, roots)) return false;
+  direction_ = residual_.cwiseQuotient(roots);
+  factors_.solve(direction_);
+  direction_.array() *= roots.array();
   return true;
 }
 

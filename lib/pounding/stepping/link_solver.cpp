@@ -31,8 +31,6 @@ LinkMotion relieved(LinkMotion free, double penetration, double rate) {
 
 constexpr double solved = 1e-14;  // relative to the terms of a force
 constexpr int max_doublings = 60;
-// From this number of links on a Cholesky factor is worth its choice.
-constexpr int many_links = 64;
 
 }  // namespace
 
@@ -151,7 +149,10 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
   ++iterations_;
   terms_ = x.norm();
-  relief_.noalias() = g * x;
+  if (links.blocks)
+    links.blocks->multiply(g, x, relief_);
+  else
+    relief_.noalias() = g * x;
   if (links.relief) relief_at_once_.noalias() = *links.relief * x;
   for (int i = 0; i < plain_; ++i) {
     if (links_.is_held(links.active[i])) {
@@ -191,13 +192,16 @@ double LinkSolver::residual(const CondensedLinks& links, const Eigen::VectorXd& 
 // Largest difference between the answer of a law and its force that the round-off of its motion may leave: of the free motion, and of the
 // forces on a light body between two heavy ones, which take most of each other off. A dashpot magnifies it. With the slopes of the last
 // residual() that asked for them.
-double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& x) const {
+double LinkSolver::rounding(const CondensedLinks& links, const Eigen::VectorXd& x) {
   const double by_u = links.by_u * links.weight, by_v = links.by_v * links.weight;
-  const Eigen::VectorXd relief = links.flexibility.cwiseAbs() * x.cwiseAbs();
+  if (links.blocks)
+    links.blocks->multiply_sizes(links.flexibility, x, sizes_);
+  else
+    sizes_ = links.flexibility.cwiseAbs() * x.cwiseAbs();
   double largest = 0;
   for (int i = 0; i < plain_; ++i)
-    largest = std::max(largest, std::abs(by_penetration_[i]) * (std::abs(links.free[i].penetration) + by_u * relief[i]) +
-                                    std::abs(by_rate_[i]) * (std::abs(links.free[i].rate) + by_v * relief[i]));
+    largest = std::max(largest, std::abs(by_penetration_[i]) * (std::abs(links.free[i].penetration) + by_u * sizes_[i]) +
+                                    std::abs(by_rate_[i]) * (std::abs(links.free[i].rate) + by_v * sizes_[i]));
   return solved * largest;
 }
 
@@ -217,8 +221,7 @@ bool LinkSolver::sweep(const CondensedLinks& links, Eigen::VectorXd& x) {
 
 bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   const int count = static_cast<int>(links.active.size());
-  for (Eigen::VectorXd* const room : {&residual_, &relief_, &relief_at_once_, &by_penetration_, &by_rate_, &trial_, &direction_}) renew(*room, count);
-  renew(slopes_, count, count);
+  for (Eigen::VectorXd* const room : {&residual_, &relief_, &relief_at_once_, &by_penetration_, &by_rate_, &trial_, &direction_, &sizes_}) renew(*room, count);
   by_penetration_.setZero();
   by_rate_.setZero();
   plain_ = static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), links_.frictions_from()) -
@@ -226,7 +229,8 @@ bool LinkSolver::solve_many(const CondensedLinks& links, Eigen::VectorXd& f) {
   if (!links_.frictions().empty()) find_sliders(links);
   // Held contacts between the same bodies leave their shares open: the slopes are singular then.
   const auto held = std::count_if(links.active.begin(), links.active.end(), [this](int link) { return links_.is_held(link); });
-  const bool many = count >= many_links && held == 0 && plain_ == count && !links.relief;
+  const bool many = count >= LinkBlocks::many && links.blocks && held == 0 && plain_ == count && !links.relief;
+  if (!many) renew(slopes_, count, count);
   bool descends = false;
   for (int iteration = 0; iteration < 500; ++iteration) {
     const double size = residual(links, f, true);

@@ -1,13 +1,12 @@
 #pragma once
 /// The few nonlinear equations for the link forces of one stage, left over when the structures are condensed out.
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include <pounding/links/friction.hpp>
+#include <pounding/stepping/link_blocks.hpp>
 #include <pounding/stepping/link_set.hpp>
 #include <pounding/stepping/soft_springs.hpp>
 
@@ -25,6 +24,7 @@ struct CondensedLinks {
   double by_u = 0, by_v = 0;                 ///< displacement [s^2] and velocity [s] for a unit acceleration of the stage
   double weight = 1;                         ///< weight of forces in the equations of the stage
   const Eigen::MatrixXd* relief = nullptr;   ///< S, how far unknowns without mass give way at once; none without it
+  const LinkBlocks* blocks = nullptr;        ///< of G; none: every number of it counts
 };
 
 /// Finds forces that are those of their laws at the motion that they leave. A held contact takes the force that leaves no
@@ -55,7 +55,7 @@ class LinkSolver {
   bool solve_one(const CondensedLinks& links, int k, double others, double others_relief, double& force);
   bool solve_many(const CondensedLinks& links, Eigen::VectorXd& force);
   double residual(const CondensedLinks& links, const Eigen::VectorXd& force, bool with_slopes);
-  double rounding(const CondensedLinks& links, const Eigen::VectorXd& force) const;
+  double rounding(const CondensedLinks& links, const Eigen::VectorXd& force);
   bool is_symmetric(const CondensedLinks& links) const;
   void find_slopes(const CondensedLinks& links);
   bool find_direction_by_cholesky(const CondensedLinks& links);
@@ -74,16 +74,14 @@ class LinkSolver {
   int plain_ = 0;      // active links before the first direction of a friction
   double terms_ = 0;   // size of the terms of the last residual [N]
   Eigen::VectorXd residual_, relief_, relief_at_once_;  // the last two: G F and S F
+  Eigen::VectorXd sizes_;                               // |G| |F|
   Eigen::VectorXd by_penetration_, by_rate_;            // slopes of the laws
   Eigen::MatrixXd slopes_;
   Eigen::VectorXd trial_, direction_;
   SoftSprings soft_springs_;
   std::vector<int> others_;  // active links that are no springs which only soften
   Eigen::VectorXd slopes_of_springs_;
-  // Many contacts and springs alone: a Cholesky factor of 1 + R G R, R the roots of the slopes, takes the place of slopes_. It stays while both do.
-  Eigen::VectorXd roots_;
-  Eigen::MatrixXd factored_flexibility_;
-  std::optional<Eigen::LLT<Eigen::MatrixXd>> factor_;
+  BlockFactors factors_;  // many contacts and springs alone: with R, the roots of the slopes, they take the place of slopes_
 };
 
 }  // namespace pounding

@@ -44,14 +44,18 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
   renew(free_acceleration_, static_cast<Eigen::Index>(active_.size()));
   renew(active_force_, free_acceleration_.size());
   equations_.solver.set_matrix(matrix, level);
-  return active_.empty() || equations_.solver.flexibility(active_, flexibility_);
+  if (active_.empty()) return true;
+  if (!equations_.solver.flexibility(active_, flexibility_)) return false;
+  blocks_.find(flexibility_);
+  return true;
 }
 
 // Solves for the active forces from their guess, enters them in `force` and takes what they do off the acceleration x.
 bool StageSolver::condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x) {
   const int count = static_cast<int>(active_.size());
   const CondensedLinks links{active_,    free_,      free_acceleration_, flexibility_,
-                             stage.by_u, stage.by_v, stage.weight,       relief_.size() > 0 ? &relief_ : nullptr};
+                             stage.by_u, stage.by_v, stage.weight,       relief_.size() > 0 ? &relief_ : nullptr,
+                             &blocks_};
   if (!link_solver_.solve(links, active_force_)) {
     failed_link_ = link_solver_.failed_link();
     return false;

@@ -100,15 +100,12 @@ class StageSolver {
 
   /// Closing acceleration of active link number k in the last stage that was solved [m/s^2], without that of the ground.
   double link_acceleration(std::size_t k) const {
-    double relief = 0;
-    for (std::size_t l = 0; l < active_.size(); ++l) relief += flexibility_(k, l) * active_force_[l];
-    return gathered_(static_cast<Eigen::Index>(k), 0) - relief;
+    return gathered_(static_cast<Eigen::Index>(k), 0) - relief_by_forces(static_cast<Eigen::Index>(k));
   }
 
   /// Motion of active link number k, a spring that does not give way, in the last stage that was solved, which was this one.
   LinkMotion link_motion(const Stage& stage, std::size_t k) const {
-    double relief = 0;
-    for (std::size_t l = 0; l < active_.size(); ++l) relief += flexibility_(k, l) * active_force_[l];
+    const double relief = relief_by_forces(static_cast<Eigen::Index>(k));
     LinkMotion motion = free_[k];
     motion.penetration -= stage.weight * stage.by_u * relief;
     motion.rate -= stage.weight * stage.by_v * relief;
@@ -127,6 +124,14 @@ class StageSolver {
  private:
   bool condense(const Stage& stage, Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> x);
 
+  // The closing acceleration that the active forces take off link number k of them.
+  double relief_by_forces(Eigen::Index k) const {
+    const auto [first, end] = blocks_.range(k);
+    double relief = 0;
+    for (Eigen::Index l = first; l < end; ++l) relief += flexibility_(k, l) * active_force_[l];
+    return relief;
+  }
+
   Equations& equations_;
   const ErrorNorm& norm_;
   const LinkSet& links_;
@@ -137,6 +142,7 @@ class StageSolver {
   std::vector<int> active_;
   Eigen::VectorXd held_push_, held_relief_;  // B F and S F of the springs that keep their forces; the latter empty for none
   Eigen::MatrixXd flexibility_, relief_;     // G and S of the active links; S empty for none
+  LinkBlocks blocks_;                        // of G
   std::vector<LinkMotion> free_;       // of the active links
   Eigen::VectorXd free_acceleration_, active_force_;
   Eigen::MatrixXd gathered_;           // B^T x of the active links without their forces
