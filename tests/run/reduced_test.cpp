@@ -507,6 +507,80 @@ INSTANTIATE_TEST_SUITE_P(Laws, HingesReduced,
                                          Hinged{"Smooth", "menegotto_pinto: {yield_moment: 150 kN m, hardening: 0.01, stiffness_factor: 10}"}),
                          [](const testing::TestParamInfo<Hinged>& test) { return test.param.name; });
 
+// The left frame slides on isolators under its four feet.
+Pair isolated(double tolerance) {
+  Pair pair{.tolerance = tolerance, .duration = 3, .gap = 10, .amplitude = 6, .period = 1};
+  pair.inside = ", masses: {0.0: 60 t, 0.1: 60 t, 0.2: 60 t, 0.3: 60 t}, supports: {feet: {isolator: {lead_rubber: {strength: 60 kN, yield_displacement: 10 mm, "
+                "post_yield_stiffness: 1.5 MN/m}}}}";
+  return pair;
+}
+
+TEST(IsolatedReduced, SlideAndHitAsInAllModes) {
+  const Outcome exact = isolated(1e-5).run("");
+  ASSERT_GT(exact.results.impacts.size(), 2u);
+  ASSERT_EQ(exact.summary.structures[0].springs.size(), 4u);
+  for (const SpringSummary& isolator : exact.summary.structures[0].springs) EXPECT_GT(isolator.ductility, 3);
+  for (const int links : {2, 5}) {
+    const Outcome found = isolated(1e-5).run(fmt::format(", reduction: {{links: {}, ground: 20}}", links));
+    expect_told(found, exact, fmt::format("isolators_{}_blocks", links));
+    EXPECT_EQ(found.summary.reduced[0].parts, 4);
+  }
+  const Outcome coarse = isolated(1e-3).run(", reduction: {links: 5, ground: 20}");
+  expect_right(coarse, exact, 1e-3, "isolators_at_1e-3");
+}
+
+struct Stopped {
+  std::string name;
+  Pair pair;
+};
+
+// Stopped in its first impact, after something has yielded.
+class ReducedWithParts : public testing::TestWithParam<Stopped> {};
+
+TEST_P(ReducedWithParts, GoOnWithTheSameBits) {
+  const std::string file = (std::filesystem::temp_directory_path() / fmt::format("{}_{}.h5", getpid(), GetParam().name)).string();
+  const std::string yaml = GetParam().pair.text(", reduction: {links: 3, ground: 10}");
+  {
+    const Model model = test::model_of(yaml);
+    RunOptions options{.output = file};
+    options.stop = [&] { return std::ranges::any_of(model.links, [](const Link& link) { return !link.contact->impacts().empty(); }); };
+    EXPECT_THROW(run(model, options), FailedRun);
+  }
+  const Outcome continued = run(test::model_of(yaml), {.output = file, .resume = file}), whole = test::run_text(yaml);
+  std::filesystem::remove(file);
+  ASSERT_EQ(whole.summary.reduced.size(), 2u);
+  EXPECT_EQ(continued.results.solver.steps, whole.results.solver.steps);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(continued.results.structures[k].displacement, whole.results.structures[k].displacement);
+    EXPECT_EQ(continued.results.structures[k].storey_shear, whole.results.structures[k].storey_shear);
+    EXPECT_EQ(continued.summary.reduced[k].error_text(), whole.summary.reduced[k].error_text());
+    EXPECT_EQ(continued.summary.reduced[k].error_members, whole.summary.reduced[k].error_members);
+  }
+  for (std::size_t i = 0; i < whole.results.links.size(); ++i) EXPECT_EQ(continued.results.links[i].force, whole.results.links[i].force);
+  const std::vector<SpringSummary>&springs = continued.summary.structures[0].springs, &of_whole = whole.summary.structures[0].springs;
+  ASSERT_EQ(springs.size(), of_whole.size());
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    EXPECT_EQ(springs[i].peak, of_whole[i].peak);
+    EXPECT_EQ(springs[i].energy_lost, of_whole[i].energy_lost);
+  }
+  EXPECT_TRUE(std::ranges::any_of(of_whole, [](const SpringSummary& s) { return s.ductility > 1; }) || !whole.summary.devices.empty());
+  for (std::size_t i = 0; i < whole.summary.devices.size(); ++i) EXPECT_EQ(continued.summary.devices[i].energy_lost, whole.summary.devices[i].energy_lost);
+}
+
+Pair braced(const std::string& inside, const std::string& devices) {
+  Pair pair{.tolerance = 1e-4, .duration = 2, .gap = 5, .amplitude = 6, .period = 1};
+  pair.inside = inside, pair.devices = devices;
+  return pair;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Pairs, ReducedWithParts,
+    testing::Values(Stopped{"Hinges", Hinged{"", "yield_moment: 150 kN m, hardening: 3 %"}.pair(1e-4)}, Stopped{"Isolators", isolated(1e-4)},
+                    Stopped{"Damper", braced("", "devices: {top: {between: [left.15, right.15], damper: {coefficient: 400 kN (s/m)^0.35, exponent: 0.35, stiffness: 60 MN/m}}}\n")},
+                    Stopped{"Braces", braced(", devices: {brace: {between: [\"0.0\", \"1.1\"], bilinear: {stiffness: 200 MN/m, yield_force: 300 kN, hardening: 0.02}}, dash: {between: "
+                                             "[\"15.3\", ground], axis: x, damper: {coefficient: 2 MN s/m}}}", "")}),
+    [](const testing::TestParamInfo<Stopped>& test) { return test.param.name; });
+
 // 600 unknowns with mass: 82 hinges are reduced, 172 are too many, and their frame takes all its modes.
 TEST(AutomaticReduction, TakesAQuarterOfAsManyHingesAsUnknownsWithMass) {
   const Hinged few{"", "yield_moment: 150 kN m, hardening: 3 %"};
