@@ -335,6 +335,17 @@ TEST_F(ResultsFile, StructureWithoutFloorsOrSamplesIsWritten) {
   EXPECT_EQ(file.shape("/structures/tower/displacement"), (Shape{0, 2, 1}));
 }
 
+TEST_F(ResultsFile, StructureWithoutFloorsHasNothingToReadAtAnyTime) {
+  Results run;
+  run.time = run.ground_acceleration = {0, 1, 2};
+  run.structures = {structure("wall", {})};
+  run.structures[0].velocity.reserve(1);  // a place that holds nothing
+  write_results(run, path);
+  const Reader file(path);
+  EXPECT_EQ(file.shape("/structures/wall/displacement"), (Shape{3, 0, 1}));
+  EXPECT_EQ(file.shape("/structures/wall/velocity"), (Shape{3, 0, 1}));
+}
+
 TEST_F(ResultsFile, LargeHistoriesAreUnchangedAndInChunksThatAreFull) {
   Results run;
   const std::size_t samples = 20000, floors = 11;

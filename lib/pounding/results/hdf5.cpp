@@ -24,10 +24,11 @@ void write_attribute(hid_t object, const char* name, hid_t type, hid_t space, co
   if (data != nullptr) checked(H5Awrite(made, type, data), std::string("write attribute ") + name);
 }
 
+// Of `data`, which is of the whole shape, what is selected of `space` is written; nothing of a null pointer.
 Handle dataset(hid_t parent, const char* name, hid_t type, hid_t space, hid_t creation, const void* data) {
   Handle made(H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
               std::string("create dataset ") + name);
-  if (data != nullptr) checked(H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), std::string("write dataset ") + name);
+  if (data != nullptr) checked(H5Dwrite(made, type, space, space, H5P_DEFAULT, data), std::string("write dataset ") + name);
   return made;
 }
 
@@ -52,19 +53,17 @@ Handle chunked(hid_t parent, const char* name, hid_t type, const std::vector<hsi
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "describe a dataset");
   checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), "set the chunks");
   const Handle space = dataspace(shape, limits.data());
-  Handle made = dataset(parent, name, type, space, creation, nullptr);
-  if (data == nullptr) return made;
-  std::vector<hsize_t> start(shape.size()), count(shape);
+  if (std::ranges::find(shape, hsize_t{0}) != shape.end()) return dataset(parent, name, type, space, creation, nullptr);
+  const auto* const bytes = static_cast<const std::byte*>(data);
   const std::size_t row_size = row * H5Tget_size(type);
-  while (count[0] > 0 && are_zeros(static_cast<const std::byte*>(data) + start[0] * row_size, std::min(chunk[0], count[0]) * row_size)) {
-    const hsize_t rows_of_zeros = std::min(chunk[0], count[0]);
-    start[0] += rows_of_zeros;
-    count[0] -= rows_of_zeros;
-  }
-  if (count[0] == 0) return made;
+  std::vector<hsize_t> start(shape.size()), count(shape);
+  hsize_t& first = start[0];  // row that is written
+  while (first < shape[0] && are_zeros(bytes + first * row_size, std::min(chunk[0], shape[0] - first) * row_size))
+    first = std::min(first + chunk[0], shape[0]);
+  count[0] -= first;
+  if (count[0] == 0) return dataset(parent, name, type, space, creation, nullptr);
   checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), "select rows");
-  checked(H5Dwrite(made, type, space, space, H5P_DEFAULT, data), std::string("write dataset ") + name);
-  return made;
+  return dataset(parent, name, type, space, creation, data);
 }
 
 void describe(hid_t object, const Label& label) {
