@@ -390,8 +390,7 @@ Eigen::VectorXd ModalSolver::coordinates(const Eigen::VectorXd& u) const {
 void ModalSolver::Block::displace(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> u) const {
   const Eigen::Index rows = unknowns();
   if (few()) {
-    Eigen::MatrixXd own = x.middleRows(coordinate, count);
-    own.transposeInPlace();
+    const Eigen::MatrixXd own = x.middleRows(coordinate, count).transpose();
     const Eigen::Index all = own.cols();
     auto to = u.middleCols(first, rows);
     to.setZero();
