@@ -134,6 +134,7 @@ void ReductionErrors::measure_waiting() {
 }
 
 void ReductionErrors::compare_members() {
+  if (kept_.isZero(0)) return;  // before the first peak
   const StructureSolver& base = stepper_.base();
   base.physical_of_columns(kept_, unknowns_);
   motions_ = unknowns_;
@@ -254,8 +255,6 @@ void ReductionErrors::archive(Archive& archive) {
     archive(floors.acceleration);
     archive(floors.own);
     archive(floors.difference);
-    archive(floors.members);
-    archive(floors.largest_members);
   }
   archive(last_);
   archive(last_forces_);

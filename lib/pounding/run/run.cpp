@@ -67,8 +67,8 @@ Results heading(const Model& model, const RunOptions& options) {
   return results;
 }
 
-// `without` is the run without links, where there is one. Automatic reductions have `deeper`
-// blocks more than the tolerance asks for; nothing where they need still more of them: then nothing has moved, and no end was written.
+// `without` is the run without links, where there is one. Automatic reductions have `deeper` blocks more than the tolerance asks for; nothing where
+// they need still more of them: then nothing has moved, and no end was written.
 std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome& without, int deeper, const Stopwatch& since_start,
                                const InterruptedRun* earlier) {
   const Model& model = task.model;
