@@ -1,0 +1,82 @@
+#include <pounding/run/impact_windows.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pounding {
+namespace {
+
+// A structure still shakes from an impact so long after it [s].
+constexpr double after = 2e-3;
+// Links that rest on each other press without an end [s].
+constexpr double longest = 0.1;
+
+bool acts(const LinkStep& step) { return step.force_begin != 0 || step.force_middle != 0 || step.force_end != 0; }
+
+}  // namespace
+
+void ImpactWindow::Step::archive(Archive& archive) {
+  archive(begin);
+  archive(end);
+  archive(forces);
+}
+
+void ImpactWindow::archive(Archive& archive) {
+  archive(force);
+  archive(u);
+  archive(v);
+  archive(steps);
+}
+
+bool ImpactWindows::presses() const {
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    if (counts_[i] && (stepper_.system().contacts[i]->phase() != ContactPhase::open || acts(stepper_.link_step(static_cast<int>(i))))) return true;
+  return false;
+}
+
+void ImpactWindows::step() {
+  const bool now = presses();
+  if (!now && present_.steps.empty()) return;
+  if (present_.steps.empty()) {
+    const Eigen::Index count = stepper_.base().counted();
+    present_.u = stepper_.instant_begin().motion.col(Instant::u).head(count);
+    present_.v = stepper_.instant_begin().motion.col(Instant::v).head(count);
+  }
+  record();
+  if (now) last_pressed_ = present_.end();
+  if (present_.end() - last_pressed_ >= after || present_.end() - present_.begin() >= longest) end();
+}
+
+void ImpactWindows::record() {
+  const Instant &x = stepper_.instant_begin(), &y = stepper_.instant_end_minus();
+  ImpactWindow::Step& step = present_.steps.emplace_back(ImpactWindow::Step{.begin = x.time, .end = y.time, .forces = {}});
+  const System& system = stepper_.system();
+  for (int i = 0; i < system.links(); ++i) {
+    const LinkStep& link = stepper_.link_step(i);
+    if (!acts(link)) continue;
+    ImpactWindow::Force force{i, link.force_begin, link.force_middle, link.force_end};
+    if (i < system.contact_count()) {
+      const laws::Response law = system.contacts[static_cast<std::size_t>(i)]->evaluate(link.motion_end);
+      if (std::isfinite(law.by_penetration)) force.by_penetration = law.by_penetration;
+      if (std::isfinite(law.by_rate)) force.by_rate = law.by_rate;
+      if (counts_[static_cast<std::size_t>(i)]) present_.force = std::max({present_.force, force.begin, force.middle, force.end});
+    }
+    step.forces.push_back(force);
+  }
+}
+
+void ImpactWindows::end() {
+  if (present_.steps.empty()) return;
+  const auto place = std::ranges::find_if(hardest_, [&](const ImpactWindow& other) { return other.force < present_.force; });
+  hardest_.insert(place, std::exchange(present_, {}));
+  if (hardest_.size() > most) hardest_.pop_back();
+}
+
+void ImpactWindows::archive(Archive& archive) {
+  archive(hardest_);
+  archive(present_);
+  archive(last_pressed_);
+}
+
+}  // namespace pounding
