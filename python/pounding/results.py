@@ -176,7 +176,8 @@ class RunData(told.Told, lines=told.run):
     devices: dict[str, Device] = field(default_factory=dict)  #: bars and dampers in the order of the input
     #: By structure that was reduced: coordinates, blocks (of the links, of the ground), inputs (of links, of friction and
     #: devices among them, of what yields, of the ground), frequency [Hz], and three times the estimated error_force, error_displacement, error_acceleration,
-    #: error_members over the largest values; NaN where nothing estimates them.
+    #: error_members over the largest values; NaN where nothing estimates them. With `check: true` checked_windows, check_force and
+    #: check_displacement too, of all unknowns in the hardest impacts.
     reduction: dict[str, dict[str, Any]] = field(default_factory=dict)
     #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without it.
     no_pounding: RunData | None = field(default_factory=lambda: None)

@@ -60,6 +60,19 @@ TEST(ReductionInput, TakesWordsAndNumbers) {
   EXPECT_EQ(bound.text(), "{error: 0.0001, of: [members]}");
 }
 
+TEST(ReductionInput, TakesACheckByItselfAndBesideNumbers) {
+  const auto text = [](const std::string& how) { return model_of(pair(", reduction: " + how)).analysis.reduction.text(); };
+  EXPECT_EQ(text("{check: true}"), "{check: true}");
+  EXPECT_EQ(model_of(pair(", reduction: {check: true}")).analysis.reduction.kind, Reduction::Kind::automatic);
+  EXPECT_EQ(text("{links: 3, ground: 7, check: true}"), "{links: 3, ground: 7, check: true}");
+  EXPECT_EQ(text("{links: 3, ground: 7, check: false}"), "{links: 3, ground: 7}");
+  EXPECT_EQ(text("{error: 1e-4, check: true}"), "{error: 0.0001, check: true}");
+  EXPECT_EQ(text("{modes: 4, check: true}"), "{modes: 4, check: true}");
+  EXPECT_NE(resolved_yaml(model_of(pair(", reduction: {check: true}"))).find("left: \"{check: true}\""), std::string::npos);
+  refused(pair(", reduction: {check: often}"), "analysis.reduction.check:");
+  refused(pair(", reduction: {check: false}"), "type reduction: {links: 5, ground: 20}, or reduction: auto");
+}
+
 TEST(ReductionInput, MayDifferForOneStructure) {
   const Model model = model_of(pair(", reduction: auto", ", reduction: {links: 3, ground: 7}"));
   EXPECT_EQ(reduction_of(model, 0).ground, 7);
@@ -128,6 +141,14 @@ TEST(ReductionInput, IsWhatModalDampingOfManyModesNeeds) {
                           "{reduction: auto}, which needs no matrix"), std::string::npos) << text;
     }
   EXPECT_EQ(read("beside", ", reduction: auto").structures[0].modal_damping.size(), 0);
+  try {
+    read("beside", ", reduction: {check: true}");
+    ADD_FAILURE() << "equations of all unknowns with a matrix of 1680 modes were promised";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("analysis.reduction.check: the modal damping of \"a\" would fill a matrix of 1680 x 1680 modes in the equations of all its unknowns; type damping: "
+                        "5 %, or check: false"), std::string::npos) << text;
+  }
 }
 
 TEST(ReductionInput, RefusesNumbersForWallsAndBodies) {

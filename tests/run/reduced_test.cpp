@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <unistd.h>
 #include <utility>
@@ -123,6 +124,36 @@ TEST_F(ReducedRun, SaysWhereNothingEstimatesItsErrors) {
   }
 }
 
+// Modes alone have no shadow, and yet are found out; blocks are found out however small their estimate is.
+TEST_F(ReducedRun, TellsWhatAllUnknownsDoInItsHardestImpacts) {
+  for (const std::string how : {"{modes: 30", "{links: 1, ground: 4", "{links: 3, ground: 12"}) {
+    const Outcome checked = Pair{}.run(", reduction: " + how + ", check: true}"), usual = Pair{}.run(", reduction: " + how + "}");
+    EXPECT_EQ(checked.results.links[0].force, usual.results.links[0].force) << how;
+    double told = 0;
+    for (const ReducedStructure& s : checked.summary.reduced) {
+      EXPECT_EQ(s.checked_windows, 3) << how;
+      EXPECT_NE(s.check_text().find("all unknowns in the 3 hardest impacts: forces "), std::string::npos) << s.check_text();
+      told = std::max(told, s.check_force);
+      EXPECT_GT(s.check_displacement, 0) << how;
+    }
+    EXPECT_EQ(usual.summary.reduced[0].checked_windows, 0);
+    EXPECT_EQ(usual.summary.reduced[0].check_text(), "");
+    EXPECT_TRUE(says(checked, "The reduction costs more than 0.3 of the tolerance 1e-05")) << how;
+    RecordProperty(how, fmt::format("told {:.1e}, truth {:.1e}", told, force_error(checked, all_modes())));
+    EXPECT_GT(told, force_error(checked, all_modes()) / 10) << how;
+    EXPECT_LT(told, 10 * (force_error(checked, all_modes()) + floor)) << how;
+  }
+}
+
+// The closing between two structures lacks what one of them lacks: both are told of it.
+TEST_F(ReducedRun, IsCheckedByTheClosingsOfAllItsStructures) {
+  const Outcome checked = Pair{.own = ", reduction: {links: 1, ground: 4, check: true}"}.run(", reduction: {links: 5, ground: 20, check: true}");
+  const double truth = force_error(checked, all_modes());
+  RecordProperty("told", fmt::format("{:.2e}, truth {:.2e}", checked.summary.reduced[0].check_force, truth));
+  EXPECT_GT(checked.summary.reduced[0].check_force, truth / 10);
+  EXPECT_EQ(checked.summary.reduced[0].check_force, checked.summary.reduced[1].check_force);
+}
+
 TEST_F(ReducedRun, KeepsTheBitsWhereNothingIsReduced) {
   for (const std::string how : {", reduction: none", ", reduction: auto", ", reduction: all modes"}) {
     const Outcome same = Pair{}.run(how);
@@ -141,7 +172,7 @@ TEST_F(ReducedRun, MayLeaveOneStructureWhole) {
 
 TEST_F(ReducedRun, GoesOnWithTheSameBits) {
   const std::string file = (std::filesystem::temp_directory_path() / fmt::format("{}_reduced.h5", getpid())).string();
-  const std::string yaml = Pair{.tolerance = 1e-4}.text(", reduction: {links: 4, ground: 10}");
+  const std::string yaml = Pair{.tolerance = 1e-4}.text(", reduction: {links: 4, ground: 10, check: true}");
   {
     const Model model = test::model_of(yaml);
     RunOptions options{.output = file};
@@ -157,6 +188,40 @@ TEST_F(ReducedRun, GoesOnWithTheSameBits) {
     EXPECT_EQ(continued.summary.reduced[k].error_force, whole.summary.reduced[k].error_force);
     EXPECT_EQ(continued.summary.reduced[k].error_displacement, whole.summary.reduced[k].error_displacement);
     EXPECT_EQ(continued.summary.reduced[k].error_members, whole.summary.reduced[k].error_members);
+    EXPECT_EQ(whole.summary.reduced[k].checked_windows, 3);
+    EXPECT_EQ(continued.summary.reduced[k].check_force, whole.summary.reduced[k].check_force);
+    EXPECT_EQ(continued.summary.reduced[k].check_displacement, whole.summary.reduced[k].check_displacement);
+  }
+}
+
+// The file is written at the beginning, and again before the check.
+TEST_F(ReducedRun, IsCheckedAfterAStopInItsCheck) {
+  const std::string file = (std::filesystem::temp_directory_path() / fmt::format("{}_checked.h5", getpid())).string();
+  const std::string yaml = Pair{.tolerance = 1e-4}.text(", reduction: {links: 4, ground: 10, check: true}");
+  const Model model = test::model_of(yaml);
+  RunOptions options{.output = file};
+  std::optional<std::filesystem::file_time_type> first;
+  options.stop = [&] {
+    const auto written = std::filesystem::last_write_time(file);
+    if (!first) first = written;
+    return written != *first;
+  };
+  try {
+    run(model, options);
+    ADD_FAILURE() << "the check does not stop";
+  } catch (const FailedRun& stopped) {
+    EXPECT_NE(std::string(stopped.what()).find("stopped by the user while all unknowns were stepped"), std::string::npos) << stopped.what();
+    EXPECT_TRUE(stopped.outcome().resumable);
+  }
+  const Outcome continued = run(test::model_of(yaml), {.output = file, .resume = file}), whole = test::run_text(yaml);
+  std::filesystem::remove(file);
+  EXPECT_EQ(continued.results.structures[1].displacement, whole.results.structures[1].displacement);
+  EXPECT_EQ(continued.results.impacts.size(), whole.results.impacts.size());
+  EXPECT_EQ(continued.results.solver.steps, whole.results.solver.steps);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(continued.summary.reduced[k].checked_windows, 3);
+    EXPECT_EQ(continued.summary.reduced[k].check_force, whole.summary.reduced[k].check_force);
+    EXPECT_EQ(continued.summary.reduced[k].check_displacement, whole.summary.reduced[k].check_displacement);
   }
 }
 

@@ -14,6 +14,7 @@ Reduction read_reduction(const Input& node) {
     return reduction;
   }
   node.only_keys();
+  if (const auto check = node.find("check")) reduction.check = check->as_bool();
   const auto links = node.find("links"), ground = node.find("ground"), modes = node.find("modes"), error = node.find("error"), of = node.find("of");
   if (of && !error) of->fail_at_key("says what an error holds for, and there is none; type {error: 1e-4, of: [acceleration]}");
   if (error) {
@@ -31,6 +32,10 @@ Reduction read_reduction(const Input& node) {
     reduction.modes = static_cast<int>(modes->as_integer());
     return reduction;
   }
+  if (!links && !ground && reduction.check) {
+    reduction.kind = Reduction::Kind::automatic;
+    return reduction;
+  }
   if (!links && !ground) node.fail("takes how deep; type reduction: {links: 5, ground: 20}, or reduction: auto");
   reduction.kind = Reduction::Kind::blocks;
   if (links) reduction.links = static_cast<int>(links->as_integer());
@@ -42,6 +47,10 @@ void check_reductions(const Model& model, const Input& root) {
   const auto structures = root.at("structures").entries();
   for (std::size_t i = 0; i < structures.size(); ++i) {
     const int number = static_cast<int>(i);
+    if (const std::string reason = why_not_checked(model, number); !reason.empty()) {
+      const auto own = structures[i].second.find("reduction");
+      (own ? *own : root.at("analysis").at("reduction")).at("check").fail(reason);
+    }
     if (!reduction_of(model, number).is_explicit()) continue;
     const std::string reason = why_not_reduced(model, number);
     if (reason.empty()) continue;

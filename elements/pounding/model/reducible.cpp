@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <pounding/structures/damping.hpp>
+#include <pounding/structures/massless.hpp>
+
 namespace pounding {
 namespace {
 
@@ -40,6 +43,16 @@ std::string why_not_reduced(const Model& model, int structure) {
                          link.name);
   }
   return {};
+}
+
+std::string why_not_checked(const Model& model, int structure) {
+  const Structure& s = model.structures[structure];
+  if (!reduction_of(model, structure).check || s.is_rigid() || !(s.modal_ratio > 0)) return {};
+  const auto modes = split_by_mass(s.mass).dynamic.size();
+  if (modes <= static_cast<std::size_t>(max_for_modal_damping)) return {};
+  return fmt::format("the modal damping of \"{}\" would fill a matrix of {} x {} modes in the equations of all its unknowns; type damping: 5 %, or "
+                     "check: false",
+                     s.name, modes, modes);
 }
 
 }  // namespace pounding

@@ -1,6 +1,8 @@
 #include <pounding/model/reduction.hpp>
 
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,23 +19,33 @@ std::string links_text(const ReducedStructure& s) {
   return text;
 }
 
+// Errors with their names, without those that are unknown.
+std::string listed(std::initializer_list<std::pair<const char*, double>> errors) {
+  std::string text;
+  for (const auto& [what, error] : errors)
+    if (!std::isnan(error)) text += fmt::format("{}{} {:.1g}", text.empty() ? "" : ", ", what, error);
+  return text;
+}
+
 }  // namespace
 
 std::string Reduction::text() const {
+  const char* const checked = check ? ", check: true" : "";
   switch (kind) {
     case Kind::none: return "none";
     case Kind::automatic:
-      if (!(error > 0)) return "auto";
-      return fmt::format("{{error: {:g}{}}}", error,
+      if (!(error > 0)) return check ? "{check: true}" : "auto";
+      return fmt::format("{{error: {:g}{}{}}}", error,
                          of_acceleration && of_members ? ", of: [acceleration, members]"
                          : of_acceleration             ? ", of: [acceleration]"
                          : of_members                  ? ", of: [members]"
-                                                       : "");
+                                                       : "",
+                         checked);
     case Kind::all_modes: return "all modes";
-    case Kind::blocks: return fmt::format("{{links: {}, ground: {}}}", links, ground);
+    case Kind::blocks: return fmt::format("{{links: {}, ground: {}{}}}", links, ground, checked);
     case Kind::lowest: break;
   }
-  return fmt::format("{{modes: {}}}", modes);
+  return fmt::format("{{modes: {}{}}}", modes, checked);
 }
 
 std::string ReducedStructure::size_text() const {
@@ -45,15 +57,15 @@ std::string ReducedStructure::size_text() const {
 }
 
 std::string ReducedStructure::error_text() const {
-  std::string text;
-  const auto add = [&](const char* what, double error) {
-    if (!std::isnan(error)) text += fmt::format("{}{} {:.1g}", text.empty() ? "" : ", ", what, error);
-  };
-  add("forces", error_force);
-  add("displacements", error_displacement);
-  add("accelerations", error_acceleration);
-  add("members", error_members);
+  const std::string text =
+      listed({{"forces", error_force}, {"displacements", error_displacement}, {"accelerations", error_acceleration}, {"members", error_members}});
   return text.empty() ? "not estimated" : text;
+}
+
+std::string ReducedStructure::check_text() const {
+  if (checked_windows == 0) return "";
+  return fmt::format("all unknowns in the {}: {}", checked_windows == 1 ? "hardest impact" : fmt::format("{} hardest impacts", checked_windows),
+                     listed({{"forces", check_force}, {"displacements", check_displacement}}));
 }
 
 }  // namespace pounding

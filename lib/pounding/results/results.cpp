@@ -264,6 +264,10 @@ void write_reduction(hid_t file, const Results& results) {
     scalar(place, {"error_displacement", "1", "the same of displacements of floors"}, s.error_displacement);
     scalar(place, {"error_acceleration", "1", "the same of accelerations of floors"}, s.error_acceleration);
     scalar(place, {"error_members", "1", "the same of forces and moments of members"}, s.error_members);
+    if (s.checked_windows == 0) continue;
+    scalar(place, {"checked_windows", "1", "hardest impacts through which all unknowns were stepped"}, static_cast<long>(s.checked_windows));
+    scalar(place, {"check_force", "1", "difference of peak forces of links in them over the largest force; NaN where none hits the structure"}, s.check_force);
+    scalar(place, {"check_displacement", "1", "the same of displacements of floors"}, s.check_displacement);
   }
 }
 

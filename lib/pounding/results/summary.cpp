@@ -199,7 +199,7 @@ Json devices_json(const std::vector<DeviceSummary>& devices) {
 
 Json reduction_json(const std::vector<ReducedStructure>& structures) {
   Json all = Json::object();
-  for (const ReducedStructure& s : structures)
+  for (const ReducedStructure& s : structures) {
     all[s.name] = {{"coordinates", s.coordinates},
                    {"unknowns", s.unknowns},
                    {"blocks", {s.link_blocks, s.ground_blocks}},
@@ -209,6 +209,9 @@ Json reduction_json(const std::vector<ReducedStructure>& structures) {
                    {"error_displacement", number(s.error_displacement)},
                    {"error_acceleration", number(s.error_acceleration)},
                    {"error_members", number(s.error_members)}};
+    if (s.checked_windows > 0)
+      all[s.name]["check"] = {{"windows", s.checked_windows}, {"error_force", number(s.check_force)}, {"error_displacement", number(s.check_displacement)}};
+  }
   return all;
 }
 

@@ -245,7 +245,8 @@ std::string to_table(const Summary& summary) {
     text += fmt::format("without links it ended by {}: what the table says of that run lasts until then\n", why);
   text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
-  for (const ReducedStructure& s : summary.reduced) text += fmt::format("reduced      {}; errors by it: {}\n", s.size_text(), s.error_text());
+  for (const ReducedStructure& s : summary.reduced)
+    text += fmt::format("reduced      {}; errors by it: {}{}{}\n", s.size_text(), s.error_text(), s.checked_windows > 0 ? "; " : "", s.check_text());
   return text;
 }
 

@@ -28,6 +28,15 @@ FloorResponse::FloorResponse(const Model& model, const GroundPlan& plan) : groun
   if (count == 0 || by_difference_.cwiseAbs().maxCoeff() == 0) by_difference_.resize(0, 0);
 }
 
+// In space a floor moves along x and y, and turns.
+std::vector<int> FloorResponse::translations(int structure) const {
+  std::vector<int> rows;
+  const int directions = directions_[structure];
+  for (int row = first_[structure], end = structure + 1 < static_cast<int>(first_.size()) ? first_[structure + 1] : static_cast<int>(at_rest_.size()); row < end; ++row)
+    if ((row - first_[structure]) % directions < 2) rows.push_back(row);
+  return rows;
+}
+
 void FloorResponse::complete(Eigen::MatrixXd& motion, double time, const Eigen::VectorXd& ground) const {
   motion.col(0) += at_rest_;
   complete_accelerations(motion.col(2), ground);

@@ -22,6 +22,8 @@ class FloorResponse {
   int directions(int structure) const { return directions_[structure]; }
   /// Row of the motion that holds a floor, counted from 0 at the lowest, in a direction.
   int row(int structure, int floor, int direction) const { return first_[structure] + floor * directions_[structure] + direction; }
+  /// Rows of the translations of all floors of a structure.
+  std::vector<int> translations(int structure) const;
   /// Completes a motion [row, u v a], [m], [m/s], [m/s^2], at a time [s]; `ground` holds the accelerations of all ground motions
   /// at that instant [m/s^2].
   void complete(Eigen::MatrixXd& motion, double time, const Eigen::VectorXd& ground) const;

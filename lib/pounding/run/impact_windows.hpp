@@ -51,7 +51,7 @@ class ImpactWindows {
   void step();
   /// The run is over, perhaps within an impact.
   void end();
-  /// Those with the largest forces, the hardest first.
+  /// The windows with the largest forces, the hardest first.
   const std::vector<ImpactWindow>& hardest() const { return hardest_; }
   /// For a checkpoint.
   void archive(Archive& archive);

@@ -23,7 +23,8 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       collapse_(model, floors_, results.structures),
       storeys_(model, stepper, results),
       forces_(model, plan_, stepper, results),
-      reduction_(model, response_, stepper) {}
+      reduction_(model, response_, stepper),
+      check_(model, response_, stepper) {}
 
 void Recorder::accelerations_of_ground(double time) {
   ground_.resize(static_cast<int>(plan_.motions.size()));
@@ -81,6 +82,7 @@ void Recorder::step() {
   devices_.step();
   springs_.step();
   reduction_.step(output_due);
+  check_.step();
   if (output_due) sample_energy();
 }
 
@@ -130,6 +132,7 @@ void Recorder::archive(Archive& archive) {
   devices_.archive(archive);
   springs_.archive(archive);
   reduction_.archive(archive);
+  check_.archive(archive);
   archive(max_input_);
   archive(max_imbalance_);
   archive_length(archive, results_.energy);
@@ -169,6 +172,7 @@ void Recorder::summarize(Summary& summary) const {
   summary.devices = devices_.summary();
   summary.impacts = impacts_in_order();
   summary.reduced = reduction_.errors(summary);
+  check_.tell(summary, summary.reduced);
   const EnergyHistory& e = results_.energy;
   if (e.time.empty()) return;
   summary.energy = {e.input.back(),  e.kinetic.back(), e.strain.back(),

@@ -15,6 +15,7 @@
 #include <pounding/run/floor_response.hpp>
 #include <pounding/run/force_envelopes.hpp>
 #include <pounding/run/link_samples.hpp>
+#include <pounding/run/reduction_check.hpp>
 #include <pounding/run/reduction_errors.hpp>
 #include <pounding/run/spring_histories.hpp>
 #include <pounding/run/step_motion.hpp>
@@ -38,6 +39,8 @@ class Recorder {
   void step();
   /// Completes the results at the end of the run: unfinished impacts, the last energies.
   void end();
+  /// All unknowns of reduced structures in the hardest impacts, where that is asked for.
+  ReductionCheck& reduction_check() { return check_; }
   /// Calls `write` while the results hold the present state as well: unfinished impacts stand in them for that time.
   void with_present_state(const std::function<void()>& write);
   /// Serialises the recorder, the envelopes, and the lengths of the histories of links and energies; reading cuts these histories
@@ -74,6 +77,7 @@ class Recorder {
   StoreyShears storeys_;
   ForceEnvelopes forces_;
   ReductionErrors reduction_;
+  ReductionCheck check_;
   long outputs_ = 0;  // output times so far
   double max_input_ = 0, max_imbalance_ = 0;  // absolute values over the run [J]
   Eigen::MatrixXd motion_;  // of the floors at an output time

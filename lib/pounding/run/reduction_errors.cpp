@@ -29,6 +29,8 @@ RowMajor rows_with_parts(const Structure& s) {
 
 double ratio(double difference, double largest) { return difference > 0 ? safety * difference / largest : 0; }
 
+double bound_of(const Reduction& asked, double tolerance) { return asked.error > 0 ? asked.error : share * tolerance; }
+
 }  // namespace
 
 ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& response, const Stepper& stepper) : model_(model), stepper_(stepper) {
@@ -58,9 +60,7 @@ ReductionErrors::ReductionErrors(const Model& model, const FloorResponse& respon
         floors.units[static_cast<std::size_t>(floors.forces->places()[static_cast<std::size_t>(row)].at)] = kind == 'M' || kind == 'T' ? 1 : 0;
       }
     }
-    for (int floor = 0; floor < static_cast<int>(s.floors.size()); ++floor)
-      for (int direction = 0; direction < response.directions(k); ++direction)
-        if (s.dimension < 3 || direction < 2) floors.rows.push_back(response.row(k, floor, direction));
+    floors.rows = response.translations(k);
     floors_.push_back(std::move(floors));
   }
   waiting_.setZero(stepper.base().size(), together);
@@ -262,8 +262,13 @@ void ReductionErrors::archive(Archive& archive) {
   archive(kept_forces_);
 }
 
+bool check_exceeds(const ReducedStructure& found, const Reduction& asked, double tolerance) {
+  const double bound = bound_of(asked, tolerance);
+  return found.check_force > bound || found.check_displacement > bound;
+}
+
 bool exceeds(const ReducedStructure& errors, const Reduction& asked, double tolerance) {
-  const double bound = asked.error > 0 ? asked.error : share * tolerance;
+  const double bound = bound_of(asked, tolerance);
   return errors.error_force > bound || errors.error_displacement > bound || (asked.of_acceleration && errors.error_acceleration > bound) ||
          (asked.of_members && errors.error_members > bound);
 }

@@ -95,5 +95,7 @@ class ReductionErrors {
 
 /// Whether the estimated errors exceed what was asked for: a bound of its own, else 0.3 of the tolerance.
 bool exceeds(const ReducedStructure& errors, const Reduction& asked, double tolerance);
+/// Whether what the check of all unknowns found exceeds the same.
+bool check_exceeds(const ReducedStructure& found, const Reduction& asked, double tolerance);
 
 }  // namespace pounding

@@ -62,6 +62,7 @@ petsc::ReductionPlan reduction_plan(const Model& model, const std::vector<Reduct
   for (std::size_t i = 0; i < model.structures.size(); ++i) {
     const Structure& s = model.structures[i];
     if (s.is_rigid()) continue;
+    if (const std::string reason = why_not_checked(model, static_cast<int>(i)); !reason.empty()) throw InputError(reason);
     Reduction own = asked[plan.groups.size()];
     const bool reduces = own.kind == Reduction::Kind::automatic || own.is_explicit();
     plan.asked = plan.asked || reduces;
@@ -99,6 +100,10 @@ std::vector<std::string> reduction_warnings(const petsc::ReductionPlan& plan, co
     else if (exceeds(s, asked, plan.tolerance))
       warnings.push_back(fmt::format("{}. The reduction may cost more than 0.3 of the tolerance {:g}: {}; take {} blocks of the links, or reduction: auto",
                                      s.size_text(), plan.tolerance, s.error_text(), s.link_blocks + 2));
+    if (check_exceeds(s, asked, plan.tolerance))
+      warnings.push_back(fmt::format("{}. The reduction costs more than 0.3 of the tolerance {:g}, or than the error that was asked for: {}; take {} blocks of the links, or a "
+                                     "smaller error",
+                                     s.size_text(), plan.tolerance, s.check_text(), s.link_blocks + 2));
   }
   return warnings;
 }

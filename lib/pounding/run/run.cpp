@@ -112,9 +112,11 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   writer.write("running");
 
   RunMonitor monitor(options, model.analysis.duration, since_start, setup.ts, stepper, recorder, writer);
-  const std::string failure = monitor.solve();
-  if (!monitor.is_resumable()) results.checkpoint.reset();
-  outcome.resumable = results.checkpoint.has_value();
+  std::string failure = monitor.solve();
+  if (failure.empty() && recorder.reduction_check().is_asked()) {  // which may take long, and be stopped
+    writer.save();
+    writer.write("running");
+  }
   recorder.end();
   fill_statistics(setup.ts, stepper, results.solver);
   results.solver.wall_seconds = writer.seconds();
@@ -126,7 +128,10 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
       archive_memory(system, memory);
       return std::nullopt;
     }
+    failure = monitor.check_reduction();
   }
+  if (!monitor.is_resumable()) results.checkpoint.reset();
+  outcome.resumable = results.checkpoint.has_value();
   const std::string done = monitor.collapse().empty() ? "done" : "done: " + monitor.collapse();
   writer.end(failure.empty() ? done : "failed: " + failure);
   if (!failure.empty()) throw FailedRun(failure, std::move(outcome));

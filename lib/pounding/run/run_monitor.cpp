@@ -54,6 +54,20 @@ std::string RunMonitor::solve() {
   return early_end();
 }
 
+std::string RunMonitor::check_reduction() {
+  try {
+    for (bool more = recorder_.reduction_check().is_asked(); more;) {
+      ranks_.on_each([&] { more = recorder_.reduction_check().next(); });
+      if (!more || !ranks_.any(options_.stop && options_.stop())) continue;
+      resumable_ = true;
+      return "stopped by the user while all unknowns were stepped through the hardest impacts";
+    }
+  } catch (const SolverError& error) {
+    return fmt::format("the check of the reduction failed: {}", error.what());
+  }
+  return "";
+}
+
 PetscErrorCode RunMonitor::after_step(TS ts) {
   RunMonitor* monitor = nullptr;
   PetscFunctionBegin;

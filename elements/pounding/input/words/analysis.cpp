@@ -80,7 +80,11 @@ constexpr Word reduction_words[] = {
                 "floors that the reduction makes, over the largest ones.",
      .example = "1e-4"},
     {.key = "of", .takes = Takes::choice, .form = Form::list, .choices = bound_by_error, .noun = "response", .otherwise = "forces and displacements alone",
-     .since = "0.2.0", .meaning = "What else the error holds for: accelerations of floors, forces of members.", .example = "[acceleration]"}};
+     .since = "0.2.0", .meaning = "What else the error holds for: accelerations of floors, forces of members.", .example = "[acceleration]"},
+    {.key = "check", .takes = Takes::boolean, .otherwise = "false", .since = "0.2.0",
+     .meaning = "true steps all unknowns through the three hardest impacts after the run, from its state and with its link forces, and tells how far they "
+                "are from it. Alone it reduces as auto does.",
+     .example = "true"}};
 
 constexpr Word checkpoint_words[] = {
     {.key = "every", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::positive,
