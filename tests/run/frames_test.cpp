@@ -449,6 +449,34 @@ TEST(Frames, ThatRubAWallLoseFrictionTimesWay) {
   EXPECT_LT(run.summary.energy.error, 1e-3);
 }
 
+// Both kinds of forces that follow the motion by themselves, at once: the two integrators take them apart in different ways.
+TEST(Frames, RubEachOtherWhileTheirHingesYield) {
+  const auto frame = [](const std::string& name, const std::string& origin, double side, const std::string& hinges) {
+    return fmt::format("  {0}: {{frame: {{origin: [{1}, 0], material: {{E: 30 GPa}}, grid: {{storeys: 2, bays: 1, storey_height: 3 m, bay_width: 6 m, "
+                       "columns: {{rectangle: [{2}, {2}]}}, beams: {{rectangle: [0.3, 0.5]}}, floor_mass: 40 t}}{3}}}, damping: 5 %}}\n",
+                       name, origin, side, hinges);
+  };
+  std::vector<Outcome> runs;
+  for (const std::string integrator : {"esdirk4", "generalized_alpha"})
+    runs.push_back(test::run_text(
+        "ground_motion: {components: {x: {harmonic: {amplitude: 5, period: 0.5, duration: 1.5}}, z: {harmonic: {amplitude: 2, period: 0.3, duration: 1.5}}}}\nstructures:\n" +
+        frame("a", "0", 0.4, ", hinges: {columns: {at: feet, yield_moment: 100 kN m, hardening: 2 %}}") + frame("b", "6.01", 0.6, "") +
+        "links: [{between: [a, b], floors: all, friction: 0.3, law: hertz_damped, stiffness: 1.4e9, restitution: 0.6}]\n"
+        "analysis: {duration: 1.5, tolerance: 1e-6, integrator: " + integrator + "}\n"));
+  for (const Outcome& run : runs) {
+    EXPECT_GT(run.results.impacts.size(), 3u);
+    EXPECT_LT(run.summary.energy.error, 1e-5);
+    EXPECT_GT(run.summary.energy.hysteretic, 0.05 * run.summary.energy.input);
+    double rubbed = run.summary.energy.impact;
+    for (const ImpactRow& row : run.results.impacts) rubbed -= row.energy_lost;
+    EXPECT_GT(rubbed, 1e-4 * run.summary.energy.input);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(runs[0].summary.links[i].peak_force, runs[1].summary.links[i].peak_force, 1e-3 * runs[0].summary.links[0].peak_force);
+    EXPECT_NEAR(runs[0].summary.structures[0].peak_displacement[i], runs[1].summary.structures[0].peak_displacement[i], 1e-4 * runs[0].summary.structures[0].peak_displacement[i]);
+  }
+}
+
 TEST(Frames, GoOnToTheSameBits) {
   const std::string yaml = "ground_motion: {components: {x: {harmonic: {amplitude: 4, period: 0.5, duration: 1.2}}, z: {harmonic: {amplitude: 1, period: 0.3, duration: 1}},"
                            " y: {harmonic: {amplitude: 1, period: 0.6, duration: 1}}}, wave: {velocity: 100 m/s}}\nstructures:\n" +

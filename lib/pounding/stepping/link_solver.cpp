@@ -102,8 +102,9 @@ void LinkSolver::find_sliders(const CondensedLinks& links) {
   const auto index = [&](int link) {
     return static_cast<int>(std::lower_bound(links.active.begin(), links.active.end(), link) - links.active.begin());
   };
+  // Springs that settle by themselves are solved without the contacts that press meanwhile.
   for (const Friction& friction : links_.frictions())
-    if (links_.is_active(friction.contact)) sliders_.push_back({&friction, index(friction.contact), index(friction.first)});
+    if (std::binary_search(links.active.begin(), links.active.end(), friction.contact)) sliders_.push_back({&friction, index(friction.contact), index(friction.first)});
 }
 
 // Answer of a friction where the forces reduce the closing accelerations by `relief` times the weight.
