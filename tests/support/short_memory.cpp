@@ -1,6 +1,7 @@
 #include "support/short_memory.hpp"
 
 #include <cstdlib>
+#include <new>
 #include <utility>
 
 namespace {
@@ -27,6 +28,13 @@ bool fail_allocation(long number) {
   void* const block = fails ? nullptr : std::malloc(size > 0 ? size : 1);
   if (!block) throw std::bad_alloc();
   return block;
+}
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
 }
 [[gnu::noinline]] void operator delete(void* block) noexcept { std::free(block); }
 [[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept { std::free(block); }
