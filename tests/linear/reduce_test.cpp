@@ -1,9 +1,12 @@
 // Systems in which some structures are reduced: which are, how deep, and how hard two frames hit each other.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -283,6 +286,39 @@ TEST(EqualStructures, ShareModesWhereTheyAreDrivenAlikeAndKeepTheBitsOfEachByIts
     EXPECT_EQ(made[at]->shadow->squares, one[at]->shadow->squares) << k;
     EXPECT_EQ(made[at]->made.coordinates, one[at]->made.coordinates) << k;
   }
+}
+
+// A file is used where its time moves.
+TEST(KeptModes, AreThoseThatAreMade) {
+  namespace fs = std::filesystem;
+  const Reduction blocks{.kind = Kind::blocks, .links = 2, .ground = 6}, lowest{.kind = Kind::lowest, .modes = 10};
+  const Row row;
+  const fs::path folder = fs::temp_directory_path() / fmt::format("kept_of_a_row_{}", getpid());
+  const auto groups = [&](const std::string& kept_in) {
+    ReductionPlan plan{{"t0", "t1", "t2", "t3", "t4"}, {blocks, blocks, blocks, blocks, lowest}, row.u, row.v, 1e-4};
+    plan.kept_in = kept_in;
+    return *reduced_groups(row.system, plan);
+  };
+  const ReducedGroups made = groups(""), kept = groups(folder);
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  int files = 0;
+  for (const auto& file : fs::directory_iterator(folder)) fs::last_write_time(file.path(), long_ago), ++files;
+  EXPECT_EQ(files, 4) << "two of five are alike";
+  const ReducedGroups found = groups(folder);
+  for (const auto& file : fs::directory_iterator(folder)) EXPECT_GT(fs::last_write_time(file.path()), long_ago + std::chrono::minutes(1));
+  fs::remove_all(folder);
+  for (const ReducedGroups* other : {&kept, &found})
+    for (std::size_t k = 0; k < 5; ++k) {
+      const ReducedGroup &a = *made[k], &b = *other->at(k);
+      EXPECT_EQ(a.modes->shapes, b.modes->shapes) << k;
+      EXPECT_EQ(a.modes->squares, b.modes->squares) << k;
+      ASSERT_EQ(a.shadow != nullptr, b.shadow != nullptr) << k;
+      if (a.shadow) {
+        EXPECT_EQ(a.shadow->in_modes, b.shadow->in_modes) << k;
+      }
+      EXPECT_EQ(a.made.size_text(), b.made.size_text()) << k;
+      EXPECT_EQ(a.made.flexibility_error, b.made.flexibility_error) << k;
+    }
 }
 
 TEST(EqualStructures, DoNotShareWhatTheyWereNotAsked) {

@@ -83,6 +83,27 @@ class Options(ProgramTest):
             for name in ("error_force", "error_displacement", "error_acceleration", "error_members"):
                 self.assertEqual(left[name][()], told[name])
 
+    def test_of_reduction_keep_modes_for_the_next_run(self):
+        path, folder = self.write(FRAMES), self.folder / "of all/modes"
+        reduced = ("-pounding_red_links", "5")
+        made = self.told(path, *reduced)
+        kept, found = (self.told(path, *reduced, "-pounding_red_cache", str(folder.parent) + "/modes") for _ in range(2))
+        self.assertEqual(len(list(folder.iterdir())), 2)
+        for other in (kept, found):
+            for part in ("links", "structures", "energy"):
+                self.assertEqual(other[part], made[part])
+            self.assertEqual(other["solver"]["reduction"], made["solver"]["reduction"])
+        # Nothing is kept of structures that are not reduced, and a run goes on with or without the folder.
+        self.assertEqual(self.told(path, "-pounding_red_cache", "none")["links"], self.told(path)["links"])
+        self.assertFalse((self.folder / "none").exists())
+        cut = self.pounding("run", path, "-o", "out.h5", *reduced, "-pounding_red_cache", str(folder), "-pounding_ts_max_steps", "100")
+        self.assertNotEqual(cut.returncode, 0)
+        with h5py.File(self.folder / "out.h5") as file:
+            self.assertNotIn("cache", str(list(file["checkpoint"].attrs.values())) + str([x[()] for x in file["checkpoint"].values()]))
+        (self.folder / "file").write_text("")
+        self.refused(2, "modes cannot be kept in \"file\": it is no folder; type -pounding_red_cache FOLDER", "run", path, "--json", *reduced,
+                     "-pounding_red_cache", "file")
+
     def test_of_reduction_go_before_the_words_of_the_model(self):
         words = FRAMES.replace("analysis: {", "analysis: {reduction: {links: 3, ground: 8}, ")
         path = self.write(words)

@@ -10,6 +10,7 @@
 #include <pounding/core/error.hpp>
 #include <pounding/linear/equal_groups.hpp>
 #include <pounding/linear/flexibility_errors.hpp>
+#include <pounding/linear/kept_modes.hpp>
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/linear/reduced_modes.hpp>
 #include <pounding/linear/spring_relief.hpp>
@@ -129,14 +130,30 @@ struct Alike {
   std::unique_ptr<ReducedModes> modes;
   std::vector<Made> made;
 
-  ReducedModes& driven(const System& system, const Group& group, const ReducedInputs& inputs) {
+  ReducedModes& driven(const ModesOrigin& origin) {
     if (modes)
-      modes->drive(inputs);
+      modes->drive(origin.inputs);
     else
-      modes = std::make_unique<ReducedModes>(part(system.mass, group), part(system.stiffness, group), inputs);
+      modes = std::make_unique<ReducedModes>(origin.mass, origin.stiffness, origin.inputs);
     return *modes;
   }
 };
+
+ReducedGroup group_of(ReducedModes& basis, const ModesOrigin& origin) {
+  const ReducedDepth& depth = origin.depth;
+  const ReducedInputs& inputs = origin.inputs;
+  ReducedGroup made{.modes = std::make_shared<const GroupModes>(basis.modes(depth))};
+  if (!origin.shadow) return made;
+  const int links = static_cast<int>(inputs.links.cols());
+  made.shadow = std::make_shared<const ShadowModes>(
+      basis.shadow(depth, {.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0), .parts = depth.parts - 1}));
+  // A short chain of the ground may err by more than the links do.
+  if (!(inputs.shift > 0) || (inputs.ground.cols() > 0 && depth.ground <= 2 * ground_less)) return made;
+  const FlexibilityErrors errors = flexibility_errors(basis.further(depth), *made.shadow, origin.damping, std::sqrt(inputs.shift));
+  made.made.flexibility_error = errors.run;
+  made.made.shadow_flexibility_error = errors.shadow;
+  return made;
+}
 
 // Nothing where the basis would not pay.
 std::optional<ReducedGroup> reduce(const System& system, const Group& group, const Reduction& how, const std::string& name, const ReductionPlan& plan,
@@ -164,14 +181,13 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                                  "half of them; take fewer blocks or leave it whole",
                                  how.text(), name, most, dynamic));
   }
-  ReducedModes& basis = alike.driven(system, group, inputs);
-  ReducedGroup made{.modes = std::make_shared<const GroupModes>(basis.modes(depth))};
-  if (how.kind != Kind::lowest && depth.links > 1)
-    made.shadow = std::make_shared<const ShadowModes>(
-        basis.shadow(depth, {.links = shadow_links(basis, depth, links), .ground = std::max(depth.ground - ground_less, 0), .parts = depth.parts - 1}));
-  FlexibilityErrors errors;
-  // A short chain of the ground may err by more than the links do.
-  if (made.shadow && inputs.shift > 0 && (grounds == 0 || depth.ground > 2 * ground_less)) errors = flexibility_errors(basis.further(depth), *made.shadow, damping_of(group), std::sqrt(inputs.shift));
+  const double frequency = std::sqrt(inputs.shift) / (2 * M_PI);
+  const bool shadow = how.kind != Kind::lowest && depth.links > 1;
+  const ModesOrigin origin{part(system.mass, group), part(system.stiffness, group), damping_of(group), std::move(inputs), depth, shadow};
+  const std::optional<KeptModes> kept = plan.kept_in.empty() ? std::nullopt : std::optional<KeptModes>(plan.kept_in);
+  std::optional<ReducedGroup> found = kept ? kept->find(origin) : std::nullopt;
+  ReducedGroup made = found ? std::move(*found) : group_of(alike.driven(origin), origin);
+  if (kept && !found) kept->keep(origin, made);
   made.made = {.name = name,
                .coordinates = static_cast<int>(made.modes->squares.size()),
                .unknowns = group.count,
@@ -182,9 +198,9 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
                .ground_blocks = depth.ground,
                .grounds = grounds,
                .modes = how.kind == Kind::lowest ? how.modes : 0,
-               .frequency = std::sqrt(inputs.shift) / (2 * M_PI),
-               .flexibility_error = errors.run,
-               .shadow_flexibility_error = errors.shadow};
+               .frequency = frequency,
+               .flexibility_error = made.made.flexibility_error,
+               .shadow_flexibility_error = made.made.shadow_flexibility_error};
   count_links(system, group, made.made);
   return made;
 }

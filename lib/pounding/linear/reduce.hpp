@@ -20,6 +20,7 @@ struct ReductionPlan {
   Eigen::VectorXd u, v;                ///< displacements [m] and velocities [m/s] from which the run starts
   double tolerance = 1e-4;             ///< of the run
   int deeper = 0;                      ///< blocks of both chains beside those of the tolerance, where the depth is automatic
+  std::string kept_in{};               ///< folder of modes of earlier runs (KeptModes); empty for none
   bool asked = false;                  ///< whether a reduction was asked for, even of structures that cannot be reduced
 };
 
@@ -44,6 +45,8 @@ inline constexpr int most_modes_instead = 2500;
 /// them as unknowns with mass. The shadow of a group is made of all but the last block of the links that brought new directions, all but the last of what
 /// yields, and all but the last five of the ground. One block
 /// of the links has none, and lowest modes have none.
+///
+/// Modes that were kept are taken from there, with the bits of those that were made, and new ones are kept.
 ///
 /// Throws InputError, with the name of the structure and what to type, where numbers were given that cannot be kept or all modes are
 /// too many; std::invalid_argument as ReducedModes.

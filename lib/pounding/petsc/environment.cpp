@@ -116,7 +116,7 @@ std::vector<std::string> Environment::given_options() {
   bool ours = false;
   for (const std::string_view word : parts_between(all, " \t\r\n")) {
     const bool name = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
-    if (name) ours = word.starts_with("-pounding_");
+    if (name) ours = word.starts_with("-pounding_") && word != "-pounding_red_cache";
     if (!ours) continue;
     if (name)
       given.emplace_back(word);

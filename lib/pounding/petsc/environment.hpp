@@ -22,7 +22,8 @@ class Environment {
 
   /// Options with the prefix `-pounding_` that nothing has read.
   static std::vector<std::string> unread_options();
-  /// Options with the prefix `-pounding_` and their values as PETSc has them now, sorted: "-pounding_ts_rtol 1e-6".
+  /// Options with the prefix `-pounding_` and their values as PETSc has them now, sorted: "-pounding_ts_rtol 1e-6". Not `-pounding_red_cache`, with which
+  /// nothing changes but time.
   static std::vector<std::string> given_options();
 
  private:

@@ -47,6 +47,12 @@ Reduction reduction_from_options() {
   return how;
 }
 
+std::string folder_of_kept_modes() {
+  char folder[4096] = "";
+  petsc::check(PetscOptionsGetString(nullptr, prefix, "-cache", folder, sizeof folder, nullptr));
+  return folder;
+}
+
 std::vector<Reduction> asked_reductions(const Model& model) {
   const Reduction by_options = reduction_from_options();
   std::vector<Reduction> asked;

@@ -14,6 +14,9 @@ namespace pounding {
 /// these is no reduction. Reads the options, so call it before those that nothing reads are refused. Throws InputError for a number out of range.
 Reduction reduction_from_options();
 
+/// `-pounding_red_cache FOLDER`, where modes are kept from one run to the next; empty without it. To be called as early.
+std::string folder_of_kept_modes();
+
 /// The reduction of each structure of a model that moves: that of the options where they give one, else that of the model.
 std::vector<Reduction> asked_reductions(const Model& model);
 

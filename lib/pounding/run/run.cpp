@@ -85,9 +85,11 @@ std::optional<Outcome> try_run(const Task& task, bool with_links, const Outcome&
   const System system = assemble(model, with_links);
   const auto [u, v] = initial_state(model, with_links);
   const std::vector<Reduction> asked = asked_reductions(model);
+  const std::string kept_in = folder_of_kept_modes();
   const TsSetup setup = set_up_ts(model, u, v, options.comm);
   petsc::ReductionPlan plan = reduction_plan(model, asked, u, v, setup.stepper.tolerance);
   plan.deeper = results.deeper = deeper;
+  plan.kept_in = kept_in;
   if (plan.asked && setup.solver != petsc::SolverKind::automatic)
     throw InputError("a reduction would change nothing beside -pounding_ts_pounding_base; leave one of the two out");
   results.integrator = setup.stepper.scheme.name();
