@@ -75,6 +75,22 @@ TEST(GridFrame, CutMembersAreAsStiffAsWholeOnes) {
   EXPECT_NEAR(roof(cut), roof(whole), 1e-9 * roof(whole));
 }
 
+// The parts have less and less mass of their own, and yet two floors hit each other. A floor itself loses what the nodes of the cut take.
+TEST(GridFrame, CutColumnsAreHitWithTheMassOfTheirFloors) {
+  const auto hit = [](int parts, double elevation) {
+    GridFrame grid = plane();
+    grid.mass = BeamMass::consistent;
+    grid.members["column 2.2"] = {.parts = parts};
+    return make_structure(grid).surface->column(elevation, Side::plus_x, 0).mass;
+  };
+  for (const double elevation : {4.1, 5.5, 6.9}) {
+    const double whole = hit(1, elevation);
+    EXPECT_GT(whole, 60e3);
+    for (const int parts : {2, 3, 8}) EXPECT_NEAR(hit(parts, elevation), whole, 1.2e3) << parts << " parts, " << elevation << " m up";
+  }
+  EXPECT_NEAR(hit(2, 5.5), 0.5 * (hit(2, 4) + hit(2, 7)), 1e-6) << "at the node between the parts";
+}
+
 TEST(GridFrame, AMemberMayHaveItsOwnSectionMaterialAndReleases) {
   GridFrame grid = plane(), hinged = plane();
   grid.members["column 1.1"] = {.section = rectangle_section(0.8, 0.8), .material = isotropic(35e9, 2500)};

@@ -22,6 +22,18 @@ constexpr double together = 1e-6;
 
 std::string metres(double length) { return format_quantity(length, dimension::length, 6); }
 
+// The first and the last part of the member that this one is a part of; the member itself where it is whole. Parts follow each other.
+std::pair<int, int> parts_of_whole(const Frame& frame, int member) {
+  const std::string name = frame.member_name(member);
+  const std::size_t slash = name.find('/');
+  std::pair<int, int> parts{member, member};
+  if (slash == std::string::npos) return parts;
+  const auto belongs = [&](int other) { return other >= 0 && other < frame.members() && frame.member_name(other).starts_with(name.substr(0, slash + 1)); };
+  while (belongs(parts.first - 1)) --parts.first;
+  while (belongs(parts.second + 1)) ++parts.second;
+  return parts;
+}
+
 // The refusal of a contact on a member, or on a part of one, that has a hinge, with what to type.
 std::string beside_hinge(const Frame& frame, int member, double along) {
   const std::string part = frame.member_name(member), whole = part.substr(0, part.find('/'));
@@ -217,11 +229,21 @@ double FrameSurface::mass_of(int node) const {
   return floor >= 0 ? floor_mass_[floor] : mass_along_x(*assembled_, {node});
 }
 
-// Between two floors, of both by the height.
+// Between two floors, of both by the height. Where a member is cut, the nodes between its parts have a mass of their own, which grows less with
+// each cut; the contact stays one of the two floors.
 double FrameSurface::mass_of(const OnColumn& point) const {
-  if (point.node >= 0) return mass_of(point.node);
-  const auto [start, end] = model_->frame.ends(point.member);
-  return (1 - point.along) * mass_of(start) + point.along * mass_of(end);
+  if (point.node >= 0 && floor_of_node_[point.node] >= 0) return floor_mass_[floor_of_node_[point.node]];
+  const auto [first, last] = parts_of_whole(model_->frame, point.member);
+  if (point.node >= 0 && first == last) return mass_of(point.node);
+  const auto [start, after] = model_->frame.ends(first);
+  const auto [before, end] = model_->frame.ends(last);
+  double share = point.along;
+  if (first != last) {
+    const double from = position(start).z() + model_->frame.beam(first).options().start_offset.z(),
+                 to = position(end).z() + model_->frame.beam(last).options().end_offset.z();
+    share = std::clamp((point.position.z() - from) / (to - from), 0.0, 1.0);
+  }
+  return (1 - share) * mass_of(start) + share * mass_of(end);
 }
 
 ContactPoint FrameSurface::on_arm(int node, const Vector3d& at, double mass) const {
