@@ -26,6 +26,7 @@ class Springs(told.Told, lines=told.springs):
     laws: list[str]  #: word of the input, one a part
     stiffness: np.ndarray  #: [part] initial [N/m] or [N m/rad]
     yield_deformation: np.ndarray  #: [part] [m] or [rad]
+    negative_yield_deformation: np.ndarray  #: [part] its size in the negative direction [m] or [rad]
     deformation: np.ndarray  #: [time, part] at the output times [m] or [rad]
     force: np.ndarray  #: [time, part] [N] or [N m]
     hysteretic: np.ndarray  #: [time, part] energy lost by yielding so far [J]
@@ -63,4 +64,4 @@ def read_springs(structure: h5py.Group) -> Springs | None:
     ultimate = group["ultimate_rotation"][:] if "ultimate_rotation" in group else np.full(len(group["names"]), np.nan)
     return Springs(names=texts(group["names"][:]), laws=texts(group["laws"][:]), states=texts(summary["state"][:]),
                    ultimate_rotation=ultimate, largest={key: data[:] for key, data in summary.items() if key != "state"},
-                   **{key: group[key][:] for key in ("stiffness", "yield_deformation", "deformation", "force", "hysteretic")})
+                   **{key: group[key][:] for key in ("stiffness", "yield_deformation", "negative_yield_deformation", "deformation", "force", "hysteretic")})

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include <pounding/model/pushover.hpp>
 #include <pounding/structures/oscillators.hpp>
 #include "support/book.hpp"
+#include "support/models.hpp"
 #include "support/refusal.hpp"
 
 namespace pounding {
@@ -49,6 +51,37 @@ TEST(Pushover, TakesTheFirstModeOfTwoEqualStoreys) {
   // 2 k at the ground, k above: modes of [3 -1; -1 1], shape 1 : 1 + sqrt 2.
   const Structure s = make_shear_building({.storeys = 2, .mass = 1e5, .stiffness = std::vector<double>{200e6, 100e6}, .yield_force = 1e6});
   expect_loads(pushover(s, {.pattern = LoadPattern::mode1, .targets = {0.2}}), {1, 1 + std::sqrt(2)});
+}
+
+// Pushed either way a storey yields at another force; its ductility is the drift over that of its direction.
+TEST(Pushover, CountsDuctilityByTheDirection) {
+  const auto read = [](const std::string& target) {
+    const Model model = test::model_of("structures:\n  a: {shear_building: {storeys: 1, mass: 100 t, stiffness: 10 MN/m, height: 3, spring: {bilinear: {"
+                                       "yield_force: 400 kN, negative_yield_force: 100 kN, hardening: 0.1}}}, damping: 0}\nanalysis: {duration: 1}\n");
+    return pushover(model.structures[0], {.targets = {std::stod(target)}}).ductility(0);
+  };
+  EXPECT_NEAR(read("0.12"), 3, 1e-9);
+  EXPECT_NEAR(read("-0.12"), 12, 1e-9);
+  EXPECT_NEAR(read("0.05"), 1.25, 1e-9);
+}
+
+// A cantilever of length L with a load at its tip: the foot turns plastically by the same angle, however many parts the column has.
+TEST(Pushover, CountsDuctilityOfACutMemberAsOfTheWhole) {
+  const auto ductility = [](int parts, double hardening) {
+    const Model model = test::model_of(fmt::format(
+        "structures:\n  a: {{frame: {{material: {{E: 30 GPa}}, grid: {{storeys: 1, bays: 1, storey_height: 4, bay_width: 6, columns: {{rectangle: [0.5, 0.5]}}, "
+        "beams: {{rectangle: [0.3, 0.6]}}, floor_mass: 60 t}}, members: {{column 1.0: {{parts: {}}}}}, hinges: {{columns: {{at: feet, yield_moment: 200 kN m, hardening: {}}}}}}}, damping: 0}}\n"
+        "analysis: {{duration: 1}}\n", parts, hardening));
+    const Pushover found = pushover(model.structures[0], {.targets = {0.2}});
+    for (int part = 0; part < static_cast<int>(found.parts.size()); ++part)
+      if (found.parts[part].name.starts_with("column 1.0")) return found.ductility(part);
+    return 0.0;
+  };
+  for (const double hardening : {0.0, 0.05}) {
+    const double whole = ductility(1, hardening);
+    EXPECT_GT(whole, 5);
+    for (const int parts : {2, 5}) EXPECT_NEAR(ductility(parts, hardening), whole, 1e-6 * whole) << parts << " parts, hardening " << hardening;
+  }
 }
 
 TEST(Pushover, MakesTwoLinesOfTheSameAreaAndAnOscillator) {

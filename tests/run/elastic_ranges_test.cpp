@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,6 +81,23 @@ TEST(ElasticRanges, ChangeNoBitOfTheResults) {
     }
     EXPECT_GT(yielded, 4);
   }
+}
+
+// A ground that moves to one side at first: the storey stays elastic in the strong direction where the weak one would have yielded.
+TEST(YieldLimits, AreThoseOfTheDirection) {
+  const Outcome run = test::run_text(
+      "ground_motion: {harmonic: {amplitude: -2, period: 0.5, duration: 2}}\n"
+      "structures:\n  a: {oscillator: {mass: 100 t, stiffness: 20 MN/m, spring: {bilinear: {yield_force: 400 kN, negative_yield_force: 100 kN, hardening: 0.05}}}, "
+      "damping: 5 %}\nanalysis: {duration: 2, output_step: 1e-3, tolerance: 1e-6}\n");
+  const SpringHistory& history = run.results.structures[0].springs;
+  const SpringSummary& storey = run.summary.structures[0].springs[0];
+  const double lowest = history.deformations.min[0], highest = history.deformations.max[0];
+  EXPECT_LT(lowest, -0.02);
+  EXPECT_GT(highest, 0.005);
+  EXPECT_NEAR(storey.ductility, std::max(-lowest / 0.005, highest / 0.02), 1e-12);
+  std::size_t first = 0;
+  while (history.deformation[first] > -0.005 && history.deformation[first] < 0.02) ++first;
+  EXPECT_NEAR(storey.first_yield, run.results.time[first], 1.01e-3);
 }
 
 }  // namespace elastic_ranges_test

@@ -86,6 +86,16 @@ std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const A
   return springs;
 }
 
+// With the rotation of the whole member at its first yield, moments and plastic rotations are those of this part: M/My = 1 + a (m - 1) where this part has the
+// ductility m, and the plastic rotation is (1 - a) (m - 1) times its own yield rotation.
+double of_whole(const Frame& frame, const Hinge& hinge, double k) {
+  if (!hinge.is_rigid_plastic() || hinge.member_length == 0) return 1;
+  const Beam& part = frame.beam(hinge.member);
+  const Beam whole(Vector3d::Zero(), {hinge.member_length, 0, 0}, part.section(), part.material());
+  const double a = hardening_of(frame, hinge, k), softer = whole.local_stiffness()(hinge.place(), hinge.place()) / k;
+  return a + (1 - a) * softer;
+}
+
 std::string word_of(const Hinge& hinge) {
   if (hinge.is_rigid_plastic()) return "hinge";
   return hinge.law ? hinge.law->law : "bilinear";
@@ -262,6 +272,7 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
     YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]),
                                                  word_of(hinges[i]), parameters_of(hinges[i], k), std::move(springs[i]));
     part.kind = YieldingPart::Kind::hinge;
+    part.limits.of_whole = of_whole(model.frame, hinges[i], k);
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
     require_unyielded_at_rest(part, forces[i]);
   }

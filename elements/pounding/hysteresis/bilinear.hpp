@@ -55,6 +55,7 @@ struct Bilinear {
   double stiffness() const noexcept { return initial_stiffness; }
   /// In the weaker direction.
   double yield_deformation() const noexcept { return std::min(reach(1), reach(-1)); }
+  double yield_deformation(double way) const noexcept { return reach(way); }
 
   Answer respond(const State& kept, double d) const noexcept {
     const double stretch = d - kept.slip, limit = reach(stretch);

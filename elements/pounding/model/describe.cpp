@@ -63,10 +63,12 @@ std::string describe_hinges(const Structure& s) {
   for (const YieldingPart& part : s.yielding) {
     if (part.kind != YieldingPart::Kind::hinge) continue;
     ++count;
-    const double rotation = part.spring->yield_deformation(), moment = rotation * part.spring->stiffness();
-    weakest = std::min(weakest, moment), strongest = std::max(strongest, moment);
-    least = std::min(least, rotation), largest = std::max(largest, rotation);
-    at_rest = std::max(at_rest, std::abs(part.at_rest) / rotation);
+    for (const double rotation : {part.limits.positive, part.limits.negative}) {
+      const double moment = rotation * part.spring->stiffness();
+      weakest = std::min(weakest, moment), strongest = std::max(strongest, moment);
+      least = std::min(least, rotation), largest = std::max(largest, rotation);
+    }
+    at_rest = std::max({at_rest, part.at_rest / part.limits.positive, -part.at_rest / part.limits.negative});
   }
   const auto moment = [](double value) { return fmt::format("{:.4g} kN m", value / 1e3); };
   if (count == 0) return {};

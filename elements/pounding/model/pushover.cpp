@@ -130,7 +130,7 @@ Pushover pushover(const Structure& s, const PushoverOptions& options, const Mode
   found.loads = loads_of(s, options, modes);
   for (const Floor& floor : s.floors) found.floors.push_back(floor.label);
   for (const YieldingPart& part : s.yielding)
-    found.parts.push_back({part.name, part.law, part.spring->stiffness() + part.spring->first_slope(), part.spring->yield_deformation()});
+    found.parts.push_back({part.name, part.law, part.spring->stiffness() + part.spring->first_slope(), part.spring->yield_deformation(), part.limits});
 
   PushOptions push_options;
   push_options.load = Eigen::VectorXd::Zero(s.size());

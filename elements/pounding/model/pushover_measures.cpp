@@ -25,9 +25,12 @@ double Pushover::overstrength(int point) const {
 }
 
 double Pushover::ductility(int part) const {
-  double largest = 0;
-  for (const PushPoint& point : path.points) largest = std::max(largest, std::abs(point.deformations[part]));
-  return largest / parts[part].yield_deformation;
+  double lowest = 0, highest = 0;
+  for (const PushPoint& point : path.points) {
+    lowest = std::min(lowest, point.deformations[part]);
+    highest = std::max(highest, point.deformations[part]);
+  }
+  return parts[part].limits.ductility(lowest, highest);
 }
 
 double Pushover::force(int point, int part) const {

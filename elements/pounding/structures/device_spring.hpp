@@ -31,6 +31,7 @@ class DeviceSpring final : public Spring {
   double first_slope() const noexcept override;
   double slope_lost(double deformation) const noexcept override { return yielding_ ? yielding_->slope_lost(deformation) : 0; }
   double yield_deformation() const noexcept override { return yielding_ ? yielding_->yield_deformation() : Spring::yield_deformation(); }
+  double yields_towards(double way) const noexcept override { return yielding_ ? yielding_->yields_towards(way) : Spring::yield_deformation(); }
   std::optional<double> corner(double deformation) const noexcept override {
     return yielding_ ? yielding_->corner(deformation) : std::nullopt;
   }

@@ -25,6 +25,12 @@ class HystereticSpring : public Spring {
   }
   double stiffness() const noexcept override { return law_.stiffness(); }
   double yield_deformation() const noexcept override { return law_.yield_deformation(); }
+  double yields_towards(double way) const noexcept override {
+    if constexpr (requires { law_.yield_deformation(way); })
+      return law_.yield_deformation(way);
+    else
+      return law_.yield_deformation();
+  }
   std::optional<double> corner(double deformation) const noexcept override { return law_.corner(kept_, deformation); }
   /// The slope behind the turn is asked for: it is not k where a force that came back elastically is pressed again on a curve.
   double slope_lost(double deformation) const noexcept override {

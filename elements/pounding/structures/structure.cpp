@@ -15,7 +15,8 @@ YieldingPart::YieldingPart(std::string part, Row factors, std::string law_name, 
       deformation(std::move(factors)),
       law(std::move(law_name)),
       parameters(std::move(numbers)),
-      spring(std::move(undeformed)) {
+      spring(std::move(undeformed)),
+      limits(*spring) {
   Archive archive;
   spring->archive(archive);
   fresh = archive.bytes();

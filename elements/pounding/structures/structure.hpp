@@ -16,6 +16,7 @@
 #include <pounding/structures/massless.hpp>
 #include <pounding/ground/components.hpp>
 #include <pounding/structures/spring.hpp>
+#include <pounding/structures/yield_limits.hpp>
 
 namespace pounding {
 
@@ -40,6 +41,7 @@ struct YieldingPart {
   std::string law;     ///< the word of the input: "bilinear"
   std::vector<Parameter> parameters;
   std::unique_ptr<Spring> spring;
+  YieldLimits limits;            ///< deformations at which it first yields
   std::vector<std::byte> fresh;  ///< archive of the spring as it was given
   Kind kind = Kind::storey;
   std::string device{};          ///< of a device: its parts and its ends, for reports

@@ -22,9 +22,9 @@ constexpr SummaryField summary_fields[] = {
     {{"peak_deformation", "m", "deformation of the largest size, signed; of hinges [rad]"}, &SpringSummary::peak},
     {{"peak_time", "s", "time of peak_deformation"}, &SpringSummary::peak_time},
     {{"peak_force", "N", "largest absolute force; of hinges [N m]"}, &SpringSummary::peak_force},
-    {{"ductility", "1", "size of the peak deformation over the yield deformation"}, &SpringSummary::ductility},
+    {{"ductility", "1", "largest size of the deformation over the yield deformation of its direction; of a part of a cut member as of the whole"}, &SpringSummary::ductility},
     {{"peak_plastic", "m", "largest size of the plastic part of the deformation; of hinges [rad]"}, &SpringSummary::plastic},
-    {{"cycles", "1", "half the number of swings by more than twice the yield deformation"}, &SpringSummary::cycles},
+    {{"cycles", "1", "half the number of swings by more than both yield deformations"}, &SpringSummary::cycles},
     {{"residual", "m", "deformation at the end of the run, where it may still move; of hinges [rad]"}, &SpringSummary::residual},
     {{"hysteretic", "J", "energy lost by yielding"}, &SpringSummary::energy_lost},
     {{"first_yield", "s", "time at which the yield deformation was first exceeded; NaN where it never was"}, &SpringSummary::first_yield},
@@ -53,7 +53,13 @@ void write_springs(hid_t structure, const std::string& name, const SpringHistory
   hdf5::texts(place, "names", "names of the parts that yield", springs.names);
   hdf5::texts(place, "laws", "laws of their forces", springs.laws);
   array(place, {"stiffness", "N/m", "initial stiffness; of hinges [N m/rad]"}, springs.stiffness, {springs.size()});
-  array(place, {"yield_deformation", "m", "deformation at the first yield; of hinges [rad]"}, springs.yield_deformation, {springs.size()});
+  std::vector<double> positive, negative;
+  for (const YieldLimits& limits : springs.limits) {
+    positive.push_back(limits.positive);
+    negative.push_back(limits.negative);
+  }
+  array(place, {"yield_deformation", "m", "deformation at the first yield; of hinges [rad]"}, positive, {springs.size()});
+  array(place, {"negative_yield_deformation", "m", "its size in the negative direction; of hinges [rad]"}, negative, {springs.size()});
   array(place, {"ultimate_rotation", "rad", "plastic rotation that a hinge can bear; NaN where none was given"}, springs.ultimate,
         {springs.size()});
   const auto history = [&](const Label& label, const std::vector<double>& values) {

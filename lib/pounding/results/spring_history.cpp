@@ -6,17 +6,18 @@
 namespace pounding {
 
 // With the sign of its way the deformation grows in a swing up and in one down alike.
-void CycleCounts::follow(std::size_t part, double deformation, double yield_deformation) {
+void CycleCounts::follow(std::size_t part, double deformation, const YieldLimits& limits) {
   double& count = swings[part];
   if (count == 0) {
-    if (std::abs(deformation) <= yield_deformation) return;
+    if (!limits.exceeded_by(deformation)) return;
     count = std::copysign(1.0, deformation);
     turn[part] = deformation;
     return;
   }
   const double way = std::copysign(1.0, count), on = way * (deformation - turn[part]);
-  if (on < -2 * yield_deformation) count = -(count + way);
-  if (on > 0 || on < -2 * yield_deformation) turn[part] = deformation;
+  const bool turns = on < -(limits.positive + limits.negative);
+  if (turns) count = -(count + way);
+  if (on > 0 || turns) turn[part] = deformation;
 }
 
 double CycleCounts::cycles(std::size_t part) const { return 0.5 * std::abs(swings[part]); }
@@ -53,7 +54,7 @@ std::vector<SpringSummary> summaries(const SpringHistory& springs) {
       s.peak_time = up ? d.t_max[i] : d.t_min[i];
       s.peak_force = springs.forces.peak(i);
     }
-    s.ductility = d.peak(i) / springs.yield_deformation[i];
+    s.ductility = springs.limits[i].ductility(d.min[i], d.max[i]);
     s.plastic = springs.plastic[i];
     s.ultimate = springs.ultimate[i];
     s.cycles = springs.cycles.cycles(i);

@@ -7,17 +7,18 @@
 
 #include <pounding/core/archive.hpp>
 #include <pounding/results/envelope.hpp>
+#include <pounding/structures/yield_limits.hpp>
 
 namespace pounding {
 
-/// Counts swings of deformations: each goes on by more than twice the yield deformation beyond the last turn, the first one by more than
-/// once from zero. A bilinear part yields in each of them once.
+/// Counts swings of deformations: each goes on by more than the sum of both yield deformations beyond the last turn, the first one by more than
+/// one of them from zero. A bilinear part yields in each of them once.
 struct CycleCounts {
   std::vector<double> turn;   ///< deformation farthest on the way of the present swing, one a part
   std::vector<double> swings; ///< so far; the present one goes up where this is positive, down where it is negative
 
-  /// A part goes straight to a deformation, and yields at this one for the first time.
-  void follow(std::size_t part, double deformation, double yield_deformation);
+  /// A part goes straight to a deformation, and yields at these for the first time.
+  void follow(std::size_t part, double deformation, const YieldLimits& limits);
   /// Half the number of swings of a part.
   double cycles(std::size_t part) const;
   void archive(Archive& archive);
@@ -29,7 +30,8 @@ struct SpringHistory {
   std::vector<std::string> names, laws;              ///< "storey 1", "bilinear"
   std::vector<double> ultimate;                      ///< plastic rotation that a hinge can bear [rad]; NaN where none was given
   std::vector<bool> hinges;                          ///< whether it is a hinge at the end of a member
-  std::vector<double> stiffness, yield_deformation;  ///< initial k; size of the deformation at the first yield
+  std::vector<double> stiffness;                     ///< initial k
+  std::vector<YieldLimits> limits;                   ///< deformations at the first yield
   std::vector<double> deformation, force;            ///< over time
   std::vector<double> hysteretic;                    ///< energy lost so far [J], over time
 
@@ -55,7 +57,7 @@ struct SpringSummary {
   bool is_hinge = false;           ///< at the end of a member
   double peak = 0, peak_time = 0;  ///< deformation of the largest size, signed [m] or [rad], and when [s]
   double peak_force = 0;           ///< largest absolute force [N] or [N m]
-  double ductility = 0;            ///< size of the peak over the yield deformation
+  double ductility = 0;            ///< largest size over the yield deformation of its direction
   double plastic = 0;              ///< largest size of the plastic part of the deformation [m] or [rad]
   double ultimate = std::numeric_limits<double>::quiet_NaN();  ///< what a hinge can bear of it [rad]; NaN where none was given
   double cycles = 0;               ///< half the number of swings, see CycleCounts

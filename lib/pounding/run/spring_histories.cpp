@@ -19,7 +19,7 @@ SpringHistory spring_heading(const Structure& s) {
     history.names.push_back(part.name);
     history.laws.push_back(part.law);
     history.stiffness.push_back(part.spring->stiffness() + part.spring->first_slope());
-    history.yield_deformation.push_back(part.spring->yield_deformation());
+    history.limits.push_back(part.limits);
   }
   const std::size_t parts = s.yielding.size();
   constexpr double never = std::numeric_limits<double>::quiet_NaN();
@@ -38,16 +38,16 @@ double lost_by(const Spring& spring) { return spring.lost() + spring.damped(); }
 // Whether one of these lies outside.
 bool exceeds(const Extremes& extremes, std::size_t i, double low, double high) { return low < extremes.min[i] || high > extremes.max[i]; }
 
-// The first part of a step, from 0 to 1, at which the size of the deformation exceeds a limit, on the cubic through its ends; 2 for none.
-double first_beyond(const LinkStep& step, double limit) {
+// The first part of a step, from 0 to 1, at which the deformation exceeds a limit, on the cubic through its ends; 2 for none.
+double first_beyond(const LinkStep& step, const YieldLimits& limits) {
   const CubicPenetration between(step.motion_begin, step.motion_end, step.end - step.begin);
   const bool turns = step.motion_begin.rate * step.motion_end.rate < 0;
-  double beyond = std::abs(step.motion_end.penetration) > limit ? 1 : 2;
+  double beyond = limits.exceeded_by(step.motion_end.penetration) ? 1 : 2;
   if (turns)
-    if (const double s = std::clamp(between.turn(), 0.0, 1.0); std::abs(between.at(s)) > limit) beyond = s;
+    if (const double s = std::clamp(between.turn(), 0.0, 1.0); limits.exceeded_by(between.at(s))) beyond = s;
   if (beyond > 1) return beyond;
   double low = 0, high = beyond;
-  while (high - low > 1e-12) (std::abs(between.at(0.5 * (low + high))) > limit ? high : low) = 0.5 * (low + high);
+  while (high - low > 1e-12) (limits.exceeded_by(between.at(0.5 * (low + high))) ? high : low) = 0.5 * (low + high);
   return high;
 }
 
@@ -71,7 +71,7 @@ void update_by_pieces(const Spring& spring, const LinkStep& step, double stiffne
 void reach(SpringHistory& history, std::size_t i, double assembled, double deformation, double on_top) {
   const double k = history.stiffness[i];
   if (k > 0) history.plastic[i] = std::max(history.plastic[i], std::abs((on_top - (k - assembled) * deformation) / k));
-  history.cycles.follow(i, deformation, history.yield_deformation[i]);
+  history.cycles.follow(i, deformation, history.limits[i]);
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ void SpringHistories::begin() {
     history.last[i] = d;
     history.deformations.update(i, time, d);
     history.forces.update(i, time, assembled(k, i) * d + stepper_.link_forces()[link]);
-    if (std::abs(d) > history.yield_deformation[i]) history.first_yield[i] = time;
+    if (history.limits[i].exceeded_by(d)) history.first_yield[i] = time;
     reach(history, i, assembled(k, i), d, stepper_.link_forces()[link]);
   });
 }
@@ -135,10 +135,11 @@ SpringHistories::Quiet SpringHistories::quiet(int k, std::size_t i) const {
   const auto narrow = [&](double low, double high) { range = {std::max(range.low, low), std::min(range.high, high)}; };
   const double stiffness = assembled(k, i), on_top = stepper_.link_forces()[static_cast<int>(first_[k] + i)];
   if (stiffness > 0) narrow((history.forces.min[i] - on_top) / stiffness, (history.forces.max[i] - on_top) / stiffness);
-  const double yield = history.yield_deformation[i], count = history.cycles.swings[i], turn = history.cycles.turn[i];
-  if (count == 0 || std::isnan(history.first_yield[i])) narrow(-yield, yield);
-  if (count > 0) narrow(turn - 2 * yield, turn);
-  if (count < 0) narrow(turn, turn + 2 * yield);
+  const YieldLimits& limits = history.limits[i];
+  const double both = limits.positive + limits.negative, count = history.cycles.swings[i], turn = history.cycles.turn[i];
+  if (count == 0 || std::isnan(history.first_yield[i])) narrow(-limits.negative, limits.positive);
+  if (count > 0) narrow(turn - both, turn);
+  if (count < 0) narrow(turn, turn + both);
   const double rounding = 1e-12 * (std::abs(range.low) + std::abs(range.high));
   return {range.low + rounding, range.high - rounding};
 }
@@ -190,8 +191,8 @@ void SpringHistories::step_part(int k, std::size_t i) {
   reach(history, i, stiffness, end.penetration, step.force_end);
   history.last[i] = end.penetration;
   history.lost[i] = lost_by(spring);
-  if (std::isnan(history.first_yield[i]) && std::max(-low, high) > history.yield_deformation[i])
-    if (const double s = first_beyond(step, history.yield_deformation[i]); s <= 1) history.first_yield[i] = step.begin + s * h;
+  if (const YieldLimits& limits = history.limits[i]; std::isnan(history.first_yield[i]) && (limits.exceeded_by(low) || limits.exceeded_by(high)))
+    if (const double s = first_beyond(step, limits); s <= 1) history.first_yield[i] = step.begin + s * h;
 }
 
 // Velocities are nearly straight in a step; where they turn, the cubic through both ends says how far they go.

@@ -68,8 +68,9 @@ def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
     isolates = springs.isolates(part)
     deformation, force = MM * springs.deformation[:, part], springs.force[:, part]
     size, unit = engineering(largest([force]), MOMENT_UNITS if turns else FORCE_UNITS)
-    for sign in (-1, 1) if np.isfinite(springs.yield_deformation[part]) else ():
-        axes.axvline(sign * MM * springs.yield_deformation[part], color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), zorder=1)
+    limits = (-springs.negative_yield_deformation[part], springs.yield_deformation[part])
+    for limit in limits if np.isfinite(limits).all() else ():
+        axes.axvline(MM * limit, color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), zorder=1)
     axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
     axes.plot(deformation, force / size, color=colour, linewidth=0.8)
     if deformation.size:
