@@ -98,6 +98,15 @@ class Gaps(unittest.TestCase):
         self.assertEqual(gaps.GapCurve.of(np.arange(1., 6), {}).percentile(84)[2], math.inf)
         self.assertEqual(curve.exceedance(20.5), .2)
 
+    def test_rows_of_one_event_are_no_further_samples(self):
+        needs, events = np.arange(1., 26), np.arange(25)
+        once, often = gaps.GapCurve.of(needs, {}), gaps.GapCurve.of(np.repeat(needs, 12), {}, np.repeat(events, 12))
+        for gap in (0, 7.5, 20.5, 30):
+            np.testing.assert_allclose(often.band(gap), once.band(gap), atol=1e-12)
+            self.assertEqual(often.exceedance(gap), once.exceedance(gap))
+        for percent in (16, 50, 84, 99):
+            self.assertEqual(often.percentile(percent), once.percentile(percent))
+
     def test_the_band_of_a_percentile_holds_it_as_often_as_it_says(self):
         generator = np.random.default_rng(3)
         held = [low <= norm.ppf(.84) <= high for _, low, high in

@@ -19,32 +19,36 @@ class GapCurve:
     gap: np.ndarray  #: [row] rising [m]
     rules: dict[str, np.ndarray] = field(default_factory=dict)  #: abs, srss, ddc -> [row] in the order of the rows [m]
     required: np.ndarray = field(default_factory=lambda: np.empty(0))  #: [row] in the order of the rows [m]
+    independent: int = 0  #: number of events behind the rows; rows of one event, at other levels or gaps, are no further samples
 
     @classmethod
-    def of(cls, required: np.ndarray, rules: Mapping[str, np.ndarray]) -> GapCurve:
-        """The curve of some rows. Raises InputError without any."""
+    def of(cls, required: np.ndarray, rules: Mapping[str, np.ndarray], events: np.ndarray | None = None) -> GapCurve:
+        """The curve of some rows; each is an event by itself unless `events` [row] says which belong together. Raises InputError without any."""
         known = ~np.isnan(required)
         if not known.any():
             raise InputError("no row has a required gap; write keep: [required_gap]")
-        return cls(np.sort(required[known]), {name: values[known] for name, values in rules.items()}, required[known])
+        return cls(np.sort(required[known]), {name: values[known] for name, values in rules.items()}, required[known],
+                   int(known.sum()) if events is None else len(np.unique(events[known])))
 
     def exceedance(self, gap: float) -> float:
         """Share of rows that need more than this gap [m]."""
         return float(np.mean(self.gap > gap))
 
     def band(self, gap: float, confidence: float = 0.9) -> tuple[float, float]:
-        """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), for independent rows."""
-        return clopper_pearson(int((self.gap > gap).sum()), len(self.gap), confidence)
+        """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), of as many samples as there are events."""
+        return clopper_pearson(int((self.gap > gap).sum()) * self.independent / len(self.gap), self.independent, confidence)
 
     def percentile(self, percent: float, confidence: float = 0.9) -> tuple[float, float, float]:
         """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows are too few [m]."""
-        n = len(self.gap)
-        rank = max(1, math.ceil(percent / 100 * n - 1e-9))
+        n = self.independent
         binom = stats().binom
         tail = (1 - confidence) / 2
         low = int(binom.ppf(tail, n, percent / 100))
         high = int(binom.ppf(1 - tail, n, percent / 100)) + 1
-        return (float(self.gap[rank - 1]), float(self.gap[low - 1]) if low >= 1 else 0.0, float(self.gap[high - 1]) if high <= n else math.inf)
+        return (self._at(percent / 100), self._at(low / n) if low >= 1 else 0.0, self._at(high / n) if high <= n else math.inf)
+
+    def _at(self, share: float) -> float:
+        return float(self.gap[max(1, math.ceil(share * len(self.gap) - 1e-9)) - 1])
 
     def ratio(self, rule: str) -> np.ndarray:
         """[row] The gap of a rule over the one that is needed; above 1 the rule is safe."""
@@ -52,7 +56,7 @@ class GapCurve:
             return self.rules[rule] / self.required
 
 
-def clopper_pearson(exceeded: int, count: int, confidence: float = 0.9) -> tuple[float, float]:
+def clopper_pearson(exceeded: float, count: int, confidence: float = 0.9) -> tuple[float, float]:
     """The exact band of a probability after `exceeded` of `count` trials."""
     tail = (1 - confidence) / 2
     low = 0.0 if exceeded == 0 else float(stats().beta.ppf(tail, exceeded, count - exceeded + 1))

@@ -86,7 +86,7 @@ def _gap(axes: Axes, study: Rows, column: str, **values: Any) -> None:
     gap = np.linspace(0, 1.1 * curve.gap[-1], 200)
     axes.plot(1e3 * gap, [curve.exceedance(one) for one in gap], color="black", label="share of rows that need more")
     low, high = np.array([curve.band(one) for one in gap]).T
-    axes.fill_between(1e3 * gap, low, high, alpha=0.2, label="90 % (Clopper and Pearson)")
+    axes.fill_between(1e3 * gap, low, high, alpha=0.2, label=f"90 % (Clopper and Pearson, {curve.independent} events)")
     for name, style in zip(curve.rules, ("--", "-.", ":")):
         axes.axvline(1e3 * float(np.median(curve.rules[name])), linestyle=style, color="tab:red", linewidth=1, label=f"{name.upper()}, median")
     axes.set(xlabel="gap [mm]", ylabel="probability of contact", ylim=(0, 1))
@@ -105,5 +105,9 @@ def _tornado(axes: Axes, study: Rows, column: str) -> None:
     found = swings(study, column)
     for i, (_, low, high) in enumerate(reversed(found)):
         axes.barh(i, high - low, left=low, height=0.6, color="tab:blue" if high > low else "tab:orange")
+    axes.barh([0, 0], [0, 0], color="tab:blue", label="rises with the factor")
+    axes.barh([0, 0], [0, 0], color="tab:orange", label="falls with the factor")
+    axes.margins(x=0.05)
+    axes.legend(fontsize=7)
     axes.set_yticks(range(len(found)), [name for name, _, _ in reversed(found)])
     axes.set_xlabel(f"median of {_label(study, column)}, lowest against highest tenth of each factor")

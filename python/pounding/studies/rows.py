@@ -109,10 +109,10 @@ class Rows:
         return curves.at_levels(self._im()[chosen], np.where(beyond, np.inf, self[column][chosen]), percent)
 
     def gaps(self, **values: float) -> gaps.GapCurve:
-        """The probability that a gap is not enough, over the gap, with its band, beside the rules. Needs keep: [required_gap]."""
+        """The probability that a gap is not enough, over the gap, with its band by the number of events, beside the rules. Needs keep: [required_gap]."""
         chosen = self.choose(**values)
         rules = {name: self[f"gap_{name}"][chosen] for name in ("abs", "srss", "ddc") if f"gap_{name}" in self.columns}
-        return gaps.GapCurve.of(self["required_gap"][chosen], rules)
+        return gaps.GapCurve.of(self["required_gap"][chosen], rules, self._events()[chosen])
 
     def map(self, column: str, across: str, along: str, percent: float = 50) -> curves.Map:
         """A percentile of a column over two factors, of all other rows together."""

@@ -12,7 +12,6 @@ import numpy as np
 from pounding._native import core
 from pounding.errors import InputError, SolverError
 from pounding.models import as_model
-from pounding.studies.gaps import GapCurve
 from pounding.studies.percentiles import finite
 from pounding.studies.plan import make_plan
 from pounding.studies.study import Study, is_study_file, run_plan
@@ -58,7 +57,7 @@ def _found(done: Study, align: bool) -> dict[str, Any]:
     per_record = [{"record": names[record], "required": float(need), "abs": float(a), "srss": float(s), "ddc": float(d)}
                   for record, need, a, s, d in zip(done["record"], done["required_gap"], done["gap_abs"], done["gap_srss"], done["gap_ddc"])]
     mean = {rule: float(np.mean(done[f"gap_{rule}"])) for rule in ("abs", "srss", "ddc")}
-    curve = GapCurve.of(done["required_gap"], {})
+    curve = done.gaps()
     needed = {f"{percent} %": dict(zip(("gap", "low", "high"), (finite(value) for value in curve.percentile(percent)))) for percent in (50, 84)}
     codes = [{"code": code, "clause": clause, "gap": mean[rule] * (aligned if align else apart)} for code, clause, rule, apart, aligned in CODES]
     return {"records": per_record, "required": needed, "mean": mean, "floors_align": align, "codes": codes}
