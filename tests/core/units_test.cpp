@@ -96,6 +96,8 @@ TEST(Quantity, UnknownUnitOffersTheNearest) {
             "takes a length such as \"20 mm\"; unknown unit \"mmm\". Did you mean \"mm\"?");
   EXPECT_EQ(error_of("20 KN", dimension::force),
             "takes a force such as \"200 kN\"; unknown unit \"KN\". Did you mean \"kN\"?");
+  EXPECT_EQ(unit_error("kNm"), "unknown unit \"kNm\". Did you mean \"kN m\"? Units stand apart");
+  EXPECT_EQ(unit_error("KNm/rad"), "unknown unit \"KNm\". Did you mean \"kN m\"? Units stand apart");
   EXPECT_TRUE(unit_error("furlong").starts_with("unknown unit \"furlong\". Allowed: m, mm, cm, km,"));
 }
 

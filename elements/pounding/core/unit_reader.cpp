@@ -1,6 +1,8 @@
 #include <pounding/core/unit_reader.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -58,6 +60,7 @@ constexpr std::array named_units = {
     NamedUnit{"kJ", {dimension::energy, 1e3}},
     NamedUnit{"MJ", {dimension::energy, 1e6}},
     NamedUnit{"rad", {dimension::none, 1}},
+    NamedUnit{"mrad", {dimension::none, 1e-3}},
     NamedUnit{"deg", {dimension::none, std::numbers::pi / 180}},
     NamedUnit{"%", {dimension::none, 1e-2}},
 };
@@ -70,6 +73,19 @@ Unit raised(const Unit& unit, double exponent) {
 Unit product(const Unit& a, const Unit& b) {
   const Dimension &p = a.dimension, &q = b.dimension;
   return {{p.mass + q.mass, p.length + q.length, p.time + q.time}, a.factor * b.factor};
+}
+
+// "kN m" of "kNm", in any case; empty for what is not two units one behind the other.
+std::string product_of_two(std::string_view name) {
+  for (const bool any_case : {false, true})
+    for (const NamedUnit& first : named_units)
+      for (const NamedUnit& second : named_units) {
+        if (first.unit.dimension == second.unit.dimension) continue;
+        const std::string together = std::string(first.name) + std::string(second.name);
+        const auto same = [&](char a, char b) { return a == b || (any_case && std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b))); };
+        if (std::ranges::equal(together, name, same)) return fmt::format("{} {}", first.name, second.name);
+      }
+  return {};
 }
 
 /// Brackets in brackets that a unit may have.
@@ -135,6 +151,8 @@ class UnitReader {
     const std::string_view name = text_.substr(begin, position_ - begin);
     for (const NamedUnit& candidate : named_units)
       if (candidate.name == name) return candidate.unit;
+    if (const std::string apart = product_of_two(name); !apart.empty())
+      throw InputError(fmt::format("unknown unit \"{}\". Did you mean \"{}\"? Units stand apart", excerpt(name), apart));
     std::vector<std::string_view> names;
     for (const NamedUnit& candidate : named_units) names.push_back(candidate.name);
     throw InputError(fmt::format("unknown unit \"{}\".{}", excerpt(name), suggestion(name, names)));

@@ -19,6 +19,7 @@ OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "
 #: From the run without links: the gap that is just enough, and by rules; the largest of all links.
 OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m"}
 UNITS = {**OF_STRUCTURES, **OF_LINKS, **OF_GAPS}
+_EXAMPLES = {"m": "30 mm", "m/s^2": "0.5 g", "N": "5 MN", "N s": "200 kN s", "J": "50 kJ", "": "3"}
 _KEYS = {"force": "peak_force", "penetration": "peak_penetration", "required_gap": "enough", "gap_abs": "abs", "gap_srss": "srss",
          "gap_ddc": "ddc"}
 SUMS = ("impacts", "impulse", "energy_lost")
@@ -91,8 +92,8 @@ def read_limits(given: Any) -> tuple[tuple[str, float], ...]:
             raise InputError(f'study.limits: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}')
         number, unit = words.quantity(value, f"study.limits.{word}")
         if isinstance(value, str) and not unit and "%" in value:
-            raise InputError(f"study.limits.{word}: the {quantity} of a summary is in {UNITS[quantity]}; type a value such as 30 mm instead of {value}")
-        words.same_unit(unit, UNITS[quantity], f"study.limits.{word}", "30 mm")
+            raise InputError(f"study.limits.{word}: the {quantity} of a summary is in {UNITS[quantity] or 'numbers'}; type a value such as {_EXAMPLES[UNITS[quantity]]} instead of {value}")
+        words.same_unit(unit, UNITS[quantity], f"study.limits.{word}", _EXAMPLES[UNITS[quantity]])
         found.append((str(word), number))
     return tuple(found)
 
