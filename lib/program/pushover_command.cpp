@@ -34,7 +34,9 @@ void push_over(const PushoverArguments& given) {
     if (!given.json) std::printf("results       %s\n", given.output.c_str());
   }
   if (given.plot || !given.picture.empty()) {
-    const std::string picture = given.picture.empty() ? std::filesystem::path(given.model).stem().string() + "_pushover.png" : given.picture;
+    // Each structure of a model has a picture of its own.
+    const std::string of = model.structures.size() > 1 ? '_' + found.structure : "";
+    const std::string picture = given.picture.empty() ? std::filesystem::path(given.model).stem().string() + of + "_pushover.png" : given.picture;
     draw_pushover(pushover_json(found), picture, model.title);
     if (!given.json) std::printf("picture       %s\n", picture.c_str());
   }
@@ -54,7 +56,7 @@ void add_pushover(CLI::App& app) {
   command->add_option("--to", given->words.to, "Displacement of the roof: \"250 mm\", or \"2 % roof\" of its height");
   command->add_option("--cyclic", given->words.cyclic, "Displacements that are reached before, one after the other: \"1 %, -1 %, 2 %\"");
   command->add_flag("--json", given->json, "Print one JSON object");
-  command->add_flag("--plot", given->plot, "Draw the curve: MODEL_pushover.png in the current folder");
+  command->add_flag("--plot", given->plot, "Draw the curve: MODEL_pushover.png in the current folder, with several structures MODEL_NAME_pushover.png");
   names_a_file(command->add_option("--picture", given->picture, "Name of the picture: .png, .pdf or .svg"));
   names_a_file(command->add_option("-o,--output", given->output, "Results file: .h5"));
   command->callback([given] { push_over(*given); });

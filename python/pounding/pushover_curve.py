@@ -159,16 +159,16 @@ def _draw_curve(axes: Axes, found: Pushover) -> None:
 
 
 def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
-    """A number at every first yield, and its parts in the legend."""
+    """At every first yield its number in the table of events, and its parts in the legend."""
     from pounding.pictures.style import BLUE, FORCE_UNITS, MM, engineering, largest
 
     size = engineering(largest([found.base_shear]), FORCE_UNITS)[0]
-    events = [event for event in found.events if event.first]
+    events = [(number, event) for number, event in enumerate(found.events, 1) if event.first]
     together: list[tuple[float, float, list[int]]] = []
-    for number, event in enumerate(events, 1):
+    for place, (number, event) in enumerate(events, 1):
         x, y = MM * event.displacement, event.base_shear / size
         axes.plot(x, y, "o", color=BLUE, markersize=3.5, zorder=4)
-        if number <= MOST:
+        if place <= MOST:
             words = "\n".join(textwrap.wrap(told.few(event.parts, 3), letters, subsequent_indent="    "))
             axes.plot([], [], linestyle="none", label=f"{number}  {words}")
         # Numbers that would cover each other stand in one place.
@@ -177,7 +177,7 @@ def _number_events(axes: Axes, found: Pushover, letters: int) -> None:
         else:
             together.append((x, y, [number]))
     for x, y, numbers in together:
-        several = str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}, {numbers[1]}" if len(numbers) == 2 else f"{numbers[0]} to {numbers[-1]}"
+        several = str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}, {numbers[1]}" if len(numbers) == 2 else f"{numbers[0]} ... {numbers[-1]}"
         # On the side of the curve where it does not go on.
         up = 1 if y >= 0 else -1
         axes.annotate(several, (x, y), (4 * up, -3 * up), textcoords="offset points", ha="left" if y >= 0 else "right",

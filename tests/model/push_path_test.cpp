@@ -199,7 +199,7 @@ TEST(PushPath, FollowsALoadThatFallsToItsEnd) {
   EXPECT_NEAR(path.points[1].factor, 90e3, 1e-6);
   EXPECT_NEAR(path.points[2].displacement, 0.1, 1e-12);
   EXPECT_NEAR(path.points[2].factor, 0, 1e-6);
-  EXPECT_EQ(path.collapse, "at 100 mm the parts that yield (storey 1) leave no load that the structure could carry");
+  EXPECT_EQ(path.collapse, "at 100 mm: the parts that yield (storey 1) leave no load that the structure could carry");
 }
 
 TEST(PushPath, StartsFromTheDeformationsOfGravity) {

@@ -103,8 +103,8 @@ class Pushover(ProgramTest):
     def test_draws_the_curve(self):
         done = self.pounding("pushover", self.write(FRAME), "--structure", "frame", "--to", "250 mm", "--plot")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("picture       model_pushover.png\n", done.stdout)
-        self.assertTrue((self.folder / "model_pushover.png").read_bytes().startswith(b"\x89PNG"))
+        self.assertIn("picture       model_frame_pushover.png\n", done.stdout)
+        self.assertTrue((self.folder / "model_frame_pushover.png").read_bytes().startswith(b"\x89PNG"))
 
 
 if __name__ == "__main__":

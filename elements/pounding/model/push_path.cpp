@@ -239,7 +239,7 @@ class Pusher {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < hit_.size(); ++i)
       if (yielding_[i] != 0 || hit_[i]) names.push_back(structure_.yielding[i].name);
-    path_.collapse = fmt::format("at {:.6g} mm the parts that yield ({}) {}", 1e3 * now_.displacement, fmt::join(names, ", "), what);
+    path_.collapse = fmt::format("at {:.6g} mm: the parts that yield ({}) {}", 1e3 * now_.displacement, fmt::join(names, ", "), what);
   }
 
   [[noreturn]] static void fail(double displacement) {
