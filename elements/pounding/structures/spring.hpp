@@ -35,7 +35,7 @@ class Spring {
   virtual void stay(double /*deformation*/) {}
   /// Size of the deformation at which it first yields, in the weaker direction [m]; infinite for what never does.
   virtual double yield_deformation() const noexcept { return std::numeric_limits<double>::infinity(); }
-  /// The same in the direction of a positive or of a negative deformation, where these differ.
+  /// This size in the direction of a positive or of a negative deformation.
   virtual double yields_towards(double /*way*/) const noexcept { return yield_deformation(); }
   /// The first deformation on the straight way from the last kept one to this one at which the slope jumps, itself excluded; nothing
   /// where it does not jump.

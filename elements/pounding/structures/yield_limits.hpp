@@ -17,8 +17,6 @@ struct YieldLimits {
   YieldLimits() = default;
   explicit YieldLimits(const Spring& spring) : positive(spring.yields_towards(1)), negative(spring.yields_towards(-1)) {}
 
-  /// Of the direction with less.
-  double weaker() const { return std::min(positive, negative); }
   /// Whether a deformation lies beyond.
   bool exceeded_by(double deformation) const { return deformation > positive || -deformation > negative; }
   /// The largest size over the yield deformation of its direction, between a lowest and a highest deformation.
