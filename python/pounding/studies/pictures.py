@@ -102,12 +102,14 @@ def _map(axes: Axes, study: Rows, column: str, across: str, along: str, percent:
 
 
 def _tornado(axes: Axes, study: Rows, column: str) -> None:
+    from matplotlib.patches import Patch
+
     found = swings(study, column)
     for i, (_, low, high) in enumerate(reversed(found)):
         axes.barh(i, high - low, left=low, height=0.6, color="tab:blue" if high > low else "tab:orange")
-    axes.barh([0, 0], [0, 0], color="tab:blue", label="rises with the factor")
-    axes.barh([0, 0], [0, 0], color="tab:orange", label="falls with the factor")
-    axes.margins(x=0.05)
-    axes.legend(fontsize=7)
+    axes.use_sticky_edges = False
+    axes.margins(x=0.08)
+    axes.legend(handles=[Patch(color="tab:blue", label="rises with the factor"), Patch(color="tab:orange", label="falls with the factor")], fontsize=7,
+                loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
     axes.set_yticks(range(len(found)), [name for name, _, _ in reversed(found)])
     axes.set_xlabel(f"median of {_label(study, column)}, lowest against highest tenth of each factor")
