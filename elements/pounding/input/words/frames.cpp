@@ -64,7 +64,8 @@ constexpr Word frame_words[] = {
      .meaning = "Mass matrix of the members with a density: lumped leaves rotations without mass, consistent follows the shape "
                 "functions. Columns that are hit between their ends need consistent.",
      .example = "consistent"},
-    {.key = "gravity", .takes = Takes::boolean, .otherwise = "false", .meaning = "true lets the weights of all masses act, downwards.",
+    {.key = "gravity", .takes = Takes::boolean, .otherwise = "true beside loads or geometry: p_delta, else false",
+     .meaning = "true lets the weights of all masses act, downwards, floor_mass among them; false leaves them out, as where loads hold them already.",
      .example = "true"},
     {.key = "geometry", .takes = Takes::choice, .choices = geometries, .otherwise = "linear",
      .meaning = "linear; p_delta with the axial forces at rest; corotational for members that turn by large angles.",
