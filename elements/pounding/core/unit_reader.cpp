@@ -75,15 +75,18 @@ Unit product(const Unit& a, const Unit& b) {
   return {{p.mass + q.mass, p.length + q.length, p.time + q.time}, a.factor * b.factor};
 }
 
-// "kN m" of "kNm", in any case; empty for what is not two units one behind the other.
+bool same_letter(char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); }
+
+// "kN m" of "kNm", in any case; empty for what is not two units one behind the other, or is one in another case.
 std::string product_of_two(std::string_view name) {
+  for (const NamedUnit& unit : named_units)
+    if (std::ranges::equal(unit.name, name, same_letter)) return {};
   for (const bool any_case : {false, true})
     for (const NamedUnit& first : named_units)
       for (const NamedUnit& second : named_units) {
         if (first.unit.dimension == second.unit.dimension) continue;
         const std::string together = std::string(first.name) + std::string(second.name);
-        const auto same = [&](char a, char b) { return a == b || (any_case && std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b))); };
-        if (std::ranges::equal(together, name, same)) return fmt::format("{} {}", first.name, second.name);
+        if (any_case ? std::ranges::equal(together, name, same_letter) : together == name) return fmt::format("{} {}", first.name, second.name);
       }
   return {};
 }
