@@ -103,6 +103,15 @@ TEST(SeveralColumns, OfOtherQuantitiesAreNoChannels) {
             "r.txt:1: \"cm/s\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
 }
 
+TEST(Cells, MayStandInQuotesAndBeEmptyBelowTheValues) {
+  for (const char* const text : {"\"t\",\"a (m/s^2)\"\n\"0\",\"0.5\"\n\"0.02\",\"-1.25\"\n", "t,a (m/s^2)\n0,0.5\n0.02,-1.25\n,,\n,\n",
+                                 "t;a (m/s^2)\n\"0,00\";\"0,5\"\n\"0,02\";\"-1,25\"\n;;\n"}) {
+    const Record record = read(text, {});
+    EXPECT_EQ(record.samples.times, (Values{0, 0.02})) << text;
+    EXPECT_EQ(record.samples.accelerations, (Values{0.5, -1.25})) << text;
+  }
+}
+
 TEST(DecimalCommas, AreReadWhereSemicolonsOrBlanksPartTheColumns) {
   for (const char* const text : {"0,00;0,5\n0,02;-1,25\n", "0;0,5\n0,02;-1,25\n", "0,00 0,5\n0,02 -1,25\n", "0,00\t0,5\r\n0,02\t-1,25\r\n",
                                  "Zeit [s];a [m/s^2]\n0,00;0,5\n0,02;-1,25\n", "# a, b\n0 0,5\n0,02 -1,25\n"}) {
@@ -117,6 +126,8 @@ TEST(DecimalCommas, AreNotGuessed) {
   EXPECT_EQ(error_of("0,5\n1,25\n", at_step), "r.txt:1: \"0,5\" may be one value with a decimal comma or two values; write decimal "
                                               "points, or part the values by semicolons");
   EXPECT_EQ(error_of("0;1.234,5\n1;2\n", in_si), "r.txt:1: \"1.234,5\" is not a finite number");
+  EXPECT_EQ(error_of("0,000,0,000\n0,010,0,099\n", in_si), "r.txt:2: time 0 does not come after the one before it; where commas are decimal ones, part the columns by "
+                                                          "semicolons or blanks");
   // Commas of a CSV file beside blanks stay separators.
   EXPECT_EQ(read("0, 1\n1, 2\n", in_si).samples.accelerations, (Values{1, 2}));
   EXPECT_EQ(read("0,1\n1,2\n", in_si).samples.accelerations, (Values{1, 2}));

@@ -15,18 +15,22 @@ namespace {
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// Blank, or a comment.
+/// Blank, empty cells alone, or a comment.
 bool says_nothing(std::string_view line) {
   const std::string_view text = trimmed(line);
-  return text.empty() || text.front() == '#' || text.front() == '%';
+  return text.find_first_not_of(",; \t\"") == std::string_view::npos || text.front() == '#' || text.front() == '%';
 }
 
-/// Text between marks, without the blanks around it.
+std::string_view unquoted(std::string_view cell) {
+  return cell.size() > 1 && cell.front() == '"' && cell.back() == '"' ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
+/// Text between marks, without the blanks and quotes around it.
 std::vector<std::string_view> split_at(std::string_view text, char mark) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(mark, begin), text.size());
-    parts.push_back(trimmed(text.substr(begin, end - begin)));
+    parts.push_back(unquoted(trimmed(text.substr(begin, end - begin))));
     begin = end + 1;
   }
   return parts;
@@ -88,7 +92,7 @@ Style style_of(const Lines& lines) {
   bool semicolons = false, commas = false, points = false, between_digits = true, blanks = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = trimmed(lines[i]);
-    if (line.empty() || line.find_first_not_of("0123456789+-.,;eE \t") != std::string_view::npos) continue;
+    if (line.empty() || line.find_first_not_of("0123456789+-.,;eE \t\"") != std::string_view::npos) continue;
     if (line.find('.') != std::string_view::npos) points = true;
     if (line.find(';') != std::string_view::npos) semicolons = true;
     if (line.find(',') == std::string_view::npos) continue;

@@ -16,6 +16,7 @@ namespace pounding::records {
 namespace {
 
 constexpr std::size_t longest_line_of_names = 10'000;
+constexpr std::string_view comma_advice = "where commas are decimal ones, part the columns by semicolons or blanks";
 constexpr std::string_view step_advice = "values at a fixed step need \"step:\", such as step: 0.01 s";
 
 /// Name of a column: "acc (m/s^2)" is "acc" in m/s^2, and "acc (NS)" is all name.
@@ -101,7 +102,9 @@ void check_lengths(const Lines& lines, const NumberTable& table, bool last_may_b
 std::vector<double> read_times(const Lines& lines, const NumberTable& table, double unit) {
   std::vector<double> times = table.column(0);
   for (std::size_t row = 0; row < times.size(); ++row) {
-    const std::string advice = table.columns(0) > 2 || row == 1 ? fmt::format("; {}", step_advice) : "";
+    const std::string_view line = lines[table.line(row)];
+    const bool by_commas = table.columns(0) == 4 && line.find(',') != std::string_view::npos && line.find_first_of(".;") == std::string_view::npos;
+    const std::string advice = by_commas ? fmt::format("; {}", comma_advice) : table.columns(0) > 2 || row == 1 ? fmt::format("; {}", step_advice) : "";
     if (times[row] < 0)
       lines.fail(table.line(row), fmt::format("time {} is before 0, where every run begins{}", times[row], row == 0 ? "" : advice));
     if (row > 0 && !(times[row] > times[row - 1]))

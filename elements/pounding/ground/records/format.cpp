@@ -42,7 +42,7 @@ Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
     if (line.size() > longest_line) fail(size(), fmt::format("has {} bytes, and a line has at most {}", line.size(), longest_line));
     if (size() == most_lines) fail(size(), fmt::format("the file goes on after {} lines; a record has at most that many", most_lines));
     if (line.find('\0') != std::string_view::npos)
-      fail(size(), "holds zero bytes, as UTF-16 and files that are no text do; save the file as text in UTF-8");
+      fail(size(), "holds zero bytes, as UTF-16, workbooks of Excel and files that are no text do; save the file as text in UTF-8, a sheet as CSV");
     lines_.push_back(line);
     begin = end + 1;
   }
