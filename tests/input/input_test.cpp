@@ -88,8 +88,23 @@ TEST(Input, FileKeepsItsTextNameAndFolder) {
   std::filesystem::remove(file);
 }
 
+TEST(Input, ResultsAreNoModel) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("{}_results.h5", getpid());
+  std::ofstream(file) << "results";
+  try {
+    Input::read_file(file.string());
+    ADD_FAILURE() << "results were read as a model";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("results, and no model; type pounding run --resume"), std::string::npos) << error.what();
+  }
+  std::filesystem::remove(file);
+}
+
 TEST(Input, BadYamlIsReportedWithLineAndColumn) {
-  EXPECT_EQ(error_in("title: a\nlinks: [1, 2\n"), "model.yaml:3:1: this is not YAML: end of sequence flow not found");
+  EXPECT_EQ(error_in("title: a\nlinks: [1, 2\n"), "model.yaml:3:1: this is not YAML: end of sequence flow not found; a \"[\" lacks its \"]\"");
+  EXPECT_EQ(error_in("a: {b: 1\nc: 2\n"), "model.yaml:2:2: this is not YAML: end of map flow not found; a \"{\" lacks its \"}\"");
+  EXPECT_EQ(error_in("title: Case 2: soft soil\n"),
+            "model.yaml:1:14: this is not YAML: illegal map value; put a text with a colon in quotes, as in title: \"Case 2: soft soil\"");
   EXPECT_EQ(error_in("a: 1\n\tb: 2\n").substr(0, 31), "model.yaml:2:1: a tab indents t");
 }
 

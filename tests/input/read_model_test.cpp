@@ -41,7 +41,7 @@ TEST(ModelInput, KnowsItsKeys) {
 
 TEST(ModelInput, IsAMapWithStructures) {
   refused(file(""), "1:1: the file is empty");
-  refused(file("a: [b"), "1:1: this is not YAML: end of sequence flow not found");
+  refused(file("a: [b"), "1:1: this is not YAML: end of sequence flow not found; a \"[\" lacks its \"]\"");
   refused(file("- 1\n"), "1:1: takes keys with values such as {key: value}; a list was read");
   refused(file("title: x\n"),
           R"(1:1: key "structures" is missing; type "structures: {left: {oscillator: {mass: 100 t, period: 0.8, )"

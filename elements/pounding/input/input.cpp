@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <filesystem>
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -104,6 +106,8 @@ class Input::WrongKeys {
 };
 
 Input Input::read_file(const std::string& path) {
+  if (std::error_code ignored; path.ends_with(".h5") && std::filesystem::exists(path, ignored))
+    throw InputError(fmt::format("{0}: results, and no model; type pounding run --resume {0} to go on with a run, or pounding plot {0} to see one", excerpt(path)));
   return read_text(read_text_file(path, "YAML file", longest_model), path);
 }
 

@@ -4,6 +4,8 @@
 #include <istream>
 #include <map>
 #include <streambuf>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <yaml-cpp/eventhandler.h>
@@ -148,6 +150,19 @@ void refuse_tab(const std::string& name, std::string_view text, int last_line) {
   }
 }
 
+// What to type, by the words of the parser.
+std::string remedy(std::string_view message) {
+  constexpr std::pair<std::string_view, const char*> known[] = {
+      {"illegal map value", R"(; put a text with a colon in quotes, as in title: "Case 2: soft soil")"},
+      {"end of map flow not found", R"(; a "{" lacks its "}")"},
+      {"end of sequence flow not found", R"(; a "[" lacks its "]")"},
+      {"end of map not found", R"(; look for a missing blank behind "-" or ":", a missing colon, or a line that is indented otherwise than its neighbours)"},
+      {"end of sequence not found", R"(; look for a missing blank behind "-", or a line that is indented otherwise than its neighbours)"}};
+  for (const auto& [words, what] : known)
+    if (message.starts_with(words)) return what;
+  return "";
+}
+
 void check_document(std::string_view text, const std::string& name) {
   TextBuffer buffer(text);
   std::istream stream(&buffer);
@@ -179,7 +194,7 @@ void check_yaml(std::string_view text, const std::string& name) {
     fail(name, refusal.mark.line + 1, refusal.mark.column + 1, refusal.text);
   } catch (const YAML::Exception& error) {
     refuse_tab(name, text, error.mark.line + 1);
-    fail(name, error.mark.line + 1, error.mark.column + 1, fmt::format("this is not YAML: {}", excerpt(error.msg)));
+    fail(name, error.mark.line + 1, error.mark.column + 1, fmt::format("this is not YAML: {}{}", excerpt(error.msg), remedy(error.msg)));
   }
 }
 
