@@ -27,7 +27,7 @@ def imported(text, modules):
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, "an import that starts with a dot"
             inner = {f"{node.module}.{alias.name}" for alias in node.names}
-            # Of `from pounding import records` the module is pounding.records, of `from pounding.results import Link` it is
+            # `from pounding import records` imports the module pounding.records, `from pounding.results import Link` imports
             # pounding.results.
             found |= inner & modules
             if not inner <= modules:
@@ -85,7 +85,7 @@ class Imports(unittest.TestCase):
 
 
 class Reader(unittest.TestCase):
-    """What the test itself sees."""
+    """The imports that the test itself sees."""
 
     MODULES = {"p", "p.a", "p.b", "p.b.c"}
 

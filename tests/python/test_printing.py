@@ -1,4 +1,4 @@
-"""What print() and the prompt show of each object: three lines that say something, and never an array."""
+"""Texts that print() and the prompt show of each object: three lines that say something, and never an array."""
 
 import tempfile
 import unittest

@@ -24,7 +24,7 @@ class StaticSolver {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& forces);
 
  private:
-  // Of the scaled K, by its factors: the motion of the smallest eigenvalue, and whether all pivots are positive.
+  // By the factors of the scaled K: the motion of the smallest eigenvalue, and whether all pivots are positive.
   struct Motion {
     Eigen::VectorXd shape;
     double eigenvalue = 0;

@@ -150,7 +150,7 @@ void refuse_tab(const std::string& name, std::string_view text, int last_line) {
   }
 }
 
-// What to type, by the words of the parser.
+// The remedy for an error, by the words of the parser.
 std::string remedy(std::string_view message) {
   constexpr std::pair<std::string_view, const char*> known[] = {
       {"illegal map value", R"(; put a text with a colon in quotes, as in title: "Case 2: soft soil")"},

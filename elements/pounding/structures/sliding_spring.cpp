@@ -69,7 +69,7 @@ double SlidingSpring::slip_rate(const Jet& at, double way) const noexcept {
   return at.v - way * law_.weight / law_.stick() * law_.slope_of_coefficient(at.v) * at.a;
 }
 
-// What it does from one instant on, and until when on the way to another; until that one where it goes on.
+// Its phase from one instant on, and until when on the way to another; until that one where it goes on.
 SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, double from, double to) const noexcept {
   const Jet first = path.at(from);
   const double way = std::copysign(1.0, first.x - state.slip), limit = reach(first.v);

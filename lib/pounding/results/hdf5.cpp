@@ -24,7 +24,7 @@ void write_attribute(hid_t object, const char* name, hid_t type, hid_t space, co
   if (data != nullptr) checked(H5Awrite(made, type, data), std::string("write attribute ") + name);
 }
 
-// Of `data`, which is of the whole shape, what is selected of `space` is written; nothing of a null pointer.
+// Writes the part of `data`, which is of the whole shape, that is selected in `space`; nothing of a null pointer.
 Handle dataset(hid_t parent, const char* name, hid_t type, hid_t space, hid_t creation, const void* data) {
   Handle made(H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
               std::string("create dataset ") + name);
