@@ -1,4 +1,4 @@
-"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, frames with hinges and without, under all laws."""
+"""Random cases for stress.py: rows of bodies and oscillators, yielding shear buildings, frames with hinges and friction and without, under all laws."""
 import math
 import random
 
@@ -199,6 +199,16 @@ def hinged(chance):
     return case
 
 
+def rubbing(chance):
+    """Two plane frames that the ground shakes up and down as well and that rub where they hit, most of them with members that yield."""
+    case = hinged(chance) if chance.random() < 0.7 else frames(chance)
+    for own in case["links"]:
+        own["friction"] = chance.choice([0.05, 0.2, 0.3, 0.6])
+        if chance.random() < 0.3:
+            own["sliding_velocity"] = decades(chance, -3, -1.5)
+    return case | {"vertical": quake(chance)}
+
+
 def shaking(chance):
     if chance.random() < 0.75:
         return {"kind": "harmonic", "amplitude": chance.uniform(0.5, 5), "period": chance.uniform(0.1, 1.5),
@@ -300,11 +310,11 @@ def free(chance):
     return {"structures": structures, "links": links, "ground": None, "duration": 2.0}
 
 
-FAMILIES = {mixed: 35, grazing: 11, resting: 12, together: 13, free: 9, towers: 8, yielding: 8, frames: 2, hinged: 2}
+FAMILIES = {mixed: 35, grazing: 11, resting: 12, together: 13, free: 9, towers: 8, yielding: 8, frames: 2, hinged: 1, rubbing: 1}
 
 
 #: Families with structures that independent.py does not know.
-BEYOND_INDEPENDENT = ("towers", "yielding", "frames", "hinged")
+BEYOND_INDEPENDENT = ("towers", "yielding", "frames", "hinged", "rubbing")
 
 
 def case_of(seed, number, only=None):
@@ -346,10 +356,14 @@ def input_file(case):
     def flow(pairs):
         return "{" + ", ".join(f"{key}: {value}" for key, value in pairs.items()) + "}"
 
+    def motion(ground):
+        return f"{{{ground['kind']}: {flow({key: value for key, value in ground.items() if key != 'kind'})}}}"
+
     text = f"title: {case['family']}\n"
-    if case["ground"]:
-        ground = {key: value for key, value in case["ground"].items() if key != "kind"}
-        text += f"ground_motion: {{{case['ground']['kind']}: {flow(ground)}}}\n"
+    if "vertical" in case:
+        text += f"ground_motion: {{components: {{x: {motion(case['ground'])}, z: {motion(case['vertical'])}}}}}\n"
+    elif case["ground"]:
+        text += f"ground_motion: {motion(case['ground'])}\n"
     text += "structures:\n"
     for s in case["structures"]:
         if s["kind"] == "wall":

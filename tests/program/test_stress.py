@@ -50,6 +50,12 @@ class RandomRows(unittest.TestCase):
                 outcome = stress.examine((PROGRAM, SEED, number, None))
                 self.assertEqual(outcome["faults"], [], outcome["text"])
 
+    def test_rub_while_their_members_yield(self):
+        for number in range(8):
+            with self.subTest(number=number):
+                outcome = stress.examine((PROGRAM, SEED, number, "rubbing"))
+                self.assertEqual(outcome["faults"], [], outcome["text"])
+
     def test_cover_every_law_and_every_kind_of_contact(self):
         cases = [stress_cases.case_of(SEED, number) for number in range(2000)]
         self.assertEqual({l["law"] for case in cases for l in case["links"]}, set(stress_cases.LAWS))
