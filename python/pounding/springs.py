@@ -62,6 +62,7 @@ def read_springs(structure: h5py.Group) -> Springs | None:
     group = structure["springs"]
     summary = group["summary"]
     ultimate = group["ultimate_rotation"][:] if "ultimate_rotation" in group else np.full(len(group["names"]), np.nan)
-    return Springs(names=texts(group["names"][:]), laws=texts(group["laws"][:]), states=texts(summary["state"][:]),
+    negative = group["negative_yield_deformation" if "negative_yield_deformation" in group else "yield_deformation"][:]
+    return Springs(negative_yield_deformation=negative, names=texts(group["names"][:]), laws=texts(group["laws"][:]), states=texts(summary["state"][:]),
                    ultimate_rotation=ultimate, largest={key: data[:] for key, data in summary.items() if key != "state"},
-                   **{key: group[key][:] for key in ("stiffness", "yield_deformation", "negative_yield_deformation", "deformation", "force", "hysteretic")})
+                   **{key: group[key][:] for key in ("stiffness", "yield_deformation", "deformation", "force", "hysteretic")})

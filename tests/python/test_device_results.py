@@ -63,6 +63,21 @@ class Devices(unittest.TestCase):
         self.assertAlmostEqual(top, axes.lines[0].get_ydata().max(), delta=1e-3 * top, msg="the parts add up to the input")
 
     @unittest.skipIf(importlib.util.find_spec("pandas") is None or importlib.util.find_spec("xarray") is None, "needs pandas and xarray")
+    @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "needs matplotlib")
+    def test_are_drawn_as_loops_with_the_energy_that_they_lose(self):
+        from pounding.pictures.spring_loops import loops_figure
+        drawn = [axes for axes in loops_figure(self.results).axes if axes.axison]
+        lost = sorted(self.results.summary["devices"], key=lambda one: -one["energy_lost"])
+        self.assertEqual([axes.get_title(loc="left")[4:].split(",")[0] for axes in drawn], [one["name"] for one in lost])
+        for axes, one in zip(drawn, lost):
+            device = self.results.devices[one["name"]]
+            [line] = [line for line in axes.lines if len(line.get_xdata()) == self.results.time.size]
+            np.testing.assert_allclose(line.get_xdata(), 1e3 * device.elongation)
+            # The area of the loop is the energy that it lost and the one that its bar still stores; straight lines between the output times miss a little.
+            area = float(np.sum(0.5 * (device.force[1:] + device.force[:-1]) * np.diff(device.elongation)))
+            stored = 0.5 * device.stiffness * device.elongation[-1]**2
+            self.assertAlmostEqual((area - stored) / one["energy_lost"], 1, delta=0.03)
+
     def test_are_tables(self):
         device = self.results.devices["both ways"]
         self.assertTrue((tables.to_pandas(self.results)["devices/both ways"]["force"].to_numpy() == device.force).all())

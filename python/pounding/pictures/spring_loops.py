@@ -1,8 +1,10 @@
-"""Loops of the parts that yield: force over deformation of storeys, hinges and isolators."""
+"""Loops of the parts that yield and of devices: force over deformation of storeys, hinges and isolators, tension over elongation."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 from matplotlib import rc_context
@@ -11,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from pounding.devices import Device
 from pounding.pictures.panels import legend_beside
 from pounding.pictures.style import (ENERGY_UNITS, FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour)
 from pounding.results import RunData, Structure
@@ -20,6 +23,10 @@ from pounding.springs import Springs
 SHOWN = 6
 #: Two loops stand beside each other from this width of a figure on, and a loop needs this height [in].
 LEAST_OF_TWO, LEAST_HEIGHT = 3.2, 1.6
+#: Colour of devices, which belong to no structure.
+DEVICE = "0.25"
+#: Draws one loop.
+Loop = Callable[[Axes], None]
 #: How names of hinges end.
 HINGE = re.compile(r" (start|end)( [yz])?$")
 #: Forces and moments have the same sizes.
@@ -28,12 +35,12 @@ MOMENT_UNITS = tuple((size, f"{name} m") for size, name in FORCE_UNITS)
 
 def loops_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None,
                  parts: list[tuple[str, str]] | None = None) -> Figure:
-    """Force over deformation at the output times: of `parts`, pairs of a structure and a name ("left", "storey 1"), or of the six parts that
-    lose most energy, the greatest first, or as many of them as fit into `size` [in]. A dot stands where the run ends; dashed lines are the yield deformations. Raises BadRequest for a
-    run in which nothing can yield, and for parts that there are not."""
-    chosen = most_energy(run) if parts is None else [_found(run, *part) for part in parts]
+    """Force over deformation at the output times: of `parts`, pairs of a structure and a name ("left", "storey 1"), or of the six parts and devices
+    between structures that lose most energy, the greatest first, or as many of them as fit into `size` [in]. A dot stands where the run ends; dashed lines are the
+    yield deformations. Raises BadRequest for a run without any, and for parts that there are not."""
+    chosen = most_energy(run) if parts is None else [_loop(*_found(run, *part)) for part in parts]
     if not chosen:
-        raise BadRequest("there are no loops to draw: every structure of this run stays elastic. Give storeys a yield_force")
+        raise BadRequest("there are no loops to draw: every structure of this run stays elastic, and there are no devices. Give storeys a yield_force")
     width = size[0] if size else 7.5
     columns = min(len(chosen), 3 if width >= 6 else 2 if width >= LEAST_OF_TWO else 1)
     rows = -(-len(chosen) // columns)
@@ -45,19 +52,41 @@ def loops_figure(run: RunData, title: str | None = None, size: tuple[float, floa
         grid = figure.subplots(rows, columns, squeeze=False)
         for axes in grid.flat[len(chosen):]:
             axes.set_axis_off()
-        for letter, axes, (number, structure, part) in zip("abcdefghijklmnopqrstuvwxyz", grid.flat, chosen):
-            draw_loop(axes, structure, part, structure_colour(number))
+        for letter, axes, draw in zip("abcdefghijklmnopqrstuvwxyz", grid.flat, chosen):
+            draw(axes)
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}")
         figure.legend(handles=_legend(), loc="outside lower center", ncols=2)
         head(figure, run.title if title is None else title)
         return figure
 
 
-def most_energy(run: RunData) -> list[tuple[int, Structure, int]]:
-    """Number of the structure, structure and place of the SHOWN parts that lose most energy; equal ones in the order of the input."""
-    lost = [(springs.largest["hysteretic"][part], number, structure, part) for number, structure in enumerate(run.structures.values())
-            if (springs := structure.springs) is not None for part in range(len(springs))]
-    return [found[1:] for found in sorted(lost, key=lambda one: -one[0])[:SHOWN]]
+def most_energy(run: RunData) -> list[Loop]:
+    """The SHOWN parts and devices that lose most energy; equal ones in the order of the input."""
+    lost: list[tuple[float, Loop]] = [
+        (springs.largest["hysteretic"][part], _loop(number, structure, part)) for number, structure in enumerate(run.structures.values())
+        if (springs := structure.springs) is not None for part in range(len(springs))]
+    told = {one["name"]: float(one["energy_lost"]) for one in run.summary.get("devices", [])}
+    lost += [(told[name], partial(draw_device, device=device, lost=told[name])) for name, device in run.devices.items() if name in told]
+    return [loop for _, loop in sorted(lost, key=lambda one: -one[0])[:SHOWN]]
+
+
+def _loop(number: int, structure: Structure, part: int) -> Loop:
+    return partial(draw_loop, structure=structure, part=part, colour=structure_colour(number))
+
+
+def draw_device(axes: Axes, device: Device, lost: float) -> None:
+    """The loop of a device between two structures, which loses this energy [J]."""
+    size, unit = engineering(largest([device.force]), FORCE_UNITS)
+    axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
+    axes.plot(MM * device.elongation, device.force / size, color=DEVICE, linewidth=0.8)
+    if device.force.size:
+        axes.plot(MM * device.elongation[-1], device.force[-1] / size, marker="o", markersize=4, color="black", linestyle="none", zorder=4)
+    lost_size, lost_unit = engineering(lost, ENERGY_UNITS)
+    axes.set_title(f"{device.name}, {device.left} to {device.right}")
+    axes.set_ylabel(f"Tension [{unit}]")
+    axes.set_xlabel(f"Elongation [mm]\n{lost / lost_size:.3g} {lost_unit} lost")
+    axes.xaxis.set_major_locator(MaxNLocator(4))
+    axes.yaxis.set_major_locator(MaxNLocator(4))
 
 
 def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
