@@ -80,23 +80,23 @@ void expect_equal(const ReducedGroup& one, const ReducedGroup& other) {
 TEST_F(Kept, AreFoundWithTheirBitsByAnyProcess) {
   const ModesOrigin of = origin();
   ReducedGroup made = group();
-  EXPECT_FALSE(KeptModes(folder).find(of));
-  KeptModes(folder).keep(of, made);
-  expect_equal(KeptModes(folder).find(of).value(), made);
+  EXPECT_FALSE(KeptModes(folder).find(of.bytes()));
+  KeptModes(folder).keep(of.bytes(), made);
+  expect_equal(KeptModes(folder).find(of.bytes()).value(), made);
   made.shadow.reset();
-  KeptModes(folder).keep(of, made);
-  expect_equal(KeptModes(folder).find(of).value(), made);
+  KeptModes(folder).keep(of.bytes(), made);
+  expect_equal(KeptModes(folder).find(of.bytes()).value(), made);
   EXPECT_EQ(files().size(), 1u);
 }
 
 TEST_F(Kept, AreNotThoseOfAnythingElse) {
   const ModesOrigin of = origin();
   const KeptModes kept(folder);
-  kept.keep(of, group());
+  kept.keep(of.bytes(), group());
   const auto differs = [&](const char* what, auto change) {
     ModesOrigin other = of;
     change(other);
-    EXPECT_FALSE(kept.find(other)) << what;
+    EXPECT_FALSE(kept.find(other.bytes())) << what;
   };
   differs("mass", [](ModesOrigin& o) { o.mass.coeffRef(1, 1) = 5; });
   differs("stiffness", [](ModesOrigin& o) { o.stiffness.coeffRef(2, 2) = 5; });
@@ -116,53 +116,53 @@ TEST_F(Kept, AreComparedBitByBit) {
   ModesOrigin of = origin(), other = of;
   other.inputs.shift = 64;
   const KeptModes kept(folder);
-  kept.keep(of, group());
+  kept.keep(of.bytes(), group());
   const fs::path own = files().at(0);
   const std::string bytes = read();
   fs::remove(own);
-  kept.keep(other, group());
+  kept.keep(other.bytes(), group());
   write(bytes);
-  EXPECT_FALSE(kept.find(other));
+  EXPECT_FALSE(kept.find(other.bytes()));
 }
 
 TEST_F(Kept, AreMadeAnewWhereAFileIsDamagedOrCut) {
   const ModesOrigin of = origin();
   const ReducedGroup made = group();
   const KeptModes kept(folder);
-  kept.keep(of, made);
+  kept.keep(of.bytes(), made);
   const std::string whole = read();
   for (std::size_t i = 0; i < whole.size(); ++i) {
     std::string damaged = whole;
     damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
     write(damaged);
-    EXPECT_FALSE(kept.find(of)) << i;
+    EXPECT_FALSE(kept.find(of.bytes())) << i;
     write(whole.substr(0, i));
-    EXPECT_FALSE(kept.find(of)) << i;
+    EXPECT_FALSE(kept.find(of.bytes())) << i;
   }
   write(whole + "more");
-  EXPECT_FALSE(kept.find(of));
-  kept.keep(of, made);
-  expect_equal(kept.find(of).value(), made);
+  EXPECT_FALSE(kept.find(of.bytes()));
+  kept.keep(of.bytes(), made);
+  expect_equal(kept.find(of.bytes()).value(), made);
 }
 
 TEST_F(Kept, GoWhereTheFolderIsFullByTheirLastUse) {
   std::vector<ModesOrigin> of(4, origin());
   for (std::size_t i = 0; i < of.size(); ++i) of[i].inputs.shift = static_cast<double>(i + 1);
-  KeptModes(folder).keep(of[0], group());
+  KeptModes(folder).keep(of[0].bytes(), group());
   const KeptModes kept(folder, 3 * fs::file_size(files().at(0)));
   for (std::size_t i = 0; i < 3; ++i) {
-    kept.keep(of[i], group());
+    kept.keep(of[i].bytes(), group());
     for (const fs::path& path : files())
       if (const auto now = fs::file_time_type::clock::now(); now - fs::last_write_time(path) < std::chrono::minutes(30))
         fs::last_write_time(path, now - std::chrono::hours(9 - i));
   }
   std::ofstream(folder + "/of_others.txt") << std::string(10000, ' ');
-  EXPECT_TRUE(kept.find(of[0]));  // the oldest is used again
-  kept.keep(of[3], group());
-  EXPECT_TRUE(kept.find(of[0]));
-  EXPECT_FALSE(kept.find(of[1]));
-  EXPECT_TRUE(kept.find(of[2]));
-  EXPECT_TRUE(kept.find(of[3]));
+  EXPECT_TRUE(kept.find(of[0].bytes()));  // the oldest is used again
+  kept.keep(of[3].bytes(), group());
+  EXPECT_TRUE(kept.find(of[0].bytes()));
+  EXPECT_FALSE(kept.find(of[1].bytes()));
+  EXPECT_TRUE(kept.find(of[2].bytes()));
+  EXPECT_TRUE(kept.find(of[3].bytes()));
   EXPECT_TRUE(fs::exists(folder + "/of_others.txt"));
 }
 

@@ -81,13 +81,10 @@ bool same_letter(char a, char b) { return std::tolower(static_cast<unsigned char
 std::string product_of_two(std::string_view name) {
   for (const NamedUnit& unit : named_units)
     if (std::ranges::equal(unit.name, name, same_letter)) return {};
-  for (const bool any_case : {false, true})
-    for (const NamedUnit& first : named_units)
-      for (const NamedUnit& second : named_units) {
-        if (first.unit.dimension == second.unit.dimension) continue;
-        const std::string together = std::string(first.name) + std::string(second.name);
-        if (any_case ? std::ranges::equal(together, name, same_letter) : together == name) return fmt::format("{} {}", first.name, second.name);
-      }
+  for (const NamedUnit& first : named_units)
+    for (const NamedUnit& second : named_units)
+      if (first.unit.dimension != second.unit.dimension && std::ranges::equal(fmt::format("{}{}", first.name, second.name), name, same_letter))
+        return fmt::format("{} {}", first.name, second.name);
   return {};
 }
 

@@ -37,17 +37,11 @@ std::pair<int, int> parts_of_whole(const Frame& frame, int member) {
 // The refusal of a contact on a member, or on a part of one, that has a hinge, with what to type.
 std::string beside_hinge(const Frame& frame, int member, double along) {
   const std::string part = frame.member_name(member), whole = part.substr(0, part.find('/'));
-  int parts = 0, before = 0;
+  const auto [first, last] = parts_of_whole(frame, member);
   bool yields_at[2] = {false, false};
-  for (int each = 0; each < frame.members(); ++each) {
-    const std::string name = frame.member_name(each);
-    if (name.substr(0, name.find('/')) != whole) continue;
-    ++parts;
-    if (each < member) ++before;
-    for (const Hinge& hinge : frame.hinges())
-      if (hinge.member == each) yields_at[hinge.at == MemberEnd::start ? 0 : 1] = true;
-  }
-  const double share = (before + along) / parts;
+  for (const Hinge& hinge : frame.hinges())
+    if (hinge.member >= first && hinge.member <= last) yields_at[hinge.at == MemberEnd::start ? 0 : 1] = true;
+  const double share = (member - first + along) / (last - first + 1);
   int more = 2;
   const auto hits_an_end = [&] {
     const int hit = static_cast<int>(share * more);

@@ -55,6 +55,9 @@ struct Link {
   double friction = 0;            ///< Coulomb's coefficient
   double sliding_velocity = 0;    ///< of its regularisation, see Friction [m/s]
   std::unique_ptr<Contact> contact;
+
+  /// Whether one of its ends is on a structure, counted from 0.
+  bool hits(int structure) const { return left.structure == structure || right.structure == structure; }
 };
 
 /// A bar or what yields by a law, a damper, or both beside each other between two structures: it always acts, both ways. Gravity and

@@ -97,11 +97,10 @@ KeptModes::KeptModes(std::string folder, std::uintmax_t most_bytes) : folder_(st
   if (access(folder_.c_str(), R_OK | W_OK | X_OK) != 0) refuse("it is write-protected");
 }
 
-std::string KeptModes::file_of(const std::vector<std::byte>& origin) const { return folder_ + '/' + checksum_of(origin) + ending; }
+std::string KeptModes::file_of(const std::vector<std::byte>& origin) const { return folder_ + '/' + checksum_of(origin); }
 
-std::optional<ReducedGroup> KeptModes::find(const ModesOrigin& origin) const {
-  const std::vector<std::byte> wanted = origin.bytes();
-  const std::string path = file_of(wanted);
+std::optional<ReducedGroup> KeptModes::find(const std::vector<std::byte>& origin) const {
+  const std::string path = file_of(origin) + ending;
   std::optional<std::vector<std::byte>> bytes = read_whole(path);
   if (!bytes) return std::nullopt;
   ReducedGroup group;
@@ -111,7 +110,7 @@ std::optional<ReducedGroup> KeptModes::find(const ModesOrigin& origin) const {
     std::vector<std::byte> of;
     archive(written);
     archive(of);
-    if (written != format || of != wanted) return std::nullopt;
+    if (written != format || of != origin) return std::nullopt;
     archive_group(archive, group);
     archive.expect_end();
   } catch (const std::runtime_error&) {
@@ -122,22 +121,22 @@ std::optional<ReducedGroup> KeptModes::find(const ModesOrigin& origin) const {
   return group;
 }
 
-void KeptModes::keep(const ModesOrigin& origin, const ReducedGroup& group) const {
-  std::vector<std::byte> of = origin.bytes();
-  const std::string path = file_of(of);
+void KeptModes::keep(const std::vector<std::byte>& origin, const ReducedGroup& group) const {
+  const std::string path = file_of(origin);
   Archive archive;
   std::string written = format;
+  std::vector<std::byte> of = origin;
   ReducedGroup kept = group;
   archive(written);
   archive(of);
   archive_group(archive, kept);
-  const std::string temporary = fmt::format("{}/{}.{}{}", folder_, checksum_of(of), getpid(), unfinished), checksum = checksum_of(archive.bytes());
+  const std::string temporary = fmt::format("{}.{}{}", path, getpid(), unfinished), checksum = checksum_of(archive.bytes());
   std::ofstream file(temporary, std::ios::binary);
   file << checksum;
   file.write(reinterpret_cast<const char*>(archive.bytes().data()), static_cast<std::streamsize>(archive.bytes().size()));
   file.close();
   std::error_code failed;
-  if (file) fs::rename(temporary, path, failed);
+  if (file) fs::rename(temporary, path + ending, failed);
   if (!file || failed) {
     fs::remove(temporary, failed);
     return;

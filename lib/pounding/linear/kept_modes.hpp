@@ -35,12 +35,13 @@ class KeptModes {
   /// The folder is made where it is not there. Throws InputError, with what to type, where it cannot be made or nothing can be written in it.
   explicit KeptModes(std::string folder, std::uintmax_t most_bytes = 5'000'000'000);
 
-  /// The modes, the shadow and the errors of the flexibility of this origin; nothing where there are none.
-  std::optional<ReducedGroup> find(const ModesOrigin& origin) const;
+  /// The modes, the shadow and the errors of the flexibility of an origin by its bytes; nothing where there are none.
+  std::optional<ReducedGroup> find(const std::vector<std::byte>& origin) const;
   /// Keeps the same of a group. Where the disk is full nothing is kept.
-  void keep(const ModesOrigin& origin, const ReducedGroup& group) const;
+  void keep(const std::vector<std::byte>& origin, const ReducedGroup& group) const;
 
  private:
+  /// Without its ending.
   std::string file_of(const std::vector<std::byte>& origin) const;
   void make_room() const;
 

@@ -185,9 +185,10 @@ std::optional<ReducedGroup> reduce(const System& system, const Group& group, con
   const bool shadow = how.kind != Kind::lowest && depth.links > 1;
   const ModesOrigin origin{part(system.mass, group), part(system.stiffness, group), damping_of(group), std::move(inputs), depth, shadow};
   const std::optional<KeptModes> kept = plan.kept_in.empty() ? std::nullopt : std::optional<KeptModes>(plan.kept_in);
-  std::optional<ReducedGroup> found = kept ? kept->find(origin) : std::nullopt;
+  const std::vector<std::byte> bytes = kept ? origin.bytes() : std::vector<std::byte>{};
+  std::optional<ReducedGroup> found = kept ? kept->find(bytes) : std::nullopt;
   ReducedGroup made = found ? std::move(*found) : group_of(alike.driven(origin), origin);
-  if (kept && !found) kept->keep(origin, made);
+  if (kept && !found) kept->keep(bytes, made);
   made.made = {.name = name,
                .coordinates = static_cast<int>(made.modes->squares.size()),
                .unknowns = group.count,

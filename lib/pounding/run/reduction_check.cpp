@@ -28,13 +28,9 @@ ReductionCheck::ReductionCheck(const Model& model, const FloorResponse& response
       }()),
       windows_(stepper, contacts_that_count()) {}
 
-bool ReductionCheck::hits(std::size_t link, const Checked& one) const {
-  return model_.links[link].left.structure == one.structure || model_.links[link].right.structure == one.structure;
-}
-
 std::vector<bool> ReductionCheck::contacts_that_count() const {
   std::vector<bool> counts(static_cast<std::size_t>(stepper_.system().contact_count()));
-  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::ranges::any_of(checked_, [&](const Checked& one) { return hits(i, one); });
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::ranges::any_of(checked_, [&](const Checked& one) { return model_.links[i].hits(one.structure); });
   return counts;
 }
 
@@ -74,7 +70,7 @@ void ReductionCheck::compare_forces(const ImpactWindow& window) {
     }
   for (Checked& one : checked_)
     for (Eigen::Index i = 0; i < contacts; ++i)
-      if (peak[i] > 0 && hits(static_cast<std::size_t>(i), one)) one.force = std::fmax(one.force, std::abs(peak[i] - of_all[i]));
+      if (peak[i] > 0 && model_.links[static_cast<std::size_t>(i)].hits(one.structure)) one.force = std::fmax(one.force, std::abs(peak[i] - of_all[i]));
 }
 
 void ReductionCheck::tell(const Summary& summary, std::vector<ReducedStructure>& reduced) const {

@@ -48,7 +48,6 @@ class ReductionCheck {
     double force = std::numeric_limits<double>::quiet_NaN(), displacement = 0;  // differences [N], [m]
   };
 
-  bool hits(std::size_t link, const Checked& one) const;
   std::vector<bool> contacts_that_count() const;
   void compare_forces(const ImpactWindow& window);
 

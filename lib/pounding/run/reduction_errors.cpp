@@ -181,10 +181,6 @@ double ReductionErrors::nearer(int link) const {
   return run < shadow ? std::sqrt(std::max(nearest, run / shadow)) : 1;
 }
 
-bool ReductionErrors::pushes(std::size_t link, const Floors& floors) const {
-  return model_.links[link].left.structure == floors.structure || model_.links[link].right.structure == floors.structure;
-}
-
 void ReductionErrors::compare_forces(const Instant& end) {
   const auto step = [&](std::size_t i) -> const LinkStep& { return stepper_.link_step(static_cast<int>(i)); };
   const auto presses = [&](std::size_t i) { return step(i).force_end != 0; };
@@ -222,7 +218,7 @@ std::vector<ReducedStructure> ReductionErrors::errors(const Summary& summary) co
     ReducedStructure& one = *std::ranges::find(all, s.name, &ReducedStructure::name);
     double difference = 0;
     for (std::size_t i = 0; i < forces_.size(); ++i)
-      if (pushes(i, floors)) difference = std::max(difference, nearer_[i] * peak_difference(i));
+      if (model_.links[i].hits(floors.structure)) difference = std::max(difference, nearer_[i] * peak_difference(i));
     one.error_force = ratio(difference, peak_force);
     if (!floors.rows.empty()) {
       one.error_displacement = ratio(floors.displacement, peak(s.peak_displacement));

@@ -68,7 +68,6 @@ class ReductionErrors {
   void compare_forces(const Instant& end);
   double peak_difference(std::size_t link) const;
   double nearer(int link) const;
-  bool pushes(std::size_t link, const Floors& floors) const;
   void measure_waiting();
   void keep_last(Floors& floors, double own, double difference);
   void compare_members();

@@ -10,6 +10,7 @@
 
 #include <pounding/linear/modal_solver.hpp>
 #include <pounding/linear/sparse_solver.hpp>
+#include <pounding/stepping/dense_output.hpp>
 #include <pounding/stepping/step_controller.hpp>
 
 namespace pounding {
@@ -39,11 +40,11 @@ std::map<int, std::vector<double>> forces_at(const std::vector<double>& times, c
   for (std::size_t i = 0; i < times.size(); ++i) {
     while (k + 1 < window.steps.size() && times[i] > window.steps[k].end) ++k;
     const ImpactWindow::Step& step = window.steps[k];
-    const double s = std::clamp((times[i] - step.begin) / (step.end - step.begin), 0.0, 1.0);
+    const Parabola part((times[i] - step.begin) / (step.end - step.begin));
     for (const ImpactWindow::Force& f : step.forces) {
       std::vector<double>& of_link = forces[f.link];
       of_link.resize(times.size());
-      of_link[i] = f.begin * (1 - s) * (1 - 2 * s) + f.middle * 4 * s * (1 - s) + f.end * s * (2 * s - 1);
+      of_link[i] = f.begin * part.begin + f.middle * part.middle + f.end * part.end;
     }
   }
   return forces;

@@ -77,16 +77,11 @@ def _loop(number: int, structure: Structure, part: int) -> Loop:
 def draw_device(axes: Axes, device: Device, lost: float) -> None:
     """The loop of a device between two structures, which loses this energy [J]."""
     size, unit = engineering(largest([device.force]), FORCE_UNITS)
-    axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
-    axes.plot(MM * device.elongation, device.force / size, color=DEVICE, linewidth=0.8)
-    if device.force.size:
-        axes.plot(MM * device.elongation[-1], device.force[-1] / size, marker="o", markersize=4, color="black", linestyle="none", zorder=4)
+    _draw_curve(axes, MM * device.elongation, device.force / size, DEVICE)
     lost_size, lost_unit = engineering(lost, ENERGY_UNITS)
     axes.set_title(f"{device.name}, {device.left} to {device.right}")
     axes.set_ylabel(f"Tension [{unit}]")
     axes.set_xlabel(f"Elongation [mm]\n{lost / lost_size:.3g} {lost_unit} lost")
-    axes.xaxis.set_major_locator(MaxNLocator(4))
-    axes.yaxis.set_major_locator(MaxNLocator(4))
 
 
 def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
@@ -100,10 +95,7 @@ def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
     limits = (-springs.negative_yield_deformation[part], springs.yield_deformation[part])
     for limit in limits if np.isfinite(limits).all() else ():
         axes.axvline(MM * limit, color="0.5", linewidth=0.6, linestyle=(0, (4, 3)), zorder=1)
-    axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
-    axes.plot(deformation, force / size, color=colour, linewidth=0.8)
-    if deformation.size:
-        axes.plot(deformation[-1], force[-1] / size, marker="o", markersize=4, color="black", linestyle="none", zorder=4)
+    _draw_curve(axes, deformation, force / size, colour)
     lost_size, lost_unit = engineering(springs.largest["hysteretic"][part], ENERGY_UNITS)
     sense, way = (("Moment", "Rotation [mrad]") if turns else ("Tension", "Elongation [mm]") if is_device else
                   ("Force", "Deformation [mm]") if isolates else ("Shear", "Drift [mm]"))
@@ -111,6 +103,13 @@ def draw_loop(axes: Axes, structure: Structure, part: int, colour: str) -> None:
     axes.set_ylabel(f"{sense} [{unit}]")
     axes.set_xlabel(f"{way}\nductility {springs.largest['ductility'][part]:.3g}, "
                     f"{springs.largest['hysteretic'][part] / lost_size:.3g} {lost_unit} lost")
+
+
+def _draw_curve(axes: Axes, deformation: np.ndarray, force: np.ndarray, colour: str) -> None:
+    axes.axhline(0, color="0.4", linewidth=0.6, zorder=1)
+    axes.plot(deformation, force, color=colour, linewidth=0.8)
+    if deformation.size:
+        axes.plot(deformation[-1], force[-1], marker="o", markersize=4, color="black", linestyle="none", zorder=4)
     axes.xaxis.set_major_locator(MaxNLocator(4))
     axes.yaxis.set_major_locator(MaxNLocator(4))
 
