@@ -35,13 +35,13 @@ YAML::Emitter& operator<<(YAML::Emitter& out, const Plain& plain) {
 }
 
 // One of our own keys, before its value.
-YAML::Emitter& field(YAML::Emitter& out, std::string_view key) { return out << YAML::Key << Plain(key) << YAML::Value; }
+YAML::Emitter& field(YAML::Emitter& out, std::string_view key) { return out << YAML::Key << Plain{key} << YAML::Value; }
 
-void emit(YAML::Emitter& out, std::string_view key, double value) { field(out, key) << Plain(exact(value)); }
+void emit(YAML::Emitter& out, std::string_view key, double value) { field(out, key) << Plain{exact(value)}; }
 
 void emit_list(YAML::Emitter& out, const std::string& key, const std::vector<double>& values) {
   out << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq;
-  for (const double value : values) out << Plain(exact(value));
+  for (const double value : values) out << Plain{exact(value)};
   out << YAML::EndSeq;
 }
 
@@ -248,7 +248,7 @@ void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   }
   field(out, "parameters") << YAML::BeginMap;
   for (const laws::ResolvedValue& value : link.parameters)
-    field(out, value.name) << Plain(exact(value.value))
+    field(out, value.name) << Plain{exact(value.value)}
         << YAML::Comment(value.unit.empty() ? "-" : value.unit);
   out << YAML::EndMap << YAML::EndMap;
 }
