@@ -80,6 +80,7 @@ std::vector<Series> find_series(const Lines& lines) {
     all.push_back(read_series(lines, i));
     i = all.back().samples.next();
   }
+  if (all.empty()) lines.fail(0, "comes before no samples: the file holds \"END-OF-DATA\" alone");
   return all;
 }
 
