@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -114,9 +115,40 @@ TEST(Envelopes, OfMembersThatTurnAreThoseOfDenseOutputs) {
   }, 1e-3);
 }
 
-TEST(Envelopes, OfAColumnThatIsHitBetweenItsEndsAreThoseOfDenseOutputs) {
+// A right frame of lower storeys hits the columns of the left one between their ends; beams have these hinges.
+std::string hit_columns(const std::string& outputs, const std::string& hinges = "") {
   const std::string hit = "links: [{between: [left, right], floors: any, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
-  expect_extremes_of_dense_outputs([&](const std::string& outputs) { return frames(hit, outputs, ", mass: consistent", ", mass: consistent", "2.4 m"); }, 1e-3);
+  return frames(hit, outputs, ", mass: consistent" + hinges, ", mass: consistent" + hinges, "2.4 m");
+}
+
+TEST(Envelopes, OfAColumnThatIsHitBetweenItsEndsAreThoseOfDenseOutputs) {
+  expect_extremes_of_dense_outputs([](const std::string& outputs) { return hit_columns(outputs); }, 1e-3);
+}
+
+TEST(Envelopes, OfHitColumnsBesideHingesThatYieldAreThoseOfDenseOutputs) {
+  const auto yaml = [](const std::string& outputs) { return hit_columns(outputs, ", hinges: {beams: {at: both, yield_moment: 300 kN m, hardening: 2 %}}"); };
+  const Outcome run = test::run_text(yaml(""));
+  double lost = 0;
+  for (const StructureHistory& structure : run.results.structures)
+    for (const double each : structure.springs.lost) lost += each;
+  EXPECT_GT(lost, 1e3);
+  expect_extremes_of_dense_outputs(yaml, 1e-3);
+}
+
+TEST(Envelopes, OfHitColumnsAreTheSameBesideHingesThatNeverYield) {
+  const Outcome without = test::run_text(hit_columns("")), never = test::run_text(hit_columns("", ", hinges: {beams: {at: both, yield_moment: 1e12, hardening: 2 %}}"));
+  ASSERT_GT(never.results.impacts.size(), 1u);
+  for (int k = 0; k < 2; ++k) {
+    const StructureEnvelope &a = never.results.structures[k].envelope, &b = without.results.structures[k].envelope;
+    ASSERT_FALSE(never.results.structures[k].springs.names.empty());
+    for (const auto& [mine, other] : {std::pair(&a.member_force, &b.member_force), std::pair(&a.storey_shear, &b.storey_shear), std::pair(&a.reaction, &b.reaction)}) {
+      ASSERT_GT(mine->size(), 0u);
+      EXPECT_EQ(mine->min, other->min);
+      EXPECT_EQ(mine->max, other->max);
+      EXPECT_EQ(mine->t_min, other->t_min);
+      EXPECT_EQ(mine->t_max, other->t_max);
+    }
+  }
 }
 
 TEST(Envelopes, AfterRigidImpactsAreThoseOfDenseOutputs) {

@@ -67,13 +67,13 @@ void ForceEnvelopes::add_frame(int k) {
       by_force.tail(end->point.reactions.rows()) += end->point.reactions * (sign * link.direction);
     }
   }
-  const bool all_apart = s.forces.turned || yields(s);
-  const auto apart = [&](int quantity) {
-    return all_apart || std::any_of(added.begin(), added.end(), [&](const auto& each) { return each.second[quantity] != 0; });
+  const bool turned = static_cast<bool>(s.forces.turned);
+  const auto loaded = [&](int quantity) {
+    return turned || std::any_of(added.begin(), added.end(), [&](const auto& each) { return each.second[quantity] != 0; });
   };
-  if (!all_apart) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(apart), true));
-  if (!all_apart && added.empty()) return;
-  add_block(k, true, internal_forces(model_, k, plan_, apart, added.empty() && !s.forces.turned));
+  if (!turned) add_block(k, false, internal_forces(model_, k, plan_, std::not_fn(loaded), true));
+  if (!turned && added.empty()) return;
+  add_block(k, true, internal_forces(model_, k, plan_, loaded, false));
   const std::vector<LinearQuantities::Place>& places = blocks_.back().quantities.places();
   for (const auto& [link, by_force] : added) {
     FixedEnds made{link, static_cast<int>(blocks_.size()) - 1, Eigen::SparseVector<double>(blocks_.back().quantities.size())};
@@ -83,9 +83,9 @@ void ForceEnvelopes::add_frame(int k) {
   }
 }
 
-void ForceEnvelopes::add_block(int structure, bool apart, LinearQuantities quantities) {
+void ForceEnvelopes::add_block(int structure, bool loaded, LinearQuantities quantities) {
   const std::size_t count = static_cast<std::size_t>(quantities.size());
-  blocks_.push_back({structure, apart, std::move(quantities), {}, {}, Extremes(count)});
+  blocks_.push_back({structure, loaded, std::move(quantities), {}, {}, Extremes(count)});
 }
 
 template <class Force>
@@ -178,15 +178,15 @@ void ForceEnvelopes::step(const StepMotion& step) {
       close(begin, middle, false);
     }
   } else {
-    const bool apart = pressed || acts_, changes = apart != apart_;
+    const bool changes = std::any_of(blocks_.begin(), blocks_.end(), [&](const Block& block) { return block.apart != is_apart(block, pressed); });
     if (begin.time > knots_.last() && (changes || jumped_ || !knots_.reach_over_step())) {
       if (!linear_) stepper_.begin(u_, v_);
       wait(begin);
     }
     if (changes) follow();
-    apart_ = apart;
+    for (Block& block : blocks_) block.apart = is_apart(block, pressed);
     jumped_ = step.jumps;
-    if (!apart) return;
+    if (std::none_of(blocks_.begin(), blocks_.end(), std::mem_fn(&Block::apart))) return;
     if (acts_) take_begin(step);
     for (Block& block : blocks_)
       if (acts_ && block.apart) evaluate(block, begin.time, block.values, block.rates);
@@ -231,6 +231,10 @@ void ForceEnvelopes::show() {
     StructureEnvelope& envelope = results_.structures[block.structure].envelope;
     for (Extremes* extremes : {&envelope.storey_shear, &envelope.member_force, &envelope.reaction}) copy(*extremes);
   }
+}
+
+bool ForceEnvelopes::is_apart(const Block& block, bool pressed) const {
+  return (pressed && block.loaded) || (acts_ && block.structure >= 0 && yields(model_.structures[block.structure]));
 }
 
 bool ForceEnvelopes::presses_on_members() const {
@@ -284,7 +288,7 @@ void ForceEnvelopes::wait(const Instant& instant) {
 void ForceEnvelopes::follow(Block& block, double begin_time, double end_time, bool pressed) {
   const double h = end_time - begin_time;
   evaluate(block, end_time, end_, rates_);
-  if (!pressed || !block.apart) {
+  if (!pressed || !block.loaded) {
     for (int q = 0; q < block.quantities.size(); ++q)
       block.extremes.update(static_cast<std::size_t>(q), begin_time, h, block.values[q], block.rates[q], end_[q], rates_[q]);
   } else {
@@ -331,7 +335,7 @@ void ForceEnvelopes::follow() {
   times_.resize(batch, times_.back());
   const std::span<const double> times(times_.data(), count);
   for (Block& block : blocks_) {
-    if (block.apart && apart_) continue;
+    if (block.apart) continue;
     block.quantities.evaluate<batch>(motions_, times_, plan_.motions, evaluated_);
     find_beyond({evaluated_, block.values, block.rates, third, third_begin}, block.extremes, beyond_);
     for (const int q : beyond_) {
@@ -350,11 +354,11 @@ void ForceEnvelopes::archive(Archive& archive) {
   knots_.archive(archive);
   archive(followed_);
   archive(jumped_);
-  archive(apart_);
   for (Block& block : blocks_) {
     archive(block.values);
     archive(block.rates);
     archive(block.extremes);
+    archive(block.apart);
   }
 }
 

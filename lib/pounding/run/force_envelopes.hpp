@@ -38,12 +38,11 @@ class ForceEnvelopes {
   // Quantities of one frame, or of all links.
   struct Block {
     int structure;  // -1: links
-    // Forces that are not linear between two knots: of members on which contacts may press between their ends, and of frames whose
-    // members turn or yield. They are followed knot by knot, and step by step while a contact presses or something has yielded.
-    bool apart;
+    bool loaded;  // contacts may press on members of its forces between their ends
     LinearQuantities quantities;
     Eigen::VectorXd values, rates;  // at the last knot that was followed
     Extremes extremes;
+    bool apart = false;  // followed step by step: contacts press so, or parts have yielded, and forces are not linear between two knots
   };
   // A contact that presses on a member between its ends and so loads them as those of a fixed member, and supports that hold them.
   struct FixedEnds {
@@ -52,9 +51,10 @@ class ForceEnvelopes {
   };
 
   void add_frame(int structure);
-  void add_block(int structure, bool apart, LinearQuantities quantities);
+  void add_block(int structure, bool loaded, LinearQuantities quantities);
   bool presses_on_members() const;
   bool parts_act() const;
+  bool is_apart(const Block& block, bool pressed) const;
   void take_begin(const StepMotion& step);
   void take_springs(double time, double other_end);
   void add_yielding(const Block& block, const Eigen::VectorXd& of_springs, Eigen::VectorXd& values) const;
@@ -81,7 +81,6 @@ class ForceEnvelopes {
   Knots knots_;
   bool jumped_ = false;        // something changed at the end of the last step
   bool acts_ = false;          // parts of frames that yield have forces in the present step
-  bool apart_ = false;         // so they had in the last one, or contacts pressed on members
   double followed_ = 0;        // knot up to which the extremes are known [s]
   std::vector<double> times_;  // knots after it whose motions wait [s]
   bool linear_ = false;        // all unknowns follow from the coordinates alone
