@@ -45,6 +45,10 @@ CalibratedRow calibrated(const Collision& c, std::string_view formula) {
   CalibratedRow row{.formula = formula, .impact = {}, .refused = {}};
   laws::Settings settings = c.settings;
   settings.formula = formula;
+  const auto refuse = [&](std::string_view why) {
+    row.refused = fmt::format("{} for these values; look at their units", why);
+    if (formula.empty() || formula == "exact") throw InputError(fmt::format("{}: the impact {}", c.law.name, row.refused));
+  };
   try {
     const laws::AnyLaw law = laws::make_law(settings);
     row.impact = laws::free_impact(law, settings.reduced_mass, c.velocity);
@@ -54,8 +58,9 @@ CalibratedRow calibrated(const Collision& c, std::string_view formula) {
     if (c.law.formulas.size() < 2) throw;
     row.refused = error.what();
   } catch (const std::domain_error&) {
-    row.refused = "has no number for these values; look at their units";
-    if (formula.empty() || formula == "exact") throw InputError(fmt::format("{}: the impact {}", c.law.name, row.refused));
+    refuse("has no number");
+  } catch (const std::runtime_error&) {
+    refuse("does not end");
   }
   return row;
 }
