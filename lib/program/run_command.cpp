@@ -246,7 +246,7 @@ void run_model(const RunArguments& words, const CLI::App& command) {
     add_earlier_options(earlier, options);
   }
   const petsc::Environment environment(options);
-  petsc::run_collectively(PETSC_COMM_WORLD, [&] { run_task(words, {model_file, options, earlier}); }, abort_all);
+  petsc::run_collectively(PETSC_COMM_WORLD, [&, &file = model_file, &given = options] { run_task(words, {file, given, earlier}); }, abort_all);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::vector<std::string_view> resembling(std::string_view name) {
     const bool holds = name.size() > 2 && (each.find(name) != each.npos || (each.size() > 2 && name.find(each) != name.npos));
     if (holds && std::ranges::find(near, each) == near.end()) near.push_back(each);
   }
-  std::ranges::stable_partition(near, [&](std::string_view each) { return each.starts_with(name); });
+  std::stable_partition(near.begin(), near.end(), [&](std::string_view each) { return each.starts_with(name); });
   return near;
 }
 

@@ -65,7 +65,7 @@ bool SlidingSpring::slides(const State& state, const Jet& at) const noexcept {
   return std::abs(at.x - state.slip) > limit + rounding * (limit + std::abs(at.x));
 }
 
-double SlidingSpring::slip_rate(const Jet& at, double way) const noexcept {
+double SlidingSpring::balanced_slip_rate(const Jet& at, double way) const noexcept {
   return at.v - way * law_.weight / law_.stick() * law_.slope_of_coefficient(at.v) * at.a;
 }
 
@@ -73,12 +73,12 @@ double SlidingSpring::slip_rate(const Jet& at, double way) const noexcept {
 SlidingSpring::Phase SlidingSpring::phase(State state, const Quintic& path, double from, double to) const noexcept {
   const Jet first = path.at(from);
   const double way = std::copysign(1.0, first.x - state.slip), limit = reach(first.v);
-  const bool sliding = std::abs(first.x - state.slip) > (1 - at_limit) * limit && way * slip_rate(first, way) > 0;
+  const bool sliding = std::abs(first.x - state.slip) > (1 - at_limit) * limit && way * balanced_slip_rate(first, way) > 0;
   if (!sliding) state = slid(state, {first.x, first.v});
   double low = from;
   const auto is_over = [&](double s) {
     const Jet at = path.at(s);
-    return sliding ? way * slip_rate(at, way) < 0 : slides(state, at);
+    return sliding ? way * balanced_slip_rate(at, way) < 0 : slides(state, at);
   };
   for (int i = 1; i <= looks; ++i) {
     double high = from + (to - from) * i / looks;

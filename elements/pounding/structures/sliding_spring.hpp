@@ -62,7 +62,7 @@ class SlidingSpring final : public Spring {
   bool slides(const State& state, const Jet& at) const noexcept;
   double friction(const State& state, const LinkMotion& motion) const noexcept;
   State slid(State state, const LinkMotion& motion) const noexcept;
-  double slip_rate(const Jet& at, double way) const noexcept;
+  double balanced_slip_rate(const Jet& at, double way) const noexcept;
   Phase phase(State state, const Quintic& path, double from, double to) const noexcept;
   State follow(State state, const LinkStep& step, double to) const noexcept;
 

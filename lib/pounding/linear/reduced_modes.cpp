@@ -205,7 +205,7 @@ struct ReducedModes::Structure {
   Made& basis(const ReducedDepth& depth) {
     if (made && made->depth == depth) return *made;
     const std::vector<Eigen::MatrixXd> chains = parts(depth);
-    return made.emplace(depth, joined(chains, starts_beside(chains)));
+    return made.emplace(Made{depth, joined(chains, starts_beside(chains))});
   }
 
   // The chains and the block at the contact.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <iterator>
 #include <span>
 
 #include <pounding/run/histories.hpp>
@@ -61,8 +61,7 @@ LinkHistory heading(const Link& link, const Model& model) {
 
 void append(std::span<const LinkSample> samples, LinkHistory& history) {
   const auto add = [samples](std::vector<double>& column, double LinkSample::*value) {
-    const auto values = samples | std::views::transform(value);
-    column.insert(column.end(), values.begin(), values.end());
+    std::ranges::transform(samples, std::back_inserter(column), value);
   };
   add(history.time, &LinkSample::time);
   add(history.penetration, &LinkSample::penetration);

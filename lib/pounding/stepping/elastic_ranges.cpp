@@ -59,9 +59,9 @@ bool ElasticRanges::stay(const Instant& x, Trial& trial) const {
     least[i] = low0 < low1 ? low0 : low1;
     most[i] = high0 > high1 ? high0 : high1;
   }
-  bool inside = true;
-  for (Eigen::Index i = 0; i < count; ++i) inside = inside & (least[i] > low_[i]) & (most[i] < high_[i]);
-  return inside;
+  int outside = 0;
+  for (Eigen::Index i = 0; i < count; ++i) outside += !(least[i] > low_[i]) + !(most[i] < high_[i]);
+  return outside == 0;
 }
 
 // As LinkSet::motion().
