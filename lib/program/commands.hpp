@@ -2,7 +2,11 @@
 /// The subcommands of the program. Each function adds one to the command line; its callback may throw InputError,
 /// SolverError or std::invalid_argument, which main() turns into a message and the exit code.
 
+#include <string>
+
 #include <CLI/CLI.hpp>
+
+#include <pounding/core/error.hpp>
 
 namespace pounding::program {
 
@@ -24,6 +28,14 @@ void add_words(CLI::App& app);      ///< `words [NAME]`
 /// Refuses the empty name of an option that names a file, as in -o "": a variable of a script that holds nothing.
 inline CLI::Option* names_a_file(CLI::Option* option) {
   return option->check([](const std::string& name) { return name.empty() ? "the name of the file is empty" : ""; }, "");
+}
+
+/// Refuses values of an option that are no numbers above 0.
+inline CLI::Option* is_positive(CLI::Option* option) {
+  return option->check([](const std::string& text) {
+    double value = 0;
+    return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : "takes a number above 0, not \"" + excerpt(text) + "\"";
+  }, "");
 }
 
 /// Draws the standard picture of a results file; throws InputError when Python or its packages are missing.

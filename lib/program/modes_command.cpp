@@ -20,9 +20,7 @@ void add_modes(CLI::App& app) {
   const auto words = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("modes", "Periods, damping ratios, participation and shapes of every structure");
   command->add_option("MODEL", words->model, "Input file (YAML)")->required();
-  command->add_option("--count", words->count, "Modes of a frame; of other structures all are told")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  is_positive(command->add_option("--count", words->count, "Modes of a frame; of other structures all are told"))->capture_default_str();
   command->add_flag("--json", words->json, "Print one JSON object");
   command->add_flag("--plot", words->plot, "Draw the shapes: MODEL_modes.png in the current folder");
   names_a_file(command->add_option("-o,--output", words->picture, "Name of the picture"));

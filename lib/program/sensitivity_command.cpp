@@ -102,9 +102,7 @@ void add_sensitivity(CLI::App& app) {
   const auto words = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("sensitivity", "How the answer depends on the stiffness of the contacts: runs MODEL with each factor");
   command->add_option("MODEL", words->model, "Input file (YAML)")->required();
-  command->add_option("--factors", words->factors, "Factors of the contact stiffness, such as 0.1,1,10")
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber)
+  is_positive(command->add_option("--factors", words->factors, "Factors of the contact stiffness, such as 0.1,1,10")->delimiter(','))
       ->capture_default_str();
   command->add_flag("--json", words->json, "Print one JSON list");
   command->callback([words] {

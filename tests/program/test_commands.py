@@ -51,6 +51,11 @@ class ExitCodes(ProgramTest):
         self.refused(2, 'unknown option "--jsom"', "run", self.write(OSCILLATORS), "--jsom")
         self.refused(2, "The following argument was not expected: second.yaml", "check", "model.yaml", "second.yaml")
 
+    def test_two_for_counts_and_factors_that_are_not_positive(self):
+        model = self.write(OSCILLATORS)
+        for verb, option, value in (("modes", "--count", "0"), ("modes", "--count", "x"), ("sensitivity", "--factors", "-2")):
+            self.refused(2, f'{option}: takes a number above 0, not "{value}"', verb, model, option, value)
+
     def test_three_for_a_solve_that_fails_with_the_reason_in_the_file(self):
         done = self.pounding("run", self.write(UNSOLVABLE), "--json", "-o", "out.h5")
         self.assertEqual(done.returncode, 3)

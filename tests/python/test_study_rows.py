@@ -339,12 +339,26 @@ class Rows(unittest.TestCase):
         self.assertEqual(float(grid["force"].isel(record=1, ratio=1, gap=2, sample=0, level=1)), study["force"][23])
         self.assertEqual(opened.to_pandas().shape, (36, len(study.columns)))
 
+    def test_a_limit_may_have_a_unit(self):
+        study = run_plan(plan_of(keep=["force", "impacts"]), None, workers=0)
+        middle = float(np.median(study["force"]))
+        for typed in (f"{middle / 1e6!r} MN", f"{middle!r}", f"{middle!r} N"):
+            np.testing.assert_array_equal(study.fragility("force", typed).exceeded, study.fragility("force", middle).exceeded)
+        self.assertGreater(study.fragility("force", middle).exceeded.sum(), 0)
+        self.assertEqual(study.limit_of("impacts", "2"), 2)
+        for column, limit, told in (("force", "5 kg", "limit of force: takes a force"), ("impacts", "2 N", "limit of impacts: takes a number without a unit"),
+                                    ("force", "much", "not a finite number"), ("forces", "5 MN", 'no column "forces"')):
+            with self.assertRaisesRegex(InputError, told):
+                study.fragility(column, limit)
+
     def test_pictures_are_drawn_from_the_table(self):
         run_plan(plan_of(keep=["force", "impacts", "required_gap", "gap_srss"]), self.folder / "s.h5", workers=0)
         study = pounding.Study.open(self.folder / "s.h5")
         for picture, column, options in (("fragility", "impacts", {"limit": 0.5}), ("ida", "force", {"gap": 1e-3}), ("gap", None, {}),
                                          ("map", "force", {"across": "ratio", "along": "gap"}), ("tornado", "force", {})):
             study.plot(picture, column, **options).savefig(self.folder / f"{picture}.svg")
+        legend = study.plot("fragility", "force", limit="0.2 MN").axes[0].get_legend()
+        self.assertIn("share of rows, force > 0.2 MN", [each.get_text() for each in legend.texts])
         with self.assertRaisesRegex(InputError, "there is no picture"):
             study.plot("fragilty", "force")
 

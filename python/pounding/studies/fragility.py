@@ -44,7 +44,9 @@ class Fragility:
         if self.boot is None or not len(self.boot):
             raise InputError("there is no band: the curve has no bootstrap over records")
         x = np.log(np.atleast_1d(np.asarray(im, dtype=float)))
-        curves = special().ndtr((x - np.log(self.boot[:, :1])) / self.boot[:, 1:])
+        # Of a draw of which nearly all rows exceed theta may be 0: its curve is 1.
+        with np.errstate(divide="ignore"):
+            curves = special().ndtr((x - np.log(self.boot[:, :1])) / self.boot[:, 1:])
         return np.percentile(curves, percent, axis=0)
 
     def __str__(self) -> str:

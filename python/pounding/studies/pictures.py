@@ -49,10 +49,14 @@ def _im_label(study: Rows) -> str:
     return "PGA [g]" if intensity["measure"] == "pga" else "average Sa [g]"
 
 
-def _fragility(axes: Axes, study: Rows, column: str, limit: float, **values: Any) -> None:
+def _fragility(axes: Axes, study: Rows, column: str, limit: float | str, **values: Any) -> None:
     curve = study.fragility(column, limit, **values)
     share = curve.exceeded / curve.count
-    axes.plot(curve.im / GRAVITY, share, "o", color="black", markersize=4, label=f"share of rows, {column} > {limit:g} {study.units.get(column, '')}")
+    try:
+        above = f"{float(limit):g} {study.units.get(column, '')}"
+    except ValueError:
+        above = limit  # a text with its own unit
+    axes.plot(curve.im / GRAVITY, share, "o", color="black", markersize=4, label=f"share of rows, {column} > {above}")
     if curve.is_finite:
         im = np.linspace(1e-3, 1.2 * curve.im.max(), 300)
         axes.plot(im / GRAVITY, curve.probability(im), label=f"theta {curve.theta / GRAVITY:.3g} g, beta {curve.beta:.3g}")

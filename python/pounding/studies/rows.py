@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from pounding._native import core
 from pounding.errors import InputError
 from pounding.studies import fragility, gaps
 from pounding.studies import percentiles as curves
@@ -94,11 +95,24 @@ class Rows:
             raise InputError(f"no finished row has these values{': ' + known if known else ''}")
         return chosen
 
-    def fragility(self, column: str, limit: float, *, bootstrap: int = 1000, seed: int = 1, **values: float) -> fragility.Fragility:
-        """The lognormal curve of the probability that `column` is above `limit` (SI), over the intensity; the band comes from records drawn
-        again, since rows of one event are not independent. `values` choose factors. See `pounding.studies.fragility.fit`."""
+    def limit_of(self, column: str, limit: float | str) -> float:
+        """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises InputError."""
+        self[column]
+        if not isinstance(limit, str):
+            return limit
+        unit = self.units.get(column, "")
+        try:
+            return core.quantity(limit, unit) if unit else float(limit)
+        except InputError as error:
+            raise InputError(f"limit of {column}: {error}") from None
+        except ValueError:
+            raise InputError(f'limit of {column}: takes a number without a unit, not "{limit}"') from None
+
+    def fragility(self, column: str, limit: float | str, *, bootstrap: int = 1000, seed: int = 1, **values: float) -> fragility.Fragility:
+        """The lognormal curve of the probability that `column` is above `limit` (SI, or "5 MN"), over the intensity; the band comes from records
+        drawn again, since rows of one event are not independent. `values` choose factors. See `pounding.studies.fragility.fit`."""
         chosen = self.choose(**values)
-        exceeded = (self[column][chosen] > limit) | ((self["status"][chosen] == EXCEEDED) & np.isnan(self[column][chosen]))
+        exceeded = (self[column][chosen] > self.limit_of(column, limit)) | ((self["status"][chosen] == EXCEEDED) & np.isnan(self[column][chosen]))
         return fragility.of_rows(self._im()[chosen], exceeded, self._events()[chosen], bootstrap=bootstrap, seed=seed,
                                  failed=int((~self.finished & (self["status"] != NOT_RUN)).sum()))
 

@@ -15,7 +15,7 @@ from pounding.studies.rows import Rows
 PERCENTS = (16, 50, 84)
 
 
-def summary(study: Rows, column: str | None = None, limit: float | None = None) -> dict[str, Any]:
+def summary(study: Rows, column: str | None = None, limit: float | str | None = None) -> dict[str, Any]:
     """Counts of rows; of every kept column smallest, mean and largest value, percentiles by order statistics, and the share of rows above zero, in SI;
     and the fragility curve of a column above a limit. Failed rows are left out. Raises InputError for a column that is not there."""
     status = study["status"]
