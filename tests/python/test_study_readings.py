@@ -47,6 +47,11 @@ class Fragility(unittest.TestCase):
         found = fit([.1, .2, .3], [10] * 3, [0, 4, 10])
         self.assertFalse(found.is_finite)
         self.assertEqual(found.bounds, (.2, .2))
+        self.assertIn("all survive below 0.2 and all exceed above it", found.problem)
+
+    def test_one_level_has_no_fit(self):
+        self.assertIn("all rows have the intensity 0.2", fit([.2], [10], [8]).problem)
+        self.assertIn("all rows have the intensity 0.2", fit([.2, .2], [10, 10], [8, 3]).problem)
 
     def test_one_class_says_on_which_side_theta_lies(self):
         self.assertEqual(fit([.1, .2, .3], [10] * 3, [0, 0, 0]).bounds, (.3, np.inf))

@@ -357,8 +357,15 @@ class Rows(unittest.TestCase):
         for picture, column, options in (("fragility", "impacts", {"limit": 0.5}), ("ida", "force", {"gap": 1e-3}), ("gap", None, {}),
                                          ("map", "force", {"across": "ratio", "along": "gap"}), ("tornado", "force", {})):
             study.plot(picture, column, **options).savefig(self.folder / f"{picture}.svg")
+        # A grey line a record and set of factors, which joins the levels; forces are drawn in the unit of their size.
+        ida = study.plot("ida", "force").axes[0]
+        lines = [line for line in ida.lines if line.get_color() == "0.75"]
+        self.assertEqual(len(lines), len(np.unique(np.column_stack([study["record"], study["point"]]), axis=0)))
+        self.assertEqual({len(line.get_xdata()) for line in lines}, {len(np.unique(study["scale"]))})
+        unit = {"force [N]": 1, "force [kN]": 1e3, "force [MN]": 1e6}[ida.get_xlabel()]
+        self.assertAlmostEqual(unit * max(max(line.get_xdata()) for line in lines) / study["force"].max(), 1)
         legend = study.plot("fragility", "force", limit="0.2 MN").axes[0].get_legend()
-        self.assertIn("share of rows, force > 0.2 MN", [each.get_text() for each in legend.texts])
+        self.assertIn("share of rows, force > 200 kN", [each.get_text() for each in legend.texts])
         with self.assertRaisesRegex(InputError, "there is no picture"):
             study.plot("fragilty", "force")
 

@@ -87,8 +87,13 @@ def _problem(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[str, tuple[fl
         return f"nothing is exceeded up to {x.max():.4g}: theta is above; add higher levels", (float(x.max()), np.inf)
     if k.sum() == n.sum():
         return f"everything is exceeded from {x.min():.4g} on: theta is below; add lower levels", (0.0, float(x.min()))
+    if x.min() == x.max():
+        return f"all rows have the intensity {x.min():.4g}: one level tells neither theta nor beta; add levels", (np.nan, np.nan)
     survived, fell = x[k < n].max(), x[k > 0].min()
-    if survived <= fell:
+    if survived == fell:
+        return (f"the data are separated: all survive below {fell:.4g} and all exceed above it, so beta has no finite estimate; theta is there; add "
+                "levels near it, or records"), (float(survived), float(fell))
+    if survived < fell:
         return (f"the data are separated: all survive up to {survived:.4g} and all exceed from {fell:.4g} on, so beta has no finite estimate; theta is "
                 "between the two; add levels there, or records"), (float(survived), float(fell))
     if x[k > 0].max() <= x[k < n].min():

@@ -38,8 +38,19 @@ def study_figure(study: Rows, picture: str, column: str | None = None, *, size: 
         return figure
 
 
-def _label(study: Rows, column: str) -> str:
-    return f"{column} [{study.units[column]}]" if study.units.get(column) else column
+def _axis(study: Rows, column: str) -> tuple[float, str]:
+    """By how much values of a column are divided where they are drawn, and its label."""
+    values = study[column][np.isfinite(study[column])] if study[column].dtype.kind == "f" else study[column]
+    divisor, unit = _unit(float(np.abs(values).max(initial=0)), study.units.get(column, ""))
+    return divisor, f"{column} [{unit}]" if unit else column
+
+
+def _unit(size: float, unit: str) -> tuple[float, str]:
+    from pounding.pictures.style import FORCE_UNITS, engineering
+
+    if unit == "N":
+        return engineering(size, FORCE_UNITS)
+    return (1e-3, "mm") if unit == "m" and size < 1 else (1.0, unit)
 
 
 def _im_label(study: Rows) -> str:
@@ -52,10 +63,9 @@ def _im_label(study: Rows) -> str:
 def _fragility(axes: Axes, study: Rows, column: str, limit: float | str, **values: Any) -> None:
     curve = study.fragility(column, limit, **values)
     share = curve.exceeded / curve.count
-    try:
-        above = f"{float(limit):g} {study.units.get(column, '')}"
-    except ValueError:
-        above = limit  # a text with its own unit
+    value = study.limit_of(column, limit)
+    divisor, unit = _unit(abs(value), study.units.get(column, ""))
+    above = f"{value / divisor:g} {unit}".strip()
     axes.plot(curve.im / GRAVITY, share, "o", color="black", markersize=4, label=f"share of rows, {column} > {above}")
     if curve.is_finite:
         im = np.linspace(1e-3, 1.2 * curve.im.max(), 300)
@@ -71,15 +81,20 @@ def _fragility(axes: Axes, study: Rows, column: str, limit: float | str, **value
 
 def _ida(axes: Axes, study: Rows, column: str, **values: Any) -> None:
     chosen = study.choose(**values)
-    for record in np.unique(study["record"][chosen]):
-        rows = chosen & (study["record"] == record)
+    divisor, label = _axis(study, column)
+    # Levels of one record are joined for each point of the factors by themselves.
+    curves = np.unique(np.column_stack([study["record"][chosen], study["point"][chosen]]), axis=0)
+    name: str | None = "a record" if len(np.unique(curves[:, 1])) == 1 else "a record with one set of factors"
+    for record, point in curves:
+        rows = chosen & (study["record"] == record) & (study["point"] == point)
         order = np.argsort(study["im"][rows])
-        axes.plot(study[column][rows][order], study["im"][rows][order] / GRAVITY, color="0.75", linewidth=0.6)
+        axes.plot(study[column][rows][order] / divisor, study["im"][rows][order] / GRAVITY, color="0.75", linewidth=0.6, marker="o", markersize=2, label=name)
+        name = None
     found = study.percentiles(column, **values)
     for percent, curve, style in zip(found.percent, found.values, ("--", "-", "--")):
         finite = np.isfinite(curve)
-        axes.plot(curve[finite], found.im[finite] / GRAVITY, style, color="black", label=f"{percent:g} %")
-    axes.set(xlabel=_label(study, column), ylabel=_im_label(study))
+        axes.plot(curve[finite] / divisor, found.im[finite] / GRAVITY, style, color="black", marker="o", markersize=3, label=f"{percent:g} %")
+    axes.set(xlabel=label, ylabel=_im_label(study))
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
     axes.legend()
@@ -100,20 +115,22 @@ def _gap(axes: Axes, study: Rows, column: str, **values: Any) -> None:
 
 def _map(axes: Axes, study: Rows, column: str, across: str, along: str, percent: float = 50) -> None:
     found = study.map(column, across, along, percent)
-    mesh = axes.pcolormesh(found.across, found.along, np.ma.masked_invalid(found.values), shading="nearest")
-    axes.figure.colorbar(mesh, ax=axes, label=f"{_label(study, column)}, {percent:g} %")
-    axes.set(xlabel=_label(study, across), ylabel=_label(study, along))
+    (width, xlabel), (height, ylabel), (depth, label) = (_axis(study, each) for each in (across, along, column))
+    mesh = axes.pcolormesh(found.across / width, found.along / height, np.ma.masked_invalid(found.values) / depth, shading="nearest")
+    axes.figure.colorbar(mesh, ax=axes, label=f"{label}, {percent:g} %")
+    axes.set(xlabel=xlabel, ylabel=ylabel)
 
 
 def _tornado(axes: Axes, study: Rows, column: str) -> None:
     from matplotlib.patches import Patch
 
     found = swings(study, column)
+    divisor, label = _axis(study, column)
     for i, (_, low, high) in enumerate(reversed(found)):
-        axes.barh(i, high - low, left=low, height=0.6, color="tab:blue" if high > low else "tab:orange")
+        axes.barh(i, (high - low) / divisor, left=low / divisor, height=0.6, color="tab:blue" if high > low else "tab:orange")
     axes.use_sticky_edges = False
     axes.margins(x=0.08)
     axes.legend(handles=[Patch(color="tab:blue", label="rises with the factor"), Patch(color="tab:orange", label="falls with the factor")], fontsize=7,
                 loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
     axes.set_yticks(range(len(found)), [name for name, _, _ in reversed(found)])
-    axes.set_xlabel(f"median of {_label(study, column)}, lowest against highest tenth of each factor")
+    axes.set_xlabel(f"median of {label}, lowest against highest tenth of each factor")
