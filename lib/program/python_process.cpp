@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -154,6 +155,11 @@ void become_python(const std::string& module, const std::vector<std::string>& wo
   std::vector<std::string> arguments{python, "-m", "pounding." + module};
   arguments.insert(arguments.end(), words.begin(), words.end());
   std::vector<std::string> environment = environment_with(whole_package_path());
+  // Ctrl-C waits until the modules are there and can answer it: Python would print where in their import it was.
+  sigset_t interrupt;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  sigprocmask(SIG_BLOCK, &interrupt, nullptr);
   execvpe(python.c_str(), pointers(arguments).data(), pointers(environment).data());
   throw InputError("\"" + python + "\" cannot be started: " + std::strerror(errno) + ". " + what_to_install);
 }

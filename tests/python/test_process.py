@@ -2,11 +2,14 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import textwrap
+import time
 import unittest
+from collections import Counter
 from pathlib import Path
 
 EXAMPLES = Path(os.environ["POUNDING_EXAMPLES"])
@@ -163,6 +166,30 @@ class OneProcess(unittest.TestCase):
         first, second = said.split()
         self.assertEqual(first, second)
         self.assertEqual(python('print(repr(float(run().impacts["peak_force"][0])))').split(), [first])
+
+
+class InterruptedStudy(unittest.TestCase):
+    def test_ctrl_c_at_any_time_is_told_in_one_line(self):
+        """While modules are imported, workers start, rows run and all ends: never where in the code of Python it was."""
+        with tempfile.TemporaryDirectory() as folder:
+            words = [os.environ["POUNDING_PROGRAM"], "study", EXAMPLES / "24_fragility_curve" / "study.yaml", "-o", "table.h5", "-j", "2"]
+            whole = time.monotonic()
+            subprocess.run(words, cwd=folder, capture_output=True, check=True, env=os.environ | {"POUNDING_PYTHON": sys.executable})
+            whole = time.monotonic() - whole
+            fates = Counter()
+            for part in (0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05):
+                Path(folder, "table.h5").unlink(missing_ok=True)
+                study = subprocess.Popen(words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
+                                         env=os.environ | {"POUNDING_PYTHON": sys.executable})
+                time.sleep(part * whole)
+                os.killpg(study.pid, signal.SIGINT)
+                told, _ = study.communicate(timeout=120)
+                self.assertNotIn("Traceback", told)
+                fates[study.returncode] += 1
+                if study.returncode == 130:
+                    self.assertEqual(told, "pounding: stopped; rows that were finished are kept. Type the same command again to go on\n")
+            self.assertGreater(fates[130], 2, fates)
+            self.assertLessEqual(set(fates), {0, 130, -signal.SIGINT}, fates)
 
 
 class Readme(unittest.TestCase):

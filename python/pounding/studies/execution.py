@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager, nullcontext
 from statistics import median
 
 import numpy as np
@@ -193,18 +194,27 @@ class _LocalPool:
 
     def __enter__(self) -> _LocalPool:
         try:
-            self._pool.submit(say_hello).result()
+            with _interrupt_blocked():
+                hello = self._pool.submit(say_hello)
+            hello.result()
         except BrokenExecutor:
             self._pool.shutdown(cancel_futures=True)
             raise InputError("the worker processes of the study do not start. In a script put the call under `if __name__ == \"__main__\":`, since every worker "
                              "reads the script, too; or run in this process with workers=0") from None
+        except BaseException:
+            # A worker that still starts would look for what this process takes away when it ends.
+            self._pool.shutdown(cancel_futures=True)
+            raise
         return self
 
     def __exit__(self, *failure: object) -> None:
-        self._pool.shutdown(cancel_futures=True)
+        # At the end of all rows this takes no time worth a Ctrl-C; rows that are under way may be left at once by a second one.
+        with _interrupt_blocked() if failure[0] is None else nullcontext():
+            self._pool.shutdown(cancel_futures=True)
 
     def submit(self, batch: Batch) -> Future[Done]:
-        return self._pool.submit(run_batch, batch)
+        with _interrupt_blocked():
+            return self._pool.submit(run_batch, batch)
 
     def survive(self, batches: list[Batch], failure: BaseException) -> list[Done]:
         """Runs the rows that were under way when a worker died, each by itself in a pool of one."""
@@ -218,7 +228,8 @@ class _LocalPool:
                 one = batch.part([i])
                 processes: list[multiprocessing.Process] = []
                 try:
-                    future = single.submit(run_batch, one)
+                    with _interrupt_blocked():
+                        future = single.submit(run_batch, one)
                     processes = list((getattr(single, "_processes", None) or {}).values())
                     done.append(future.result())
                 except BrokenExecutor:
@@ -228,6 +239,16 @@ class _LocalPool:
         single.shutdown()
         self._pool = _new_pool(self._workers)
         return done
+
+
+@contextmanager
+def _interrupt_blocked() -> Iterator[None]:
+    """Workers that start meanwhile never see Ctrl-C, not even before begin_worker(); this process gets it afterwards."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _new_pool(workers: int) -> ProcessPoolExecutor:
