@@ -1,6 +1,7 @@
 #include <pounding/input/collision.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -62,6 +63,7 @@ CalibratedRow calibrated(const Collision& c, std::string_view formula) {
   } catch (const std::runtime_error&) {
     refuse("does not end");
   }
+  if (row.impact.duration > 0 && std::isinf(row.impact.peak_force)) refuse("has no number");
   return row;
 }
 

@@ -41,13 +41,15 @@ class ImpactIntegration {
   ImpactIntegration(const L& law, double reduced_mass, double closing_speed)
       : law_(law), mass_(reduced_mass), speed_(closing_speed), impact_(touch(law, closing_speed)), length_(scale()) {}
 
-  /// From the touch to the end of the force. Throws std::runtime_error when the steps do not end.
+  /// From the touch to the end of the force. Throws std::runtime_error when the steps do not end, std::domain_error when a number of the
+  /// impact is too large to be one.
   FreeImpact run() {
     note_peak({0, 1, 0, 0}, 0);
     approach();
     while (restitution() && resumes()) {
     }
     const double m = mass_, v = speed_;
+    if (!std::isfinite(peak_ * m * v * v / length_) || !std::isfinite(deepest_ * length_)) beyond_numbers();
     return {.restitution = -state_[1],
             .peak_force = peak_ * m * v * v / length_,
             .time_of_peak = time_of_peak_ * length_ / v,
@@ -61,6 +63,8 @@ class ImpactIntegration {
   using State = std::array<double, 4>;
   static constexpr double tolerance = 1e-13;
   static constexpr int max_steps = 20000;
+
+  [[noreturn]] static void beyond_numbers() { throw std::domain_error(std::string(L::name) + ": forces of a free impact are beyond the range of numbers"); }
 
   /// Penetration at which the force stops the bodies, to a factor of two [m].
   double scale() const {
@@ -121,6 +125,7 @@ class ImpactIntegration {
       }
       x += step;
       state_ = trial.state;
+      if (!std::isfinite(state_[1])) beyond_numbers();
       note_peak(state_, clock(x));
       if (landed) {
         // Within a phase the penetration only grows or only falls, so a memory needs no earlier update.
