@@ -54,6 +54,28 @@ TEST(Plausible, MembersFitTheirFrame) {
   EXPECT_EQ(soft[1], "structure a: member column 1.0 has E = 30 kPa, under 1 MPa; a bare E is in Pa, type its unit, as in 30 GPa (where it is meant: accept: [E])");
 }
 
+TEST(Plausible, PartsYieldAtDeformationsThatCanBeSeen) {
+  const auto storey = [](const std::string& force) { return oscillator("mass: 100 t, period: 0.8 s, yield_force: " + force + ", hardening: 2 %"); };
+  EXPECT_EQ(implausible(model_of(storey("200 kN"))), Texts{});
+  // k = 6.1685 MN/m
+  EXPECT_EQ(implausible(model_of(storey("62"))), Texts{});
+  EXPECT_EQ(implausible(model_of(storey("61"))),
+            Texts{"structure a: storey 1 yields at 0.009889 mm, under 0.01 mm; a bare force is in N, type its unit, as in 900 kN (where it is meant: "
+                  "accept: [yield])"});
+  const auto hinges = [](const std::string& moment, const std::string& more = "") {
+    return frame(", hinges: {beams: {at: both, yield_moment: " + moment + ", hardening: 2 %" + more + "}}");
+  };
+  EXPECT_EQ(implausible(model_of(hinges("250 kN m", ", ultimate_rotation: 0.03"))), Texts{});
+  const Texts weak = implausible(model_of(hinges("250")));
+  ASSERT_EQ(weak.size(), 1u) << "one line, and not one a hinge";
+  EXPECT_TRUE(weak[0].starts_with("structure a: beam x 1.0 start yields at ")) << weak[0];
+  EXPECT_TRUE(weak[0].ends_with("a bare moment is in N m, type its unit, as in 250 kN m (where it is meant: accept: [yield])")) << weak[0];
+  EXPECT_EQ(implausible(model_of(hinges("250"), "accept: [yield]\n")), Texts{});
+  EXPECT_EQ(implausible(model_of(hinges("250 kN m", ", ultimate_rotation: 30"))),
+            Texts{"structure a: beam x 1.0 start has an ultimate rotation of 30 rad, above 0.5 rad; a bare rotation is in rad, as in 0.03 (where it is meant: "
+                  "accept: [rotation])"});
+}
+
 TEST(Plausible, GapsAreNarrow) {
   const std::string pair = frame() + frame("", "{circle: 0.4}", "30 GPa", "18.02 m", "b");
   const std::string links = "links: [{between: [a, b], floors: all, law: hertz, stiffness: 2.75e9}]\n";

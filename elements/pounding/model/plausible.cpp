@@ -15,6 +15,9 @@ constexpr double shortest_period = 0.02, longest_period = 20;  // [s]
 constexpr double widest_gap = 2;                               // [m]
 constexpr double lightest_floor = 1e3;                         // [kg]
 constexpr double softest_material = 1e6;                       // [Pa]
+constexpr double least_yield_drift = 1e-5;                     // [m]
+constexpr double least_yield_rotation = 2e-5;                  // [rad]
+constexpr double largest_ultimate_rotation = 0.5;              // [rad]
 constexpr double deepest_penetration = 0.05;                   // [m]
 constexpr double coarsest_tolerance = 1e-2;
 
@@ -65,6 +68,30 @@ void doubt_members(const Structure& s, std::vector<Doubt>& doubts) {
                                        name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress))});
 }
 
+// Isolators stick until they slide, and dampers have no limit.
+void doubt_yielding(const Structure& s, std::vector<Doubt>& doubts) {
+  const auto first_doubt = [&](const char* name, auto&& text_of) {
+    for (const YieldingPart& part : s.yielding)
+      if (const std::string text = text_of(part); !text.empty()) {
+        doubts.push_back({name, fmt::format("structure {}: {} {}", s.name, part.name, text)});
+        return;
+      }
+  };
+  first_doubt("yield", [](const YieldingPart& part) -> std::string {
+    const double first = std::min(part.limits.positive, part.limits.negative);
+    if (part.kind == YieldingPart::Kind::storey && first < least_yield_drift)
+      return fmt::format("yields at {}, under 0.01 mm; a bare force is in N, type its unit, as in 900 kN", format_quantity(first, dimension::length));
+    if (part.kind == YieldingPart::Kind::hinge && first < least_yield_rotation)
+      return fmt::format("yields at {:.4g} mrad, under 0.02 mrad; a bare moment is in N m, type its unit, as in 250 kN m", 1e3 * first);
+    return {};
+  });
+  first_doubt("rotation", [](const YieldingPart& part) -> std::string {
+    const double ultimate = part.parameter("ultimate_rotation");
+    if (!(ultimate > largest_ultimate_rotation)) return {};
+    return fmt::format("has an ultimate rotation of {:.4g} rad, above 0.5 rad; a bare rotation is in rad, as in 0.03", ultimate);
+  });
+}
+
 void doubt_gaps(const Model& model, std::vector<Doubt>& doubts) {
   const auto widest = std::max_element(model.links.begin(), model.links.end(), [](const Link& a, const Link& b) { return a.gap < b.gap; });
   if (widest == model.links.end() || widest->gap <= widest_gap) return;
@@ -91,6 +118,7 @@ std::vector<std::string> implausible(const Model& model) {
     doubt_period(s, doubts);
     doubt_mass(s, doubts);
     doubt_members(s, doubts);
+    doubt_yielding(s, doubts);
   }
   doubt_gaps(model, doubts);
   if (model.analysis.tolerance > coarsest_tolerance)

@@ -17,10 +17,13 @@ namespace pounding {
 /// mass         a floor of a structure on the ground under 1 t
 /// section      a member deeper than the highest storey of its frame
 /// E            Young's modulus under 1 MPa
+/// yield        a storey that yields at less than 0.01 mm of drift, or a hinge at less than 0.02 mrad
+/// rotation     an ultimate rotation of a hinge above 0.5 rad
 /// pga          a peak acceleration without its unit that would be a usual one in g
 /// penetration  a contact was pressed by more than 50 mm
 /// tolerance    a tolerance above 1e-2
-inline constexpr std::array<std::string_view, 8> doubt_names{"period", "gap", "mass", "section", "E", "pga", "penetration", "tolerance"};
+inline constexpr std::array<std::string_view, 10> doubt_names{"period", "gap",      "mass", "section",     "E",
+                                                                "yield",  "rotation", "pga",  "penetration", "tolerance"};
 
 /// Warnings about a model, one line each; none of those that it accepts.
 std::vector<std::string> implausible(const Model& model);
