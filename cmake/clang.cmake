@@ -1,10 +1,6 @@
-# Clang by the name that it has on this machine; distributions add its version. The presets `clang` and `fuzz` take it.
-set(names clang)
-foreach(version RANGE 22 14 -1)
-  list(APPEND names clang-${version})
-endforeach()
-list(TRANSFORM names REPLACE "^clang" "clang++" OUTPUT_VARIABLE names_cxx)
-find_program(POUNDING_CLANG NAMES ${names} REQUIRED)
-find_program(POUNDING_CLANGXX NAMES ${names_cxx} REQUIRED)
+# The presets `clang` and `fuzz` take Clang by the name that it has on this machine.
+include(${CMAKE_CURRENT_LIST_DIR}/clang_names.cmake)
+find_program(POUNDING_CLANG NAMES ${clang_names} REQUIRED)
+find_program(POUNDING_CLANGXX NAMES ${clang_names_cxx} REQUIRED)
 set(CMAKE_C_COMPILER ${POUNDING_CLANG})
 set(CMAKE_CXX_COMPILER ${POUNDING_CLANGXX})

@@ -103,10 +103,6 @@ std::vector<CyclicRow> calibrate_cyclically(const Collision& c) {
   if (c.law.formulas.empty() || c.law.instantaneous)
     throw InputError(fmt::format("--cyclic: {} has no damping formula to correct by its hysteresis loop", c.law.name));
   std::vector<CyclicRow> rows;
-  const auto refuse = [](CyclicRow& row, std::string_view why) {
-    row.refused = fmt::format("{} for these values; look at their units", why);
-    if (row.formula == "exact") throw InputError(fmt::format("--cyclic: the impact {}", row.refused));
-  };
   for (const laws::Formula& f : c.law.formulas) {
     CyclicRow row{.formula = f.name, .process = {}, .refused = {}};
     laws::Settings settings = c.settings;
@@ -119,9 +115,9 @@ std::vector<CyclicRow> calibrate_cyclically(const Collision& c) {
       if (f.name == "exact") throw;
       row.refused = error.what();
     } catch (const std::domain_error&) {
-      refuse(row, "has no number");
+      row.refused = refused_impact("--cyclic", f.name, "has no number");
     } catch (const std::runtime_error&) {
-      refuse(row, "does not end");
+      row.refused = refused_impact("--cyclic", f.name, "does not end");
     }
     rows.push_back(row);
   }

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/units.hpp>
 
 namespace pounding::program {
 
@@ -34,7 +35,7 @@ inline CLI::Option* names_a_file(CLI::Option* option) {
 inline CLI::Option* is_positive(CLI::Option* option) {
   return option->check([](const std::string& text) {
     double value = 0;
-    return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : "takes a number above 0, not \"" + excerpt(text) + "\"";
+    return parse_number(text, value) && value > 0 ? "" : "takes a number above 0, not \"" + excerpt(text) + "\"";
   }, "");
 }
 

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 #: Of GCC alone, or of the object that is not made.
-LEFT_OUT = ("-fno-semantic-interposition", "-fpch-preprocess", "--param=", "-Winvalid-pch", "-include", "-fno-fat-lto-objects", "-fmacro-prefix-map=")
+LEFT_OUT = ("-fno-semantic-interposition", "-fpch-preprocess", "--param=", "-Winvalid-pch", "-fno-fat-lto-objects", "-fmacro-prefix-map=")
 
 
 def words_of(command, clang):

@@ -173,14 +173,15 @@ class InterruptedStudy(unittest.TestCase):
         """While modules are imported, workers start, rows run and all ends: never where in the code of Python it was."""
         with tempfile.TemporaryDirectory() as folder:
             words = [os.environ["POUNDING_PROGRAM"], "study", EXAMPLES / "24_fragility_curve" / "study.yaml", "-o", "table.h5", "-j", "2"]
+            environment = os.environ | {"POUNDING_PYTHON": sys.executable}
             whole = time.monotonic()
-            subprocess.run(words, cwd=folder, capture_output=True, check=True, env=os.environ | {"POUNDING_PYTHON": sys.executable})
+            subprocess.run(words, cwd=folder, capture_output=True, check=True, env=environment)
             whole = time.monotonic() - whole
             fates = Counter()
             for part in (0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05):
                 Path(folder, "table.h5").unlink(missing_ok=True)
                 study = subprocess.Popen(words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
-                                         env=os.environ | {"POUNDING_PYTHON": sys.executable})
+                                         env=environment)
                 time.sleep(part * whole)
                 os.killpg(study.pid, signal.SIGINT)
                 told, _ = study.communicate(timeout=120)

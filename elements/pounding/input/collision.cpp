@@ -46,10 +46,7 @@ CalibratedRow calibrated(const Collision& c, std::string_view formula) {
   CalibratedRow row{.formula = formula, .impact = {}, .refused = {}};
   laws::Settings settings = c.settings;
   settings.formula = formula;
-  const auto refuse = [&](std::string_view why) {
-    row.refused = fmt::format("{} for these values; look at their units", why);
-    if (formula.empty() || formula == "exact") throw InputError(fmt::format("{}: the impact {}", c.law.name, row.refused));
-  };
+  const auto refuse = [&](std::string_view why) { row.refused = refused_impact(c.law.name, formula, why); };
   try {
     const laws::AnyLaw law = laws::make_law(settings);
     row.impact = laws::free_impact(law, settings.reduced_mass, c.velocity);
@@ -68,6 +65,12 @@ CalibratedRow calibrated(const Collision& c, std::string_view formula) {
 }
 
 }  // namespace
+
+std::string refused_impact(std::string_view before, std::string_view formula, std::string_view why) {
+  std::string refused = fmt::format("{} for these values; look at their units", why);
+  if (formula.empty() || formula == "exact") throw InputError(fmt::format("{}: the impact {}", before, refused));
+  return refused;
+}
 
 Collision read_collision(const CollisionInput& words) {
   Collision c{.law = laws::find_law(words.law), .settings = {}, .assumed = {}};

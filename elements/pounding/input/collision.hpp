@@ -34,6 +34,10 @@ struct CalibratedRow {
   std::string refused;  ///< why the formula has no value here
 };
 
+/// What a row says of an impact that "has no number" or "does not end". Throws InputError, which begins with `before`, where no other formula could
+/// answer: for the exact one, and for a law without formulas.
+std::string refused_impact(std::string_view before, std::string_view formula, std::string_view why);
+
 /// Throws InputError for a value that is missing or wrong, std::invalid_argument for an unknown law.
 Collision read_collision(const CollisionInput& words);
 

@@ -22,8 +22,8 @@ namespace pounding {
 /// pga          a peak acceleration without its unit that would be a usual one in g
 /// penetration  a contact was pressed by more than 50 mm
 /// tolerance    a tolerance above 1e-2
-inline constexpr std::array<std::string_view, 10> doubt_names{"period", "gap",      "mass", "section",     "E",
-                                                                "yield",  "rotation", "pga",  "penetration", "tolerance"};
+inline constexpr std::array<std::string_view, 10> doubt_names{"period", "gap", "mass", "section", "E", "yield", "rotation", "pga",
+                                                                "penetration", "tolerance"};
 
 /// Warnings about a model, one line each; none of those that it accepts.
 std::vector<std::string> implausible(const Model& model);

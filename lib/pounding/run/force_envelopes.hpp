@@ -38,7 +38,7 @@ class ForceEnvelopes {
   // Quantities of one frame, or of all links.
   struct Block {
     int structure;  // -1: links
-    bool loaded;  // contacts may press on members of its forces between their ends
+    bool loaded;  // contacts may press on members of its forces between their ends, or these members turn
     LinearQuantities quantities;
     Eigen::VectorXd values, rates;  // at the last knot that was followed
     Extremes extremes;

@@ -40,8 +40,8 @@ def study_figure(study: Rows, picture: str, column: str | None = None, *, size: 
 
 def _axis(study: Rows, column: str) -> tuple[float, str]:
     """By how much values of a column are divided where they are drawn, and its label."""
-    values = study[column][np.isfinite(study[column])] if study[column].dtype.kind == "f" else study[column]
-    divisor, unit = _unit(float(np.abs(values).max(initial=0)), study.units.get(column, ""))
+    sizes = np.abs(study[column])
+    divisor, unit = _unit(float(sizes[np.isfinite(sizes)].max(initial=0)), study.units.get(column, ""))
     return divisor, f"{column} [{unit}]" if unit else column
 
 
