@@ -169,28 +169,63 @@ class OneProcess(unittest.TestCase):
 
 
 class InterruptedStudy(unittest.TestCase):
+    def setUp(self):
+        self.words = (os.environ["POUNDING_PROGRAM"], "study", EXAMPLES / "24_fragility_curve" / "study.yaml", "-o", "table.h5", "-j", "2")
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.how = {"cwd": folder.name, "env": os.environ | {"POUNDING_PYTHON": sys.executable}}
+
+    def interrupt_at(self, come):
+        """The exit code of a study that gets Ctrl-C, as a terminal sends it, when come(process) returns."""
+        Path(self.how["cwd"], "table.h5").unlink(missing_ok=True)
+        study = subprocess.Popen(self.words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True, **self.how)
+        come(study)
+        os.killpg(study.pid, signal.SIGINT)
+        told, _ = study.communicate(timeout=120)
+        self.assertNotIn("Traceback", told)
+        if study.returncode == 130:
+            self.assertEqual(told, "pounding: stopped; rows that were finished are kept. Type the same command again to go on\n")
+        return study.returncode
+
     def test_ctrl_c_at_any_time_is_told_in_one_line(self):
         """While modules are imported, workers start, rows run and all ends: never where in the code of Python it was."""
-        with tempfile.TemporaryDirectory() as folder:
-            words = [os.environ["POUNDING_PROGRAM"], "study", EXAMPLES / "24_fragility_curve" / "study.yaml", "-o", "table.h5", "-j", "2"]
-            environment = os.environ | {"POUNDING_PYTHON": sys.executable}
-            whole = time.monotonic()
-            subprocess.run(words, cwd=folder, capture_output=True, check=True, env=environment)
-            whole = time.monotonic() - whole
-            fates = Counter()
-            for part in (0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05):
-                Path(folder, "table.h5").unlink(missing_ok=True)
-                study = subprocess.Popen(words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
-                                         env=environment)
-                time.sleep(part * whole)
-                os.killpg(study.pid, signal.SIGINT)
-                told, _ = study.communicate(timeout=120)
-                self.assertNotIn("Traceback", told)
-                fates[study.returncode] += 1
-                if study.returncode == 130:
-                    self.assertEqual(told, "pounding: stopped; rows that were finished are kept. Type the same command again to go on\n")
-            self.assertGreater(fates[130], 2, fates)
-            self.assertLessEqual(set(fates), {0, 130, -signal.SIGINT}, fates)
+        whole = time.monotonic()
+        subprocess.run(self.words, capture_output=True, check=True, **self.how)
+        whole = time.monotonic() - whole
+        fates = Counter(self.interrupt_at(lambda _, part=part: time.sleep(part * whole)) for part in (0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.05))
+        self.assertGreater(fates[130], 2, fates)
+        self.assertLessEqual(set(fates), {0, 130, -signal.SIGINT}, fates)
+
+    def test_ctrl_c_while_workers_start_is_told_in_one_line(self):
+        def children(process):
+            return Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+
+        def has(count, process):
+            while process.poll() is None and len(children(process)) < count:
+                pass
+
+        for count in (1, 2, 3):  # the process that cleans up behind the workers, and the workers
+            for _ in range(2):
+                self.assertEqual(self.interrupt_at(lambda process, count=count: has(count, process)), 130)
+
+    def test_ctrl_c_waits_until_a_worker_has_been_started(self):
+        """Though a thread of another library takes the signal that this one has blocked."""
+        said = python("""
+            import os, signal, threading, time
+            from pounding.studies.execution import _interrupt_held
+            thread = threading.Thread(target=time.sleep, args=(1,))
+            thread.start()
+            handler = signal.getsignal(signal.SIGINT)
+            try:
+                with _interrupt_held():
+                    os.kill(os.getpid(), signal.SIGINT)
+                    time.sleep(0.1)
+                    print("started")
+            except KeyboardInterrupt:
+                print("interrupted")
+            assert signal.getsignal(signal.SIGINT) is handler and not signal.pthread_sigmask(signal.SIG_BLOCK, [])
+        """)
+        self.assertEqual(said.split(), ["started", "interrupted"])
 
 
 class Readme(unittest.TestCase):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from contextlib import ExitStack, contextmanager, nullcontext
@@ -194,7 +195,7 @@ class _LocalPool:
 
     def __enter__(self) -> _LocalPool:
         try:
-            with _interrupt_blocked():
+            with _interrupt_held():
                 hello = self._pool.submit(say_hello)
             hello.result()
         except BrokenExecutor:
@@ -209,11 +210,11 @@ class _LocalPool:
 
     def __exit__(self, *failure: object) -> None:
         # At the end of all rows this takes no time worth a Ctrl-C; rows that are under way may be left at once by a second one.
-        with _interrupt_blocked() if failure[0] is None else nullcontext():
+        with _interrupt_held() if failure[0] is None else nullcontext():
             self._pool.shutdown(cancel_futures=True)
 
     def submit(self, batch: Batch) -> Future[Done]:
-        with _interrupt_blocked():
+        with _interrupt_held():
             return self._pool.submit(run_batch, batch)
 
     def survive(self, batches: list[Batch], failure: BaseException) -> list[Done]:
@@ -228,7 +229,7 @@ class _LocalPool:
                 one = batch.part([i])
                 processes: list[multiprocessing.Process] = []
                 try:
-                    with _interrupt_blocked():
+                    with _interrupt_held():
                         future = single.submit(run_batch, one)
                     processes = list((getattr(single, "_processes", None) or {}).values())
                     done.append(future.result())
@@ -242,13 +243,22 @@ class _LocalPool:
 
 
 @contextmanager
-def _interrupt_blocked() -> Iterator[None]:
+def _interrupt_held() -> Iterator[None]:
     """Workers that start meanwhile never see Ctrl-C, not even before begin_worker(); this process gets it afterwards."""
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    came: list[int] = []
+    handler = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
+    if handler is not None:
+        # Blocked signals reach threads of libraries, and Python interrupts its main thread all the same.
+        signal.signal(signal.SIGINT, lambda number, _: came.append(number))
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # workers inherit it
     try:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        if handler is not None:
+            signal.signal(signal.SIGINT, handler)
+        if came:
+            signal.raise_signal(signal.SIGINT)
 
 
 def _new_pool(workers: int) -> ProcessPoolExecutor:
