@@ -1,4 +1,5 @@
 #include <pounding/core/archive.hpp>
+#include <pounding/core/archive_eigen.hpp>
 
 #include <type_traits>
 
@@ -43,6 +44,30 @@ TEST(Archive, RefusesBytesThatEndEarly) {
   Archive short_one{std::vector<std::byte>(3)};
   int value = 0;
   EXPECT_THROW(short_one(value), std::runtime_error);
+}
+
+// Sizes as other states or damage leave them: no vector has two columns or none, and eight bytes hold no thousand numbers.
+TEST(Archive, RefusesSizesThatAMatrixCannotHave) {
+  const auto bytes = [](std::size_t rows, std::size_t columns) {
+    Archive archive;
+    double value = 1;
+    archive(rows);
+    archive(columns);
+    archive(value);
+    return Archive(archive.bytes());
+  };
+  Eigen::VectorXd vector;
+  Eigen::MatrixXd matrix;
+  for (const std::size_t columns : {0, 2}) {
+    Archive archive = bytes(4, columns);
+    EXPECT_THROW(archive(vector), std::runtime_error) << columns;
+  }
+  Archive large = bytes(20, 20), right = bytes(1, 1), empty = bytes(3, 0);
+  EXPECT_THROW(large(matrix), std::runtime_error);
+  right(vector);
+  EXPECT_EQ(vector.size(), 1);
+  empty(matrix);
+  EXPECT_EQ(matrix.rows(), 3);
 }
 
 }  // namespace archive_test

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <pounding/core/archive.hpp>
+#include <pounding/core/archive_eigen.hpp>
 #include "fuzz.hpp"
 
 namespace {
@@ -11,11 +12,15 @@ struct Row {
   double value = 0;
   std::string name;
   std::vector<double> values;
+  Eigen::VectorXd vector;
+  Eigen::MatrixXd matrix;
 
   void archive(pounding::Archive& archive) {
     archive(value);
     archive(name);
     archive(values);
+    archive(vector);
+    archive(matrix);
   }
 };
 

@@ -2,6 +2,7 @@
 /// Eigen's vectors and matrices in an Archive.
 
 #include <cstddef>
+#include <stdexcept>
 
 #include <Eigen/Core>
 
@@ -14,6 +15,10 @@ template <int Columns>
 void archive_value(Archive& archive, Eigen::Matrix<double, Eigen::Dynamic, Columns>& m) {
   const std::size_t rows = archive.count(static_cast<std::size_t>(m.rows()));
   const std::size_t columns = archive.count(static_cast<std::size_t>(m.cols()));
+  // Eigen checks neither the columns of a vector nor whether there are bytes for all entries.
+  const bool fits = Columns == Eigen::Dynamic || static_cast<Eigen::Index>(columns) == Columns;
+  if (archive.reading() && (!fits || rows * columns > archive.bytes().size()))
+    throw std::runtime_error("the saved state is damaged");
   m.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   archive.raw(m.data(), sizeof(double) * static_cast<std::size_t>(m.size()));
 }
