@@ -397,6 +397,7 @@ class Stopped(Processes):
     def stop(self, number, *words):
         """Asks the launcher to stop when the run has begun to step."""
         path = self.folder / "out.h5"
+        path.unlink(missing_ok=True)
         run = subprocess.Popen(words_of(2, "run", *words, "-q"), cwd=self.folder, env=SURROUNDINGS, stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True)
         self.addCleanup(run.kill)
@@ -417,15 +418,19 @@ class Stopped(Processes):
         self.done(2, "model.yaml", "-o", "whole.h5", *SPARSE)
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(number):
-                self.stop(number, "model.yaml", "-o", "out.h5", *SPARSE)
-                with h5py.File(self.folder / "out.h5") as file:
-                    self.assertIn("failed: stopped by the user", file.attrs["status"])
+                # On a loaded machine a run may end before the signal comes.
+                for _ in range(5):
+                    self.stop(number, "model.yaml", "-o", "out.h5", *SPARSE)
+                    with h5py.File(self.folder / "out.h5") as file:
+                        status = file.attrs["status"]
+                    if status != "done":
+                        break
+                self.assertIn("failed: stopped by the user", status)
                 self.done(2, "--resume", "out.h5")
                 whole, resumed = (numbers(self.folder / name) for name in ("whole.h5", "out.h5"))
                 self.assertEqual(list(whole), list(resumed))
                 for name, values in whole.items():
                     self.assertEqual(values.tobytes(), resumed[name].tobytes(), name)
-                (self.folder / "out.h5").unlink()
 
     def test_by_a_limit_is_refused_on_another_number_of_processes(self):
         self.write(OSCILLATORS)
