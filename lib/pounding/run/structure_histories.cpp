@@ -76,7 +76,7 @@ void StructureHistories::sample(const OutputInstant& at) {
 void StructureHistories::sample_floors(int k, const OutputInstant& at) {
   const Structure& s = model_.structures[k];
   StructureHistory& history = histories_[k];
-  const int directions = response_.directions(k), yielding = static_cast<int>(s.members_that_yield());
+  const int directions = response_.directions(k), yielding = s.storey_stiffness.empty() ? 0 : static_cast<int>(s.members_that_yield());
   for (int i = 0; i < static_cast<int>(s.floors.size()); ++i)
     for (int j = 0; j < directions; ++j) {
       const int row = response_.row(k, i, j);

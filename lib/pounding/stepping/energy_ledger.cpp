@@ -38,7 +38,7 @@ void EnergyLedger::add_step(const Equations& equations, const Instant& x, const 
   }
   input_ -= h / 6 * input;
   damping_ += h / 6 * damping;
-  if (equations.links.moved())
+  if (equations.links.driven())
     for (int i = 0; i < equations.links.size(); ++i)
       on_ground_ += h / 6 * simpson_sum(links[i].force_begin, x.by_ground(i, v), links[i].force_middle,
                                         kept.by_ground_middle(i, v), links[i].force_end, y.by_ground(i, v));

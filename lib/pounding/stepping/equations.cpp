@@ -49,7 +49,7 @@ Instant Equations::zero_instant() const {
   x.force = Eigen::VectorXd::Zero(links.size());
   x.relative = Eigen::MatrixXd::Zero(links.size(), width);
   x.ground = x.ground_carried = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
-  if (links.moved()) x.by_ground = Eigen::MatrixXd::Zero(links.size(), 3);
+  if (links.moved()) supports.relative_motion(0, x.ground, x.by_ground);
   if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
   if (slips.any()) x.slip = Eigen::VectorXd::Zero(links.springs());
   if (springs.any()) {
@@ -89,7 +89,7 @@ void Equations::pseudo_force(Eigen::Ref<const Eigen::VectorXd> displacement, Eig
 void Equations::balance(std::span<const LinkMotion> motions, const Eigen::MatrixXd& by_ground, bool inside_step, bool springs_stay,
                         Eigen::VectorXd& force, Eigen::Ref<Eigen::VectorXd> r) const {
   std::vector<int> held;
-  bool any = springs_stay && !force.segment(links.contacts(), links.springs()).isZero(0);
+  bool any = springs_stay && force.segment(links.contacts(), links.springs()).cwiseAbs().sum() != 0;
   for (int i = 0, last = springs_stay ? links.contacts() : links.frictions_from(); i < last; ++i) {
     force[i] = 0;
     if (links.is_held(i)) {

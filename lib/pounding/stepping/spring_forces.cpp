@@ -81,9 +81,8 @@ bool SpringForces::solve(const std::vector<LinkMotion>& motions, Eigen::VectorXd
 
 void SpringForces::relieve(Instant& x) const {
   x.relief.setZero(links_.springs());
-  const double *const first = x.force.data() + links_.contacts(), *const last = first + links_.springs();
-  if (std::all_of(first, last, [](double force) { return force == 0; })) return;
-  links_.relief().add_relief(1, x.force.segment(links_.contacts(), links_.springs()), x.relief);
+  const auto forces = x.force.segment(links_.contacts(), links_.springs());
+  if (forces.cwiseAbs().sum() != 0) links_.relief().add_relief(1, forces, x.relief);
 }
 
 void SpringForces::slopes(const std::vector<LinkMotion>& motions, Eigen::VectorXd& slopes) const {

@@ -1,5 +1,7 @@
 #include <pounding/stepping/stage_solver.hpp>
 
+#include <algorithm>
+
 #include <pounding/core/renew.hpp>
 
 namespace pounding {
@@ -32,7 +34,7 @@ bool StageSolver::begin(const EffectiveMatrix& matrix, const std::optional<int>&
     equations_.solver.add_forces(1, springs_.held(), held_push_);
   }
   if (equations_.springs.any()) {
-    const bool gives_way = !active_.empty();
+    const bool gives_way = std::any_of(active_.begin(), active_.end(), [&](int link) { return links_.is_spring(link); });
     held_relief_.setZero(gives_way ? links_.springs() : 0);
     relief_.resize(0, 0);
     if (gives_way) {
