@@ -107,6 +107,7 @@ void Recorder::end() {
   links_.end();
   storeys_.show();
   forces_.end();
+  springs_.show();
   reduction_.end();
   if (results_.energy.time.empty() || results_.energy.time.back() < stepper_.state().time) sample_energy();
   results_.impacts = impacts_in_order();
@@ -115,8 +116,7 @@ void Recorder::end() {
 void Recorder::with_present_state(const std::function<void()>& write) {
   results_.impacts = impacts_in_order();
   links_.show_unfinished();
-  storeys_.show();
-  forces_.show();
+  show();
   write();
   links_.hide_unfinished();
 }
@@ -156,7 +156,15 @@ std::vector<ImpactRow> Recorder::impacts_in_order() const {
   return all;
 }
 
-void Recorder::summarize(Summary& summary) const {
+// Brings results up to the present that wait for others.
+void Recorder::show() {
+  storeys_.show();
+  forces_.show();
+  springs_.show();
+}
+
+void Recorder::summarize(Summary& summary) {
+  show();
   summary.structures.clear();
   summary.links.clear();
   for (std::size_t k = 0; k < model_.structures.size(); ++k) {

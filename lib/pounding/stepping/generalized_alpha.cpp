@@ -127,7 +127,7 @@ class GeneralizedAlphaScheme final : public TimeScheme {
       balance_end(t.end);
     else
       eq_.multiply(t.end, u, 3);
-    eq_.gather(t.end);
+    eq_.gather_end(t.end);
     if (eq_.slips.any()) finish_slips(stage, h, t);
     if (!eq_.balance_middle(x, t)) return false;
 
