@@ -2,12 +2,16 @@
 """Errors of reduced structures against all natural modes, and what the runs tell of them, for eight pairs of towers in space.
 
     python3 tests/benchmarks/reduction.py PROGRAM [--models NAME,...] [--tolerances 1e-3,1e-4] [--words "auto" "{links: 5, ground: 20}" ...]
+    python3 tests/benchmarks/reduction.py PROGRAM --conditions [--models NAME,...]
     python3 tests/benchmarks/reduction.py yaml NAME             # prints a model
 
 Each pair stands on ground that shakes along x and across the links. Of every run a line of JSON: errors against all modes at a tenth of the smallest
 tolerance, those against all modes at the same tolerance (by_reduction: errors of the steps nearly cancel), what the run tells (three times its estimates), coordinates,
 blocks, seconds. Errors are largest differences over largest values: of peak forces and impulses of links, of histories of floors along x and y, of extremes of
 member forces.
+
+--conditions tells instead how well each model is posed: the same differences where a number of the input is another one, over the relative change of
+that number. A run that keeps its tolerance may differ by as many tolerances.
 """
 import argparse
 import json
@@ -36,6 +40,8 @@ MODELS = {"flexible": (10, 4, False, 2, HERTZ, FIVE),
           "modal": (10, 4, False, 2, HERTZ, "{modal: {ratio: 5 %}}"),
           "friction": (10, 4, False, 2, HERTZ + ", friction: 0.3", FIVE)}
 DURATION, BAY, GAP = 4.0, 6.0, 0.02
+#: Numbers of the input that --conditions changes, by this part.
+INPUTS, CHANGE = {"gap": f"gap: {GAP}", "amplitude of the ground": "amplitude: 3", "period of the ground": "period: 1.1"}, 1e-5
 
 
 def model(name, tolerance, words="none", duration=DURATION):
@@ -119,6 +125,7 @@ def main():
     parser.add_argument("--tolerances", default="1e-3,1e-4,1e-5")
     parser.add_argument("--words", nargs="+", default=["auto"])
     parser.add_argument("--steps-alike", action="store_true", help="compare with all modes at the same tolerance alone")
+    parser.add_argument("--conditions", action="store_true", help="how much the answers change with the input")
     parser.add_argument("--duration", type=float, default=DURATION)
     given = parser.parse_args()
     if given.program == "yaml":
@@ -127,7 +134,20 @@ def main():
     tolerances = [float(t) for t in given.tolerances.split(",")]
     with tempfile.TemporaryDirectory() as folder:
         for name in given.models.split(","):
-            compare(given, Path(folder), name, tolerances)
+            if given.conditions:
+                conditions(given, Path(folder), name)
+            else:
+                compare(given, Path(folder), name, tolerances)
+
+
+def conditions(given, folder, name):
+    """Prints a line for each number."""
+    text = model(name, CHANGE / 100, given.words[0], given.duration)
+    before = run(given.program, folder, text)
+    for what, line in INPUTS.items():
+        word, number = line.split()
+        after = run(given.program, folder, text.replace(line, f"{word} {float(number) * (1 + CHANGE)!r}"))
+        print(json.dumps({"model": name, "input": what, "conditions": {key: value / CHANGE for key, value in errors(after, before).items()}}), flush=True)
 
 
 def compare(given, folder, name, tolerances):
