@@ -100,12 +100,15 @@ TEST(Plausible, ABarePeakAccelerationIsDoubted) {
 TEST(Plausible, TolerancesAndPenetrationsAreSmall) {
   Model model = model_of(oscillator("mass: 100 t, period: 0.8") + "  w: {wall: {}}\n", "links: [{between: [a, w], gap: 20 mm, law: hertz, stiffness: 2.75e9}]\n");
   const double deep[] = {0.0621}, shallow[] = {0.05};
-  EXPECT_EQ(implausible(model, deep), Texts{"link a-w: the bodies overlap by 62.1 mm, more than 50 mm; the contact is too soft, look at the unit of its stiffness "
+  EXPECT_EQ(implausible(model, true, deep), Texts{"link a-w: the bodies overlap by 62.1 mm, more than 50 mm; the contact is too soft, look at the unit of its stiffness "
                                             "(where it is meant: accept: [penetration])"});
-  EXPECT_EQ(implausible(model, shallow), Texts{});
-  EXPECT_EQ(implausible(model, {}), Texts{});
-  model.accept = {"penetration"};
-  EXPECT_EQ(implausible(model, deep), Texts{});
+  EXPECT_EQ(implausible(model, true, shallow), Texts{});
+  EXPECT_EQ(implausible(model, true, {}), Texts{});
+  EXPECT_EQ(implausible(model, false, {}), Texts{"nothing moved: the model has no ground motion, no forces and no initial motion; type one of ground_motion:, forces:, "
+                                                 "initial_displacement: and initial_velocity: (where it is meant: accept: [motion])"});
+  model.accept = {"penetration", "motion"};
+  EXPECT_EQ(implausible(model, true, deep), Texts{});
+  EXPECT_EQ(implausible(model, false, {}), Texts{});
   model.analysis.tolerance = 0.05;
   EXPECT_EQ(implausible(model), Texts{"analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; 1e-4 is usual (where it is meant: "
                                       "accept: [tolerance])"});

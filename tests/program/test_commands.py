@@ -110,6 +110,7 @@ links:
   - {between: [a, w], floors: all, gap: 1 m, law: hertz, stiffness: 1e9}
   - {between: [b, a], floors: all, gap: 1 m, law: hertz, stiffness: 1e9}
 analysis: {duration: 0.1}
+accept: [motion]
 """)
         names = [link["name"] for link in self.summary("model.yaml")["links"]]
         self.assertEqual(names, ["a.1-w", "a.2-w", "a.3-w", "b.1-a.1", "b.2-a.2"])

@@ -212,5 +212,20 @@ TEST(FreeFrame, IsMovedByAForce) {
   EXPECT_NEAR(mean, 20e3 * 0.5 * 2 / M_PI / (2500 * 0.04 * 6), 1e-6);
 }
 
+// A model without any is told so, and one that is let go, pushed or shaken is not.
+TEST(Starts, OfNothingAreTold) {
+  const auto warnings = [](const std::string& start, const std::string& more = "") {
+    return test::run_text("structures:\n  a: {oscillator: {mass: 100 t, period: 0.8}, damping: 5 %" + start + "}\n" + more + "analysis: {duration: 0.1}\n").summary.warnings;
+  };
+  const std::vector<std::string> none;
+  ASSERT_EQ(warnings("").size(), 1u);
+  EXPECT_NE(warnings("")[0].find("nothing moved"), std::string::npos);
+  EXPECT_EQ(warnings("", "accept: [motion]\n"), none);
+  EXPECT_EQ(warnings(", initial_displacement: 1 mm"), none);
+  EXPECT_EQ(warnings(", forces: [{pulse: {shape: half_sine, amplitude: 1 kN, duration: 0.05}}]"), none);
+  EXPECT_EQ(warnings(", initial_velocity: 1 mm/s"), none);
+  EXPECT_EQ(warnings("", "ground_motion: {pulse: {shape: sine, amplitude: 1, duration: 1}}\n"), none);
+}
+
 }  // namespace starts_test
 }  // namespace pounding

@@ -127,8 +127,11 @@ std::vector<std::string> implausible(const Model& model) {
   return texts(model, doubts);
 }
 
-std::vector<std::string> implausible(const Model& model, std::span<const double> penetrations) {
+std::vector<std::string> implausible(const Model& model, bool moved, std::span<const double> penetrations) {
   std::vector<Doubt> doubts;
+  if (!moved)
+    doubts.push_back({"motion", "nothing moved: the model has no ground motion, no forces and no initial motion; type one of ground_motion:, forces:, "
+                                "initial_displacement: and initial_velocity:"});
   const auto deepest = std::max_element(penetrations.begin(), penetrations.end());
   if (deepest != penetrations.end() && *deepest > deepest_penetration)
     doubts.push_back({"penetration", fmt::format("link {}: the bodies overlap by {}, more than {:g} mm; the contact is too soft, look at the unit "

@@ -20,15 +20,16 @@ namespace pounding {
 /// yield        a storey that yields at less than 0.01 mm of drift, or a hinge at less than 0.02 mrad
 /// rotation     an ultimate rotation of a hinge above 0.5 rad
 /// pga          a peak acceleration without its unit that would be a usual one in g
+/// motion       nothing moved in a run
 /// penetration  a contact was pressed by more than 50 mm
 /// tolerance    a tolerance above 1e-2
-inline constexpr std::array<std::string_view, 10> doubt_names{"period", "gap", "mass", "section", "E", "yield", "rotation", "pga",
-                                                                "penetration", "tolerance"};
+inline constexpr std::array<std::string_view, 11> doubt_names{"period", "gap", "mass", "section", "E", "yield", "rotation", "pga",
+                                                                "motion", "penetration", "tolerance"};
 
 /// Warnings about a model, one line each; none of those that it accepts.
 std::vector<std::string> implausible(const Model& model);
 
-/// Warnings about a run of it, from the peak penetrations of its links [m].
-std::vector<std::string> implausible(const Model& model, std::span<const double> penetrations);
+/// Warnings about a run of it: whether anything moved, and the peak penetrations of its links [m].
+std::vector<std::string> implausible(const Model& model, bool moved, std::span<const double> penetrations);
 
 }  // namespace pounding
