@@ -50,6 +50,7 @@ Instant Equations::zero_instant() const {
   x.force = Eigen::VectorXd::Zero(links.size());
   x.relative = Eigen::MatrixXd::Zero(links.size(), width);
   x.ground = x.ground_carried = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.grounds.size()));
+  // Gravity's part stays as it is; the ground's is made at every instant.
   if (links.moved()) supports.relative_motion(0, x.ground, x.by_ground);
   if (pseudo_forces.any()) x.pseudo_force = Eigen::VectorXd::Zero(solver.size());
   if (slips.any()) x.slip = Eigen::VectorXd::Zero(links.springs());
@@ -67,6 +68,7 @@ Trial Equations::zero_trial() const {
   trial.force_middle = Eigen::VectorXd::Zero(links.size());
   trial.middle.resize(static_cast<std::size_t>(links.size()));
   trial.ground_middle = trial.end.ground;
+  trial.by_ground_middle = trial.end.by_ground;
   trial.squares_u.assign(system.groups.size(), 0.0);
   trial.squares_v.assign(system.groups.size(), 0.0);
   trial.squares_slow.assign(system.groups.size(), 0.0);
@@ -128,7 +130,7 @@ void Equations::balance(Instant& x) const {
   gather(x);
   supports.accelerations(x.time, x.ground);
   x.ground_carried = x.ground;
-  if (links.moved()) supports.relative_motion(x.time, x.ground, x.by_ground);
+  if (links.driven()) supports.relative_motion(x.time, x.ground, x.by_ground);
   const Eigen::VectorXd& push = supports.push(x.ground);
   auto acceleration = x.motion.col(a);
   acceleration = -push - x.motion.col(ku) - x.motion.col(cv);

@@ -102,8 +102,9 @@ class Esdirk4Scheme final : public TimeScheme {
     const bool last = i + 1 == stage_count, middle = ci == 0.5;
     if (!last && !middle) eq_.supports.accelerations(x.time + ci * h, ground_);
     const Eigen::VectorXd& ground = last ? t.end.ground : middle ? t.ground_middle : ground_;
-    if (eq_.links.moved() && !last && !middle) eq_.supports.relative_motion(x.time + ci * h, ground, by_ground_);
-    const Eigen::MatrixXd& by_ground = last ? t.end.by_ground : middle ? t.by_ground_middle : by_ground_;
+    const bool own = eq_.links.driven() && !last && !middle;
+    if (own) eq_.supports.relative_motion(x.time + ci * h, ground, by_ground_);
+    const Eigen::MatrixXd& by_ground = own ? by_ground_ : middle ? t.by_ground_middle : t.end.by_ground;
     const double* push = eq_.supports.push(ground).data();
     forces_of[i - 1](n, h, ci, x, push, stages_.data(), acceleration(i).data());
     if (t.short_motions) {

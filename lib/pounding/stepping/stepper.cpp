@@ -115,7 +115,7 @@ bool Stepper::try_step(double h, std::optional<double> end) {
   trial.end.time = end.value_or(now.time + h);
   supports.accelerations(now.time + 0.5 * h, trial.ground_middle);
   supports.accelerations_at_end(trial.end.time, trial.end.ground);
-  if (equations_.links.moved()) {
+  if (equations_.links.driven()) {
     supports.relative_motion(now.time + 0.5 * h, trial.ground_middle, trial.by_ground_middle);
     supports.relative_motion(trial.end.time, trial.end.ground, trial.end.by_ground);
   }

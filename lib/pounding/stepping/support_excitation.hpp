@@ -19,7 +19,7 @@ inline constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 class SupportExcitation {
  public:
   SupportExcitation(const System& system, const StructureSolver& solver)
-      : system_(system), solver_(solver), drives_(!system.gap_by_ground.isZero(0)), push_(Eigen::VectorXd::Zero(solver.size())) {}
+      : system_(system), solver_(solver), push_(Eigen::VectorXd::Zero(solver.size())) {}
 
   /// Accelerations of the grounds at `time` [m/s^2], right limits.
   void accelerations(double time, Eigen::VectorXd& ground) const {
@@ -60,13 +60,11 @@ class SupportExcitation {
     return push_;
   }
 
-  /// S times displacements, velocities and the given accelerations of the grounds, plus the gravity offset: [link, u v a]. Where there is
-  /// nothing but the gravity offset, it is in a matrix of the right size already.
+  /// S times displacements, velocities and the given accelerations of the grounds, plus the gravity offset: [link, u v a].
   void relative_motion(double time, const Eigen::VectorXd& ground, Eigen::MatrixXd& by_ground) const {
-    if (!drives_ && by_ground.rows() == system_.links()) return;
     by_ground.setZero(system_.links(), 3);
     if (system_.gravity_offset.size() > 0) by_ground.col(Instant::u) = system_.gravity_offset;
-    if (!drives_) return;
+    if (system_.gap_by_ground.size() == 0) return;
     for (std::size_t k = 0; k < system_.grounds.size(); ++k) {
       const auto column = system_.gap_by_ground.col(static_cast<Eigen::Index>(k));
       by_ground.col(Instant::u) += system_.grounds[k].displacement(time) * column;
@@ -105,7 +103,6 @@ class SupportExcitation {
  private:
   const System& system_;
   const StructureSolver& solver_;
-  bool drives_;  // whether the ground moves ends of links apart
   mutable Eigen::VectorXd push_;
   double first_break_ = 0, next_break_ = 0;  // equal but for round-off
 };
