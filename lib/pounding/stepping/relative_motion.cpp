@@ -1,5 +1,7 @@
 #include <pounding/stepping/relative_motion.hpp>
 
+#include <utility>
+
 namespace pounding {
 
 RelativeMotion::RelativeMotion(const LinkSet& links, const StructureSolver& solver, int width)

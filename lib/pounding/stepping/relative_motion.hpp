@@ -26,11 +26,11 @@ class RelativeMotion {
   void gather_others(Instant& x) const;
   /// Makes so many columns of those of the springs, if they wait.
   void gather_springs(const Instant& x, int columns) const;
+  /// Makes all columns of these, if they wait.
+  void gather_springs(const Instant& x) const { gather_springs(x, width_); }
   /// Deformations of the springs alone, without forces of their own, for displacements of the coordinates [spring, column]; only where they
   /// can wait.
   void deformations(const Eigen::Ref<const Eigen::MatrixXd>& u, Eigen::MatrixXd& d) const;
-  /// Makes all columns of these, if they wait.
-  void gather_springs(const Instant& x) const { gather_springs(x, width_); }
 
  private:
   const LinkSet& links_;

@@ -119,10 +119,11 @@ class Stepper {
   void deformations(double s, Eigen::VectorXd& d) const;
   /// Deformations of all springs now.
   void deformations(Eigen::VectorXd& d) const;
-  /// Whether no product with springs is made before it is asked for. Then deformations at many instants follow at once, in one product, from
-  /// displacements of base() [spring, column]; those at a part s of the last kept step follow the same paths.
+  /// Whether no product with springs is made before it is asked for.
   bool springs_wait() const { return equations_.ranges.let_wait(); }
+  /// Where they wait, deformations at many instants at once, from displacements of base() there [spring, column].
   void deformations(const Eigen::Ref<const Eigen::MatrixXd>& u, Eigen::MatrixXd& d) const { equations_.relative.deformations(u, d); }
+  /// Such displacements at a part s from 0 to 1 of the last kept step, on the paths of deformations().
   void displacements(double s, Eigen::Ref<Eigen::VectorXd> u) const;
   /// Whether no spring changed its force in the last kept step; their deformations in it then, see Trial::spring_paths.
   bool springs_stayed() const { return history_.kept().springs_stay; }
