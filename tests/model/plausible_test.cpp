@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pounding/elements.hpp>
+#include <pounding/ground/record.hpp>
 #include <pounding/model/plausible.hpp>
 #include "support/refusal.hpp"
 
@@ -90,11 +92,11 @@ TEST(Plausible, ABarePeakAccelerationIsDoubted) {
   const auto with_motion = [](const std::string& motion) {
     return implausible(model_of(oscillator("mass: 100 t, period: 0.8"), "ground_motion: " + motion + "\n"));
   };
-  EXPECT_EQ(with_motion("{synthetic: {seed: 1, duration: 5 s, pga: 0.35}}"),
+  EXPECT_EQ(with_motion("{synthetic: {seed: 1, duration: 1 s, pga: 0.35}}"),
             Texts{"ground_motion.synthetic.pga: a bare 0.35 is in m/s^2, 0.0357 g; did you mean 0.35 g? Type its unit (where it is meant: accept: [pga])"});
-  EXPECT_EQ(with_motion("{components: {x: {synthetic: {seed: 1, duration: 5 s, pga: 0.35}}}}").size(), 1u);
+  EXPECT_EQ(with_motion("{components: {x: {synthetic: {seed: 1, duration: 1 s, pga: 0.35}}}}").size(), 1u);
   for (const char* pga : {"0.35 g", "0.35 m/s^2", "3.5"})
-    EXPECT_EQ(with_motion(std::string("{synthetic: {seed: 1, duration: 5 s, pga: ") + pga + "}}"), Texts{}) << pga;
+    EXPECT_EQ(with_motion(std::string("{synthetic: {seed: 1, duration: 1 s, pga: ") + pga + "}}"), Texts{}) << pga;
 }
 
 TEST(Plausible, TolerancesAndPenetrationsAreSmall) {
@@ -112,6 +114,67 @@ TEST(Plausible, TolerancesAndPenetrationsAreSmall) {
   model.analysis.tolerance = 0.05;
   EXPECT_EQ(implausible(model), Texts{"analysis: a tolerance of 0.05 allows errors of 5 % in displacements and forces; 1e-4 is usual (where it is meant: "
                                       "accept: [tolerance])"});
+}
+
+// The intensity of 2 s at +-1 m/s^2 is even, so a cut at t takes 1 - t / 2 of it.
+Samples even_record(double end = 2) {
+  Samples samples;
+  for (int i = 0; i <= 400; ++i) {
+    samples.times.push_back(i * end / 400);
+    samples.accelerations.push_back(i % 100 < 50 ? 1 : -1);
+  }
+  return samples;
+}
+
+Model shaken(const GroundComponents& components, double duration) {
+  Model model;
+  model.add("a", make_oscillator({.mass = 1e5, .period = 0.5, .damping_ratio = 0.05}));
+  model.ground = components;
+  model.analysis.duration = duration;
+  return model;
+}
+
+Texts doubts_of(Model model) {
+  model.complete();
+  return implausible(model);
+}
+
+TEST(Plausible, RecordsAreNotCutByTheDuration) {
+  const GroundMotion record(even_record());
+  EXPECT_NEAR(arias_fraction_after(*record.samples(), 0.5), 0.75, 0.01);
+  EXPECT_EQ(arias_fraction_after(*record.samples(), -1), 1);
+  EXPECT_EQ(arias_fraction_after(*record.samples(), 2), 0);
+  EXPECT_EQ(doubts_of(shaken({record}, 2)), Texts{});
+  EXPECT_EQ(doubts_of(shaken({record}, 1.92)), Texts{}) << "4 % are lost";
+  const Texts cut = doubts_of(shaken({record}, 1));
+  ASSERT_EQ(cut.size(), 1u);
+  EXPECT_EQ(cut[0], "analysis: the duration of 1 s cuts 1 of 1 record, by more than 5 % of the Arias intensity and up to 50 %; type a duration of at least 1.9 s, "
+                    "or leave it out (where it is meant: accept: [duration])");
+  Model accepted = shaken({record}, 1);
+  accepted.accept = {"duration"};
+  EXPECT_EQ(doubts_of(std::move(accepted)), Texts{});
+  EXPECT_EQ(doubts_of(shaken({record}, 0)), Texts{}) << "without a duration the run lasts as long as the record";
+}
+
+TEST(Plausible, RecordsCutByTheDurationAreCounted) {
+  Model model = shaken({GroundMotion(even_record())}, 1.5);
+  model.add("b", make_oscillator({.mass = 1e5, .period = 0.5, .damping_ratio = 0.05}), {.ground_motion = GroundComponents{GroundMotion(even_record(4))}});
+  model.add("c", make_oscillator({.mass = 1e5, .period = 0.5, .damping_ratio = 0.05}), {.forces = {{.history = GroundMotion(even_record(1))}}});
+  const Texts cut = doubts_of(std::move(model));
+  ASSERT_EQ(cut.size(), 1u);
+  EXPECT_NE(cut[0].find("cuts 2 of 3 records, by more than 5 % of the Arias intensity and up to 62 %"), std::string::npos) << cut[0];
+}
+
+TEST(Plausible, ARecordIsCutWhereItArrivesLast) {
+  Model model = shaken({GroundMotion(even_record())}, 2);
+  model.add("late", make_oscillator({.mass = 1e5, .period = 0.5, .damping_ratio = 0.05}), {.delay = 0.5});
+  const Texts cut = doubts_of(std::move(model));
+  ASSERT_EQ(cut.size(), 1u);
+  EXPECT_NE(cut[0].find("cuts 1 of 1 record, by more than 5 % of the Arias intensity and up to 25 %; type a duration of at least 2.4 s"), std::string::npos) << cut[0];
+}
+
+TEST(Plausible, MotionsInClosedFormAreAsLongAsTheFileSays) {
+  EXPECT_EQ(doubts_of(shaken({GroundMotion(Harmonic{.amplitude = 1, .period = 0.5, .duration = 9})}, 1)), Texts{});
 }
 
 TEST(Plausible, ByCodeUnknownNamesAreRefused) {

@@ -86,4 +86,15 @@ RecordMeasures measure(const Samples& samples, double initial_velocity, double i
   return result;
 }
 
+double arias_fraction_after(const Samples& samples, double time) {
+  double all = 0, later = 0;
+  for (std::size_t i = 0; i + 1 < samples.times.size(); ++i) {
+    const Piece piece{samples.times[i + 1] - samples.times[i], samples.accelerations[i], samples.accelerations[i + 1]};
+    const double whole = piece.square(piece.h);
+    all += whole;
+    later += whole - piece.square(std::clamp(time - samples.times[i], 0.0, piece.h));
+  }
+  return all > 0 ? later / all : 0;
+}
+
 }  // namespace pounding

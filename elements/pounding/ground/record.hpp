@@ -27,6 +27,9 @@ struct RecordMeasures {
 /// first sample.
 RecordMeasures measure(const Samples& samples, double initial_velocity = 0, double initial_displacement = 0);
 
+/// Fraction of the Arias intensity of samples that comes after a time [s]; 0 for samples that are zero throughout.
+double arias_fraction_after(const Samples& samples, double time);
+
 /// A record as read, with the information that its file gives about it.
 struct Record {
   std::string file;     ///< as it was named

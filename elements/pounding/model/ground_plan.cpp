@@ -53,6 +53,7 @@ GroundPlan ground_plan(const Model& model) {
       const int source = support.motion ? own++ : -1;
       const GroundComponents& components = support.motion ? *support.motion : model.ground.components;
       const double delay = support.delay + (support.motion ? 0 : delay_by_wave(model, support.position));
+      if (!support.motion) plan.last_arrival = std::max(plan.last_arrival, delay);
       std::array<int, 3> index{-1, -1, -1};
       for (int i = 0; i < 3; ++i) {
         if (components[i].is_still() || !moves_along(s, i)) continue;

@@ -21,6 +21,7 @@ struct GroundPlan {
   std::vector<GroundMotion> motions;    ///< of the ground, delays included, at least one, which may stay at rest; then of the forces
   std::vector<SupportMotion> supports;  ///< one a structure, in the model's order
   std::vector<Force> forces;            ///< structure by structure
+  double last_arrival = 0;              ///< of the model's own ground motion at its supports [s]
 
   /// Time after which all accelerations and forces are zero [s]; infinity for a force that stays.
   double duration() const;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/ground/record.hpp>
+#include <pounding/model/ground_plan.hpp>
 
 namespace pounding {
 namespace {
@@ -20,6 +23,7 @@ constexpr double least_yield_rotation = 2e-5;                  // [rad]
 constexpr double largest_ultimate_rotation = 0.5;              // [rad]
 constexpr double deepest_penetration = 0.05;                   // [m]
 constexpr double coarsest_tolerance = 1e-2;
+constexpr double max_cut = 0.05;  // of the Arias intensity of a record
 
 // Bodies are no buildings: balls and trucks may be light.
 bool stands(const Structure& s) { return !s.is_rigid() && !s.is_free; }
@@ -100,6 +104,43 @@ void doubt_gaps(const Model& model, std::vector<Doubt>& doubts) {
                                        widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
 }
 
+// Latest arrival of each record of the ground and of forces [s]. Copies of a motion share their samples.
+std::map<const Samples*, double> record_arrivals(const Model& model) {
+  std::map<const Samples*, double> arrivals;
+  const auto add = [&](const GroundMotion& motion, double arrival) {
+    if (!motion.samples()) return;
+    double& latest = arrivals.try_emplace(motion.samples(), arrival).first->second;
+    latest = std::max(latest, arrival);
+  };
+  const double last_arrival = ground_plan(model).last_arrival;
+  for (const GroundMotion& component : model.ground.components) add(component, last_arrival);
+  for (const Structure& s : model.structures) {
+    for (const Support& support : s.supports)
+      for (std::size_t i = 0; support.motion && i < support.motion->size(); ++i) add((*support.motion)[i], support.delay);
+    for (const AppliedForce& force : s.applied_forces) add(force.history, 0);
+  }
+  return arrivals;
+}
+
+// Closed forms are not judged: their times are typed next to the duration.
+void doubt_duration(const Model& model, std::vector<Doubt>& doubts) {
+  const std::map<const Samples*, double> arrivals = record_arrivals(model);
+  int cut = 0;
+  double worst = 0, needed = 0;
+  for (const auto& [samples, arrival] : arrivals) {
+    const double lost = arias_fraction_after(*samples, model.analysis.duration - arrival);
+    if (!(lost > max_cut)) continue;
+    ++cut;
+    worst = std::max(worst, lost);
+    needed = std::max(needed, arrival + measure(*samples).t95);
+  }
+  if (cut > 0)
+    doubts.push_back({"duration", fmt::format("analysis: the duration of {:.4g} s cuts {} of {} record{}, by more than 5 % of the Arias intensity and up "
+                                              "to {:.0f} %; type a duration of at least {:.6g} s, or leave it out",
+                                              model.analysis.duration, cut, arrivals.size(), arrivals.size() == 1 ? "" : "s", 100 * worst,
+                                              std::ceil(10 * needed) / 10)});
+}
+
 // The texts of those that the model does not accept.
 std::vector<std::string> texts(const Model& model, const std::vector<Doubt>& doubts) {
   std::vector<std::string> all;
@@ -121,6 +162,7 @@ std::vector<std::string> implausible(const Model& model) {
     doubt_yielding(s, doubts);
   }
   doubt_gaps(model, doubts);
+  doubt_duration(model, doubts);
   if (model.analysis.tolerance > coarsest_tolerance)
     doubts.push_back({"tolerance", fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
                                                model.analysis.tolerance, 100 * model.analysis.tolerance)});
