@@ -277,11 +277,13 @@ std::string to_json(const Summary& summary) {
   if (Json by = hysteretic_json(summary.structures); !by.empty()) all["hysteretic_by"] = std::move(by);
   if (!summary.without_pounding.empty()) {
     Json amplification = Json::object();
+    // A run that ended early has no peaks to compare.
+    const bool both_complete = summary.status == "done" && summary.without_links_status == "done";
     for (std::size_t k = 0; k < summary.structures.size(); ++k) {
       Json ratios = Json::array();
       for (std::size_t i = 0; i < summary.structures[k].peak_displacement.size(); ++i)
-        ratios.push_back(number(summary.structures[k].peak_displacement[i] /
-                                summary.without_pounding[k].peak_displacement[i]));
+        ratios.push_back(both_complete ? number(summary.structures[k].peak_displacement[i] / summary.without_pounding[k].peak_displacement[i])
+                                       : Json(nullptr));
       amplification[summary.structures[k].name] = ratios;
     }
     Json& part = all["no_pounding"] = object_of(4);
