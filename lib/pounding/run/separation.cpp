@@ -9,7 +9,11 @@
 namespace pounding {
 namespace {
 
-double combined(double a, double b, double correlation) { return std::sqrt(std::max(0.0, a * a + b * b - 2 * correlation * a * b)); }
+// Round-off may make the square negative; NaN for an unknown correlation.
+double combined(double a, double b, double correlation) {
+  const double square = a * a + b * b - 2 * correlation * a * b;
+  return square < 0 ? 0 : std::sqrt(square);
+}
 
 }  // namespace
 
