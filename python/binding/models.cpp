@@ -26,6 +26,7 @@
 #include <pounding/input/pushover_input.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/resolved.hpp>
+#include <pounding/model/ground_plan.hpp>
 #include <pounding/model/modes.hpp>
 #include <pounding/model/plausible.hpp>
 #include <pounding/linear/lowest_modes.hpp>
@@ -78,6 +79,25 @@ std::tuple<std::string, std::string, std::vector<std::string>> checked(const Sou
   return with_petsc([&] {
     const Model model = read(source);
     return std::tuple(describe(model), resolved_yaml(model), implausible(model));
+  });
+}
+
+/// Structures that move as (name, floors, has storeys), links as (name, is rigid), and the latest arrival of the model's ground motion [s].
+struct Layout {
+  std::vector<std::tuple<std::string, std::size_t, bool>> structures;
+  std::vector<std::pair<std::string, bool>> links;
+  double last_arrival = 0;
+};
+
+Layout layout(const Source& source) {
+  return with_petsc([&] {
+    const Model model = read(source);
+    Layout found;
+    for (const Structure& s : model.structures)
+      if (!s.is_rigid()) found.structures.emplace_back(s.name, s.floors.size(), s.has_storeys());
+    for (const Link& link : model.links) found.links.emplace_back(link.name, link.contact->is_rigid());
+    found.last_arrival = ground_plan(model).last_arrival;
+    return found;
   });
 }
 
@@ -347,6 +367,11 @@ void bind_models(py::module_& module) {
   module.def("read_file", [](const std::string& path) { return Input::read_file(path).text(); });
   module.def("parse", [](const Source& source) { return plain(Input::read_text(source.text, source.name)); });
   module.def("check", &checked);
+  py::class_<Layout>(module, "Layout")
+      .def_readonly("structures", &Layout::structures)
+      .def_readonly("links", &Layout::links)
+      .def_readonly("last_arrival", &Layout::last_arrival);
+  module.def("layout", &layout, "source"_a);
   module.def("modes", &modes_of_all, "source"_a, "count"_a);
   module.def(
       "pushover",

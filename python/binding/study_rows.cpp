@@ -38,6 +38,18 @@ namespace {
 struct RowMotion {
   GroundSection ground;
 
+  /// Largest fraction of the Arias intensity of a record that comes after a time [s], and the time at which 95 % of all have arrived [s].
+  /// Motions in closed form have none.
+  std::pair<double, double> arias_after(double time) const {
+    double fraction = 0, t95 = 0;
+    for (const GroundMotion& component : ground.components)
+      if (const Samples* samples = component.samples()) {
+        fraction = std::max(fraction, arias_fraction_after(*samples, time));
+        t95 = std::max(t95, measure(*samples).t95);
+      }
+    return {fraction, t95};
+  }
+
   const GroundMotion& along_x() const { return ground.components[0]; }
   /// Whether the kernel takes it: evenly spaced from 0 on.
   bool is_even() const { return along_x().samples() && along_x().sample_step() > 0 && along_x().samples()->times.front() == 0; }
@@ -133,8 +145,8 @@ py::dict numbers_of(const Summary& summary) {
                           "impulse"_a = l.impulse, "energy_lost"_a = l.energy_lost));
   for (const LinkSeparation& s : summary.separations)
     separations.append(py::dict("link"_a = s.link, "enough"_a = s.enough, "abs"_a = s.absolute_sum, "srss"_a = s.srss, "ddc"_a = s.ddc));
-  return py::dict("links"_a = links, "structures"_a = numbers_of(summary.structures),
-                  "no_pounding"_a = py::dict("structures"_a = numbers_of(summary.without_pounding), "separations"_a = separations));
+  return py::dict("status"_a = summary.status, "links"_a = links, "structures"_a = numbers_of(summary.structures),
+                  "no_pounding"_a = py::dict("status"_a = summary.without_links_status, "structures"_a = numbers_of(summary.without_pounding), "separations"_a = separations));
 }
 
 /// A model and the places of its text that change from row to row.
@@ -251,7 +263,8 @@ void bind_study_rows(py::module_& module) {
       .def(py::init(&read_row_motion), "text"_a, "name"_a)
       .def_property_readonly("step", &RowMotion::step)
       .def_property_readonly("duration", [](const RowMotion& motion) { return motion.along_x().duration(); })
-      .def_property_readonly("accelerations", &RowMotion::accelerations);
+      .def_property_readonly("accelerations", &RowMotion::accelerations)
+      .def("arias_after", &RowMotion::arias_after, "time"_a);
   py::class_<RowRecord>(module, "RowRecord")
       .def(py::init<std::string, std::string, std::string>(), "file"_a, "units"_a, "channel"_a)
       .def("scaled", &RowRecord::scaled, "factor"_a);

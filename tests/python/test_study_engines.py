@@ -141,7 +141,8 @@ class Engines(unittest.TestCase):
     def test_the_kernel_leaves_rows_that_it_cannot_give_to_the_solver(self):
         gap = {"gap": {"of": "links.*.gap", "list": ["1 mm"]}}
         yields = {**pair().structures, "left": {"oscillator": {"mass": "100 t", "period": "0.8 s", "damping": "5 %", "yield_force": "100 kN", "hardening": "2 %"}}}
-        cases = {"rigid impacts": (pair(links=[{"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}]), gap, {}),
+        cases = {"rigid impacts": (pair(links=[{"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}]), gap,
+                                   {"keep": ["impulse"]}),
                  "yielding": (pair(structures=yields), gap, {}),
                  "words for the solver": (pair(analysis={"integrator": "generalized_alpha"}), gap, {}),
                  "a closed form": (pair(ground_motion={"harmonic": {"amplitude": "1", "period": "0.5 s", "duration": "1 s"}}), gap, {"records": None})}
@@ -197,7 +198,7 @@ class Engines(unittest.TestCase):
         with self.assertRaisesRegex(InputError, 'engine: takes auto, kernel, solver; "kernal" was read. Did you mean "kernel"'):
             make_plan(pair(), {**words, "engine": "kernal"}, Path())
         links = [{"between": ["left", "right"], "gap": "1 mm", "law": "stereomechanical", "restitution": "0.65"}]
-        study = run_plan(make_plan(pair(links=links), {**words, "engine": "kernel", "stop_after": "100 %"}, Path()), None, workers=0)
+        study = run_plan(make_plan(pair(links=links), {**words, "keep": ["impulse"], "engine": "kernel", "stop_after": "100 %"}, Path()), None, workers=0)
         self.assertEqual(set(study["status"]), {REFUSED})
         self.assertIn("engine: kernel does not take this row: this model takes the solver: link left-right: its law is not a penalty law", study.failed[0])
 

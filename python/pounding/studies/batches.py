@@ -9,9 +9,11 @@ import numpy as np
 
 from pounding.studies.template import Template
 
-NOT_RUN, DONE, EXCEEDED, REFUSED, FAILED, DIED = range(6)
-#: The fate of a row, by its number in the column `status`.
-STATUSES = ("not run", "done", "exceeded a limit", "refused input", "solve failed", "worker died")
+NOT_RUN, DONE, EXCEEDED, REFUSED, FAILED, DIED, COLLAPSED = range(7)
+#: Rows that have their numbers.
+COMPLETE = (DONE, EXCEEDED, COLLAPSED)
+#: Outcome of a row, by its number in the column `status`. Tables store the numbers, so new ones are appended.
+STATUSES = ("not run", "done", "exceeded a limit", "refused input", "solve failed", "worker died", "collapsed")
 
 
 @dataclass(frozen=True)
@@ -39,7 +41,7 @@ class Done:
     status: np.ndarray  #: [row] one of STATUSES
     engine: np.ndarray  #: [row] the number of its engine; -1 for none
     seconds: np.ndarray  #: [row] wall time
-    reasons: dict[int, str]  #: of rows that are neither done nor exceeded
+    reasons: dict[int, str]  #: of rows that are neither done nor exceeded; of a collapsed row where and when
 
     def part(self, chosen: np.ndarray) -> Done:
         """Some of the rows."""

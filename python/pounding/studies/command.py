@@ -7,6 +7,7 @@ import json
 import signal
 import sys
 import time
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,16 +15,18 @@ from typing import Any
 import numpy as np
 
 from pounding._native import core
-from pounding.errors import InputError, SolverError
+from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.studies import cross_check
 from pounding.studies.engines import ENGINES, KERNEL, STATUSES, Batch, Done, run_batch
 from pounding.studies.execution import available_cores, batch_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.plan import Plan, read_plan
 from pounding.studies.progress import duration_text
+from pounding.studies.quantities import COLLAPSED_COLUMN, OF_GAPS
 from pounding.studies.study import Study, records_folder, run_plan
 from pounding.studies.summary import summary
 from pounding.studies.table import Table
+from pounding.studies.words import few
 
 VERBS = ("run", "check", "show", "merge", "plot", "export")
 #: Rows that `check` times.
@@ -37,7 +40,10 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         # The program has blocked it while modules were imported.
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
-        return _separation(rest) if name == "separation" else _study(rest)
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", ImplausibleWarning)
+            warnings.showwarning = _show_warning
+            return _separation(rest) if name == "separation" else _study(rest)
     except (InputError, ImportError) as error:
         print(f"pounding: {error}", file=sys.stderr)
         return 2
@@ -142,13 +148,13 @@ def _show(words: list[str]) -> int:
     parser = _parser("show", "What a table holds; of a row, its numbers and its model, which pounding run takes.")
     parser.add_argument("table", help="table of a study")
     parser.add_argument("--row", type=int, help="number of a row, from 0: prints its model")
-    parser.add_argument("--column", help="column of a fragility curve, with --json")
+    parser.add_argument("--column", help="column of a fragility curve, with --json; collapsed for that of collapse")
     parser.add_argument("--limit", help="of a fragility curve, with its unit or in that of the column: 5 MN")
     parser.add_argument("--json", action="store_true", help="print one JSON object: counts, and percentiles of the columns")
     options = parser.parse_args(words)
     done = Study.open(options.table)
-    if (options.column is None) != (options.limit is None):
-        raise InputError("--column and --limit go together: the curve is that of the column above the limit")
+    if (options.column is None) != (options.limit is None) and options.column != COLLAPSED_COLUMN:
+        raise InputError("--column and --limit go together: the curve is that of the column above the limit; only --column collapsed needs none")
     if options.json:
         print(json.dumps(summary(done, options.column, options.limit)))
         return 0
@@ -189,14 +195,14 @@ def _plot(words: list[str]) -> int:
     parser = _parser("plot", "Draw a table.")
     parser.add_argument("table", help="table of a study")
     parser.add_argument("--picture", required=True, choices=("fragility", "ida", "gap", "map", "tornado"))
-    parser.add_argument("--column", help="column to draw")
+    parser.add_argument("--column", help="column to draw; collapsed is 1 in rows that collapsed")
     parser.add_argument("--limit", help="of a fragility, with its unit or in that of the column: 5 MN")
     parser.add_argument("--across", help="of a map: factor along its horizontal axis")
     parser.add_argument("--along", help="of a map: factor along its vertical axis")
     parser.add_argument("-o", "--output", help="picture: .png, .pdf or .svg (default: TABLE-PICTURE.png in the current folder)")
     options = parser.parse_args(words)
     chosen = {key: value for key in ("limit", "across", "along") if (value := getattr(options, key)) is not None}
-    needed = {"fragility": ("limit",), "map": ("across", "along")}.get(options.picture, ())
+    needed = {"fragility": () if options.column == COLLAPSED_COLUMN else ("limit",), "map": ("across", "along")}.get(options.picture, ())
     for key in needed:
         if key not in chosen:
             raise InputError(f"--picture {options.picture} needs --{key}")
@@ -239,25 +245,38 @@ def _shard(text: str) -> tuple[int, int]:
 
 def _warn(plan: Plan) -> None:
     for doubt in plan.warnings:
-        print(f"warning: {doubt}", file=sys.stderr)
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
+
+
+def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
+    print(f"warning: {message}", file=sys.stderr)
 
 
 def _told(done: Study) -> str:
     status = done["status"]
     lines = [", ".join(f"{count} {word}" for i, word in enumerate(STATUSES) if (count := int((status == i).sum())))]
+    if collapsed := done.collapsed:
+        row = min(collapsed)
+        lines.append(f"  rows {few(list(collapsed))} collapsed and exceed every limit; row {row}: {collapsed[row]}")
+    if alone := _collapsed_without_links(done):
+        lines.append(f"  rows {few(alone)} collapsed without links: those columns are infinite, and no gap is enough")
     reasons: dict[str, list[int]] = {}
     for row, why in done.failed.items():
         reasons.setdefault(why, []).append(row)
-    lines += [f"  rows {_few(rows)}: {why}" for why, rows in list(reasons.items())[:5]]
+    lines += [f"  rows {few(rows)}: {why}" for why, rows in list(reasons.items())[:5]]
     if len(done.engines) > 1:
         lines[0] += "; " + ", ".join(f"{count} by the {name}" for i, name in enumerate(done.engines) if (count := int((done["engine"] == i).sum())))
     columns = done.description["kept"]["columns"]
     lines += cross_check.told(done.check, np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)), columns)
+    lines += [f"warning: {doubt}" for doubt in done.warnings]
     return "\n".join(lines)
 
 
-def _few(rows: Sequence[int]) -> str:
-    return ", ".join(map(str, rows[:5])) + (f" and {len(rows) - 5} more" if len(rows) > 5 else "")
+def _collapsed_without_links(done: Study) -> list[int]:
+    """Rows whose run without links collapsed, as far as a column shows it."""
+    columns = [column for column in done.description["kept"]["columns"] if column.endswith(".alone") or column in OF_GAPS]
+    infinite = [np.isinf(done[column]) for column in columns]
+    return np.flatnonzero(np.any(infinite, axis=0)).tolist() if infinite else []
 
 
 if __name__ == "__main__":

@@ -8,13 +8,14 @@ from typing import Protocol
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.studies.batches import DIED, DONE, EXCEEDED, FAILED, NOT_RUN, REFUSED, STATUSES, Batch, Done, nothing_of
+from pounding.studies.batches import COLLAPSED, COMPLETE, DIED, DONE, EXCEEDED, FAILED, NOT_RUN, REFUSED, STATUSES, Batch, Done, nothing_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.prepared import prepared
+from pounding.studies.quantities import collapse_of
 from pounding.studies.template import Template
 
-__all__ = ["DIED", "DONE", "ENGINES", "EXCEEDED", "FAILED", "KERNEL", "NOT_RUN", "REFUSED", "STATUSES", "WORDS", "Batch", "Done", "Engine", "SolverEngine", "nothing_of",
-           "run_batch", "run_kernel"]
+__all__ = ["COLLAPSED", "COMPLETE", "DIED", "DONE", "ENGINES", "EXCEEDED", "FAILED", "KERNEL", "NOT_RUN", "REFUSED", "STATUSES", "WORDS", "Batch", "Done", "Engine", "SolverEngine",
+           "nothing_of", "run_batch", "run_kernel"]
 
 
 class Engine(Protocol):
@@ -55,13 +56,18 @@ class SolverEngine:
     def _row(self, batch: Batch, i: int) -> tuple[int, list[float], str]:
         template = batch.template
         try:
-            values = template.kept.of(prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i])))
+            summary = prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i]))
+            values = template.kept.of(summary)
+            if undefined := template.kept.undefined_limits(np.array([values])):
+                raise InputError(f"study.limits: {', '.join(undefined)} is undefined in this row, so it cannot be compared with its limit")
         except InputError as error:
             return REFUSED, [], str(error)
         except MemoryError:  # of the process, whatever the row
             raise
         except Exception as error:
             return FAILED, [], str(error) or type(error).__name__
+        if collapse := collapse_of(summary):
+            return COLLAPSED, values, collapse
         return (EXCEEDED if template.kept.exceeded(np.array([values]))[0] else DONE), values, ""
 
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from pounding.errors import InputError, SolverError
 from pounding.studies.cross_check import rows_to_check
-from pounding.studies.engines import DIED, DONE, ENGINES, EXCEEDED, FAILED, KERNEL, NOT_RUN, REFUSED, Batch, Done, nothing_of, run_batch, run_kernel
+from pounding.studies.engines import COLLAPSED, DIED, DONE, ENGINES, EXCEEDED, FAILED, KERNEL, NOT_RUN, REFUSED, Batch, Done, nothing_of, run_batch, run_kernel
 from pounding.studies.plan import Plan
 from pounding.studies.table import Table
 from pounding.studies.worker import begin_worker, run_alone, say_hello
@@ -118,7 +118,7 @@ class _Work:
         if self._progress is not None:
             self._progress(self._done, self._failed, len(self._rows) + self._before)
         if self._done >= ENOUGH_ROWS and self._failed > self._plan.stop_after * self._done and self._done < len(self._rows) + self._before:
-            reason = next(iter(self._table.reasons.values()), "")
+            reason = next((why for row, why in self._table.reasons.items() if self._table.status[row] != COLLAPSED), "")
             raise SolverError(f"{self._failed} of {self._done} rows have failed, more than stop_after ({100 * self._plan.stop_after:g} %); the first because: "
                               f"{reason}\nMend the study, or go on with stop_after: 100 %")
 

@@ -29,6 +29,7 @@ class Fragility:
     problem: str = ""  #: why there is no finite fit
     boot: np.ndarray | None = None  #: [sample, 2] theta and beta of records drawn again
     failed: int = 0  #: rows without numbers, which are no part of the fit
+    undefined: int = 0  #: rows in which the quantity is undefined, such as a ratio with a collapse; no part of the fit
 
     @property
     def is_finite(self) -> bool:
@@ -53,7 +54,8 @@ class Fragility:
         if not self.is_finite:
             return self.problem
         return (f"theta {self.theta:.4g}, beta {self.beta:.4g}; standard errors {self.se_log_theta:.2g} of ln theta, {self.se_beta:.2g} of beta"
-                + (f"; {self.failed} rows have failed and are left out" if self.failed else ""))
+                + (f"; {self.failed} rows have failed and are left out" if self.failed else "")
+                + (f"; {self.undefined} rows in which it is undefined are left out" if self.undefined else ""))
 
 
 def fit(im: Sequence[float] | np.ndarray, count: Sequence[int] | np.ndarray, exceeded: Sequence[int] | np.ndarray) -> Fragility:
@@ -138,7 +140,8 @@ def _log_pdf(x: np.ndarray) -> np.ndarray:
     return -x**2 / 2 - np.log(np.sqrt(2 * np.pi))
 
 
-def of_rows(im: np.ndarray, exceeded: np.ndarray, event: np.ndarray, *, bootstrap: int = 1000, seed: int = 1, failed: int = 0) -> Fragility:
+def of_rows(im: np.ndarray, exceeded: np.ndarray, event: np.ndarray, *, bootstrap: int = 1000, seed: int = 1, failed: int = 0,
+            undefined: int = 0) -> Fragility:
     """The curve of single rows, with a band from events drawn again with all their rows."""
     found = fit(*_counted(im, exceeded))
     boot = []
@@ -153,7 +156,7 @@ def of_rows(im: np.ndarray, exceeded: np.ndarray, event: np.ndarray, *, bootstra
             if one.is_finite:
                 boot.append((one.theta, one.beta))
     return Fragility(found.theta, found.beta, found.se_log_theta, found.se_beta, found.im, found.count, found.exceeded, found.bounds, found.problem,
-                     np.array(boot).reshape(-1, 2), failed)
+                     np.array(boot).reshape(-1, 2), failed, undefined)
 
 
 def _counted(im: np.ndarray, exceeded: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from pounding.errors import InputError
+from pounding._native import core
+from pounding.errors import ImplausibleWarning, InputError
+from pounding.studies.quantities import bare_limit_doubt
 from pounding.studies.scipy_stats import stats
 
 
@@ -30,13 +33,13 @@ class GapCurve:
         return cls(np.sort(required[known]), {name: values[known] for name, values in rules.items()}, required[known],
                    int(known.sum()) if events is None else len(np.unique(events[known])))
 
-    def exceedance(self, gap: float) -> float:
-        """Share of rows that need more than this gap [m]."""
-        return float(np.mean(self.gap > gap))
+    def exceedance(self, gap: float | str) -> float:
+        """Share of rows that need more than this gap ([m], or "20 mm"). A row that collapses without links needs more than any."""
+        return float(np.mean(self.gap > _metres(gap)))
 
-    def band(self, gap: float, confidence: float = 0.9) -> tuple[float, float]:
+    def band(self, gap: float | str, confidence: float = 0.9) -> tuple[float, float]:
         """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), of as many samples as there are events."""
-        return clopper_pearson(int((self.gap > gap).sum()) * self.independent / len(self.gap), self.independent, confidence)
+        return clopper_pearson(int((self.gap > _metres(gap)).sum()) * self.independent / len(self.gap), self.independent, confidence)
 
     def percentile(self, percent: float, confidence: float = 0.9) -> tuple[float, float, float]:
         """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows are too few [m]."""
@@ -54,6 +57,16 @@ class GapCurve:
         """[row] The gap of a rule over the one that is needed; above 1 the rule is safe."""
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.rules[rule] / self.required
+
+
+def _metres(gap: float | str) -> float:
+    """A gap [m]. Raises InputError for another unit and for NaN; warns of a bare number that is usual in mm."""
+    if doubt := bare_limit_doubt("gap", gap, "m"):
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
+    metres = core.quantity(gap, "m") if isinstance(gap, str) else float(gap)
+    if math.isnan(metres):
+        raise InputError("gap: takes a length such as 20 mm; NaN was read")
+    return metres
 
 
 def clopper_pearson(exceeded: float, count: int, confidence: float = 0.9) -> tuple[float, float]:

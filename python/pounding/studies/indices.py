@@ -37,6 +37,10 @@ def sobol_indices(study: Rows, column: str) -> Indices:
         raise InputError("indices need their own sample: write sampling: {saltelli: 256} and run the study again")
     if not study.finished.all():
         raise InputError(f"{int((~study.finished).sum())} of {len(study)} rows have no numbers, and indices need all; look at study.failed")
+    without = int((~np.isfinite(study[column])).sum())
+    if without:
+        raise InputError(f"{column} is infinite or undefined in {without} of {len(study)} rows, as after a collapse, and indices need numbers; take those of the "
+                         "probability of collapse: indices(\"collapsed\")")
     names = tuple(factor["name"] for factor in study.description["factors"] if factor["distribution"] is not None)
     sample = study.description["sampling"]["count"]
     if study["point"].max() + 1 != sample:
@@ -62,4 +66,5 @@ def swings(study: Rows, column: str, share: float = 0.1) -> list[tuple[str, floa
         found.append((name, order_statistic(study[column][finished & (values <= low)], 50), order_statistic(study[column][finished & (values >= high)], 50)))
     if not found:
         raise InputError("no factor varies")
-    return sorted(found, key=lambda one: -abs(one[2] - one[1]))
+    # Two infinite medians do not differ.
+    return sorted(found, key=lambda one: -abs(one[2] - one[1]) if one[1] != one[2] else 0.0)

@@ -66,6 +66,10 @@ class KernelEngine:
     def _fill(done: Done, rows: np.ndarray, found: Found, kept: Kept) -> None:
         ran = np.array([i for i in range(len(rows)) if i not in found.reasons], dtype=np.int64)
         values = np.column_stack([column_of(column, found) for column in kept.columns]) if kept.columns else np.empty((len(rows), 0))
+        if kept.undefined_limits(values[ran]):
+            # The solver refuses these rows by name.
+            found.reasons.update((i, "a quantity with a limit is undefined") for i in ran.tolist() if kept.undefined_limits(values[[i]]))
+            ran = np.array([i for i in ran.tolist() if i not in found.reasons], dtype=np.int64)
         done.values[rows[ran]] = values[ran]
         done.status[rows[ran]] = np.where(kept.exceeded(values[ran]), EXCEEDED, DONE)
 

@@ -7,7 +7,7 @@ import json
 import math
 import os
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -17,12 +17,12 @@ import numpy as np
 from pounding import yaml_text
 from pounding._native import core
 from pounding.errors import InputError
-from pounding.models import PARTS, Model, as_model, check
+from pounding.models import PARTS, Model, as_model
 from pounding.studies import words
 from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, read_factors
 from pounding.studies.motions import Intensity, Motion, doubts, measured, read_intensity
-from pounding.studies.quantities import UNITS, read_keep, read_limits
+from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import read_motions
 from pounding.studies.template import Template
@@ -131,14 +131,15 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     model = as_model(model)
     # A model that leaves its motion and its duration to the records is whole with one of them.
     lacks_motion = "records" in one and model.ground_motion is None and "duration" not in (model.analysis or {})
+    of_model: list[str] = []
     if not lacks_motion:
-        check(model)
+        of_model = core.check(model._source())[2]
     parts = _absolute(model)
     seed = words.whole(one.get("seed", 1), "study.seed", 0)
     motions = read_motions(one.get("records"), parts, folder, seed, store)
     if lacks_motion:
         model = Model._from_text(yaml_text.emit({**parts, "ground_motion": motions[0].scaled(1.0)}), model._file or "model")
-        check(model)
+        of_model = core.check(model._source())[2]
     factors = read_factors(one.get("factors"), parts)
     if "records" in one:
         for factor in factors:
@@ -150,7 +151,9 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
     motions = measured(motions, intensity)
     _require_scales(motions, intensity)
-    kept = read_keep(one.get("keep"), words.yes(one.get("without_links", False), "study.without_links"), parts, read_limits(one.get("limits")))
+    moved = {**parts, **({"ground_motion": motions[0].scaled(1.0)} if motions[0].words else {})}
+    layout = core.layout(core.Source(yaml_text.emit(moved), model._file or "model"))
+    kept = read_keep(one.get("keep"), words.yes(one.get("without_links", False), "study.without_links"), layout, read_limits(one.get("limits")))
     engine = str(one.get("engine", "auto"))
     if engine not in ENGINES_OF_STUDIES:
         raise InputError(f'study.engine: takes {", ".join(ENGINES_OF_STUDIES)}; "{engine}" was read.{words.meant(engine, ENGINES_OF_STUDIES)}')
@@ -165,12 +168,12 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     # A wrong unit or bound in the first row is told here, not by a thousand rows.
     first = plan.yaml(0)
     core.check(core.Source(first, _place(plan.template)))
-    return plan
+    return replace(plan, warnings=(*of_model, *plan.warnings))
 
 
 def _require_free_names(factors: list[Factor]) -> None:
     """A factor is a column of the table and needs a name of its own there."""
-    taken = (*UNITS, "point", "record", "scale", "im", "status", "engine")
+    taken = (*UNITS, COLLAPSED_COLUMN, "point", "record", "scale", "im", "status", "engine")
     for factor in factors:
         if factor.name in taken:
             raise InputError(f"study.factors.{factor.name}: the table has a column of this name already; call the factor, for example, {factor.name}_factor")

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from pounding._native import core
 from pounding.errors import InputError
 from pounding.studies import words
 
@@ -24,6 +25,12 @@ _KEYS = {"force": "peak_force", "penetration": "peak_penetration", "required_gap
          "gap_ddc": "ddc"}
 SUMS = ("impacts", "impulse", "energy_lost")
 DEFAULT = ("displacement", "force", "impacts")
+#: Derived column: 1 in collapsed rows, 0 in others.
+COLLAPSED_COLUMN = "collapsed"
+#: A typed number up to this one may be a ratio to the height of a storey.
+LARGEST_DRIFT_RATIO = 0.1
+#: Bare numbers in SI that are hardly meant as limits: SI unit -> smallest and largest such number, and the unit that was probably meant.
+_DOUBTFUL = {"m/s^2": (0.02, 1.5, "g"), "m": (2.0, math.inf, "mm"), "N": (0.0, 1e3, "kN"), "N s": (0.0, 10.0, "kN s"), "J": (0.0, 10.0, "kJ")}
 
 
 @dataclass(frozen=True)
@@ -43,40 +50,93 @@ class Kept:
         return {column: "" if column.endswith(".ratio") else UNITS[column.split(".")[0]] for column in self.columns}
 
     def of(self, summary: Mapping[str, Any]) -> list[float]:
-        """The columns from the summary of a run. A rigid impact has no finite force: NaN."""
-        return [_value(column, summary) for column in self.columns]
+        """The columns from the summary of a run; infinite after a collapse in the run of the column. A ratio is NaN unless both runs are complete, and
+        so is the force of rigid impacts."""
+        return [_after_collapse(column, _value(column, summary), summary) for column in self.columns]
 
     def exceeded(self, values: np.ndarray) -> np.ndarray:
         """[row] whether a limit is passed, of [row, column]; a limit of drift holds for every structure."""
         found = np.zeros(len(values), bool)
-        for quantity, limit in self.limits:
-            for i, column in enumerate(self.columns):
-                if column == quantity or column.startswith(quantity + ".") and not column.endswith((".alone", ".ratio")):
-                    found |= values[:, i] > limit
+        for i, limit in self._limited():
+            found |= values[:, i] > limit
         return found
 
+    def undefined_limits(self, values: np.ndarray) -> list[str]:
+        """Columns with a limit that are NaN in a row of [row, column]."""
+        return [self.columns[i] for i, _ in self._limited() if np.isnan(values[:, i]).any()]
 
-def read_keep(given: Any, without_links: bool, model: Mapping[str, Any], limits: tuple[tuple[str, float], ...]) -> Kept:
-    """The columns that `keep:` asks for. Raises InputError."""
-    asked = list(DEFAULT) if given is None else [given] if isinstance(given, str) else [str(one) for one in given]
-    asked += [quantity for quantity, _ in limits if quantity not in asked]
-    structures = [name for name, one in (model.get("structures") or {}).items() if not (isinstance(one, Mapping) and "wall" in one)]
+    def _limited(self) -> list[tuple[int, float]]:
+        """Number and limit of the columns that have one."""
+        return [(i, limit) for quantity, limit in self.limits for i, column in enumerate(self.columns)
+                if column == quantity or column.startswith(quantity + ".") and not column.endswith((".alone", ".ratio"))]
+
+
+def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tuple[tuple[str, float], ...]) -> Kept:
+    """The columns that `keep:` asks for, of rows with this layout. Raises InputError, also for quantities that the rows do not have."""
+    structures = {name: (floors, has_storeys) for name, floors, has_storeys in layout.structures}
+    rigid = {name for name, is_rigid in layout.links if is_rigid}
+    links = [name for name, _ in layout.links]
+    default = [{"force": "impulse"}.get(quantity, quantity) if rigid else quantity for quantity in DEFAULT]
+    asked = default if given is None else [given] if isinstance(given, str) else [str(one) for one in given]
     columns: list[str] = []
-    for word in asked:
+    for place, word in [("keep", word) for word in asked] + [("limits", word) for word, _ in limits if word not in asked]:
+        if (place, word) == ("keep", COLLAPSED_COLUMN):
+            continue  # every table has it
         quantity, _, name = word.partition(".")
         if quantity not in UNITS:
-            raise InputError(f'study.keep: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}')
+            raise InputError(f'study.{place}: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}')
         if quantity in OF_STRUCTURES:
-            if name and name not in structures:
-                raise InputError(f'study.keep: {word}: there is no structure "{name}" that moves; there is {", ".join(structures)}')
-            for each in [name] if name else structures:
+            for each in _structures_with(quantity, name, structures, f"study.{place}"):
                 columns += [f"{quantity}.{each}"]
                 columns += [f"{quantity}.{each}.alone", f"{quantity}.{each}.ratio"] if without_links else []
         elif name and quantity in OF_GAPS:
-            raise InputError(f"study.keep: {word}: {quantity} is the largest of all links; leave {name} out")
+            raise InputError(f"study.{place}: {word}: {quantity} is the largest of all links; leave {name} out")
         else:
+            _require_links(quantity, name, links, rigid, f"study.{place}")
             columns.append(word)
     return Kept(tuple(dict.fromkeys(columns)), limits)
+
+
+def _structures_with(quantity: str, name: str, structures: Mapping[str, tuple[int, bool]], place: str) -> list[str]:
+    """The structures that have a quantity, or the one that is named."""
+    if name and name not in structures:
+        raise InputError(f'{place}: {quantity}.{name}: there is no structure "{name}" that moves; there is {", ".join(structures)}')
+    having = [each for each, (floors, has_storeys) in structures.items() if name in ("", each) and floors and (has_storeys or quantity != "drift")]
+    if having:
+        return having
+    lacking = name or ", ".join(structures)
+    if quantity == "drift" and all(floors for each, (floors, _) in structures.items() if name in ("", each)):
+        raise InputError(f"{place}: {quantity} is the motion of a floor relative to the one below, and {lacking} has no storeys; keep displacement instead")
+    raise InputError(f"{place}: {quantity} is that of floors, and {lacking} has none; name them, as in floors: [{{nodes: [a, b], elevation: 3 m}}]")
+
+
+def _require_links(quantity: str, name: str, links: Sequence[str], rigid: set[str], place: str) -> None:
+    """Raises InputError where links do not have a quantity."""
+    if name and name not in links:
+        raise InputError(f'{place}: there is no link "{name}".{words.meant(name, links)} There is {", ".join(links) or "none"}')
+    if quantity in OF_GAPS and not links:
+        raise InputError(f"{place}: {quantity} is the gap of a link, and the model has none; add one, whose law is not used")
+    wrong = [each for each in links if each in rigid and name in ("", each)]
+    if quantity == "force" and wrong:
+        suffix = f".{name}" if name else ""
+        others = [each for each in links if each not in rigid]
+        raise InputError(f"{place}: force{suffix}: link {wrong[0]} has a rigid law, whose impacts have no finite force; keep impulse{suffix} instead"
+                         + (f", or force.{others[0]}" if others and not name else ""))
+
+
+def bare_limit_doubt(place: str, value: Any, unit: str, column: str = "") -> str:
+    """Warning of a limit without a unit whose number is usual in another unit than that of SI, or of a typed drift that may be a ratio; "" if there is
+    none."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        return ""
+    if isinstance(value, str) and column.partition(".")[0] == "drift" and not column.endswith(".ratio") and 0 < number <= LARGEST_DRIFT_RATIO:
+        return f"{place}: a bare {number:g} is in m; the drift of a study is a length, and no ratio to the height of the storey. Type its unit, as in {1e3 * number:g} mm"
+    lowest, highest, other = _DOUBTFUL.get(unit, (math.nan, math.nan, ""))
+    if not lowest < number < highest:
+        return ""
+    return f"{place}: a bare {number:g} is in {unit}; if {number:g} {other} was meant, type its unit"
 
 
 def read_limits(given: Any) -> tuple[tuple[str, float], ...]:
@@ -91,11 +151,27 @@ def read_limits(given: Any) -> tuple[tuple[str, float], ...]:
         if quantity not in UNITS:
             raise InputError(f'study.limits: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}')
         number, unit = words.quantity(value, f"study.limits.{word}")
+        if not math.isfinite(number):
+            raise InputError(f"study.limits.{word}: takes a finite number; {value} was read")
         if isinstance(value, str) and not unit and "%" in value:
             raise InputError(f"study.limits.{word}: the {quantity} of a summary is in {UNITS[quantity] or 'numbers'}; type a value such as {_EXAMPLES[UNITS[quantity]]} instead of {value}")
         words.same_unit(unit, UNITS[quantity], f"study.limits.{word}", _EXAMPLES[UNITS[quantity]])
         found.append((str(word), number))
     return tuple(found)
+
+
+def collapse_of(summary: Mapping[str, Any]) -> str:
+    """Place and time of the collapse that ended a run, from its status; "" if it did not collapse."""
+    status = str(summary.get("status", ""))
+    return status.removeprefix("done: ") if status.startswith("done: ") else ""
+
+
+def _after_collapse(column: str, value: float, summary: Mapping[str, Any]) -> float:
+    collapsed, alone_collapsed = bool(collapse_of(summary)), bool(collapse_of(summary.get("no_pounding") or {}))
+    if column.endswith(".ratio"):
+        return math.nan if collapsed or alone_collapsed else value
+    is_alone = column.endswith(".alone") or column in OF_GAPS
+    return math.inf if (alone_collapsed if is_alone else collapsed) else value
 
 
 def _value(column: str, summary: Mapping[str, Any]) -> float:
@@ -104,7 +180,7 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
         return _of_structure(quantity, rest, summary)
     if quantity in OF_GAPS:
         found = [_number(one[_KEYS[quantity]]) for one in summary["no_pounding"]["separations"]]
-        return max(found, default=0.0)
+        return math.nan if any(map(math.isnan, found)) else max(found, default=0.0)
     links = [one for one in summary["links"] if not rest or one["name"] == rest]
     if rest and not links:
         raise InputError(f'study.keep: there is no link "{rest}"; there is {", ".join(one["name"] for one in summary["links"])}')
@@ -112,8 +188,7 @@ def _value(column: str, summary: Mapping[str, Any]) -> float:
     # A sum in the order of the links, by a function whose result depends on no order.
     if quantity in SUMS:
         return math.fsum(values)
-    known = [value for value in values if not math.isnan(value)]
-    return max(known) if known else math.nan if values else 0.0
+    return math.nan if any(map(math.isnan, values)) else max(values, default=0.0)
 
 
 def _of_structure(quantity: str, rest: str, summary: Mapping[str, Any]) -> float:

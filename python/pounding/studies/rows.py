@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import math
+import warnings
 from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
@@ -11,14 +13,27 @@ from typing import Any, TypeVar
 import numpy as np
 
 from pounding._native import core
-from pounding.errors import InputError
+from pounding.errors import ImplausibleWarning, InputError
 from pounding.studies import fragility, gaps
 from pounding.studies import percentiles as curves
-from pounding.studies.engines import DONE, EXCEEDED, NOT_RUN, STATUSES
+from pounding.studies.batches import COLLAPSED, COMPLETE, EXCEEDED, NOT_RUN, STATUSES
+from pounding.studies.quantities import COLLAPSED_COLUMN, bare_limit_doubt
 from pounding.studies.table import open_study
 from pounding.texts import text, texts
 
 Table = TypeVar("Table", bound="Rows")
+
+
+_OLD = "was made by version 0.2.0, which counted rows that end by collapse_drift"
+
+
+def _of_version_0_2_0(path: str | PathLike[str], description: Mapping[str, Any]) -> list[str]:
+    """Warns of a table of version 0.2.0, which has no warnings, if rows of its model can have collapsed."""
+    if "collapse_drift" not in (description["model"].get("analysis") or {}):
+        return []
+    doubt = f"{path} {_OLD} as done, with their responses until then; run the study again"
+    warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
+    return [doubt]
 
 
 class Rows:
@@ -26,15 +41,16 @@ class Rows:
 
     def __init__(self, columns: Mapping[str, np.ndarray], units: Mapping[str, str], records: Mapping[str, Any], reasons: Mapping[int, str],
                  description: Mapping[str, Any], engines: Sequence[str], path: Path | None = None,
-                 check: Mapping[int, np.ndarray] | None = None) -> None:
+                 check: Mapping[int, np.ndarray] | None = None, warnings: Sequence[str] = ()) -> None:
         self.columns = dict(columns)  #: name -> [row] in SI
         self.units = dict(units)  #: name -> SI unit
         self.records = dict(records)  #: name, event, component, points, step, duration, pga, intensity -> [record]
-        self.reasons = dict(reasons)  #: row -> why it has no numbers
+        self.reasons = dict(reasons)  #: row -> why it has no numbers, or how it collapsed
         self.description = dict(description)  #: the plan: model, factors, sampling, records, intensity
         self.engines = list(engines)  #: names of those in the column `engine`
         self.path = path
         self.check = dict(check or {})  #: row of the kernel -> its kept columns by the solver
+        self.warnings = tuple(warnings)  #: of the plan
 
     @classmethod
     def open(cls: type[Table], path: str | PathLike[str]) -> Table:
@@ -46,7 +62,8 @@ class Rows:
             reasons = {int(row): text(why) for row, why in zip(file["reasons/row"][:], file["reasons/text"][:])}
             description = json.loads(text(file["study/plan"][()]))["plan"]
             check = dict(zip(file["check/row"][:].tolist(), file["check/solver"][:])) if "check" in file else {}
-            return cls(columns, units, records, reasons, description, texts(file["study/engines"][:]), Path(path), check)
+            doubts = texts(file["study/warnings"][:]) if "study/warnings" in file else _of_version_0_2_0(path, description)
+            return cls(columns, units, records, reasons, description, texts(file["study/engines"][:]), Path(path), check, doubts)
 
     def __len__(self) -> int:
         return len(self.columns["status"])
@@ -57,7 +74,9 @@ class Rows:
         return f"<pounding.Study of {len(self)} rows: {told}; columns {', '.join(self.columns)}>"
 
     def __getitem__(self, column: str) -> np.ndarray:
-        """One column. Raises InputError for a name that is not there."""
+        """One column; "collapsed" is 1 in rows that ended by collapse_drift and 0 in others. Raises InputError for a name that is not there."""
+        if column == COLLAPSED_COLUMN and column not in self.columns:
+            return (self.columns["status"] == COLLAPSED).astype(float)
         if column not in self.columns:
             raise InputError(f'there is no column "{column}"; there is {", ".join(self.columns)}')
         return self.columns[column]
@@ -77,13 +96,18 @@ class Rows:
 
     @property
     def finished(self) -> np.ndarray:
-        """[row] True where the row has numbers: done, or beyond a limit."""
-        return np.isin(self.columns["status"], (DONE, EXCEEDED))
+        """[row] True if the row has numbers: done, beyond a limit, or collapsed, with infinite ones."""
+        return np.isin(self.columns["status"], COMPLETE)
 
     @property
     def failed(self) -> dict[int, str]:
         """Row -> why it has no numbers. Failed rows are neither survivors nor collapses: readings leave them out and say how many."""
-        return dict(sorted(self.reasons.items()))
+        return {row: why for row, why in sorted(self.reasons.items()) if self.columns["status"][row] != COLLAPSED}
+
+    @property
+    def collapsed(self) -> dict[int, str]:
+        """Row -> place and time of its collapse. Collapsed rows exceed every limit: their responses are infinite."""
+        return {int(row): self.reasons.get(int(row), "") for row in np.flatnonzero(self.columns["status"] == COLLAPSED)}
 
     def choose(self, **values: float) -> np.ndarray:
         """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError where there is none."""
@@ -96,31 +120,43 @@ class Rows:
         return chosen
 
     def limit_of(self, column: str, limit: float | str) -> float:
-        """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises InputError."""
+        """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises InputError; warns of a bare
+        number that is usual in another unit (ImplausibleWarning)."""
         self[column]
-        if not isinstance(limit, str):
-            return limit
         unit = self.units.get(column, "")
+        if doubt := bare_limit_doubt(f"limit of {column}", limit, unit, column):
+            warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
         try:
-            return core.quantity(limit, unit) if unit else float(limit)
+            found = limit if not isinstance(limit, str) else core.quantity(limit, unit) if unit else float(limit)
         except InputError as error:
             raise InputError(f"limit of {column}: {error}") from None
         except ValueError:
             raise InputError(f'limit of {column}: takes a number without a unit, not "{limit}"') from None
+        if not math.isfinite(found):
+            raise InputError(f"limit of {column}: takes a finite number; {limit} was read")
+        return found
 
-    def fragility(self, column: str, limit: float | str, *, bootstrap: int = 1000, seed: int = 1, **values: float) -> fragility.Fragility:
+    def fragility(self, column: str, limit: float | str | None = None, *, bootstrap: int = 1000, seed: int = 1, **values: float) -> fragility.Fragility:
         """The lognormal curve of the probability that `column` is above `limit` (SI, or "5 MN"), over the intensity; the band comes from records
-        drawn again, since rows of one event are not independent. `values` choose factors. See `pounding.studies.fragility.fit`."""
+        drawn again, since rows of one event are not independent. The column "collapsed" needs no limit: its curve is that of collapse. `values` choose
+        factors. Rows in which the column is undefined are left out and counted. See `pounding.studies.fragility.fit`."""
+        if column == COLLAPSED_COLUMN and column not in self.columns:
+            self._require_collapse()
+            limit = 0.5 if limit is None else limit
+        if limit is None:
+            raise InputError(f'a fragility of {column} needs its limit, as in fragility("{column}", "80 mm"); only that of collapse has none')
+        above = self.limit_of(column, limit)
         chosen = self.choose(**values)
-        exceeded = (self[column][chosen] > self.limit_of(column, limit)) | ((self["status"][chosen] == EXCEEDED) & np.isnan(self[column][chosen]))
-        return fragility.of_rows(self._im()[chosen], exceeded, self._events()[chosen], bootstrap=bootstrap, seed=seed,
-                                 failed=int((~self.finished & (self["status"] != NOT_RUN)).sum()))
+        known = chosen & self._defined(column, chosen)
+        return fragility.of_rows(self._im()[known], self[column][known] > above, self._events()[known], bootstrap=bootstrap, seed=seed,
+                                 failed=int((~self.finished & (self["status"] != NOT_RUN)).sum()), undefined=int((chosen & ~known).sum()))
 
     def percentiles(self, column: str, percent: Sequence[float] = (16, 50, 84), **values: float) -> curves.Percentiles:
-        """Percentiles of a column at every level, by order statistics; rows beyond a limit count as infinite."""
+        """Percentiles of a column at every level, by order statistics; rows beyond a limit and collapsed rows count as infinite."""
         chosen = self.choose(**values)
-        beyond = self["status"][chosen] == EXCEEDED if self.description["kept"]["limits"] else np.zeros(int(chosen.sum()), bool)
-        return curves.at_levels(self._im()[chosen], np.where(beyond, np.inf, self[column][chosen]), percent)
+        beyond = (self["status"] == EXCEEDED) & bool(self.description["kept"]["limits"])
+        chosen = chosen & (beyond | self._defined(column, chosen))
+        return curves.at_levels(self._im()[chosen], np.where(beyond, np.inf, self[column])[chosen], percent)
 
     def gaps(self, **values: float) -> gaps.GapCurve:
         """The probability that a gap is not enough, over the gap, with its band by the number of events, beside the rules. Needs keep: [required_gap]."""
@@ -131,6 +167,20 @@ class Rows:
     def map(self, column: str, across: str, along: str, percent: float = 50) -> curves.Map:
         """A percentile of a column over two factors, of all other rows together."""
         return curves.over_two(self[across], self[along], self[column], self.finished, percent, (across, along))
+
+    def _defined(self, column: str, chosen: np.ndarray) -> np.ndarray:
+        """[row] whether the column is a number. Raises InputError if it is none in all chosen rows."""
+        defined = ~np.isnan(self[column])
+        if not (defined & chosen).any():
+            why = "both runs of a ratio must be complete" if column.endswith(".ratio") else "rigid links have no force: keep impulse; bodies have no drift: keep displacement"
+            raise InputError(f"{column} is undefined in all of these rows ({why})")
+        return defined
+
+    def _require_collapse(self) -> None:
+        if "collapse_drift" not in (self.description["model"].get("analysis") or {}):
+            raise InputError("no row of this study can collapse: its model has no analysis: {collapse_drift: 10 %}; type it and run the study again")
+        if any(_OLD in doubt for doubt in self.warnings):
+            raise InputError("this table of version 0.2.0 does not say which rows collapsed; run the study again")
 
     def _im(self) -> np.ndarray:
         if not np.isfinite(self["im"]).any():

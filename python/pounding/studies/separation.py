@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
@@ -10,11 +11,12 @@ from typing import Any
 import numpy as np
 
 from pounding._native import core
-from pounding.errors import InputError, SolverError
+from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.models import as_model
 from pounding.studies.percentiles import finite
 from pounding.studies.plan import make_plan
 from pounding.studies.study import Study, is_study_file, run_plan
+from pounding.studies.words import few
 
 #: Rule, clause, and what it makes of the sum (abs) or the root of the sum of squares (srss) of the largest displacements; the second
 #: factor counts where the floors of both structures align. Displacements are those of the model under the records, not reduced by a
@@ -24,8 +26,9 @@ CODES = (("ASCE 7-16 and 7-22", "12.12.3", "srss", 1.0, 1.0), ("Eurocode 8 (EN 1
 
 
 def separation(model: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None, workers: int | None = None) -> dict[str, Any]:
-    """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. Raises InputError, and
-    SolverError where a record fails."""
+    """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. A gap is None, and has no mean, if
+    structures collapse without links: no gap is enough. Raises InputError, and SolverError where a record fails; warns of what the plan holds and is
+    hardly meant (ImplausibleWarning)."""
     path = Path(model)
     if records:
         found = as_model(path)
@@ -42,6 +45,8 @@ def separation(model: str | PathLike[str], records: Sequence[str | PathLike[str]
     if not found.links:
         raise InputError(f"{path}: a separation needs a link, which says what may touch; its law is not used")
     plan = make_plan(found, {**words, "keep": ["required_gap", "gap_abs", "gap_srss", "gap_ddc"], "stop_after": "100 %"}, path.parent)
+    for doubt in plan.warnings:
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
     done = run_plan(plan, None, workers=0 if plan.count < 4 and workers is None else workers, progress=None)
     if done.failed:
         raise SolverError(next(iter(done.failed.values())))
@@ -54,19 +59,22 @@ def _floors_align(links: Sequence[Mapping[str, Any]]) -> bool:
 
 def _found(done: Study, align: bool) -> dict[str, Any]:
     names = done.records["name"]
-    per_record = [{"record": names[record], "required": float(need), "abs": float(a), "srss": float(s), "ddc": float(d)}
+    per_record = [{"record": names[record], "required": finite(need), "abs": finite(a), "srss": finite(s), "ddc": finite(d)}
                   for record, need, a, s, d in zip(done["record"], done["required_gap"], done["gap_abs"], done["gap_srss"], done["gap_ddc"])]
-    mean = {rule: float(np.mean(done[f"gap_{rule}"])) for rule in ("abs", "srss", "ddc")}
+    mean = {rule: finite(np.mean(done[f"gap_{rule}"])) for rule in ("abs", "srss", "ddc")}
     curve = done.gaps()
     needed = {f"{percent} %": dict(zip(("gap", "low", "high"), (finite(value) for value in curve.percentile(percent)))) for percent in (50, 84)}
-    codes = [{"code": code, "clause": clause, "gap": mean[rule] * (aligned if align else apart)} for code, clause, rule, apart, aligned in CODES]
-    return {"records": per_record, "required": needed, "mean": mean, "floors_align": align, "codes": codes}
+    codes = [{"code": code, "clause": clause, "gap": None if (gap := mean[rule]) is None else gap * (aligned if align else apart)}
+             for code, clause, rule, apart, aligned in CODES]
+    collapsed = [names[record] for record, need in zip(done["record"], done["required_gap"]) if np.isinf(need)]
+    return {"records": per_record, "required": needed, "mean": mean, "floors_align": align, "codes": codes, "collapsed": collapsed,
+            "warnings": list(done.warnings)}
 
 
 def table_of(found: Mapping[str, Any]) -> str:
     """The printed table, in mm."""
     def mm(value: float | None) -> str:
-        return "-" if value is None else f"{1e3 * value:9.1f}"
+        return f"{'-':>9}" if value is None else f"{1e3 * value:9.1f}"
 
     lines = [f"{'record':<28} needed (mm)       ABS      SRSS       DDC"]
     lines += [f"{one['record'][:28]:<28}   {mm(one['required'])} {mm(one['abs'])} {mm(one['srss'])} {mm(one['ddc'])}" for one in found["records"]]
@@ -75,4 +83,7 @@ def table_of(found: Mapping[str, Any]) -> str:
         lines.append(f"{f'enough for {percent} of records':<28}   {mm(one['gap'])}   (90 % band {mm(one['low']).strip()} to {mm(one['high']).strip()})")
     lines.append(f"\n{'rule of a code, from the mean':<36} {'clause':<9} gap (mm)" + ("; floors align" if found["floors_align"] else ""))
     lines += [f"{one['code']:<36} {one['clause']:<9} {mm(one['gap'])}" for one in found["codes"]]
+    if found["collapsed"]:
+        lines.append(f"Without links {len(found['collapsed'])} of {len(found['records'])} records bring a structure to collapse ({few(found['collapsed'])}): no gap is "
+                     "enough for them, and the rules have no mean.")
     return "\n".join([*lines, "Displacements are those of the model, without a behaviour factor. Read the clause before you design by it."])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from os import PathLike, fspath
@@ -12,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pounding import yaml_text
-from pounding.errors import InputError
+from pounding.errors import ImplausibleWarning, InputError
 from pounding.models import Model, as_model
-from pounding.studies.engines import run_batch
+from pounding.studies.engines import COMPLETE, run_batch
 from pounding.studies.execution import Progress, batch_of, run_rows
 from pounding.studies.factors import Factor
 from pounding.studies.motions import Motion
@@ -51,7 +52,8 @@ class Study(Rows):
         records = {name: [getattr(motion, name) for motion in motions] if name in ("name", "event", "component") else
                    np.array([getattr(motion, name) for motion in motions])
                    for name in ("name", "event", "component", "points", "step", "duration", "pga", "intensity")}
-        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(plan.description())), table.engines, table.path, table.check)
+        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(plan.description())), table.engines, table.path, table.check,
+                    plan.warnings)
         found.plan = plan
         return found
 
@@ -105,7 +107,7 @@ class Study(Rows):
 
     def evaluate(self, factors: Mapping[str, float]) -> dict[str, np.ndarray]:
         """Runs all records and levels for one set of factors (SI) in this process: column -> [record times level]. A plain function for
-        scipy.optimize, pymoo or optuna. Raises InputError for a row that fails."""
+        scipy.optimize, pymoo or optuna. Columns of a row that collapses are infinite. Raises InputError for a row that fails."""
         if self.plan is None:
             raise InputError("a table from a file cannot run; make the study with pounding.study(...)")
         missing = [name for name in self.factors if name not in factors]
@@ -116,8 +118,9 @@ class Study(Rows):
         batch = batch_of(self.plan, rows)
         batch.values[:] = [factors[name] for name in self.factors]
         done = run_batch(batch)
-        if done.reasons:
-            raise InputError(next(iter(done.reasons.values())))
+        wrong = [row for row, status in zip(done.rows.tolist(), done.status.tolist()) if status not in COMPLETE]
+        if wrong:
+            raise InputError(done.reasons[wrong[0]])
         return dict(zip(self.plan.template.kept.columns, done.values.T))
 
 
@@ -144,6 +147,8 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
     else:
         plan = make_plan(as_model(model), {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
                          store=records_folder(path or Path("study")))
+    for doubt in plan.warnings:
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
     return run_plan(plan, path, workers=workers, executor=executor, chunk=chunk, progress=progress)
 
 

@@ -197,6 +197,7 @@ def _image(table: Table) -> bytes:
         file.create_dataset("reasons/text", data=[why for _, why in reasons], dtype=h5py.string_dtype(), shape=(len(reasons),))
         file["study/plan"] = json.dumps({"digest": plan.digest(), "plan": plan.description()})
         file["study/text"] = plan.text
+        file.create_dataset("study/warnings", data=plan.warnings, dtype=h5py.string_dtype(), shape=(len(plan.warnings),))
         file.create_dataset("study/engines", data=table.engines, dtype=h5py.string_dtype(), shape=(len(table.engines),))
         _write_records(file, plan)
         _write_check(file, table)

@@ -75,6 +75,11 @@ def yes(value: Any, place: str) -> bool:
     return words[word]
 
 
+def few(items: Sequence[Any]) -> str:
+    """The first five of some things, and the number of the others."""
+    return ", ".join(map(str, items[:5])) + (f" and {len(items) - 5} more" if len(items) > 5 else "")
+
+
 def same_unit(unit: str, expected: str, place: str, example: str) -> None:
     """Raises InputError where a quantity has a unit that is not the expected one; a bare number is in SI."""
     if unit and unit != expected:
