@@ -19,6 +19,7 @@ from pounding._native import core
 from pounding.errors import InputError
 from pounding.models import PARTS, Model, as_model
 from pounding.studies import words
+from pounding.studies.cut_records import cut_records, with_cuts
 from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, read_factors
 from pounding.studies.motions import Intensity, Motion, doubts, measured, read_intensity
@@ -167,8 +168,8 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
         raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
     # A wrong unit or bound in the first row is told here, not by a thousand rows.
     first = plan.yaml(0)
-    core.check(core.Source(first, _place(plan.template)))
-    return replace(plan, warnings=(*of_model, *plan.warnings))
+    of_first = core.check(core.Source(first, _place(plan.template)))[2]
+    return replace(plan, warnings=(*with_cuts(of_model, of_first, cut_records(plan.template, plan.points, layout.last_arrival)), *plan.warnings))
 
 
 def _require_free_names(factors: list[Factor]) -> None:

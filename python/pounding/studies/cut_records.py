@@ -1,0 +1,65 @@
+"""Records that end after the rows of a study do: analysis.duration cuts them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from pounding import yaml_text
+from pounding._native import core
+from pounding.studies.places import Places
+from pounding.studies.sampling import Points
+from pounding.studies.template import Template
+from pounding.studies.words import quantity
+
+#: Fraction of the Arias intensity that a record may lose without a warning; the same as that of a single run.
+MAX_CUT = 0.05
+#: Points of the factors whose durations are compared, at most.
+LOOKED_AT = 100_000
+#: End of the warning of a model whose duration cuts its records.
+_OF_DURATION = "accept: [duration])"
+
+
+def with_cuts(of_model: Sequence[str], of_first: Sequence[str], cuts: Sequence[str]) -> list[str]:
+    """Warnings of a model whose records are counted over all rows of its study: those of the model and of the first row are not all that run. Forces,
+    and motions of single structures, stay those of the model."""
+    return [doubt for doubt in of_model if not doubt.endswith(_OF_DURATION)] + list(cuts or [doubt for doubt in of_first if doubt.endswith(_OF_DURATION)])
+
+
+def cut_records(template: Template, points: Points, last_arrival: float) -> list[str]:
+    """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in the shortest rows; empty if none does, or if the model
+    accepts it. A motion reaches its last support at `last_arrival` [s]. Raises InputError for a motion that cannot be read."""
+    columns = points.columns(np.unique(np.linspace(0, points.count - 1, min(points.count, LOOKED_AT)).astype(np.int64)))
+    values = np.column_stack([columns[factor.name] for factor in points.factors]) if points.factors else np.empty((1, 0))
+    duration = _shortest_duration(template, values)
+    if not duration or "duration" in (template.model.get("accept") or []):
+        return []
+    cut, worst, needed = 0, 0.0, 0.0
+    for number, motion in enumerate(template.motions):
+        if 0 < motion.duration <= duration - last_arrival:
+            continue
+        ground = template.case(values[0].tolist(), number, 1.0).get("ground_motion")
+        if ground is None:
+            continue
+        lost, t95 = core.RowMotion(yaml_text.emit({"ground_motion": ground}), template.place).arias_after(duration - last_arrival)
+        if lost > MAX_CUT:
+            cut, worst, needed = cut + 1, max(worst, lost), max(needed, t95 + last_arrival)
+    if not cut:
+        return []
+    count = len(template.motions)
+    return [f"analysis: the duration of {duration:.4g} s cuts {cut} of {count} record{'s' if count > 1 else ''}, by more than {100 * MAX_CUT:g} % of the Arias "
+            f"intensity and up to {100 * worst:.0f} %; type a duration of at least {math.ceil(10 * needed) / 10:.6g} s, or leave it out, and each row lasts as "
+            "long as its record (where it is meant: accept: [duration] in the model)"]
+
+
+def _shortest_duration(template: Template, values: np.ndarray) -> float:
+    """Shortest analysis.duration of all rows [s], from the values of [point, factor]; 0 if they last as long as their motions."""
+    analysis = template.model.get("analysis") or {}
+    if "duration" not in analysis:
+        return 0.0
+    places = Places(template.model, template.factors)
+    if ("analysis", "duration") not in places.keys:
+        return quantity(analysis["duration"], "analysis.duration")[0]
+    return float(places.numbers(values)[:, places.keys.index(("analysis", "duration"))].min())
