@@ -176,7 +176,7 @@ class Stopped(Resumed):
 
     def test_finds_the_record_beside_the_model_from_another_folder(self):
         (self.folder / "models").mkdir()
-        (self.folder / "models/record.csv").write_text("".join(f"{0.02 * i}, {(i * 7) % 5 - 2}\n" for i in range(200)))
+        (self.folder / "models/record.csv").write_text("".join(f"{0.02 * i}, {(i * 7) % 5 - 2}\n" for i in range(150)))
         text = OSCILLATORS.replace("{harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}",
                                    "{record: record.csv, units: m/s^2}")
         self.write(text, "models/model.yaml")
