@@ -74,6 +74,9 @@ analysis"""
         summary = json.loads(self.run_model(kept, "--json").stdout)
         self.assertEqual(summary["status"], "done")
         self.assertRegex(summary["no_pounding"]["status"], "^done: collapse at t = ")
+        # Its peaks are those of its first part, and no gap is enough.
+        self.assertEqual(set(summary["no_pounding"]["amplification"]["left"]), {None})
+        self.assertEqual([one["enough"] for one in summary["no_pounding"]["separations"]], [None, None])
 
     def test_heads_the_picture_of_the_run(self):
         self.run_model(limited(), "-q")

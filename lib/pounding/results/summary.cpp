@@ -215,16 +215,18 @@ Json reduction_json(const std::vector<ReducedStructure>& structures) {
   return all;
 }
 
-Json separations_json(const std::vector<LinkSeparation>& separations) {
+// No gap is enough for structures that collapse without links.
+Json separations_json(const std::vector<LinkSeparation>& separations, bool complete) {
+  const auto of_run = [&](double value) { return complete ? number(value) : Json(nullptr); };
   Json all = Json::array();
   for (const LinkSeparation& s : separations)
     all.push_back({{"link", s.link},
                    {"gap", s.gap},
-                   {"enough", s.enough},
-                   {"time", s.time},
-                   {"abs", s.absolute_sum},
-                   {"srss", s.srss},
-                   {"ddc", number(s.ddc)}});
+                   {"enough", of_run(s.enough)},
+                   {"time", of_run(s.time)},
+                   {"abs", of_run(s.absolute_sum)},
+                   {"srss", of_run(s.srss)},
+                   {"ddc", of_run(s.ddc)}});
   return all;
 }
 
@@ -290,7 +292,7 @@ std::string to_json(const Summary& summary) {
     part["status"] = summary.without_links_status;
     part["structures"] = structures_json(summary.without_pounding);
     part["amplification"] = std::move(amplification);
-    part["separations"] = separations_json(summary.separations);
+    part["separations"] = separations_json(summary.separations, summary.without_links_status == "done");
   }
   all["warnings"] = summary.warnings;
   // Names in a model may be no UTF-8, which JSON demands.
