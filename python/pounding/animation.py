@@ -30,6 +30,7 @@ from PIL import Image
 
 from pounding import told
 from pounding.checked_file import NotResults
+from pounding.ended import exit_code
 from pounding.outputs import cannot_read, output_for, tell
 from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, hide_x, label_axes
 from pounding.pictures.panels import legend_below
@@ -317,4 +318,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

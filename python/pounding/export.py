@@ -21,6 +21,7 @@ import h5py
 import numpy as np
 
 from pounding.checked_file import NotResults
+from pounding.ended import exit_code
 from pounding.outputs import cannot_read, output_for, tell
 from pounding.results import MemberForces, RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
@@ -200,4 +201,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

@@ -13,6 +13,7 @@ import sys
 from matplotlib.figure import Figure
 
 from pounding.checked_file import HoldsPushover, NotResults
+from pounding.ended import exit_code
 from pounding.outputs import cannot_read, output_for
 from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.hinge_map import hinges_figure
@@ -98,4 +99,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

@@ -18,6 +18,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation
 
+from pounding.ended import exit_code
 from pounding.outputs import cannot_read
 from pounding.paper import page
 from pounding.paper.mathematics import data_uri, rich, svg_of
@@ -119,4 +120,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))
