@@ -10,6 +10,8 @@ import numpy as np
 from pounding.studies.template import Template
 
 NOT_RUN, DONE, EXCEEDED, REFUSED, FAILED, DIED = range(6)
+#: Rows that have their numbers.
+COMPLETE = (DONE, EXCEEDED)
 #: The fate of a row, by its number in the column `status`.
 STATUSES = ("not run", "done", "exceeded a limit", "refused input", "solve failed", "worker died")
 
