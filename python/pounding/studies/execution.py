@@ -64,6 +64,12 @@ def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = N
         _run(_Check(plan, table, checked, count), pool, count)
 
 
+def require_count(name: str, value: int | None, least: int) -> None:
+    """Raises InputError for a number of workers or of rows of a chunk that is none."""
+    if value is not None and (not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least):
+        raise InputError(f"{name}: takes a whole number of at least {least}, or None; {value!r} was read")
+
+
 def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
     if pool is not None:
         _run_on(pool, work, count)
@@ -209,8 +215,11 @@ class _LocalPool:
         return self
 
     def __exit__(self, *failure: object) -> None:
-        # At the end of all rows this takes no time worth a Ctrl-C; rows that are under way may be left at once by a second one.
+        # At the end of all rows this takes no time worth a Ctrl-C. After a failure nobody reads the rows under way, which may take minutes.
         with _interrupt_held() if failure[0] is None else nullcontext():
+            if failure[0] is not None:
+                for process in list((getattr(self._pool, "_processes", None) or {}).values()):
+                    process.terminate()
             self._pool.shutdown(cancel_futures=True)
 
     def submit(self, batch: Batch) -> Future[Done]:
