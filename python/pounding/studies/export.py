@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 import csv
+import re
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pounding.outputs import Kind, replaced
 from pounding.studies.engines import STATUSES
 
 if TYPE_CHECKING:
     import xarray
 
     from pounding.studies.rows import Rows
+
+
+#: Columns that every exported table has, whatever their order.
+_COLUMNS = (b"point", b"record", b"scale", b"im [m/s^2]")
+CSV = Kind("table that study export wrote", lambda _, start: set(_COLUMNS) <= set(start.partition(b"\n")[0].strip().split(b",")))
+PARQUET = Kind("Parquet table", lambda _, start: start.startswith(b"PAR1"))
 
 
 def readable(study: Rows) -> dict[str, np.ndarray]:
@@ -29,16 +37,31 @@ def readable(study: Rows) -> dict[str, np.ndarray]:
 
 
 def to_csv(study: Rows, path: str | PathLike[str]) -> None:
-    """One line a row; numbers with all their digits. Raises OSError."""
+    """One line per row; numbers with all their digits. Texts that a spreadsheet would compute as formulas begin with an apostrophe. Raises InputError
+    for a file of another kind, OSError."""
     columns = readable(study)
-    with open(path, "w", newline="", encoding="utf-8") as file:
+    with replaced(path, CSV, _inputs(study)) as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow([f"{name} [{study.units[name]}]" if study.units.get(name) else name for name in columns])
-        writer.writerows(zip(*(values.tolist() for values in columns.values())))
+        writer.writerow([_inert(f"{name} [{study.units[name]}]" if study.units.get(name) else name) for name in columns])
+        writer.writerows(zip(*([_inert(text) for text in values.tolist()] if values.dtype.kind == "U" else values.tolist()
+                               for values in columns.values())))
+
+
+def _inert(text: str) -> str:
+    """A text that no spreadsheet takes for a formula; texts that are numbers stay numbers."""
+    return f"'{text}" if text.startswith(("=", "+", "-", "@", "\t", "\r", "\n")) and not _NUMBER.fullmatch(text) else text
+
+
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(inf|nan)")
+
+
+def _inputs(study: Rows) -> list[PathLike[str]]:
+    """The file that a study was read from."""
+    return [study.path] if study.path is not None else []
 
 
 def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
-    """One file with units beside the names. Raises ImportError without pyarrow, OSError."""
+    """One file with units beside the names. Raises ImportError without pyarrow, InputError for a file of another kind, OSError."""
     try:
         import pyarrow
         from pyarrow import parquet
@@ -46,7 +69,8 @@ def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
         raise ImportError("this needs pyarrow: type python3 -m pip install pyarrow") from error
     columns = {name: pyarrow.array(values.tolist() if values.dtype.kind == "U" else values) for name, values in readable(study).items()}
     fields = [pyarrow.field(name, column.type, metadata={"units": study.units.get(name, "")}) for name, column in columns.items()]
-    parquet.write_table(pyarrow.Table.from_arrays(list(columns.values()), schema=pyarrow.schema(fields)), path)
+    with replaced(path, PARQUET, _inputs(study)) as temporary:
+        parquet.write_table(pyarrow.Table.from_arrays(list(columns.values()), schema=pyarrow.schema(fields)), temporary)
 
 
 def to_xarray(study: Rows) -> xarray.Dataset:
