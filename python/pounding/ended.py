@@ -20,7 +20,8 @@ def exit_code(main: Callable[[], int]) -> int:
     try:
         if text:
             print(f"pounding: {text}", file=sys.stderr)
-        sys.stdout.flush()
+        if sys.stdout is not None:  # None where the caller has closed it
+            sys.stdout.flush()
     except BrokenPipeError:
         # Python flushes again at its end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

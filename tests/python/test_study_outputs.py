@@ -218,13 +218,14 @@ class Merges(Files):
 
 class Words(Files):
     def test_that_are_no_counts_are_refused(self):
-        for words in (["--chunk", "-3"], ["--chunk", "0"], ["--chunk", "x"], ["-j", "-1"], ["-j", "1.5"]):
+        for words in (["--chunk", "-3"], ["--chunk", "0"], ["--chunk", "x"], ["-j", "-1"], ["-j", "1.5"], ["-j", "9" * 5000], ["--chunk", "1_0"]):
             self.refused("takes a whole number of at least", "study.yaml", "-o", "s.h5", *words)
         self.refused("takes a whole number of at least 0", "check", "study.yaml", "-j", "-1")
         plan = make_plan(pair(), {"factors": FACTORS, **WORDS}, Path())
         for options in ({"workers": -1}, {"chunk": -3}, {"chunk": 0}, {"workers": "two"}, {"chunk": 1.5}):
             with self.assertRaisesRegex(InputError, "takes a whole number"):
                 run_plan(plan, self.folder / "s.h5", **options)
+        self.refused("workers: takes at most 4096", "study.yaml", "-o", "s.h5", "-j", "1000000")
         self.assertFalse((self.folder / "s.h5").exists())
 
     def test_that_are_no_studies_are_refused(self):

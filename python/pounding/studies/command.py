@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import errno
 import json
+import re
 import signal
 import sys
 import threading
@@ -303,7 +304,7 @@ def _table_name(study: str, given: str | None) -> Path:
 def _at_least(least: int) -> Callable[[str], int]:
     """A type of argparse: whole numbers from `least` on."""
     def read(text: str) -> int:
-        if not text.strip().lstrip("+").isascii() or not text.strip().lstrip("+").isdigit() or int(text) < least:
+        if not re.fullmatch(r"\+?[0-9]{1,18}", text) or int(text) < least:
             raise argparse.ArgumentTypeError(f'takes a whole number of at least {least}, not "{text[:40]}"')
         return int(text)
 

@@ -27,6 +27,8 @@ from pounding.studies.worker import begin_worker, run_alone, say_hello
 #: Wall time that a chunk shall take [s]; schedulers cost some 0.2 to 1 ms a chunk.
 CHUNK_SECONDS = 0.5
 LARGEST_CHUNK = 20000
+#: Processes of a study, at most.
+MOST_WORKERS = 4096
 #: Rows after which the share of failed ones counts.
 ENOUGH_ROWS = 20
 #: Called after every chunk with the numbers of rows done, failed, and in all.
@@ -65,9 +67,11 @@ def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = N
 
 
 def require_count(name: str, value: int | None, least: int) -> None:
-    """Raises InputError for a number of workers or of rows of a chunk that is none."""
+    """Raises InputError for a number of workers, or of rows of a chunk, that is none or beyond what a machine can start."""
     if value is not None and (not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least):
         raise InputError(f"{name}: takes a whole number of at least {least}, or None; {value!r} was read")
+    if name == "workers" and value is not None and value > MOST_WORKERS:
+        raise InputError(f"workers: takes at most {MOST_WORKERS}; {value} was read")
 
 
 def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
