@@ -68,9 +68,8 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
     if not stat.S_ISREG(found.st_mode):
         refuse(path, "it is not a regular file")
     for each in inputs:
-        with contextlib.suppress(OSError):
-            if os.path.samestat(os.stat(each), found):
-                refuse(path, f"it is {each}, which is read here")
+        if _is_file(each, found):
+            refuse(path, f"it is {each}, which is read here")
     if not os.access(place, os.W_OK):
         refuse(path, "it is write-protected")
     try:
@@ -84,6 +83,13 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
     if start and not kind.recognises(place, start):
         refuse(path, f"a file of this name exists and holds no {kind.name}", f"Name another file, or first type: rm {name}")
     return place
+
+
+def _is_file(path: File, found: os.stat_result) -> bool:
+    try:
+        return os.path.samestat(os.stat(path), found)
+    except (OSError, ValueError):  # no such file, or no name of one
+        return False
 
 
 @contextmanager

@@ -282,6 +282,16 @@ class Exports(Files):
         self.assertEqual(self.study("export", "s.h5", "-o", "new.csv").returncode, 0)
         self.assertEqual((self.folder / "new.csv").stat().st_mode & 0o777, 0o600)
 
+    def test_leave_the_samples_that_a_study_names(self):
+        # With the columns of an earlier export, which an export may replace otherwise.
+        samples = self.folder / "samples.csv"
+        samples.write_text("gap (mm),point,record,scale,im [m/s^2]\n1,0,0,1,1\n3,1,0,1,1\n")
+        (self.folder / "sampled.yaml").write_text("model: pair.yaml\nstudy: {factors: {gap: {of: links.*.gap, column: gap}}, sampling: {table: samples.csv}}\n")
+        self.assertEqual(self.study("sampled.yaml", "-o", "sampled.h5", "-q").returncode, 0)
+        before = samples.read_bytes()
+        self.refused("which is read here", "export", "sampled.h5", "-o", "samples.csv")
+        self.assertEqual(samples.read_bytes(), before)
+
     def test_of_results_replace_nothing_but_results(self):
         results = pounding.run(pair())
         model = self.folder / "pair.yaml"

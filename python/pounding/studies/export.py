@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import csv
 import re
+from collections.abc import Iterator
 from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pounding._native import core
 from pounding.outputs import Kind, replaced
 from pounding.studies.engines import STATUSES
+from pounding.studies.table import open_study
+from pounding.texts import text
 
 if TYPE_CHECKING:
     import xarray
@@ -43,21 +48,34 @@ def to_csv(study: Rows, path: str | PathLike[str]) -> None:
     with replaced(path, CSV, _inputs(study)) as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow([_inert(f"{name} [{study.units[name]}]" if study.units.get(name) else name) for name in columns])
-        writer.writerows(zip(*([_inert(text) for text in values.tolist()] if values.dtype.kind == "U" else values.tolist()
+        writer.writerows(zip(*([_inert(each) for each in values.tolist()] if values.dtype.kind == "U" else values.tolist()
                                for values in columns.values())))
 
 
-def _inert(text: str) -> str:
+def _inert(cell: str) -> str:
     """A text that no spreadsheet takes for a formula; texts that are numbers stay numbers."""
-    return f"'{text}" if text.startswith(("=", "+", "-", "@", "\t", "\r", "\n")) and not _NUMBER.fullmatch(text) else text
+    return f"'{cell}" if cell.startswith(("=", "+", "-", "@", "\t", "\r", "\n")) and not _NUMBER.fullmatch(cell) else cell
 
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(inf|nan)")
 
 
-def _inputs(study: Rows) -> list[PathLike[str]]:
-    """The file that a study was read from."""
-    return [study.path] if study.path is not None else []
+def _inputs(study: Rows) -> list[Path]:
+    """The table that a study was read from, and the files that its text names: a table of samples may be an earlier export."""
+    if study.path is None or not study.path.is_file():
+        return []
+    with open_study(study.path) as file:
+        given = core.parse(core.Source(text(file["study/text"][()]), "study"))
+    return [study.path, *(folder / name for name in _texts(given) for folder in (study.path.parent, Path()))]
+
+
+def _texts(given: Any) -> Iterator[str]:
+    """All texts in the maps and lists of a file."""
+    if isinstance(given, str):
+        yield given
+    elif isinstance(given, (dict, list)):
+        for each in given.values() if isinstance(given, dict) else given:
+            yield from _texts(each)
 
 
 def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
