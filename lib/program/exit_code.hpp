@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 
@@ -11,12 +12,12 @@
 
 namespace pounding::program {
 
-constexpr int done = 0, other_failure = 1, bad_input = 2, failed_solve = 3;
+constexpr int done = 0, bad_input = 2, failed_solve = 3;
 
 inline int exit_code(const std::exception& error) {
-  if (dynamic_cast<const InputError*>(&error) || dynamic_cast<const std::invalid_argument*>(&error)) return bad_input;
-  const bool is_memory = dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error);
-  return is_memory || dynamic_cast<const SolverError*>(&error) ? failed_solve : other_failure;
+  const bool is_input = dynamic_cast<const InputError*>(&error) || dynamic_cast<const std::invalid_argument*>(&error) ||
+                        dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+  return is_input ? bad_input : failed_solve;
 }
 
 inline void print_failure(const char* text) { std::fprintf(stderr, "pounding: %s\n", laws::message_text(text).c_str()); }

@@ -1,5 +1,7 @@
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -32,6 +34,13 @@ void end_without_memory() {
 
 [[gnu::constructor(101)]] void watch_over_memory() { usual_end = std::set_terminate(end_without_memory); }
 
+// A results file must never become standard output, where the caller has closed that: what is printed would be in the middle of it.
+// Reading ends serve, since what is printed has to fail.
+void hold_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDONLY);
+}
+
 // HDF5 1.10 ends a process by exit(-1) when a table of its own gets no memory; nothing else here does.
 void tell_of_hdf5(int status, void*) {
   if (status != -1) return;
@@ -43,6 +52,9 @@ void tell_of_hdf5(int status, void*) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  hold_standard_streams();
+  // A reader that closes its pipe, such as head, must not end a run: what cannot be printed is told at the end.
+  std::signal(SIGPIPE, SIG_IGN);
   pounding::program::use_one_thread();
   on_exit(tell_of_hdf5, nullptr);
   try {

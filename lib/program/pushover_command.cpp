@@ -13,6 +13,7 @@
 #include <pounding/linear/lowest_modes.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/results/pushover_file.hpp>
+#include <pounding/results/replaced_file.hpp>
 #include "program/commands.hpp"
 
 namespace pounding::program {
@@ -27,6 +28,7 @@ struct PushoverArguments {
 void push_over(const PushoverArguments& given) {
   const petsc::Environment environment;
   const Model model = read_model(Input::read_file(given.model), petsc::lowest_modes);
+  if (!given.picture.empty()) ReplacedFile(given.picture, picture_files).require_free();
   const Pushover found = pushover(model, given.words, petsc::lowest_modes);
   std::fputs(given.json ? (pushover_json(found) + "\n").c_str() : pushover_table(found).c_str(), stdout);
   if (!given.output.empty()) {

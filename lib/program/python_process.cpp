@@ -142,7 +142,9 @@ void run_python(const PythonTask& task, const std::vector<std::string>& options,
     throw InputError(failure + "\"" + python + "\" cannot be started: " + std::strerror(outcome.spawn_error) + ". " +
                      what_to_install);
   if (outcome.exit_code == 0) return;
-  const std::string message = last_line(outcome.output);
+  std::string message = last_line(outcome.output);
+  if (constexpr std::string_view ours = "pounding: "; message.starts_with(ours)) message.erase(0, ours.size());
+  if (outcome.exit_code == 3 && !message.empty()) throw SolverError(failure + message);
   if (message.find("No module named") != std::string::npos)
     throw InputError(failure + python + ": " + message + ". " + what_to_install);
   if (message.empty())

@@ -6,16 +6,18 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
 #include <pounding/petsc/environment.hpp>
+#include <pounding/results/replaced_file.hpp>
 #include "commands.hpp"
 #include "python_process.hpp"
 #include "reproduce/items.hpp"
@@ -40,11 +42,21 @@ std::vector<const ItemMaker*> chosen(const std::vector<std::string>& only) {
   return result;
 }
 
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text;
-  stream.close();
-  if (!stream) throw InputError(fmt::format("{} cannot be written. Name another folder: -o FOLDER", file.string()));
+// The report of an earlier reproduction marks its folder.
+const FileKind report_files{"report of a reproduction", "-o FOLDER", [](std::string_view start) { return start.starts_with("{\"items\":"); }};
+const FileKind figure_files{"figure", "-o FOLDER", [](std::string_view) { return true; }};
+
+void write(const fs::path& file, const std::string& text, const FileKind& kind) {
+  ReplacedFile(file.string(), kind).replace(std::as_bytes(std::span(text)));
+}
+
+/// Throws InputError for a folder that holds something and no earlier report: files there may be of other programs.
+void require_own(const fs::path& directory, const fs::path& data) {
+  ReplacedFile(data.string(), report_files).require_free();
+  std::error_code error;
+  if (!fs::is_empty(directory, error) && !error && !fs::exists(data))
+    throw InputError(fmt::format("-o {}: the folder holds files, and no report of a reproduction. Name a new folder, such as -o {}/reproduction",
+                                 directory.string(), directory.string()));
 }
 
 /// Shows a line on the terminal, which the next one overwrites.
@@ -91,9 +103,9 @@ std::vector<Item> compute_and_draw(const std::vector<const ItemMaker*>& makers, 
     const auto begin = std::chrono::steady_clock::now();
     items.push_back(maker->make());
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    for (const reproduce::Figure& figure : items.back().figures) write(directory / (figure.name + ".csv"), to_csv(figure));
+    for (const reproduce::Figure& figure : items.back().figures) write(directory / (figure.name + ".csv"), to_csv(figure), figure_files);
   }
-  write(data, to_json(items, seconds));
+  write(data, to_json(items, seconds), report_files);
   show("drawing ");
   run_python({.module = "reproduce", .product = "report"}, {"-o", report.string()}, {data.string()});
   return items;
@@ -106,8 +118,9 @@ void reproduce_paper(const ReproduceArguments& words) {
   fs::create_directories(directory, error);
   if (error) throw InputError(fmt::format("-o {}: the folder cannot be made: {}", words.directory, error.message()));
 
-  const petsc::Environment environment;
   const fs::path data = directory / "report.json", report = directory / "report.html";
+  require_own(directory, data);
+  const petsc::Environment environment;
   const std::vector<Item> items = compute_and_draw(makers, directory, data, report);
   words.json ? print_json(items, report.string()) : print(items, report.string());
 }

@@ -26,6 +26,7 @@
 #include <pounding/petsc/collective_exit.hpp>
 #include <pounding/petsc/environment.hpp>
 #include <pounding/petsc/ranks.hpp>
+#include <pounding/results/replaced_file.hpp>
 #include "commands.hpp"
 #include "exit_code.hpp"
 
@@ -179,6 +180,8 @@ void run_task(const RunArguments& words, const Task& task) {
   run_options.command = fmt::format("pounding run{}{}{}{}{}{}", model_file.empty() ? "" : " ", model_file,
                                     resume ? " --resume " : "", words.resume, options.empty() ? "" : " ",
                                     fmt::join(options, " "));
+  const std::string picture = words.picture.empty() ? with_ending(run_options.output, ".png") : words.picture;
+  if (plot) ReplacedFile(picture, picture_files).require_free();
   const bool terminal = isatty(STDERR_FILENO) != 0 && !words.quiet && ranks.is_root();
   RunProgress line;
   if (terminal) run_options.progress = [&](double time, double duration, int impacts) { line.show(time, duration, impacts); };
@@ -228,7 +231,6 @@ void run_task(const RunArguments& words, const Task& task) {
   if (!keep) return;
   if (!words.json && !words.quiet) std::printf("\nresults      %s\n", run_options.output.c_str());
   if (!plot) return;
-  const std::string picture = words.picture.empty() ? with_ending(run_options.output, ".png") : words.picture;
   draw(run_options.output, picture);
   std::vector<std::string> pictures{picture};
   if (words.report) draw_report(outcome.summary, run_options.output, pictures);

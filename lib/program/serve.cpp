@@ -1,8 +1,13 @@
+#include <poll.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <iostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -63,6 +68,18 @@ std::vector<std::string> commands_of(const CLI::App& app) {
   return names;
 }
 
+// True if standard output is a pipe whose reader has seen enough.
+bool reader_is_gone() {
+  pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+  return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
+// The exit code of a command that is done.
+int printed() {
+  if ((std::fflush(stdout) == 0 && !std::ferror(stdout)) || reader_is_gone()) return done;
+  return report("what was printed could not be written", bad_input);
+}
+
 }  // namespace
 
 int report(const char* text, int code) {
@@ -99,14 +116,20 @@ int serve(int argc, char** argv) {
   app.get_subcommand("run")->parse_complete_callback(petsc::require_mpi_for_several);
   try {
     app.parse(argc, argv);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return report("what was printed could not be written", other_failure);
-    return done;
+    return printed();
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return is_root() ? app.exit(error) : done;
+    if (error.get_exit_code() == 0) {
+      if (is_root()) app.exit(error);
+      std::cout.flush();
+      return printed();
+    }
     if (const std::string unknown = unknown_command(app, {argv + 1, argv + argc}); !unknown.empty())
       return report((unknown + "\nType pounding --help.").c_str(), bad_input);
     return report((std::string(error.what()) + "\nType pounding --help, or pounding COMMAND --help.").c_str(), bad_input);
   } catch (const OutOfMemory&) {
+    throw;
+  } catch (const std::system_error&) {
+    if (std::ferror(stdout)) return printed();  // fmt::print throws
     throw;
   } catch (const std::bad_alloc&) {
     throw OutOfMemory(fmt::format("pounding {}: out of memory; {} were there", fmt::join(commands_of(app), " "),

@@ -1,34 +1,37 @@
 #include "program/spectrum_output.hpp"
 
 #include <cmath>
-#include <fstream>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <pounding/core/error.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/results/replaced_file.hpp>
 #include "program/commands.hpp"
 
 namespace pounding::program {
 namespace {
 
+constexpr std::string_view first_column = "period (s)";
+const FileKind spectrum_files{"table of spectra", "--csv spectrum.csv",
+                              [](std::string_view start) { return start.starts_with(std::string(first_column) + ","); }};
+
 void write_spectra(const std::vector<NamedSpectrum>& spectra, const std::string& path) {
-  std::ofstream file(path);
-  file << "period (s)";
+  std::string file(first_column);
   for (const NamedSpectrum& s : spectra) {
     const std::string of = spectra.size() > 1 ? s.name + " " : "";
-    file << fmt::format(",{0}sd (m),{0}psv (m/s),{0}psa (m/s^2)", of);
+    file += fmt::format(",{0}sd (m),{0}psv (m/s),{0}psa (m/s^2)", of);
   }
-  file << '\n';
+  file += '\n';
   for (std::size_t i = 0; i < spectra.front().points.size(); ++i) {
-    file << fmt::format("{:.10g}", spectra.front().points[i].period);
+    file += fmt::format("{:.10g}", spectra.front().points[i].period);
     for (const NamedSpectrum& s : spectra)
-      file << fmt::format(",{:.10g},{:.10g},{:.10g}", s.points[i].sd, s.points[i].psv, s.points[i].psa);
-    file << '\n';
+      file += fmt::format(",{:.10g},{:.10g},{:.10g}", s.points[i].sd, s.points[i].psv, s.points[i].psa);
+    file += '\n';
   }
-  file.close();
-  if (!file) throw InputError(fmt::format("{}: cannot be written", path));
+  ReplacedFile(path, spectrum_files).replace(std::as_bytes(std::span(file)));
 }
 
 void print_spectra(const std::string& title, const std::vector<NamedSpectrum>& spectra) {

@@ -8,6 +8,8 @@ import os
 import sys
 from pathlib import Path
 
+from pounding.ended import exit_code
+
 #: The program, as the wheel and the build tree hold it.
 PROGRAM = Path(__file__).parent / "bin/pounding"
 MODULES = {"plot": "plots", "animate": "animation", "export": "export"}
@@ -43,4 +45,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

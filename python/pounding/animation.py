@@ -30,7 +30,9 @@ from PIL import Image
 
 from pounding import told
 from pounding.checked_file import NotResults
-from pounding.outputs import cannot_read, output_for, tell
+from pounding.ended import exit_code
+from pounding.errors import InputError
+from pounding.outputs import PICTURE, cannot_read, destination, output_for, replaced, tell
 from pounding.pictures.drawing import Drawing, are_many, draw_ground, frame_axes, hide_x, label_axes
 from pounding.pictures.panels import legend_below
 from pounding.results import RunData
@@ -182,33 +184,42 @@ def animate(run: RunData, times: np.ndarray, scale: float | None = None, title: 
 def save(film: Film, path: str | PathLike[str], progress: Callable[[int, int], None] | None = None) -> None:
     """Writes .gif, .mp4, or one .png a frame: NAME_0001.png and so on. `progress(done, all)` is called after each frame.
 
-    Raises BadRequest for another suffix and for .mp4 without ffmpeg, OSError when nothing can be written."""
+    Raises InputError for another suffix, for .mp4 without ffmpeg, and if a file would replace something else than a picture; OSError when nothing can
+    be written."""
     path = Path(path)
     check_output(path)
     with rc_context(STYLE):
         if path.suffix == ".mp4":
-            _save_mp4(film, path, progress)
+            with replaced(path, PICTURE) as temporary:
+                _save_mp4(film, temporary, progress)
             return
+        if path.suffix == ".png":
+            for frame in range(1, film.frames + 1):
+                destination(_frame_path(path, frame, film.frames), PICTURE)
         pictures = []
         for frame, picture in enumerate(film.pictures(), start=1):
             if path.suffix == ".png":
-                picture.save(_frame_path(path, frame, film.frames))
+                with replaced(_frame_path(path, frame, film.frames), PICTURE) as temporary:
+                    picture.save(temporary)
             else:
                 pictures.append(picture)
             if progress:
                 progress(frame, film.frames)
         if path.suffix == ".gif":
-            _save_gif(pictures, path, film.speed)
+            with replaced(path, PICTURE) as temporary:
+                _save_gif(pictures, temporary, film.speed)
 
 
 def check_output(path: str | PathLike[str]) -> None:
-    """BadRequest when `save` could not write this kind of file."""
+    """Raises InputError when `save` could not write this file."""
     suffix = Path(path).suffix
     if suffix not in SUFFIXES:
         raise BadRequest(f'cannot write {path}: "{suffix}" is none of {", ".join(SUFFIXES)}')
     if suffix == ".mp4" and shutil.which("ffmpeg") is None:
         raise BadRequest(f"cannot write {path}: .mp4 needs ffmpeg, which is not installed. Type `apt-get install ffmpeg`, or "
                          f"`-o {Path(path).with_suffix('.gif')}`")
+    if suffix != ".png":  # whose frames have names of their own
+        destination(path, PICTURE)
 
 
 def _save_gif(pictures: list[Image.Image], path: Path, speed: float) -> None:
@@ -301,11 +312,14 @@ def main(arguments: list[str] | None = None) -> int:
     except (OSError, NotResults) as error:
         print(cannot_read(options.results, error), file=sys.stderr)
         return 2
-    except BadRequest as error:
+    except InputError as error:
         print(error, file=sys.stderr)
         return 2
     try:
         save(film, output, _progress(options.progress_to))
+    except InputError as error:
+        print(error, file=sys.stderr)
+        return 2
     except (OSError, ValueError) as error:
         print(f"cannot write {output}: {error}", file=sys.stderr)
         return 2
@@ -317,4 +331,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

@@ -10,12 +10,17 @@ from pathlib import Path
 from typing import BinaryIO
 
 from pounding.errors import InputError
+from pounding.outputs import Kind, replaced
 
 #: Bytes in front of the HDF5 data: an HDF5 user block, which h5py, h5dump and others skip.
 BLOCK = 512
 FIRST_LINE = b"results of pounding\n"
 FIRST_LINE_OF_STUDY = b"study of pounding\n"
 _HDF5 = b"\x89HDF\r\n\x1a\n"
+#: Files that results may replace, also those of versions before 0.2, and those that a table of a study may replace.
+RESULTS = Kind("results of pounding", lambda _, start: start.startswith(FIRST_LINE) or start.startswith(_HDF5) and all(
+    name in start for name in (b"program\0", b"pounding", b"resolved.yaml")))
+STUDY = Kind("table of a study", lambda _, start: start.startswith(FIRST_LINE_OF_STUDY))
 
 
 class NotResults(InputError):
@@ -54,8 +59,8 @@ def require_whole_study(path: Path) -> None:
 
 
 def write_study(path: Path, image: bytes) -> None:
-    """Writes the table of a study from its HDF5 file in memory, with the text in front. Raises OSError."""
-    with open(path, "wb") as file:
+    """Writes the table of a study from its HDF5 file in memory, with the text in front. Raises InputError, OSError."""
+    with replaced(path, STUDY) as temporary, open(temporary, "wb") as file:
         file.write(block(BLOCK + len(image), zlib.crc32(image), FIRST_LINE_OF_STUDY))
         file.write(image)
 

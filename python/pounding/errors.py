@@ -6,11 +6,20 @@ import unicodedata
 from typing import Any
 
 
+#: Characters of a message, at most, as in the program.
+LONGEST_MESSAGE = 1800
+
+
+def shortened(text: str) -> str:
+    """The text without its middle if it is longer than a message may be: its end says what to type."""
+    return text if len(text) <= LONGEST_MESSAGE else f"{text[:LONGEST_MESSAGE - 605]} ... {text[-600:]}"
+
+
 class InputError(ValueError):
-    """Wrong input. The text says where it stands, what was read, what is allowed and what to type."""
+    """Wrong input. The text says where it is, what was read, what is allowed and what to type."""
 
     def __init__(self, text: object = "") -> None:
-        super().__init__("".join(letter if letter == "\n" or _is_shown(letter) else letter.encode("unicode_escape").decode() for letter in str(text)))
+        super().__init__("".join(letter if letter == "\n" or _is_shown(letter) else letter.encode("unicode_escape").decode() for letter in shortened(str(text))))
 
 
 def _is_shown(letter: str) -> bool:

@@ -21,7 +21,9 @@ import h5py
 import numpy as np
 
 from pounding.checked_file import NotResults
-from pounding.outputs import cannot_read, output_for, tell
+from pounding.ended import exit_code
+from pounding.errors import InputError
+from pounding.outputs import Kind, cannot_read, output_for, replaced, tell
 from pounding.results import MemberForces, RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
@@ -37,7 +39,8 @@ BLOCK = 200
 def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]) -> Path:
     """Writes `path` for the run that was read from the file `results`, and the file of data beside it, which is returned.
 
-    Raises BadRequest when the suffix is not .xdmf or the run has no times, OSError when nothing can be written."""
+    Raises InputError when the suffix is not .xdmf, the run has no times, or a file would replace something else than an export; OSError when nothing can be
+    written."""
     path = Path(path)
     if path.suffix != ".xdmf":
         raise BadRequest(f'cannot write {path}: "{path.suffix}" is not .xdmf')
@@ -46,12 +49,17 @@ def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]
     companion = path.with_name(f"{path.stem}.data.h5")
     if companion.resolve() == Path(results).resolve():
         raise BadRequest(f"cannot write {companion} beside {path}: it is the results file. Type another name after -o")
-    _refuse_others_data(companion)
-    with h5py.File(companion, "w") as data:
-        data.attrs["program"] = MARK
-        scene = Scene(run)
-        grids = [_Grid(name, scene, Path(results), companion, data) for name in run.structures]
-        grids = [grid for grid in grids if grid.has_points]
+    with replaced(path, XDMF) as text_file, replaced(companion, DATA) as data_file:
+        with h5py.File(data_file, "w") as data:
+            data.attrs["program"] = MARK
+            scene = Scene(run)
+            grids = [_Grid(name, scene, Path(results), companion, data) for name in run.structures]
+            grids = [grid for grid in grids if grid.has_points]
+        ElementTree.ElementTree(_xdmf(grids, run)).write(text_file, encoding="utf-8", xml_declaration=True)
+    return companion
+
+
+def _xdmf(grids: list[_Grid], run: RunData) -> ElementTree.Element:
     root = ElementTree.Element("Xdmf", Version="2.0")
     domain = ElementTree.SubElement(root, "Domain")
     for grid in grids:
@@ -60,22 +68,19 @@ def export(results: str | PathLike[str], run: RunData, path: str | PathLike[str]
         for i, time in enumerate(run.time):
             grid.write(series, i, float(time))
     ElementTree.indent(root)
-    ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
-    return companion
+    return root
 
 
-def _refuse_others_data(companion: Path) -> None:
-    """Raises BadRequest where the file of data would replace what no export has written."""
-    if not companion.exists() or not companion.stat().st_size:
-        return
+def _is_data(place: Path, _: bytes) -> bool:
     try:
-        with h5py.File(companion) as earlier:
-            if text(earlier.attrs.get("program", "")) == MARK:
-                return
+        with h5py.File(place) as earlier:
+            return text(earlier.attrs.get("program", "")) == MARK
     except OSError:
-        pass
-    raise BadRequest(f"cannot write {companion} beside the .xdmf: a file of this name exists and holds no export. Type another name "
-                     "after -o")
+        return False
+
+
+XDMF = Kind("export", lambda _, start: b"<Xdmf" in start)
+DATA = Kind("export", _is_data)
 
 
 class _Data:
@@ -190,7 +195,7 @@ def main(arguments: list[str] | None = None) -> int:
     output = output_for(options.results, options.output, ".xdmf")
     try:
         tell("export", output, export(options.results, run, output))
-    except BadRequest as error:
+    except InputError as error:
         print(error, file=sys.stderr)
         return 2
     except OSError as error:
@@ -200,4 +205,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

@@ -28,6 +28,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from pounding.ended import exit_code
 from pounding.outputs import cannot_read
 from pounding.pictures.drawing import project
 from pounding.pictures.style import QUIET, STYLE, BadRequest, Picture, head, structure_colour, write_picture
@@ -190,4 +191,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

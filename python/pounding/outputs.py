@@ -1,24 +1,233 @@
-"""Files that the commands write: where, and what they say of them."""
+"""Files that the commands write: the conditions under which one replaces another, and how it does so."""
 
 from __future__ import annotations
 
+import contextlib
+import fcntl
+import os
+import re
+import socket
+import stat
+import struct
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
+from typing import NoReturn
+
+from pounding.errors import InputError
+
+File = str | PathLike[str]
+#: Bytes of an existing file that tell what it holds.
+START = 1 << 16
 
 
-def output_for(results: str | PathLike[str], given: str | None, ending: str) -> Path:
+@dataclass(frozen=True)
+class Kind:
+    """Files that may replace each other. An empty file may be replaced by any kind."""
+
+    name: str  #: for messages: "picture"
+    recognises: Callable[[Path, bytes], bool]  #: whether an existing file, with these first bytes, is of this kind
+
+
+def _is_picture(_: Path, start: bytes) -> bool:
+    signatures = (b"\x89PNG", b"%PDF-", b"GIF8", b"%!PS", b"\xff\xd8\xff", b"RIFF", b"II*\0", b"MM\0*", b"%% Creator: Matplotlib")
+    return start.startswith(signatures) or start[4:8] == b"ftyp" or (start.startswith((b"<?xml", b"<svg")) and b"<svg" in start)
+
+
+PICTURE = Kind("picture", _is_picture)
+
+
+def refuse(path: File, reason: str, advice: str = "Name another file") -> NoReturn:
+    """Raises InputError: the file cannot be written."""
+    raise InputError(f'cannot write "{os.fsdecode(path)}": {reason}. {advice}')
+
+
+def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
+    """The file that writing `path` creates or replaces: symbolic links are followed.
+
+    Raises InputError if the path is empty, a directory or another thing that is no file, write-protected, in a missing directory, one of
+    `inputs` under any name, written by a run, or holds data of another kind."""
+    name = os.fsdecode(path)
+    if not name:
+        refuse(path, "the name of the file is empty", "Name a file")
+    try:
+        place = Path(os.path.realpath(name))
+        found = os.stat(name)
+    except FileNotFoundError:
+        if not place.parent.is_dir():
+            refuse(path, f"there is no directory {place.parent}", f"First type: mkdir -p {place.parent}")
+        if name.endswith(os.sep):
+            refuse(path, "the name ends as that of a directory", f"Name a file, such as {name.rstrip(os.sep)}")
+        return place
+    except (OSError, ValueError) as error:  # a circle of links, a name that is too long or holds a null byte
+        refuse(path, getattr(error, "strerror", None) or str(error))
+    if stat.S_ISDIR(found.st_mode):
+        refuse(path, "it is a directory", "Name a file in it")
+    if not stat.S_ISREG(found.st_mode):
+        refuse(path, "it is not a regular file")
+    for each in inputs:
+        if _is_file(each, found):
+            refuse(path, f"it is {each}, which is read here")
+    if not os.access(place, os.W_OK):
+        refuse(path, "it is write-protected")
+    try:
+        with open(place, "rb") as file:
+            start = file.read(START)
+            busy = _is_held(file.fileno())
+    except OSError as error:
+        refuse(path, error.strerror or str(error))
+    if busy:
+        refuse(path, "a run writes it now", "Wait for its end, or name another file")
+    if start and not kind.recognises(place, start):
+        refuse(path, f"a file of this name exists and holds no {kind.name}", f"Name another file, or first type: rm {name}")
+    return place
+
+
+def _is_file(path: File, found: os.stat_result) -> bool:
+    try:
+        return os.path.samestat(os.stat(path), found)
+    except (OSError, ValueError):  # no such file, or no name of one
+        return False
+
+
+@contextmanager
+def replaced(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Iterator[Path]:
+    """Yields a temporary file to write, with the suffix of `path`, which replaces `path` as a whole at the end: a kill or an error leaves the
+    earlier file. The mode of the earlier file is kept, and its owner if possible. Raises InputError as `destination`, and OSError."""
+    inputs = tuple(inputs)
+    place = destination(path, kind, inputs)
+    suffix = ".tmp" + Path(os.fsdecode(path)).suffix
+    temporary = place.with_name(f"{_remove_leftovers(place, suffix)}{os.getpid()}{suffix}")
+    try:
+        os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NOFOLLOW, 0o666))
+    except OSError as error:
+        refuse(path, error.strerror or str(error), "Name a file in a directory that you may write to")
+    try:
+        yield temporary
+        bring_to_disk(temporary)
+        destination(path, kind, inputs)  # another program may have come first
+        keep_mode(place, temporary)
+        os.replace(temporary, place)
+    except OSError as error:
+        if error.filename in (temporary, str(temporary)):
+            error.filename = os.fsdecode(path)
+        raise
+    finally:
+        temporary.unlink(missing_ok=True)
+    bring_to_disk(place.parent)
+
+
+def keep_mode(earlier: Path, new: Path) -> None:
+    """Gives the new file the mode of the earlier one, and its owner as far as this process may."""
+    with contextlib.suppress(OSError):
+        before = os.stat(earlier)
+        with contextlib.suppress(OSError):
+            os.chown(new, before.st_uid, before.st_gid)
+        os.chmod(new, stat.S_IMODE(before.st_mode))
+
+
+def bring_to_disk(path: Path) -> None:
+    """Waits until a file, or the names in a directory, would outlast a power failure. Raises OSError."""
+    try:
+        descriptor = os.open(path, os.O_RDONLY)
+    except PermissionError:  # a directory may be writable and not readable
+        return
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+def _remove_leftovers(place: Path, suffix: str) -> str:
+    """Removes temporary files that killed processes of this host left beside the file. Returns the beginning of their names."""
+    prefix = f".{place.name}.{socket.gethostname()}."
+    pattern = re.compile(re.escape(prefix) + r"(\d+)" + re.escape(suffix))
+    with contextlib.suppress(OSError):
+        for name in os.listdir(place.parent):
+            if (found := pattern.fullmatch(name)) and not _is_running(int(found[1])):
+                place.with_name(name).unlink(missing_ok=True)
+    return prefix
+
+
+def _is_running(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except OSError:
+        return True
+    return True
+
+
+# One byte that no file reaches, as `pounding run` locks the file that it writes: HDF5 and other readers lock whole files.
+_FLOCK = struct.Struct("@hhqqi4x")
+
+
+def _flock(kind: int) -> bytes:
+    return _FLOCK.pack(kind, os.SEEK_SET, 2**63 - 2, 1, 0)
+
+
+def _is_held(descriptor: int) -> bool:
+    """Whether another open file holds the lock of this one."""
+    try:
+        held = fcntl.fcntl(descriptor, fcntl.F_OFD_GETLK, _flock(fcntl.F_WRLCK))
+    except (OSError, AttributeError):  # a file system, or a system, without such locks
+        return False
+    return bool(_FLOCK.unpack(held)[0] != fcntl.F_UNLCK)
+
+
+class Lock:
+    """A lock file, held by this object until `release` or the end of the process. Two objects of one process exclude each other."""
+
+    _descriptor = -1
+
+    def __init__(self, path: Path) -> None:
+        """Raises BlockingIOError if another object holds it, OSError if the file cannot be made."""
+        while True:
+            self._descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+            try:
+                fcntl.fcntl(self._descriptor, fcntl.F_OFD_SETLK, _flock(fcntl.F_WRLCK))
+            except (BlockingIOError, PermissionError):
+                self.release()
+                raise BlockingIOError(f"{path} is locked") from None
+            except (OSError, AttributeError):  # without such locks
+                return
+            # The file that was opened may have been removed before the lock was taken.
+            with contextlib.suppress(FileNotFoundError):
+                if os.path.samestat(os.fstat(self._descriptor), os.stat(path)):
+                    return
+            self.release()
+
+    @property
+    def is_held(self) -> bool:
+        """True until `release`."""
+        return self._descriptor >= 0
+
+    def release(self) -> None:
+        """Lets others have it."""
+        if self._descriptor >= 0:
+            os.close(self._descriptor)
+            self._descriptor = -1
+
+    def __del__(self) -> None:
+        self.release()
+
+
+def output_for(results: File, given: str | None, ending: str) -> Path:
     """The file that was asked for; else the name of the results with another ending, in the current folder."""
     return Path(given) if given else Path(Path(results).stem + ending)
 
 
-def cannot_read(file: str | PathLike[str], error: Exception) -> str:
+def cannot_read(file: File, error: Exception) -> str:
     """The message for a file that could not be read, which names it once: some errors do so by themselves."""
     text = getattr(error, "strerror", None) or str(error)
     names_it = text.startswith((f"{file}: ", f"{file} ")) or text.endswith(f" {file}")
     return text if names_it else f"cannot read {file}: {text}"
 
 
-def tell(kind: str, *files: str | PathLike[str]) -> None:
+def tell(kind: str, *files: File) -> None:
     """Prints what was written, as `pounding run` does."""
     for file in files:
         print(f"{kind:<12} {file}")

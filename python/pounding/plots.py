@@ -13,6 +13,8 @@ import sys
 from matplotlib.figure import Figure
 
 from pounding.checked_file import HoldsPushover, NotResults
+from pounding.ended import exit_code
+from pounding.errors import InputError
 from pounding.outputs import cannot_read, output_for
 from pounding.pictures.displacements import draw_displacements
 from pounding.pictures.hinge_map import hinges_figure
@@ -90,7 +92,7 @@ def main(arguments: list[str] | None = None) -> int:
     except (OSError, NotResults) as error:
         print(cannot_read(options.results, error), file=sys.stderr)
         return 2
-    except BadRequest as error:
+    except InputError as error:
         print(error, file=sys.stderr)
         return 2
     output = output_for(options.results, options.output, ".png" if options.picture == "run" else f"-{options.picture}.png")
@@ -98,4 +100,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

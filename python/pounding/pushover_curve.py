@@ -16,6 +16,7 @@ import numpy as np
 
 from pounding import told
 from pounding.checked_file import NotResults, require_whole
+from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.texts import text, texts
 
@@ -211,4 +212,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

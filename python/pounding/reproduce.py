@@ -18,12 +18,16 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation
 
-from pounding.outputs import cannot_read
+from pounding.ended import exit_code
+from pounding.errors import InputError
+from pounding.outputs import Kind, cannot_read, replaced
 from pounding.paper import page
 from pounding.paper.mathematics import data_uri, rich, svg_of
 from pounding.pictures.style import BLUE, GREEN, ORANGE, PURPLE, SKY, STYLE, VERMILION, DrawnOnce
 
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, "0.45", "#8C6D31", "0.7")
+#: The report may replace an earlier one.
+PAGE = Kind("report of a reproduction", lambda _, start: start.startswith(page.BEGIN.encode()))
 #: The reference curve of a comparison is black in every figure.
 REFERENCE = "0.1"
 DRAWN: dict[str, dict[str, Any]] = {
@@ -111,7 +115,11 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     output = Path(options.output)
     try:
-        output.write_text(build(report, output.parent), encoding="utf-8")
+        with replaced(output, PAGE) as temporary:
+            temporary.write_text(build(report, output.parent), encoding="utf-8")
+    except InputError as error:
+        print(error, file=sys.stderr)
+        return 2
     except OSError as error:
         print(f"cannot write {options.output}: {error}", file=sys.stderr)
         return 2
@@ -119,4 +127,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main))

@@ -13,9 +13,10 @@ import h5py
 import numpy as np
 
 from pounding import told
-from pounding.checked_file import HoldsPushover, NotResults, require_whole, require_whole_image
+from pounding.checked_file import RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
 from pounding.devices import Device, read_devices
 from pounding.envelopes import StructureEnvelope, read_envelopes
+from pounding.outputs import replaced
 from pounding.springs import Springs, read_springs
 from pounding.texts import text, texts
 
@@ -219,11 +220,12 @@ class RunData(told.Told, lines=told.run):
         return self.impacts[self.impacts["link"] == link]
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Writes the results file. Raises OSError."""
-        if isinstance(self.source, bytes):
-            Path(path).write_bytes(self.source)
-        else:
-            shutil.copyfile(self.source, path)
+        """Writes the results file, which replaces nothing but results. Raises InputError, OSError."""
+        with replaced(path, RESULTS) as temporary:
+            if isinstance(self.source, bytes):
+                temporary.write_bytes(self.source)
+            else:
+                shutil.copyfile(self.source, temporary)
 
 
 def _opened(source: str | PathLike[str] | bytes, name: str) -> h5py.File:

@@ -65,11 +65,11 @@ class ExitCodes(ProgramTest):
             self.assertTrue(file.attrs["status"].startswith("failed: the solve stopped at t = 0.01 s"))
             self.assertAlmostEqual(file["time"][-1], 0.01, places=3)
 
-    def test_one_when_the_output_cannot_be_written(self):
+    def test_two_when_the_output_cannot_be_written(self):
         with open("/dev/full", "w") as full:
             done = subprocess.run([PROGRAM, "run", self.write(OSCILLATORS), "--json"], cwd=self.folder, stdout=full,
                                   stderr=subprocess.PIPE, text=True, timeout=60)
-        self.assertEqual((done.returncode, done.stderr), (1, "pounding: what was printed could not be written\n"))
+        self.assertEqual((done.returncode, done.stderr), (2, "pounding: what was printed could not be written\n"))
 
     def test_version_and_help(self):
         self.assertRegex(self.pounding("--version").stdout, r"^pounding \d+\.\d+\.\d+\n$")

@@ -177,6 +177,7 @@ class Rows(unittest.TestCase):
         plan = plan_of()
         table = Table(plan, self.folder / "s.h5")
         run_rows(plan, table, np.arange(20), workers=0, chunk=5)
+        table.close()  # else its path is locked
         seen = []
         run_plan(plan, self.folder / "s.h5", workers=0, chunk=4, progress=lambda done, failed, count: seen.append((done, count)))
         self.assertEqual(seen, [(4, 16), (8, 16), (12, 16), (16, 16)])
@@ -215,7 +216,7 @@ class Rows(unittest.TestCase):
         run_rows(plan, Table(plan, self.folder / "s.h5"), np.arange(20), workers=0, chunk=5)
         parts = self.folder / "s.h5.parts"
         chance = random.Random(15)
-        for path in parts.iterdir():
+        for path in parts.glob("*.*"):
             whole = path.read_bytes()
             for _ in range(20):
                 changed = bytearray(whole)

@@ -1,5 +1,6 @@
 #include <pounding/petsc/environment.hpp>
 
+#include <signal.h>
 #include <slepcsys.h>
 
 #include <algorithm>
@@ -62,6 +63,8 @@ Environment::Environment(const std::vector<std::string>& options) {
   PetscBool ready = PETSC_FALSE;
   PetscInitialized(&ready);
   if (!ready) {
+    struct sigaction of_pipes = {};
+    sigaction(SIGPIPE, nullptr, &of_pipes);
     prepare_mpi();
     std::vector<std::string> words{"pounding"};
     words.insert(words.end(), options.begin(), options.end());
@@ -74,6 +77,7 @@ Environment::Environment(const std::vector<std::string>& options) {
     owns_petsc_ = true;
     // PETSc has copied the options into its own table. Signals stay the program's.
     PetscPopSignalHandler();
+    sigaction(SIGPIPE, &of_pipes, nullptr);  // which PETSc has made end the process
   }
   // Before anything else: PETSc's own handler reads options, and crashes where their table has got no memory.
   if (PetscPushErrorHandler(keep_message, nullptr) != 0) throw OutOfMemory("out of memory: PETSc takes no error handler");

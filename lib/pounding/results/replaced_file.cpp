@@ -35,6 +35,9 @@ namespace fs = std::filesystem;
   refuse(path, "another run writes it now", "Wait for its end, or name another file: -o other.h5");
 }
 
+std::string other_name(const FileKind& kind) { return std::string("Name another file: ").append(kind.example); }
+std::string file_name(const FileKind& kind) { return std::string("Name a file: ").append(kind.example); }
+
 std::string reason(int error) { return std::generic_category().message(error); }
 
 // One byte that no file reaches: HDF5 and other readers lock whole files, which must not meet with this.
@@ -72,45 +75,59 @@ bool begins_results_without_checksum(std::string_view start) {
          std::all_of(names.begin(), names.end(), [&](std::string_view name) { return start.find(name) != start.npos; });
 }
 
-/// Only empty files and earlier results are replaced, never a model, a record or another program's data.
-bool may_be_replaced(const Descriptor& file) {
-  std::array<std::byte, 4096> start{};
+bool is_results(std::string_view start) {
+  return begins_results(std::as_bytes(std::span(start))) || begins_results_without_checksum(start);
+}
+
+// As in python/pounding/outputs.py.
+bool is_picture(std::string_view start) {
+  using namespace std::string_view_literals;
+  constexpr std::array signatures{"\x89PNG"sv, "%PDF-"sv, "GIF8"sv, "%!PS"sv, "\xff\xd8\xff"sv, "RIFF"sv, "II*\0"sv, "MM\0*"sv, "%% Creator: Matplotlib"sv};
+  if (std::any_of(signatures.begin(), signatures.end(), [&](std::string_view each) { return start.starts_with(each); })) return true;
+  if (start.size() > 8 && start.substr(4, 4) == "ftyp") return true;
+  return (start.starts_with("<?xml") || start.starts_with("<svg")) && start.find("<svg") != start.npos;
+}
+
+/// Only empty files and earlier ones of the same kind are replaced, never a model, a record or another program's data.
+bool may_be_replaced(const Descriptor& file, const FileKind& kind) {
+  std::array<char, 4096> start{};
   const ssize_t count = pread(file, start.data(), start.size(), 0);
-  if (count <= 0) return count == 0;
-  const auto read = std::span(start).first(static_cast<std::size_t>(count));
-  return begins_results(read) || begins_results_without_checksum({reinterpret_cast<const char*>(read.data()), read.size()});
+  return count == 0 || (count > 0 && kind.recognises({start.data(), static_cast<std::size_t>(count)}));
 }
 
 /// The end of a chain of symbolic links, which stay links, even where it leads to a file that is not there yet.
-fs::path followed(const std::string& path) {
+fs::path followed(const std::string& path, const FileKind& kind) {
   fs::path place = path;
   std::error_code error;
   for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
-    if (links == 40) refuse(path, reason(ELOOP), "Name a file: -o results.h5");
+    if (links == 40) refuse(path, reason(ELOOP), file_name(kind));
     const fs::path target = fs::read_symlink(place, error);
-    if (error) refuse(path, error.message(), "Name a file: -o results.h5");
+    if (error) refuse(path, error.message(), file_name(kind));
     place = place.parent_path() / target;
   }
   return place;
 }
 
 /// The file that is to be replaced, with what its lock, its content and its kind forbid. `own` is what this process wrote there last.
-fs::path destination(const std::string& path, const Descriptor& own) {
-  if (path.empty()) refuse(path, "the name is empty", "Name a file: -o results.h5");
-  const fs::path place = followed(path);
+fs::path destination(const std::string& path, const FileKind& kind, const Descriptor& own) {
+  if (path.empty()) refuse(path, "the name is empty", file_name(kind));
+  const fs::path place = followed(path, kind);
   std::error_code error;
   const fs::file_status status = fs::status(place, error);
-  if (fs::is_directory(status)) refuse(path, "it is a directory", "Name a file in it: -o " + path + "/results.h5");
+  if (fs::is_directory(status)) {
+    const std::string example(kind.example);
+    const std::size_t name = example.rfind(' ') + 1;
+    refuse(path, "it is a directory", "Name a file in it: " + example.substr(0, name) + path + "/" + example.substr(name));
+  }
   if (!fs::exists(status)) return place;
-  if (!fs::is_regular_file(status)) refuse(path, "it is not a regular file", "Name a file: -o results.h5");
+  if (!fs::is_regular_file(status)) refuse(path, "it is not a regular file", file_name(kind));
   if (own.is_open() && is_same_file(own, place)) return place;
-  if (access(place.c_str(), W_OK) != 0) refuse(path, reason(errno), "Name another file: -o results.h5");
+  if (access(place.c_str(), W_OK) != 0) refuse(path, reason(errno), other_name(kind));
   const Descriptor earlier(open(place.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!earlier.is_open()) refuse(path, reason(errno), "Name another file: -o results.h5");
+  if (!earlier.is_open()) refuse(path, reason(errno), other_name(kind));
   if (is_held_by_others(earlier)) refuse_busy(path);
-  if (!may_be_replaced(earlier))
-    refuse(path, "a file of this name exists and holds no results of pounding",
-           "Name another file: -o results.h5, or first type: rm " + path);
+  if (!may_be_replaced(earlier, kind))
+    refuse(path, std::string("a file of this name exists and holds no ").append(kind.name), other_name(kind) + ", or first type: rm " + path);
   if (own.is_open()) refuse(path, "another program has replaced it since this run wrote it", "Name another file: -o other.h5");
   return place;
 }
@@ -194,6 +211,14 @@ int bring_folder_to_disk(const fs::path& directory) {
   return error == EINVAL || error == ENOTSUP ? 0 : error;
 }
 
+/// Gives a new file the mode of the one that it replaces, and its owner as far as this process may.
+void keep_mode(const fs::path& earlier, const Descriptor& file) {
+  struct stat before = {};
+  if (stat(earlier.c_str(), &before) != 0) return;
+  [[maybe_unused]] const int owned = fchown(file, before.st_uid, before.st_gid);
+  fchmod(file, before.st_mode & 07777);
+}
+
 /// Returns 0 or the error number: EEXIST where the new name must be free and is not.
 int rename_to(const fs::path& from, const fs::path& to, bool must_be_free) {
   if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), must_be_free ? RENAME_NOREPLACE : 0) == 0) return 0;
@@ -203,14 +228,17 @@ int rename_to(const fs::path& from, const fs::path& to, bool must_be_free) {
 
 }  // namespace
 
+const FileKind results_files{"results of pounding", "-o results.h5", is_results};
+const FileKind picture_files{"picture", "-o picture.png", is_picture};
+
 Descriptor::~Descriptor() {
   if (number_ >= 0) close(number_);
 }
 
-void ReplacedFile::require_free() const { destination(path_, written_); }
+void ReplacedFile::require_free() const { destination(path_, kind_, written_); }
 
 void ReplacedFile::replace(std::span<const std::byte> bytes) {
-  const fs::path place = destination(path_, written_);
+  const fs::path place = destination(path_, kind_, written_);
   const fs::path directory = place.has_parent_path() ? place.parent_path() : fs::path(".");
   const std::string prefix = std::string(".").append(place.filename().string()).append(".").append(host_name()).append(".");
   const std::string_view suffix = ".tmp";
@@ -220,7 +248,7 @@ void ReplacedFile::replace(std::span<const std::byte> bytes) {
   Descriptor file(open(temporary.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (!file.is_open()) {
     refuse(path_, reason(errno),
-           "Name a file in an existing directory that you may write to: -o results.h5, or first type: mkdir -p " +
+           std::string("Name a file in an existing directory that you may write to: ").append(kind_.example) + ", or first type: mkdir -p " +
                directory.string());
   }
   if (is_held_by_others(file)) refuse_busy(path_);
@@ -228,6 +256,7 @@ void ReplacedFile::replace(std::span<const std::byte> bytes) {
   int error = ftruncate(file, 0) == 0 ? 0 : errno;
   if (error == 0) error = write_all(file, bytes);
   if (error == 0) error = bring_to_disk(file);
+  if (error == 0) keep_mode(place, file);
   // The first to arrive at a free place has it.
   const bool is_first = !written_.is_open() && !fs::exists(place);
   if (error == 0) error = rename_to(temporary, place, is_first);

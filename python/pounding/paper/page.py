@@ -155,7 +155,10 @@ def table(described: dict[str, Any]) -> str:
     return f'<h3>{rich(described["title"])}</h3>{whole_table}'
 
 
+#: Every page begins so.
+BEGIN = f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{TITLE}</title>'
+
+
 def whole(body: str) -> str:
     """The document around its parts; needs nothing but itself."""
-    return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
-            f"<title>{TITLE}</title><style>{STYLE_SHEET}</style></head><body><main>{body}</main></body></html>\n")
+    return (f"{BEGIN}<style>{STYLE_SHEET}</style></head><body><main>{body}</main></body></html>\n")

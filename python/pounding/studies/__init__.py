@@ -14,7 +14,7 @@
     cross_check.py    rows that both engines run
     worker.py     what runs in a process of its own
     execution.py  chunks of rows on an executor; a worker that dies costs its row
-    table.py      the HDF5 file, finished chunks beside it, resume and merge
+    table.py      the HDF5 file, resume and merge; parts.py finished chunks while the study runs
     rows.py       the table as its readers see it
     study.py      `pounding.study`, `pounding.sweep` and the object that both return
     readings      fragility.py, percentiles.py, gaps.py, separation.py, indices.py, pictures.py, export.py: from the table alone

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import argparse
+import errno
 import json
+import re
 import signal
 import sys
+import threading
 import time
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pounding._native import core
+from pounding.checked_file import STUDY
+from pounding.ended import exit_code
 from pounding.errors import ImplausibleWarning, InputError, SolverError
+from pounding.outputs import destination
 from pounding.studies import cross_check
 from pounding.studies.engines import ENGINES, KERNEL, STATUSES, Batch, Done, run_batch
 from pounding.studies.execution import available_cores, batch_of
@@ -25,12 +32,37 @@ from pounding.studies.progress import duration_text
 from pounding.studies.quantities import COLLAPSED_COLUMN, OF_GAPS
 from pounding.studies.study import Study, records_folder, run_plan
 from pounding.studies.summary import summary
-from pounding.studies.table import Table
+from pounding.studies.table import COPIES, Table, require_room, size_of, size_text
 from pounding.studies.words import few
 
 VERBS = ("run", "check", "show", "merge", "plot", "export")
 #: Rows that `check` times.
 TIMED = 20
+#: Errors of a disk; others are those of names.
+_DISK = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
+
+
+class _Terminated(KeyboardInterrupt):
+    """SIGTERM, or a terminal that closes: the study ends as after Ctrl-C, and its code is that of a run."""
+
+
+@contextmanager
+def _until_terminated() -> Iterator[None]:
+    """SIGTERM and SIGHUP raise _Terminated; a second one ends the process at once. What nohup ignores stays ignored."""
+    def end(number: int, _: object) -> None:
+        signal.signal(number, signal.SIG_DFL)
+        raise _Terminated
+
+    is_main = threading.current_thread() is threading.main_thread()
+    before = {number: signal.getsignal(number) for number in (signal.SIGTERM, signal.SIGHUP) if is_main}
+    for number, handler in before.items():
+        if handler != signal.SIG_IGN:
+            signal.signal(number, end)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -40,10 +72,15 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         # The program has blocked it while modules were imported.
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
-        with warnings.catch_warnings():
+        for word in rest:
+            if not _is_text(word):
+                raise InputError(f'"{word}" is no name in UTF-8; rename the file, or go to its folder')
+        with warnings.catch_warnings(), _until_terminated():
             warnings.simplefilter("always", ImplausibleWarning)
             warnings.showwarning = _show_warning
             return _separation(rest) if name == "separation" else _study(rest)
+    except BrokenPipeError:
+        raise
     except (InputError, ImportError) as error:
         print(f"pounding: {error}", file=sys.stderr)
         return 2
@@ -54,11 +91,25 @@ def main(arguments: list[str] | None = None) -> int:
         print("pounding: out of memory. Rows that were finished are kept; type the same command again to go on, with fewer processes: -j 1", file=sys.stderr)
         return 3
     except OSError as error:
+        if error.errno not in _DISK or name != "study" or (rest and rest[0] in VERBS and rest[0] not in ("run", "merge")):
+            print(f"pounding: {error}", file=sys.stderr)
+            return 2
         print(f"pounding: {error}. Rows that were finished are kept; make room and type the same command again to go on", file=sys.stderr)
+        return 3
+    except _Terminated:
+        print("pounding: stopped by a signal; rows that were finished are kept. Type the same command again to go on", file=sys.stderr)
         return 3
     except KeyboardInterrupt:
         print("pounding: stopped; rows that were finished are kept. Type the same command again to go on", file=sys.stderr)
         return 130
+
+
+def _is_text(word: str) -> bool:
+    try:
+        word.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _study(words: list[str]) -> int:
@@ -76,13 +127,15 @@ def _run(words: list[str]) -> int:
                      + ", ".join(f"pounding study {verb}" for verb in VERBS[1:]))
     parser.add_argument("study", help="study file")
     parser.add_argument("-o", "--output", help="table to write (default: the study's name with .h5, in the current folder)")
-    parser.add_argument("-j", "--workers", type=int, help="processes (default: one a core); 0 runs in this one")
+    parser.add_argument("-j", "--workers", type=_at_least(0), help="processes (default: one per core); 0 runs in this one")
     parser.add_argument("--executor", choices=("mpi",), help="mpi: the processes of mpirun -n N python3 -m mpi4py.futures -m pounding study ...")
     parser.add_argument("--shard", type=_shard, default=(1, 1), metavar="K/N", help="only the K-th of N equal parts; put them together with merge")
-    parser.add_argument("--chunk", type=int, help="rows of a chunk (default: half a second)")
+    parser.add_argument("--chunk", type=_at_least(1), help="rows of a chunk (default: half a second)")
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     options = parser.parse_args(words)
-    output = Path(options.output or Path(options.study).with_suffix(".h5").name)
+    output = _table_name(options.study, options.output)
+    if options.shard == (1, 1):
+        destination(output, STUDY)
     if options.executor:
         # The start of PETSc would wait for the workers, which do something else.
         core.run_alone()
@@ -110,21 +163,22 @@ def _run(words: list[str]) -> int:
 def _check(words: list[str]) -> int:
     parser = _parser("check", "Read a study, count its rows, and say how long it takes.")
     parser.add_argument("study", help="study file")
-    parser.add_argument("-j", "--workers", type=int, help="processes of the study (default: one a core)")
+    parser.add_argument("-j", "--workers", type=_at_least(0), help="processes of the study (default: one per core)")
     options = parser.parse_args(words)
-    plan = read_plan(options.study, records_folder(Path(Path(options.study).with_suffix(".h5").name)))
+    plan = read_plan(options.study, records_folder(_table_name(options.study, None)))
     _warn(plan)
     records, points, levels = plan.shape
     print(f"{plan.count} rows: {records} records, {points} points of the factors, {levels} levels")
     for factor in plan.points.factors:
         values = f"{len(factor.values)} values" if factor.values is not None else factor.distribution.kind if factor.distribution else f"column {factor.column}"
         print(f"  {factor.name}: {values}, {', '.join(factor.of)}{f' = {factor.name} times {factor.times}' if factor.times else ''}")
+    print(f"table: {size_text(size_of(plan))}, and {size_text(COPIES * size_of(plan))} of memory to write it; columns {', '.join(plan.units())}", flush=True)
+    require_room(plan)
     rows = np.unique(np.linspace(0, plan.count - 1, min(TIMED, plan.count)).astype(np.int64))
     # The first time reads records and models, too.
     run_batch(batch_of(plan, rows))
     batch = batch_of(plan, rows)
     print(*_timed(batch, run_batch(batch), plan, options.workers or available_cores()), sep="\n")
-    print(f"table: {plan.count * (8 * len(plan.units()) + 10) / 1e6:.3g} MB; columns {', '.join(plan.units())}")
     return 0
 
 
@@ -179,11 +233,16 @@ def _merge(words: list[str]) -> int:
     parser.add_argument("tables", nargs="+", help="tables of the shards")
     parser.add_argument("-o", "--output", required=True, help="table to write")
     options = parser.parse_args(words)
-    plan = read_plan(options.study, records_folder(Path(options.output)))
-    table = Table(plan, options.output)
-    for one in options.tables:
-        table.merge(Path(one))
-    table.write()
+    output = _table_name(options.study, options.output)
+    destination(output, STUDY)
+    plan = read_plan(options.study, records_folder(output))
+    table = Table(plan, output)
+    try:
+        for one in options.tables:
+            table.merge(Path(one))
+        table.write()
+    finally:
+        table.close()
     left = len(table.missing())
     print(_told(Study.of(table)) + (f"\n{left} rows are in none of the tables; type pounding study {options.study} -o {options.output} to run them" if left else ""))
     return 0
@@ -228,12 +287,33 @@ def _separation(words: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="pounding separation", description="The gap that a model needs, by its records and by rules.")
     parser.add_argument("model", help="model file, with or without study: {records: ...}")
     parser.add_argument("--records", nargs="+", help="files of records, or a folder, instead of the model's motion")
-    parser.add_argument("-j", "--workers", type=int, help="processes (default: one a core)")
+    parser.add_argument("-j", "--workers", type=_at_least(0), help="processes (default: one per core)")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     options = parser.parse_args(words)
     found = separation(options.model, options.records, options.workers)
     print(json.dumps(found) if options.json else table_of(found))
     return 0
+
+
+def _table_name(study: str, given: str | None) -> Path:
+    """The table that was named, else the name of the study with .h5, in the current folder."""
+    if given is None:
+        return Path(Path(study).stem + ".h5")
+    if not given:
+        raise InputError("the name of the file is empty: -o needs one, such as -o study.h5")
+    if Path(given).name in ("", ".."):
+        raise InputError(f'cannot write "{given}": it is a directory. Name a file in it')
+    return Path(given)
+
+
+def _at_least(least: int) -> Callable[[str], int]:
+    """A type of argparse: whole numbers from `least` on."""
+    def read(text: str) -> int:
+        if not re.fullmatch(r"\+?[0-9]{1,18}", text) or int(text) < least:
+            raise argparse.ArgumentTypeError(f'takes a whole number of at least {least}, not "{text[:40]}"')
+        return int(text)
+
+    return read
 
 
 def _shard(text: str) -> tuple[int, int]:
@@ -280,6 +360,6 @@ def _collapsed_without_links(done: Study) -> list[int]:
 
 
 if __name__ == "__main__":
-    code = main()
+    code = exit_code(main)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # all is said and done
     sys.exit(code)

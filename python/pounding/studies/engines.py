@@ -7,7 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
-from pounding.errors import InputError
+from pounding.errors import InputError, shortened
 from pounding.studies.batches import COLLAPSED, COMPLETE, DIED, DONE, EXCEEDED, FAILED, NOT_RUN, REFUSED, STATUSES, Batch, Done, nothing_of
 from pounding.studies.kernel_engine import KernelEngine
 from pounding.studies.prepared import prepared
@@ -65,7 +65,7 @@ class SolverEngine:
         except MemoryError:  # of the process, whatever the row
             raise
         except Exception as error:
-            return FAILED, [], str(error) or type(error).__name__
+            return FAILED, [], shortened(str(error)) or type(error).__name__
         if collapse := collapse_of(summary):
             return COLLAPSED, values, collapse
         return (EXCEEDED if template.kept.exceeded(np.array([values]))[0] else DONE), values, ""

@@ -27,6 +27,8 @@ from pounding.studies.worker import begin_worker, run_alone, say_hello
 #: Wall time that a chunk shall take [s]; schedulers cost some 0.2 to 1 ms a chunk.
 CHUNK_SECONDS = 0.5
 LARGEST_CHUNK = 20000
+#: Processes of a study, at most.
+MOST_WORKERS = 4096
 #: Rows after which the share of failed ones counts.
 ENOUGH_ROWS = 20
 #: Called after every chunk with the numbers of rows done, failed, and in all.
@@ -62,6 +64,14 @@ def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = N
         _run(_Work(plan, table, rows, chunk, progress, count, begun), pool, count)
         checked = _to_check(plan, table)
         _run(_Check(plan, table, checked, count), pool, count)
+
+
+def require_count(name: str, value: int | None, least: int) -> None:
+    """Raises InputError for a number of workers, or of rows of a chunk, that is none or beyond what a machine can start."""
+    if value is not None and (not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least):
+        raise InputError(f"{name}: takes a whole number of at least {least}, or None; {value!r} was read")
+    if name == "workers" and value is not None and value > MOST_WORKERS:
+        raise InputError(f"workers: takes at most {MOST_WORKERS}; {value} was read")
 
 
 def _run(work: _Work, pool: _Given | _LocalPool | None, count: int) -> None:
@@ -209,8 +219,11 @@ class _LocalPool:
         return self
 
     def __exit__(self, *failure: object) -> None:
-        # At the end of all rows this takes no time worth a Ctrl-C; rows that are under way may be left at once by a second one.
+        # At the end of all rows this takes no time worth a Ctrl-C. After a failure nobody reads the rows under way, which may take minutes.
         with _interrupt_held() if failure[0] is None else nullcontext():
+            if failure[0] is not None:
+                for process in list((getattr(self._pool, "_processes", None) or {}).values()):
+                    process.terminate()
             self._pool.shutdown(cancel_futures=True)
 
     def submit(self, batch: Batch) -> Future[Done]:

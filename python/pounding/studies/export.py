@@ -3,17 +3,30 @@
 from __future__ import annotations
 
 import csv
+import re
+from collections.abc import Iterator
 from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pounding._native import core
+from pounding.outputs import Kind, replaced
 from pounding.studies.engines import STATUSES
+from pounding.studies.table import open_study
+from pounding.texts import text
 
 if TYPE_CHECKING:
     import xarray
 
     from pounding.studies.rows import Rows
+
+
+#: Columns that every exported table has, whatever their order.
+_COLUMNS = (b"point", b"record", b"scale", b"im [m/s^2]")
+CSV = Kind("table that study export wrote", lambda _, start: set(_COLUMNS) <= set(start.partition(b"\n")[0].strip().split(b",")))
+PARQUET = Kind("Parquet table", lambda _, start: start.startswith(b"PAR1"))
 
 
 def readable(study: Rows) -> dict[str, np.ndarray]:
@@ -29,16 +42,44 @@ def readable(study: Rows) -> dict[str, np.ndarray]:
 
 
 def to_csv(study: Rows, path: str | PathLike[str]) -> None:
-    """One line a row; numbers with all their digits. Raises OSError."""
+    """One line per row; numbers with all their digits. Texts that a spreadsheet would compute as formulas begin with an apostrophe. Raises InputError
+    for a file of another kind, OSError."""
     columns = readable(study)
-    with open(path, "w", newline="", encoding="utf-8") as file:
+    with replaced(path, CSV, _inputs(study)) as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow([f"{name} [{study.units[name]}]" if study.units.get(name) else name for name in columns])
-        writer.writerows(zip(*(values.tolist() for values in columns.values())))
+        writer.writerow([_inert(f"{name} [{study.units[name]}]" if study.units.get(name) else name) for name in columns])
+        writer.writerows(zip(*([_inert(each) for each in values.tolist()] if values.dtype.kind == "U" else values.tolist()
+                               for values in columns.values())))
+
+
+def _inert(cell: str) -> str:
+    """A text that no spreadsheet takes for a formula; texts that are numbers stay numbers."""
+    return f"'{cell}" if cell.startswith(("=", "+", "-", "@", "\t", "\r", "\n")) and not _NUMBER.fullmatch(cell) else cell
+
+
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(inf|nan)")
+
+
+def _inputs(study: Rows) -> list[Path]:
+    """The table that a study was read from, and the files that its text names: a table of samples may be an earlier export."""
+    if study.path is None or not study.path.is_file():
+        return []
+    with open_study(study.path) as file:
+        given = core.parse(core.Source(text(file["study/text"][()]), "study"))
+    return [study.path, *(folder / name for name in _texts(given) for folder in (study.path.parent, Path()))]
+
+
+def _texts(given: Any) -> Iterator[str]:
+    """All texts in the maps and lists of a file."""
+    if isinstance(given, str):
+        yield given
+    elif isinstance(given, (dict, list)):
+        for each in given.values() if isinstance(given, dict) else given:
+            yield from _texts(each)
 
 
 def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
-    """One file with units beside the names. Raises ImportError without pyarrow, OSError."""
+    """One file with units beside the names. Raises ImportError without pyarrow, InputError for a file of another kind, OSError."""
     try:
         import pyarrow
         from pyarrow import parquet
@@ -46,7 +87,8 @@ def to_parquet(study: Rows, path: str | PathLike[str]) -> None:
         raise ImportError("this needs pyarrow: type python3 -m pip install pyarrow") from error
     columns = {name: pyarrow.array(values.tolist() if values.dtype.kind == "U" else values) for name, values in readable(study).items()}
     fields = [pyarrow.field(name, column.type, metadata={"units": study.units.get(name, "")}) for name, column in columns.items()]
-    parquet.write_table(pyarrow.Table.from_arrays(list(columns.values()), schema=pyarrow.schema(fields)), path)
+    with replaced(path, PARQUET, _inputs(study)) as temporary:
+        parquet.write_table(pyarrow.Table.from_arrays(list(columns.values()), schema=pyarrow.schema(fields)), temporary)
 
 
 def to_xarray(study: Rows) -> xarray.Dataset:

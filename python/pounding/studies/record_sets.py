@@ -13,9 +13,12 @@ from typing import Any
 import numpy as np
 
 from pounding.errors import InputError
+from pounding.outputs import Kind, replaced
 from pounding.studies import words
 from pounding.studies.motions import Motion, read_file
 
+#: A record is replaced only by a record of a package.
+RECORD = Kind("record of a package", lambda _, start: start.startswith(b"time,acc (g)\n"))
 _FILES = {"far_field": "farfield.hdf5", "near_field_pulse": "nearfield_pulse.hdf5", "near_field_no_pulse": "nearfield_no_pulse.hdf5"}
 
 
@@ -32,7 +35,10 @@ def read_set(name: str, store: Path | None) -> list[Motion]:
     import hdf5plugin as _filters  # noqa: F401  (its import registers the filter Blosc)
 
     folder = (store or Path("study.records")) / name
-    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"study.records.set: records are written into {folder}: {error.strerror}. Name another table with -o, or move it away") from None
     with h5py.File(Path(package.origin).parent / _FILES[name], "r") as file:
         return [_written(folder, *one) for one in _records(file)]
 
@@ -57,5 +63,6 @@ def _written(folder: Path, event: str, component: str, step: float, values: np.n
     lines = ["time,acc (g)", *(f"{i * step!r},{value!r}" for i, value in enumerate(values.tolist()))]
     content = ("\n".join(lines) + "\n").encode()
     if not path.is_file() or hashlib.sha256(path.read_bytes()).digest() != hashlib.sha256(content).digest():
-        path.write_bytes(content)
+        with replaced(path, RECORD) as temporary:
+            temporary.write_bytes(content)
     return replace(read_file(str(path.resolve()), {}, event, component), name=f"{event} {component}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from os import PathLike, fspath
 from pathlib import Path
@@ -13,10 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pounding import yaml_text
+from pounding.checked_file import STUDY
 from pounding.errors import ImplausibleWarning, InputError
 from pounding.models import Model, as_model
+from pounding.outputs import destination
 from pounding.studies.engines import COMPLETE, run_batch
-from pounding.studies.execution import Progress, batch_of, run_rows
+from pounding.studies.execution import Progress, batch_of, require_count, run_rows
 from pounding.studies.factors import Factor
 from pounding.studies.motions import Motion
 from pounding.studies.plan import Plan, make_plan, read_plan
@@ -85,13 +87,13 @@ class Study(Rows):
         return to_xarray(self)
 
     def to_csv(self, path: File) -> None:
-        """Writes all rows as text: a line a row, names with units above."""
+        """Writes all rows as text: a line per row, names with units above. Raises InputError for a file that is no such table, OSError."""
         from pounding.studies.export import to_csv
 
         to_csv(self, path)
 
     def to_parquet(self, path: File) -> None:
-        """Writes all rows as Parquet, with units. Needs pyarrow."""
+        """Writes all rows as Parquet, with units. Needs pyarrow. Raises as `to_csv`."""
         from pounding.studies.export import to_parquet
 
         to_parquet(self, path)
@@ -139,6 +141,10 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
     `stop_after` of the rows fail: finished chunks are kept in both cases."""
     words = {"factors": factors, "records": records, "intensity": intensity, "keep": keep, "sampling": sampling, "limits": limits}
     given = {name: value for name, value in words.items() if value is not None}
+    require_count("workers", workers, 0)
+    require_count("chunk", chunk, 1)
+    if output is not None:
+        destination(output, STUDY)
     path = None if output is None else Path(output)
     if isinstance(model, (str, PathLike)) and is_study_file(model):
         if given or without_links:
@@ -156,8 +162,12 @@ def sweep(model: Model | File, factors: Mapping[str, Sequence[Any]], *, records:
           workers: int = 0) -> Study:
     """All combinations of some values: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`, for every record. Runs in this process unless
     `workers` is given. Columns are called by the last word of their path, with its number where two are alike."""
+    if not isinstance(factors, Mapping):
+        raise InputError(f'sweep: factors takes a map of paths and their values, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {factors!r} was read')
     named: dict[str, dict[str, Any]] = {}
     for path, values in factors.items():
+        if not isinstance(path, str) or isinstance(values, (str, Mapping)) or not isinstance(values, Iterable):
+            raise InputError(f'sweep: takes a list of values for each path, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {path!r}: {values!r} was read')
         last = path.rpartition(".")[2]
         name = last if last not in named else f"{last}_{1 + sum(each.split('_')[0] == last for each in named)}"
         named[name] = {"of": path, "list": list(values)}
@@ -168,6 +178,8 @@ def sweep(model: Model | File, factors: Mapping[str, Sequence[Any]], *, records:
 def run_plan(plan: Plan, path: Path | None, *, workers: int | None = None, executor: Executor | None = None, chunk: int | None = None,
              progress: Progress | bool | None = None, shard: tuple[int, int] = (1, 1)) -> Study:
     """Runs the rows of a plan that `path` does not hold yet; of shard (k, n) only the k-th of n equal parts."""
+    require_count("workers", workers, 0)
+    require_count("chunk", chunk, 1)
     table = Table(plan, path)
     rows = table.missing()
     number, count = shard

@@ -1,39 +1,46 @@
-"""The table of a study: one HDF5 file with a checksum in front, and while the study runs finished chunks as small files beside it, whose
-checksums stand in their names.
+"""The table of a study: one HDF5 file with a checksum in front, and while the study runs finished chunks in a folder next to it.
 
-A finished chunk is written under another name and moved into place, so a study that is killed at any moment loses only the chunks
-under way. The table itself is written the same way, from all chunks, when the study ends or stops."""
+A study that is killed at any moment loses only the chunks under way. The table is replaced as a whole, from all chunks, when the study ends or
+stops. A lock in the folder of chunks refuses a second study into the same table."""
 
 from __future__ import annotations
 
-import io
 import json
 import os
-import shutil
-import zlib
+import resource
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import h5py
 import numpy as np
 
-from pounding.checked_file import NotResults, require_whole_study, write_study
+from pounding.checked_file import STUDY, NotResults, require_whole_study, write_study
 from pounding.errors import InputError
+from pounding.outputs import destination
 from pounding.studies.cross_check import differences
-from pounding.studies.engines import ENGINES, NOT_RUN, STATUSES, Done
+from pounding.studies.batches import COMPLETE
+from pounding.studies.engines import DIED, ENGINES, NOT_RUN, STATUSES, Done
+from pounding.studies.parts import Parts
 from pounding.studies.plan import Plan
 from pounding.texts import text
 
 FORMAT = "study of pounding 1"
+#: The table is in memory three times while it is written: its columns, those of the file, and the file.
+COPIES = 3
 
 
 class Table:
     """The columns that have been filled so far, in memory, and their files where there are any."""
 
     def __init__(self, plan: Plan, path: str | os.PathLike[str] | None = None) -> None:
-        """An empty table, or what an earlier run of this plan has left at `path`. Raises InputError when another plan has."""
+        """An empty table, or what an earlier run of this plan has left at `path`. From here until `write` or `close` the path is locked. Raises
+        InputError for a path that cannot be written, that another study writes now, or that holds another plan, and for more rows than the memory
+        holds."""
+        require_room(plan)
         self.plan = plan
         self.path = None if path is None else Path(path)
+        self.parts: Parts | None = None
         self.values = np.full((plan.count, len(plan.template.kept.columns)), np.nan)
         self.status = np.zeros(plan.count, np.int8)
         self.engine = np.full(plan.count, -1, np.int8)
@@ -42,12 +49,13 @@ class Table:
         self.check: dict[int, np.ndarray] = {}  #: row of the kernel -> its columns by the solver
         self.reasons: dict[int, str] = {}
         if self.path is not None:
-            self._take_up(self.path)
-
-    @property
-    def parts(self) -> Path | None:
-        """The folder of finished chunks."""
-        return None if self.path is None else self.path.with_name(self.path.name + ".parts")
+            # A symbolic link has one folder of chunks, next to the file that it leads to.
+            self.parts = Parts(destination(self.path, STUDY), self.path)
+            try:
+                self._take_up(self.path)
+            except BaseException:
+                self.close()
+                raise
 
     def missing(self) -> np.ndarray:
         """Numbers of the rows that have not run."""
@@ -56,30 +64,33 @@ class Table:
     def add(self, done: Done) -> None:
         """Takes finished rows, and writes their chunk. Raises OSError when it cannot be written."""
         if self.parts is not None:
-            told = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
-            written = io.BytesIO()
-            np.savez(written, rows=done.rows, values=done.values, status=done.status, engine=done.engine, seconds=done.seconds, told=np.array(told))
-            content = written.getvalue()
-            with _moved(self.parts / f"{int(done.rows[0]):012d}-{len(done.rows)}-{zlib.crc32(content):08x}.npz") as temporary:
-                temporary.write_bytes(content)
+            self.parts.add(done)
         self._fill(done)
 
     def write(self) -> None:
-        """Writes the whole table and removes the chunks, which it holds now. Raises OSError."""
-        if self.path is None:
+        """Writes the whole table, removes the chunks, which it holds now, and unlocks the path. Raises InputError, OSError."""
+        if self.path is None or self.parts is None:
             return
-        with _moved(self.path) as temporary:
-            write_study(temporary, _image(self))
-            _bring_to_disk(temporary)
-        _bring_to_disk(self.path.parent)
+        try:
+            write_study(self.path, _image(self))
+            self.parts.remove()
+        finally:
+            self.close()
+
+    def close(self) -> None:
+        """Unlocks the path. Finished chunks stay."""
         if self.parts is not None:
-            shutil.rmtree(self.parts, ignore_errors=True)
+            self.parts.close()
 
     def merge(self, other: Path) -> None:
         """Takes the rows of the table of another shard. Raises InputError for another plan."""
         self._read_table(other)
 
     def _fill(self, done: Done) -> None:
+        # A row that is complete beats one that failed, and both beat a worker that died, whatever their order.
+        done = done.part(_rank(done.status) > _rank(self.status[done.rows]))
+        for row in done.rows.tolist():
+            self.reasons.pop(row, None)
         self.values[done.rows] = done.values
         self.status[done.rows] = done.status
         self.engine[done.rows] = done.engine
@@ -89,15 +100,14 @@ class Table:
     def _take_up(self, path: Path) -> None:
         parts = self.parts
         assert parts is not None
-        if path.is_file():
+        if path.is_file() and path.stat().st_size:
             self._read_table(path)
-        if (parts / "plan.json").is_file():
-            _require_same(_read_plan_of(parts), self.plan, path)
-            for name in sorted(parts.glob("*.npz")):
-                self._fill(_read_part(name))
-        parts.mkdir(parents=True, exist_ok=True)
-        with _moved(parts / "plan.json") as temporary:
-            temporary.write_text(json.dumps({"digest": self.plan.digest(), "plan": self.plan.description()}))
+        kept = parts.plan()
+        if kept is not None:
+            _require_same(kept, self.plan, path)
+            for done in parts.chunks():
+                self._fill(done)
+        parts.begin({"digest": self.plan.digest(), "plan": self.plan.description()})
 
     def _read_table(self, path: Path) -> None:
         with open_study(path) as file:
@@ -111,21 +121,27 @@ class Table:
             self.check.update(zip(file["check/row"][:].tolist(), file["check/solver"][:]))
 
 
-class _moved:
-    """A file that is written beside its place and moved there when it is whole."""
+def size_of(plan: Plan) -> int:
+    """Bytes of the table of a plan."""
+    return plan.count * (8 * (len(plan.units()) + 1) + 2)
 
-    def __init__(self, path: Path) -> None:
-        self._path = path
-        self._temporary = path.with_name(f".{path.name}.{os.getpid()}")
 
-    def __enter__(self) -> Path:
-        return self._temporary
+def size_text(size: float) -> str:
+    """"3.2 MB"."""
+    return f"{size / 1e9:.3g} GB" if size >= 1e9 else f"{size / 1e6:.3g} MB"
 
-    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        if kind is None:
-            os.replace(self._temporary, self._path)
-        else:
-            self._temporary.unlink(missing_ok=True)
+
+def require_room(plan: Plan) -> None:
+    """Raises InputError if the memory does not hold the table of a plan."""
+    memory = min([os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"), *(limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit > 0)])
+    if COPIES * size_of(plan) > memory:
+        raise InputError(f"study: {plan.count} rows make a table of {size_text(size_of(plan))}, which takes {size_text(COPIES * size_of(plan))} of memory to write, "
+                         f"and this machine has {size_text(memory)}; take fewer values, samples, levels or records")
+
+
+def _rank(status: np.ndarray) -> np.ndarray:
+    """0 for rows that have not run, 1 for dead workers, 2 for failures, 3 for complete rows."""
+    return np.select([status == NOT_RUN, status == DIED, np.isin(status, COMPLETE)], [0, 1, 3], 2)
 
 
 def open_study(path: Path) -> h5py.File:
@@ -140,40 +156,13 @@ def open_study(path: Path) -> h5py.File:
     return file
 
 
-def _read_plan_of(parts: Path) -> dict[str, Any]:
-    try:
-        kept = json.loads((parts / "plan.json").read_text(encoding="utf-8"))
-        return {"digest": str(kept["digest"]), "plan": dict(kept["plan"])}
-    except (ValueError, TypeError, KeyError):
-        raise NotResults(f"{parts / 'plan.json'} is damaged. Remove {parts}; the rows in it run again") from None
-
-
-def _read_part(path: Path) -> Done:
-    content = path.read_bytes()
-    if not path.stem.endswith(f"-{zlib.crc32(content):08x}"):
-        raise NotResults(f"{path} is damaged. Remove it; its rows run again")
-    with np.load(io.BytesIO(content), allow_pickle=False) as part:
-        told = json.loads(str(part["told"]))
-        return Done(part["rows"], part["values"], part["status"], part["engine"], part["seconds"],
-                    {int(row): why for row, why in told["reasons"].items()})
-
-
-def _require_same(kept: dict[str, Any], plan: Plan, path: Path) -> None:
+def _require_same(kept: Mapping[str, Any], plan: Plan, path: Path) -> None:
     if kept["digest"] == plan.digest():
         return
     now = json.loads(json.dumps(plan.description()))
     different = [name for name in now if now[name] != kept["plan"].get(name)]
     raise InputError(f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
                      f"{path} and {path.name}.parts to begin again")
-
-
-def _bring_to_disk(path: Path) -> None:
-    """Waits until a file, or the names in a folder, would outlast a power failure."""
-    descriptor = os.open(path, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
 
 
 def _image(table: Table) -> bytes:

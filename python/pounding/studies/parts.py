@@ -1,0 +1,119 @@
+"""Finished chunks of a study while it runs: small files in the folder TABLE.parts, whose checksums are in their names, and a lock.
+
+A chunk is written under another name and moved into place: it is there as a whole or not at all."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import os
+import re
+import zlib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pounding.checked_file import NotResults
+from pounding.errors import InputError
+from pounding.outputs import Lock, refuse
+from pounding.studies.batches import Done
+
+PLAN, LOCK = "plan.json", "lock"
+_CHUNK = re.compile(r"\d{12}-\d+-[0-9a-f]{8}\.npz")
+_OWN = re.compile(rf"{LOCK}|\.?({_CHUNK.pattern}|{re.escape(PLAN)})(\.\d+)?")
+
+
+class Parts:
+    """The folder of chunks next to a table, locked from here until `close`."""
+
+    def __init__(self, table: Path, given: Path) -> None:
+        """Makes the folder where there is none; `given` is the table as the user named it. Raises InputError if the folder cannot be made, is not one of
+        chunks, or is locked by another study."""
+        self.folder = table.with_name(table.name + ".parts")
+        for _ in range(100):
+            try:
+                self.folder.mkdir(exist_ok=True)
+                self._require_own()
+                self._lock = Lock(self.folder / LOCK)
+                return
+            except BlockingIOError:
+                refuse(given, "another study writes it now", "Wait for its end, or name another table")
+            except FileNotFoundError:  # another study has just ended and removed it
+                continue
+            except InputError:
+                raise
+            except OSError as error:
+                reason = "it is no folder" if isinstance(error, FileExistsError) else error.strerror or str(error)
+                refuse(given, f"finished rows are kept in {self.folder} meanwhile: {reason}", "Name another table")
+        refuse(given, f"{self.folder} vanishes again and again", "Name another table")
+
+    def _require_own(self) -> None:
+        """A folder of somebody else stays as it is."""
+        names = os.listdir(self.folder)
+        foreign = sorted(name for name in names if not _OWN.fullmatch(name))
+        if foreign and PLAN not in names:
+            raise InputError(f"{self.folder} exists and is no folder of a study: it holds {foreign[0]}{' and others' if len(foreign) > 1 else ''}. Name another table, "
+                             "or move the folder away")
+
+    def plan(self) -> dict[str, Any] | None:
+        """Digest and description of the plan whose chunks the folder holds; None for a new folder. Raises NotResults."""
+        path = self.folder / PLAN
+        if not path.exists():
+            return None
+        try:
+            kept = json.loads(path.read_text(encoding="utf-8"))
+            return {"digest": str(kept["digest"]), "plan": dict(kept["plan"])}
+        except (OSError, ValueError, TypeError, KeyError):
+            raise NotResults(f"{path} is damaged. Remove {self.folder} if no file in it is yours; its rows run again") from None
+
+    def begin(self, plan: Mapping[str, Any]) -> None:
+        """Writes the plan. Raises OSError."""
+        self._write(PLAN, json.dumps(plan).encode())
+
+    def chunks(self) -> Iterator[Done]:
+        """All chunks. Raises NotResults for a damaged one, OSError."""
+        for name in sorted(name for name in os.listdir(self.folder) if _CHUNK.fullmatch(name)):
+            yield _read_chunk(self.folder / name)
+
+    def add(self, done: Done) -> None:
+        """Writes a chunk. Raises OSError."""
+        told = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
+        written = io.BytesIO()
+        np.savez(written, rows=done.rows, values=done.values, status=done.status, engine=done.engine, seconds=done.seconds, told=np.array(told))
+        content = written.getvalue()
+        self._write(f"{int(done.rows[0]):012d}-{len(done.rows)}-{zlib.crc32(content):08x}.npz", content)
+
+    def remove(self) -> None:
+        """Removes the chunks, and the folder unless it holds something else; the lock last."""
+        with contextlib.suppress(OSError):
+            for name in sorted(os.listdir(self.folder), key=lambda name: name == LOCK):
+                if _OWN.fullmatch(name):
+                    (self.folder / name).unlink()
+            self.folder.rmdir()
+
+    def close(self) -> None:
+        """Unlocks the folder, and removes it if it has no chunk."""
+        if self._lock.is_held and self.folder.is_dir() and not any(map(_CHUNK.fullmatch, os.listdir(self.folder))):
+            self.remove()
+        self._lock.release()
+
+    def _write(self, name: str, content: bytes) -> None:
+        temporary = self.folder / f".{name}.{os.getpid()}"
+        try:
+            temporary.write_bytes(content)
+            os.replace(temporary, self.folder / name)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+def _read_chunk(path: Path) -> Done:
+    content = path.read_bytes()
+    if not path.stem.endswith(f"-{zlib.crc32(content):08x}"):
+        raise NotResults(f"{path} is damaged. Remove it; its rows run again")
+    with np.load(io.BytesIO(content), allow_pickle=False) as part:
+        told = json.loads(str(part["told"]))
+        return Done(part["rows"], part["values"], part["status"], part["engine"], part["seconds"],
+                    {int(row): why for row, why in told["reasons"].items()})
