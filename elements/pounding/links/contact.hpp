@@ -120,6 +120,8 @@ class Contact {
   virtual void jumped(double /*time*/, const Jump& /*jump*/, bool /*held*/) {}
 
   /// Work done on the link since the beginning, stored and lost [J]; with what it stored at the beginning.
+  /// A rigid contact that rests has this force [N] at a time [s] inside the step that is accepted next.
+  virtual void record_force(double /*time*/, double /*force*/) {}
   virtual double work() const noexcept = 0;
   /// One row per impact, in the order of the touches; the last one is unfinished (t_end NaN) while the impact lasts, and splits
   /// its work so far into what is lost and what is stored.
