@@ -230,12 +230,14 @@ void Stepper::accept() {
     LinkStep& step = described_.steps[i];
     describe(i, step);
     if (i < links.contacts()) {
+      troublesome_link_ = i;  // for a contact that refuses the step
       links.contact(i).accept(step);
       norm_.learn(i, step.motion_end);
     } else if (i < links.frictions_from()) {
       links.spring(i).accept(step);
     }
   }
+  troublesome_link_ = norm_.worst_link();
   if (equations_.springs.any() && !kept.springs_stay) equations_.ranges.read();
   ledger_.add_step(equations_, x, kept, described_.steps);
   norm_.learn(kept);
