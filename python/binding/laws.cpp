@@ -75,7 +75,13 @@ void for_each_state(const L& law, const States& s, Take&& take) {
   for (py::ssize_t first = 0, end = 0; first < s.count; first = end) {
     end = velocity.stride == 0 ? s.count : first + 1;
     while (end < s.count && velocity[end] == velocity[first]) ++end;
-    press(law, laws::touch(law, velocity[first]), s, first, end, take);
+    const laws::Impact impact = laws::touch(law, velocity[first]);
+    if constexpr (laws::designed_for_speed<L>) {
+      double deepest = 0;
+      for (py::ssize_t i = first; i < end; ++i) deepest = std::max(deepest, s.penetration[i]);
+      laws::require_design(law, deepest, impact);
+    }
+    press(law, impact, s, first, end, take);
   }
 }
 
@@ -86,6 +92,7 @@ void for_each_kept_state(const L& law, const States& s, Take&& take) {
   laws::Impact impact = laws::touch(law, s.approach_velocity[0]);
   for (py::ssize_t i = 0; i < s.count; ++i) {
     take(i, answer(law, s.penetration[i], s.rate[i], impact));
+    laws::require_design(law, s.penetration[i], impact);
     laws::keep(law, s.penetration[i], s.rate[i], impact);
   }
 }

@@ -14,6 +14,7 @@ from pounding.texts import texts
 
 #: Names of storeys and hinges, and of isolators: all of a building, or one at a foot of a frame.
 _OF_MEMBERS = re.compile(r"storey \d+|.+ (start|end)( [yz])?")
+_HINGES = re.compile(r".+ (start|end)( [yz])?")
 _ISOLATORS = re.compile(r"isolators|isolator \S+( [xy])?")
 
 
@@ -30,7 +31,8 @@ class Springs(told.Told, lines=told.springs):
     deformation: np.ndarray  #: [time, part] at the output times [m] or [rad]
     force: np.ndarray  #: [time, part] [N] or [N m]
     hysteretic: np.ndarray  #: [time, part] energy lost by yielding so far [J]
-    #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility, peak_plastic (largest size of the plastic
+    #: [part] each, over all steps: peak_deformation (signed), peak_time [s], peak_force, ductility (of a hinge: rotation of the
+    #: member end over its yield rotation), peak_plastic (largest size of the plastic
     #: part of the deformation), cycles, residual, hysteretic [J], first_yield [s] (NaN where it stayed elastic), damping_shear (over the
     #: yield shear; NaN for hinges).
     largest: dict[str, np.ndarray]
@@ -43,6 +45,10 @@ class Springs(told.Told, lines=told.springs):
     def is_device(self, part: int) -> bool:
         """Whether a part is a device: no storey, no end of a member, no isolator."""
         return not _OF_MEMBERS.fullmatch(self.names[part]) and not self.isolates(part)
+
+    def is_hinge(self, part: int) -> bool:
+        """Whether a part is a hinge at an end of a member."""
+        return _HINGES.fullmatch(self.names[part]) is not None
 
     def isolates(self, part: int) -> bool:
         """Whether a part is an isolator."""

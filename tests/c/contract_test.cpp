@@ -217,5 +217,20 @@ TEST(CInterface, CopyOfTheContactTakesAStepBack) {
   EXPECT_EQ(before.force, after.force);
 }
 
+TEST(CInterface, RefusesAContactThatIsFarSofterThanItsDesign) {
+  const pnd_value values[] = {{"stiffness", 2.75e9}, {"restitution", 0.65}, {"reduced_mass", 6e4}};
+  pnd_law* made = nullptr;
+  ASSERT_EQ(pnd_create("bilinear_hertz", "", values, 3, &made), PND_OK) << pnd_error_text();
+  const test::LawInC law(made);
+  pnd_contact contact{};
+  ASSERT_EQ(pnd_touch(law.get(), 0, &contact), PND_OK);
+  EXPECT_EQ(pnd_accept(law.get(), 1e-3, 0.1, &contact), PND_BAD_ARGUMENT);
+  EXPECT_NE(std::string(pnd_error_text()).find("bilinear_hertz takes its stiffness from the closing speed, 0 m/s in this impact"), std::string::npos)
+      << pnd_error_text();
+  contact = {};
+  ASSERT_EQ(pnd_touch(law.get(), 0.5, &contact), PND_OK);
+  EXPECT_EQ(pnd_accept(law.get(), 1e-3, 0.1, &contact), PND_OK);
+}
+
 }  // namespace contract_test
 }  // namespace pounding

@@ -135,8 +135,8 @@ Frame three_storeys(bool with_nodes, double after = 1, bool cut = false) {
                                 {.section = section, .material = concrete, .parts = cut ? 2 : 1});
     for (const auto& [is_there, number, at] : {std::tuple(at_start, parts.front(), MemberEnd::start), {at_end, parts.back(), MemberEnd::end}})
       if (is_there)
-        frame.add_hinge({.member = number, .at = at, .yield_moment = plastic, .hardening = 0.003, .stiffness_factor = 10,
-                         .member_length = length});
+        frame.add_hinge({.member = number, .at = at, .yield_moment = plastic, .stiffness_factor = 10, .member_length = length,
+                         .spring_hardening = 0.003});
   };
   std::vector<std::array<int, 2>> nodes;
   for (int storey = 0; storey <= 3; ++storey)

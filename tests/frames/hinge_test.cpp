@@ -179,12 +179,12 @@ TEST(Hinges, AWeightBetweenTheEndsCountsAtRest) {
 // gives way, which tests/run/rest_test.cpp follows.
 TEST(Hinges, ALawThatIsNeverStraightTakesGravityBelowItsYieldMoment) {
   Frame frame = held_beam();
-  frame.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"hardening", 0.02}}}});
+  frame.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
   const Structure s = made(frame, FrameGeometry::linear, true);
   EXPECT_EQ(s.yielding[0].law, "bouc_wen");
   EXPECT_NEAR(s.yielding[0].spring->stiffness() * s.yielding[0].at_rest, -71.18e3, 5);
   Frame weak = held_beam();
-  weak.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", 70e3}, {"hardening", 0.02}}}});
+  weak.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", 70e3}, {"spring_hardening", 0.02}}}});
   refused([&] { made(weak, FrameGeometry::linear, true); },
           "hinge left start: at rest, under gravity and loads alone, its moment is -71.18 kN m, and it yields at -70 kN m; give it a yield moment above "
           "that, or lighten what it carries");
@@ -246,18 +246,87 @@ TEST(Hinges, LawsSpeakOfMoments) {
   refused(add({.law = "bilinear", .values = {{"yield_force", yield}}}), where + "a hinge has a yield_moment instead of a yield_force");
 }
 
+// Stiffness far beyond the yield over that at the beginning.
+double kept(const YieldingPart& part) {
+  const Spring& spring = *part.spring;
+  return 1 + spring.evaluate({1e3 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();
+}
+
+// A spring k and a member end K = 6EI/L in double curvature have the stiffness K k/(K + k), and after the yield K b k/(K + b k).
+TEST(Hinges, HardeningIsTheRatioOfTheMemberEndInEveryForm) {
+  constexpr double a = 0.02, of_member = 6 * 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12 / 3;
+  for (const double factor : {0.5, 10.0, 300.0}) {
+    const double k = factor * of_member, b = a / (1 + factor * (1 - a));
+    EXPECT_NEAR((of_member * b * k / (of_member + b * k)) / (of_member * k / (of_member + k)), a, 1e-15);
+    std::vector<Hinge> forms{{.yield_moment = yield, .hardening = a, .stiffness_factor = factor}};
+    for (const char* law : {"bilinear", "menegotto_pinto", "bouc_wen", "peak_oriented"})
+      forms.push_back({.stiffness_factor = factor, .law = hysteresis::Settings{.law = law, .values = {{"yield_moment", yield}, {"hardening", a}}}});
+    for (const Hinge& form : forms) {
+      Frame frame = held_beam();
+      frame.add_hinge(form);
+      const Structure s = made(frame);
+      const YieldingPart& hinge = s.yielding[0];
+      EXPECT_NEAR(kept(hinge), b, 1e-6 * b) << hinge.law;
+      EXPECT_NEAR(hinge.parameter("spring_hardening"), b, 1e-15) << hinge.law;
+      EXPECT_NEAR(hinge.parameter("end_stiffness"), of_member * k / (of_member + k), 1e-6 * of_member) << hinge.law;
+      EXPECT_NEAR(hinge.parameter("end_tangent"), a * hinge.parameter("end_stiffness"), 1e-6 * a * of_member) << hinge.law;
+    }
+  }
+  Frame rigid = held_beam();
+  rigid.add_hinge({.yield_moment = yield, .hardening = a});
+  const Structure s = made(rigid);
+  EXPECT_NEAR(s.yielding[0].parameter("end_tangent"), a * of_member, 1e-6 * a * of_member);
+}
+
+TEST(Hinges, SpringHardeningIsThatOfTheBareSpring) {
+  for (const char* law : {"bilinear", "menegotto_pinto", "bouc_wen", "peak_oriented"}) {
+    Frame frame = held_beam();
+    frame.add_hinge({.stiffness_factor = 10, .law = hysteresis::Settings{.law = law, .values = {{"yield_moment", yield}, {"spring_hardening", 0.02}}}});
+    const Structure s = made(frame);
+    EXPECT_NEAR(kept(s.yielding[0]), 0.02, 1e-8) << law;
+    EXPECT_NEAR(s.yielding[0].parameter("hardening"), 0.02 * 11 / 1.2, 1e-12) << law;
+  }
+}
+
+// Ductility is the rotation of the member end over its yield rotation My L/4EI: with the plastic rotation p it is 1 + 4EI p/(My L) without hardening.
+TEST(Hinges, DuctilityHasOneDefinition) {
+  constexpr double of_end = 4 * 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12 / 3, plastic = 0.01;
+  for (const double factor : {0.0, 0.5, 10.0, 1e6}) {
+    Frame frame = held_beam();
+    frame.add_hinge({.yield_moment = yield, .stiffness_factor = factor});
+    const Structure s = made(frame);
+    const YieldingPart& hinge = s.yielding[0];
+    const double at_yield = hinge.spring->yield_deformation();
+    EXPECT_NEAR(hinge.limits.ductility({0, at_yield + plastic}, {0, yield}), 1 + plastic / (yield / of_end), 1e-9) << factor;
+    EXPECT_NEAR(hinge.limits.ductility({-0.5 * at_yield, 0}, {-0.5 * yield, 0}), 0.5, 1e-12) << factor;
+  }
+  // The other end of the left member is released: 3EI/L.
+  Frame released = held_beam(2, {.end_releases = {Dof::ry}});
+  released.add_hinge({.yield_moment = yield, .stiffness_factor = 10, .member_length = 3});
+  const Structure s = made(released);
+  EXPECT_NEAR(s.yielding[0].limits.ductility({0, s.yielding[0].spring->yield_deformation() + plastic}, {0, yield}), 1 + plastic / (yield / (0.75 * of_end)), 1e-9);
+}
+
+TEST(Hinges, RefuseTwoMeaningsOfHardening) {
+  const auto add = [](const Hinge& hinge) { return [=] { held_beam().add_hinge(hinge); }; };
+  const std::string where = "member left: the hinge at its start: ";
+  refused(add({.yield_moment = yield, .spring_hardening = 0.02}),
+          where + "spring_hardening belongs to a spring; give hardening, or its stiffness or stiffness_factor");
+  refused(add({.yield_moment = yield, .hardening = 0.1, .stiffness_factor = 10, .spring_hardening = 0.02}),
+          where + "give hardening, the ratio of the member end, or spring_hardening, not both");
+  for (const double value : {-0.01, 1.0, std::nan("")}) {
+    refused(add({.stiffness_factor = 10, .law = hysteresis::Settings{.law = "bouc_wen", .values = {{"yield_moment", yield}, {"hardening", value}}}}),
+            where + "hardening must lie in [0, 1)");
+    refused(add({.yield_moment = yield, .stiffness_factor = 10, .spring_hardening = value}), where + "spring_hardening must lie in [0, 1)");
+  }
+}
+
 TEST(Hinges, RigidPlasticOnesAddNoStiffness) {
   Frame frame = held_beam();
   const Structure without = made(frame);
   for (const int member : {0, 1})
     for (const MemberEnd at : {MemberEnd::start, MemberEnd::end}) frame.add_hinge({.member = member, .at = at, .yield_moment = yield, .hardening = 0.03});
   EXPECT_EQ((made(frame).stiffness - without.stiffness).norm(), 0);
-}
-
-// Stiffness far beyond the yield over that at the beginning.
-double kept(const YieldingPart& part) {
-  const Spring& spring = *part.spring;
-  return 1 + spring.evaluate({1e3 * spring.yield_deformation(), 0}).by_penetration / spring.stiffness();
 }
 
 TEST(Hinges, KeepAJointInPlaceWhoseEndsAllYield) {
@@ -283,7 +352,7 @@ TEST(Hinges, KeepAJointInPlaceWhoseEndsAllYield) {
 
 TEST(Hinges, KeepTheirHardeningAtSuchAJoint) {
   Frame frame = held_beam();
-  frame.add_hinge({.member = 0, .at = MemberEnd::end, .yield_moment = yield, .hardening = 0.02, .stiffness_factor = 10});
+  frame.add_hinge({.member = 0, .at = MemberEnd::end, .yield_moment = yield, .stiffness_factor = 10, .spring_hardening = 0.02});
   frame.add_hinge({.member = 1, .at = MemberEnd::start, .yield_moment = yield, .stiffness_factor = 10});
   const Structure beam = made(frame);
   EXPECT_NEAR(kept(beam.yielding[0]), 0.02, 1e-15);

@@ -13,6 +13,7 @@
 #include <pounding/frames/frame_structure.hpp>
 #include <pounding/input/frame_input.hpp>
 #include <pounding/input/resolved.hpp>
+#include <pounding/model/plausible.hpp>
 #include "support/models.hpp"
 
 namespace pounding {
@@ -97,9 +98,40 @@ TEST(HingeInput, SpringsFollowLawsByName) {
   EXPECT_NEAR(part("beam x 2.0 start").spring->stiffness(), 5 * of_beam, 1e-6 * of_beam);
 }
 
+TEST(HingeInput, HardeningIsTheRatioOfTheMemberEnd) {
+  const auto warnings = [](const std::string& hinges) {
+    const Model model = test::model_of("structures:\n  a:\n    frame:\n      material: {E: 30 GPa}\n      grid: {storeys: 1, bays: 1, storey_height: 3 m, "
+                                       "bay_width: 6 m, columns: {rectangle: [0.4, 0.4]}, beams: {rectangle: [0.3, 0.5]}, floor_mass: 20 t}\n      hinges: " +
+                                       hinges + "\n    damping: 5 %\nanalysis: {duration: 1}\n");
+    std::string all;
+    for (const std::string& text : implausible(model)) all += text;
+    return all;
+  };
+  const std::string by_member = "{columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, hardening: 3 %}}}";
+  const Structure s = structure(grid + "hinges: " + by_member + "\n");
+  EXPECT_NEAR(s.yielding[0].parameter("spring_hardening"), 0.03 / (1 + 10 * 0.97), 1e-15);
+  EXPECT_NEAR(s.yielding[0].parameter("end_tangent") / s.yielding[0].parameter("end_stiffness"), 0.03, 1e-12);
+  const Structure bare = structure(grid + "hinges: {columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, spring_hardening: 3 %}}}\n");
+  EXPECT_EQ(bare.yielding[0].parameter("spring_hardening"), 0.03);
+  const std::string warning = warnings(by_member);
+  EXPECT_NE(warning.find("hinges.columns.bouc_wen.hardening: is the ratio of the member end; version 0.2.0 took 3 % as that of the bare spring, which is now "
+                         "spring_hardening: 3 % (where it is meant: accept: [hardening])"),
+            std::string::npos)
+      << warning;
+  EXPECT_EQ(warnings("{columns: {at: feet, bouc_wen: {yield_moment: 250 kN m, spring_hardening: 3 %}}}").find("hardening"), std::string::npos);
+  EXPECT_EQ(warnings("{columns: {at: feet, yield_moment: 250 kN m, hardening: 3 %}}").find("hardening"), std::string::npos);
+}
+
 TEST(HingeInput, APartHasTheLengthOfItsMember) {
   const FrameModel model = read(grid + "members: {beam x 1.0: {parts: 4}}\nhinges: {beam x 1.0: {at: both, yield_moment: 210 kN m}}");
   for (const Hinge& hinge : model.frame.hinges()) EXPECT_DOUBLE_EQ(hinge.member_length, 6);
+}
+
+TEST(HingeInput, RefusesTwoMeaningsOfHardening) {
+  refused("{beams: {at: both, bouc_wen: {yield_moment: 1, hardening: 0.1, spring_hardening: 0.1}}}",
+          "74: hinges.beams.bouc_wen.spring_hardening: give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
+  refused("{beams: {at: both, bouc_wen: {yield_moment: 1, spring_hardening: 1}}}",
+          R"(66: hinges.beams.bouc_wen.spring_hardening: takes a number in [0, 1) such as "0.05"; "1" is outside)");
 }
 
 TEST(HingeInput, RefusesWhatIsWrong) {
@@ -136,7 +168,7 @@ TEST(HingeInput, RefusesWhatIsWrong) {
   refused("{beams: {at: both, bilinear: {yield_moment: 1, stiffness: 1, stiffness_factor: 2}}}",
           "70: hinges.beams.bilinear.stiffness_factor: give stiffness or stiffness_factor, not both");
   refused("{beams: {at: both, bilinear: {yield_moment: 1, sharpness: 1}}}",
-          R"(56: hinges.beams.bilinear: unknown key "sharpness". Allowed: yield_moment, stiffness, stiffness_factor, hardening.)");
+          R"(56: hinges.beams.bilinear: unknown key "sharpness". Allowed: yield_moment, stiffness, stiffness_factor, hardening, spring_hardening.)");
 }
 
 TEST(HingeInput, RefusesEndsThatCannotYield) {

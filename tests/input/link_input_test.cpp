@@ -40,6 +40,16 @@ TEST(LinkInput, SaysWhichOfItsKeysIsMissing) {
           R"(5:5: links[0]: key "law" is missing; type "law: hertz_damped")");
 }
 
+TEST(LinkInput, AsksForADesignSpeedWhereAClosedGapHasNone) {
+  const std::string closed = "between: [left, right], gap: 0, law: bilinear_hertz, stiffness: 2.75e9, restitution: 0.65";
+  refused(link(closed), "5:45: links[0].law: bilinear_hertz takes its stiffness from the closing speed of each impact, and the bodies of left-right touch at "
+                        "rest from the start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
+                        "yield_penetration");
+  EXPECT_EQ(test::model_of(link(closed + ", impact_velocity: 0.5 m/s")).links.size(), 1u);
+  EXPECT_EQ(test::model_of(link("between: [left, right], gap: 0, law: bilinear_hertz, initial_stiffness: 1200 MN/m, secondary_stiffness: 150 MN/m, "
+                                "yield_penetration: 0.9 mm")).links.size(), 1u);
+}
+
 TEST(LinkInput, NamesTwoStructuresThatExist) {
   refused(link("between: left, gap: 20 mm, law: hertz, stiffness: 2.75e9"),
           "5:15: links[0].between: takes two structures, the left one first; type between: [left, right], or between: neighbours");

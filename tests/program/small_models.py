@@ -16,7 +16,7 @@ _PORTAL = """\
 #: Two frames whose hinges yield by two laws, and which collide.
 HINGES = ("ground_motion: {harmonic: {amplitude: 8.0, period: 0.5 s, duration: 0.6 s}}\nstructures:\n" +
           _PORTAL.format(name="left", x=0, mass=40, beams="yield_moment: 60 kN m, hardening: 2 %") +
-          _PORTAL.format(name="right", x=6.005, mass=20, beams="bouc_wen: {yield_moment: 50 kN m, hardening: 2 %, stiffness_factor: 10}") +
+          _PORTAL.format(name="right", x=6.005, mass=20, beams="bouc_wen: {yield_moment: 50 kN m, spring_hardening: 2 %, stiffness_factor: 10}") +
           "links: [{between: [left, right], floors: all, law: hertz_damped, stiffness: 1e9, restitution: 0.65}]\n"
           "analysis: {duration: 0.6 s, tolerance: 1e-4, output_step: 10 ms}\n")
 #: Two buildings whose storeys yield, and which collide.
@@ -72,7 +72,7 @@ structures:
       supports: {a: fixed}
       hinges:
         m: {at: start, yield_moment: 90 kN m, hardening: 2 %}
-        n: {at: start, bouc_wen: {yield_moment: 25 kN m, hardening: 2 %, stiffness_factor: 10}}
+        n: {at: start, bouc_wen: {yield_moment: 25 kN m, spring_hardening: 2 %, stiffness_factor: 10}}
     damping: 5 %
   right: {wall: {}}
 links: [{between: [{structure: left, node: c}, right], gap: 5 mm, law: hertz_damped, stiffness: 1e9, restitution: 0.65}]

@@ -180,7 +180,7 @@ def hinges(chance, s):
     def entry(at, strength):
         if law == "rigid_plastic":
             return f"{{at: {at}, yield_moment: {strength}, hardening: {hardening}}}"
-        words = {"yield_moment": strength, "hardening": hardening, "stiffness_factor": stiff}
+        words = {"yield_moment": strength, "spring_hardening": hardening, "stiffness_factor": stiff}
         words |= {key: chance.choice(values) for key, values in SPRINGS[law].items()}
         return f"{{at: {at}, {law}: {{{', '.join(f'{key}: {value}' for key, value in words.items())}}}}}"
 

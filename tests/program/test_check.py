@@ -39,9 +39,27 @@ analysis: {duration: 1}
         k, h = (4 + p) / (1 + p) * ei / 4, 0.03 * 6 * ei / 4 / 0.97
         for name, expected in (("stiffness", k), ("yield_force", 200e3), ("yield_deformation", 200e3 / k), ("hardening", h / (k + h))):
             self.assertAlmostEqual(one[name] / expected, 1, delta=1e-9, msg=name)
-        [one, *_] = self.found("columns: {at: feet, bouc_wen: {yield_moment: 200 kN m, hardening: 0.02, stiffness_factor: 10}}")["portal"]["parts"]
+        [one, *_] = self.found("columns: {at: feet, bouc_wen: {yield_moment: 200 kN m, spring_hardening: 0.02, stiffness_factor: 10}}")["portal"]["parts"]
         for name, expected in (("stiffness", 60 * ei / 4), ("yield_deformation", 200e3 / (60 * ei / 4)), ("hardening", 0.02)):
             self.assertAlmostEqual(one[name] / expected, 1, delta=1e-9, msg=name)
+
+    def test_prints_the_tangent_of_member_ends_with_one_meaning_of_hardening(self):
+        of_member = 6 * 30e9 * 0.4**4 / 12 / 4
+        for hinges, elastic, ratio in (("yield_moment: 200 kN m, hardening: 3 %", of_member, 0.03),
+                                       ("bilinear: {yield_moment: 200 kN m, hardening: 3 %}", of_member * 10 / 11, 0.03),
+                                       ("peak_oriented: {yield_moment: 200 kN m, hardening: 3 %, stiffness_factor: 2}", of_member * 2 / 3, 0.03),
+                                       ("bouc_wen: {yield_moment: 200 kN m, spring_hardening: 3 %}", of_member * 10 / 11, 0.03 * 11 / 1.3)):
+            with self.subTest(hinges=hinges):
+                self.write(self.PORTAL.replace("HINGES", f"{{columns: {{at: both, {hinges}}}}}"))
+                done = self.pounding("check", "model.yaml", "--json")
+                one = json.loads(done.stdout)["yielding"]["portal"]["parts"][0]
+                self.assertAlmostEqual(one["end_stiffness"] / elastic, 1, delta=1e-9)
+                self.assertAlmostEqual(one["end_tangent"] / (ratio * elastic), 1, delta=1e-9)
+                text = self.pounding("check", "model.yaml")
+                self.assertIn(f"column 1.0 start: after yielding at both ends in double curvature the end of the member keeps {ratio * elastic / 1e6:.4g} "
+                              f"MN m/rad, {100 * ratio:.3g} % of {elastic / 1e6:.4g} MN m/rad\n", text.stdout)
+                changed = "hinges.columns.bilinear.hardening: is the ratio of the member end; version 0.2.0 took 3 % as that of the bare spring"
+                self.assertEqual(changed in text.stderr + text.stdout, hinges.startswith("bilinear"))
 
     def test_tells_the_strength_of_storeys_that_can_sway(self):
         [storey] = self.found("columns: {at: both, yield_moment: [200 kN m, -150 kN m]}")["portal"]["storey_mechanisms"]

@@ -27,7 +27,7 @@ def rigid_plastic(strength=1.0):
 
 
 def by_law(law, more=""):
-    yields = lambda moment: f"{law}: {{yield_moment: {moment} kN m, hardening: 2 %, stiffness_factor: 10{more}}}"
+    yields = lambda moment: f"{law}: {{yield_moment: {moment} kN m, spring_hardening: 2 %, stiffness_factor: 10{more}}}"
     return hinges(yields(180), yields(250))
 
 
@@ -110,6 +110,17 @@ class Hinges(ProgramTest):
                 self.assertGreater(max(part["ductility"] for part in run["structures"]["left"]["yielding"]["springs"]), 3)
                 np.testing.assert_allclose(shear, 4 * 120e3 / 3.2, rtol=1e-6)
 
+    def test_hardening_and_ductility_mean_the_same_in_every_form(self):
+        # A spring of a thousand times 6EI/L is nearly a rigid-plastic hinge. A ratio of the bare spring would make it a thousand times too stiff after yielding.
+        found = {}
+        for form in ("yield_moment: 120 kN m, hardening: 10 %", "bilinear: {yield_moment: 120 kN m, hardening: 10 %, stiffness_factor: 1000}"):
+            run, _ = self.results(single(2, f"      hinges: {{beams: {{at: both, {form}}}, columns: {{at: both, {form}}}}}\n", tolerance="1e-6"))
+            parts = run["structures"]["left"]["yielding"]["springs"]
+            found[form] = np.array([[part["peak_force"], part["ductility"], part["plastic"]] for part in parts])
+        rigid, series = found.values()
+        self.assertGreater(rigid[:, 1].max(), 2)
+        np.testing.assert_allclose(series, rigid, rtol=0.01, atol=0.01 * rigid.max(axis=0).min())
+
     def test_in_space_are_those_in_the_plane(self):
         # Two equal frames side by side under one floor: half of what shakes in space is one of them. Across their plane nothing moves. Steps end at
         # corners that are found to a part of their length: the answers agree to the tolerance of the runs.
@@ -168,7 +179,7 @@ class Hinges(ProgramTest):
                 "hinges.beams: member beam x 1.0: the hinge at its start: gamma_share is 0.6, but must be in [0, 0.5]: above it the law would create energy")
         refused(with_hinges("{at: both, yield_moment: 180 kN m, gamma_share: 0.5}"), 'hinges.beams: unknown key "gamma_share". Allowed: ')
         refused(with_hinges("{at: both, bilinear: {yield_moment: 180 kN m, gamma_share: 0.5}}"),
-                'hinges.beams.bilinear: unknown key "gamma_share". Allowed: yield_moment, stiffness, stiffness_factor, hardening.')
+                'hinges.beams.bilinear: unknown key "gamma_share". Allowed: yield_moment, stiffness, stiffness_factor, hardening, spring_hardening.')
         released = "      members: {beam x 1.0: {releases: {end: [ry]}}}\n"
         refused(with_hinges("{at: both, yield_moment: 180 kN m}").replace("      hinges", released + "      hinges"),
                 "ry is released there, so no moment reaches it; leave out the release or the hinge")

@@ -135,10 +135,10 @@ class HingeMap(unittest.TestCase):
         cls.results = results_of(FRAMES)
 
     def marks(self):
-        from pounding.pictures.hinge_map import APART, _all_have_ultimate, _marks
+        from pounding.pictures.hinge_map import APART, _marks, measure_of
         from pounding.pictures.model_picture import spread_scene
         scene = spread_scene(self.results, APART)
-        return scene, {(mark.structure, mark.name): mark for mark in _marks(scene, _all_have_ultimate(self.results))}
+        return scene, {(mark.structure, mark.name): mark for mark in _marks(scene, measure_of(self.results))}
 
     def test_hinges_stand_at_the_ends_of_their_members(self):
         scene, marks = self.marks()
@@ -164,6 +164,15 @@ class HingeMap(unittest.TestCase):
             words = [text.get_text() for text in legend.get_texts()]
             self.assertTrue(any(each.startswith("impacts, at most ") for each in words) and "beyond its ultimate rotation" in words, words)
             legends_fit(self, figure)
+
+    def test_hinges_without_one_are_coloured_by_plastic_rotation(self):
+        from pounding.pictures.hinge_map import hinges_figure
+        results = results_of(FRAMES.replace(", ultimate_rotation: 0.0005", ""))
+        figure = hinges_figure(results)
+        self.assertEqual(figure.axes[1].get_ylabel(), "Plastic rotation (mrad)")
+        largest = max(one.springs.largest["peak_plastic"].max() for one in results.structures.values() if one.springs is not None)
+        np.testing.assert_allclose(figure.axes[1].get_ylim(), (0, 1e3 * largest))
+        self.assertIn(f"{1e3 * largest:.3g}", {text.get_text() for text in figure.axes[0].texts})
 
     def test_a_star_tells_how_often_a_link_was_hit(self):
         from pounding.pictures.hinge_map import hinges_figure

@@ -192,5 +192,24 @@ TEST(PaperEquation2, IsTheAssembledSystemWhileTheLinkPresses) {
   EXPECT_TRUE(near(damping, Eigen::Matrix2d{{c1 + c, -c}, {-c, c2 + c}})) << damping;
 }
 
+// A body that gravity-like forces bring to rest on a wall touches it more and more slowly; the springs of such touches would be ever softer.
+TEST(BilinearHertz, RefusesABodyAtRestOnAWallWithoutADesignSpeed) {
+  const auto pressed = [](const std::string& more) {
+    return test::run_text("ground_motion: {pulse: {shape: rectangle, amplitude: -9.81, duration: 20}}\n"
+                          "structures: {a: {body: {mass: 60 t}}, w: {wall: {}}}\n"
+                          "links: [{between: [a, w], gap: 1 mm, law: bilinear_hertz, stiffness: 2.75e9, restitution: 0.5" + more + "}]\n"
+                          "analysis: {duration: 10, tolerance: 1e-4}\naccept: [penetration]\n");
+  };
+  try {
+    pressed("");
+    ADD_FAILURE() << "not refused";
+  } catch (const FailedRun& failed) {
+    EXPECT_NE(std::string(failed.what()).find("at link a-w"), std::string::npos) << failed.what();
+    EXPECT_NE(std::string(failed.what()).find("bilinear_hertz takes its stiffness from the closing speed"), std::string::npos) << failed.what();
+  }
+  const Outcome run = pressed(", impact_velocity: 0.14 m/s");
+  EXPECT_LT(run.summary.links[0].peak_penetration, 2e-2);
+}
+
 }  // namespace collisions_test
 }  // namespace pounding

@@ -569,7 +569,7 @@ TEST_P(HingesReduced, YieldAsInAllModes) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, HingesReduced,
                          testing::Values(Hinged{"RigidPlastic", "yield_moment: 150 kN m, hardening: 3 %"},
-                                         Hinged{"Smooth", "menegotto_pinto: {yield_moment: 150 kN m, hardening: 0.01, stiffness_factor: 10}"}),
+                                         Hinged{"Smooth", "menegotto_pinto: {yield_moment: 150 kN m, spring_hardening: 0.01, stiffness_factor: 10}"}),
                          [](const testing::TestParamInfo<Hinged>& test) { return test.param.name; });
 
 // The left frame slides on isolators under its four feet.

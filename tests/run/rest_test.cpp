@@ -24,9 +24,9 @@ constexpr const char* schemes[] = {"esdirk4", "generalized_alpha"};
 TEST(FramesAtRest, GiveWayAsTheLawsOfTheirHingesSay) {
   constexpr double length = 6, load = 10e3, bending = 30e9 * 0.4 * 0.4 * 0.4 * 0.4 / 12, fixed = load * length * length / 12;
   const std::vector<std::pair<std::string, hysteresis::Settings>> laws{
-      {"bouc_wen: {yield_moment: 17 kN m, hardening: 0.02, stiffness: 20 MN m, exponent: 2}",
+      {"bouc_wen: {yield_moment: 17 kN m, spring_hardening: 0.02, stiffness: 20 MN m, exponent: 2}",
        {.law = "bouc_wen", .values = {{"yield_force", 17e3}, {"hardening", 0.02}, {"stiffness", 20e6}, {"exponent", 2}}}},
-      {"menegotto_pinto: {yield_moment: 15 kN m, hardening: 0.02, stiffness: 20 MN m, R0: 14}",
+      {"menegotto_pinto: {yield_moment: 15 kN m, spring_hardening: 0.02, stiffness: 20 MN m, R0: 14}",
        {.law = "menegotto_pinto", .values = {{"yield_force", 15e3}, {"hardening", 0.02}, {"stiffness", 20e6}, {"R0", 14}}}}};
   for (const auto& [words, settings] : laws) {
     const double turn = std::visit(

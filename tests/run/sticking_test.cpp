@@ -43,6 +43,56 @@ TEST(RestitutionZero, MovesTheBodiesAsOneAfterTheTouch) {
   EXPECT_NEAR(energy_error(run.results), 0, 1e-3);
 }
 
+double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+// Both bodies move as one: F = m w V at the first quarter of the period, whatever the length of the steps.
+TEST(RestitutionZero, LocatesThePeakForceOfBodiesThatStick) {
+  const double ball = 1e3, stiffness = 8e4, mass = 3e3, exact = ball * std::sqrt(stiffness / mass) / 3;
+  for (const double tolerance : {1e-3, 1e-4, 1e-6})
+    for (const char* integrator : {"esdirk4", "generalized_alpha"}) {
+      const Outcome run = run_text(fmt::format("structures:\n  ball: {{body: {{mass: 1 t}}, initial_velocity: 1}}\n"
+                                               "  ground: {{oscillator: {{mass: 2 t, stiffness: 8e4}}, damping: 0}}\n"
+                                               "links: [{{between: [ball, ground], gap: 0.1, law: stereomechanical, restitution: 0}}]\n"
+                                               "analysis: {{duration: 0.74, tolerance: {}, integrator: {}}}\n", tolerance, integrator));
+      ASSERT_EQ(run.results.impacts.size(), 1u);
+      const ImpactRow& row = run.results.impacts[0];
+      EXPECT_NEAR(row.peak_force, exact, tolerance * exact) << integrator;
+      EXPECT_NEAR(row.t_peak, 0.1 + 0.5 * std::acos(-1.0) / std::sqrt(stiffness / mass), 0.03 * std::sqrt(tolerance)) << integrator;
+      EXPECT_GE(row.peak_force, largest(run.results.links[0].force)) << integrator;
+      EXPECT_EQ(run.summary.links[0].peak_force, row.peak_force);
+    }
+}
+
+// An oscillator on a wall does not move while the ground presses it: the force is m a(t) at every tolerance.
+TEST(RestOnAWall, LocatesThePeakForceOfTheGround) {
+  for (const double tolerance : {1e-3, 1e-6})
+    for (const char* restitution : {"0", "0.5"}) {
+      const Outcome run = run_text(fmt::format("ground_motion: {{harmonic: {{amplitude: -2.0, period: 0.7, duration: 0.35}}}}\n"
+                                               "structures:\n  a: {{oscillator: {{mass: 100 t, period: 0.5, damping: 5 %}}}}\n  w: {{wall: {{}}}}\n"
+                                               "links: [{{between: [a, w], gap: 0, law: stereomechanical, restitution: {}}}]\n"
+                                               "analysis: {{duration: 0.4, tolerance: {}}}\n", restitution, tolerance));
+      ASSERT_GE(run.results.impacts.size(), 1u);
+      EXPECT_NEAR(run.results.impacts[0].peak_force, 2e5, 1e-6 * 2e5) << tolerance;
+      EXPECT_NEAR(run.results.impacts[0].t_peak, 0.175, 1e-4);
+      EXPECT_GE(run.results.impacts[0].peak_force, largest(run.results.links[0].force));
+    }
+}
+
+// Three bodies in a row that the ground presses against a wall: each link carries the mass of all bodies before it.
+TEST(RestOnAWall, LocatesThePeakForcesInARow) {
+  const Outcome run = run_text("ground_motion: {harmonic: {amplitude: -2.0, period: 0.7, duration: 0.35}}\n"
+                               "structures:\n  a: {body: {mass: 100 t}}\n  b: {body: {mass: 50 t}}\n  c: {body: {mass: 20 t}}\n  w: {wall: {}}\n"
+                               "links:\n  - {between: [a, b], gap: 0, law: stereomechanical, restitution: 0}\n"
+                               "  - {between: [b, c], gap: 0, law: stereomechanical, restitution: 0.3}\n"
+                               "  - {between: [c, w], gap: 0, law: stereomechanical, restitution: 0}\n"
+                               "analysis: {duration: 0.3, tolerance: 1e-4}\n");
+  const double mass[] = {100e3, 150e3, 170e3};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(run.summary.links[i].peak_force, 2 * mass[i], 1e-6 * 2 * mass[i]);
+    EXPECT_GE(run.summary.links[i].peak_force, largest(run.results.links[i].force));
+  }
+}
+
 // Critical damping: d = v t exp(-w t), which never comes back to zero; the largest force is c v = 2 m w v at the touch.
 TEST(RestitutionZero, IsCriticalDampingForKelvinVoigt) {
   test::Book book("Bodies that stick", "critically damped oscillator: d_max = v/(w e) at t = 1/w, F = 2 m w v at the touch", "run at tolerance 1e-7");

@@ -384,7 +384,7 @@ TEST(TouchAtRest, DoesNotBeginWhileTheBodiesPart) {
       "ground_motion: {pulse: {shape: rectangle, amplitude: -2.3, duration: 1.0}}\nstructures:\n"
       "  b1: {oscillator: {mass: 1.0, period: 1.2, damping: 10 %}}\n  b2: {body: {mass: 1000.0}}\n  b3: {wall: {}}\nlinks:\n"
       "  - {between: [b2, b3], gap: 0, law: adams_impact, stiffness: 9e10, depth: 1.0, restitution: 0.05}\n"
-      "  - {between: [b1, b2], gap: 0, law: bilinear_hertz, stiffness: 1.0, restitution: 1.0}\n"
+      "  - {between: [b1, b2], gap: 0, law: bilinear_hertz, stiffness: 1.0, restitution: 1.0, impact_velocity: 1.0}\n"
       "analysis: {duration: 0.01, tolerance: 1e-3, integrator: generalized_alpha}\n");
   expect_sound(run, 1e-3);
 }

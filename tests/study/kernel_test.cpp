@@ -223,13 +223,28 @@ TEST(TheShapesOfTheKernel, GiveTheSameBits) {
 TEST(ATouchAtRest, WithoutAGapIsTakenByEveryLaw) {
   for (const laws::Entry& entry : laws::catalogue()) {
     if (entry.instantaneous) continue;
-    const laws::AnyLaw law = laws::make_law(laws::typical_settings(entry));
+    laws::AnyLaw law = laws::make_law(laws::typical_settings(entry));
+    if (auto* const bilinear = std::get_if<laws::BilinearHertz>(&law); bilinear && !bilinear->is_given()) bilinear->impact_velocity = 0.5;
     const Peaks found = run(pair_of({1e5, 0.5, 0.05}, {1.5e5, 0.3, 0.05}, 0, law), record);
     EXPECT_GT(found.links[0].impacts, 5) << entry.name;
     EXPECT_TRUE(std::isfinite(found.links[0].peak_force)) << entry.name;
     // A spring loses nothing; the steps make an error of their tolerance of what passes through it.
     EXPECT_GT(found.links[0].energy_lost, -1e-5 * found.links[0].peak_force * found.links[0].peak_penetration) << entry.name;
   }
+}
+
+TEST(ATouchAtRest, IsRefusedByALawThatNeedsAClosingSpeed) {
+  laws::BilinearHertz law{.stiffness = 2.75e9, .restitution = 0.65, .reduced_mass = 6e4};
+  const auto model = [&] { return pair_of({1e5, 0.5, 0.05}, {1.5e5, 0.3, 0.05}, 0, law); };
+  try {
+    run(model(), record);
+    ADD_FAILURE() << "not refused";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("bilinear_hertz takes its stiffness from the closing speed"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("impact_velocity: 0.5 m/s"), std::string::npos) << error.what();
+  }
+  law.impact_velocity = 0.5;
+  EXPECT_GT(run(model(), record).links[0].impacts, 5);
 }
 
 /// A mass of 1 kg, pressed by 1 m/s^2, that falls with speed v onto a spring and a dashpot that pull, too, in closed form: d'' + c d' + w^2 d = 1.

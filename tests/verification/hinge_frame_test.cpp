@@ -27,6 +27,15 @@ const std::vector<double> ductility{43.2050018921249, 43.2050018921249, 53.98631
                                     41.84059927992637, 41.84059927992637, 19.4701294099646, 19.4701294099646};
 const std::vector<double> peak_moment{281653.7514192261, 281653.7514192261, 208612.61149483308, 208612.61149483308,
                                       202053.9236111644, 202053.9236111644, 189973.8698813809, 189973.8698813809};
+// The first two are the feet of columns, the others ends of beams. The ductility of the reference is that of the bare springs; that of the member end
+// has the elastic rotation M L/4EI instead of that of the spring.
+double of_member_end(std::size_t i) {
+  const bool is_foot = i < 2;
+  const double stiffness = 4 * 30e9 * (is_foot ? 0.4 * 0.4 * 0.4 * 0.4 : 0.3 * 0.5 * 0.5 * 0.5) / 12 / (is_foot ? 3.2 : 6);
+  const double yield_moment = is_foot ? 250e3 : 180e3, of_spring = 10 * 1.5 * stiffness;
+  const double plastic = (ductility[i] * yield_moment - peak_moment[i]) / of_spring;
+  return (plastic + peak_moment[i] / stiffness) / (yield_moment / stiffness);
+}
 constexpr double base_shear = 304591.1633100634, hinge_work = 81633.2646550997, damping = 32698.634962735756, input = 120964.78425714;
 
 TEST(HingeFrame, AgreesWithAnIndependentIntegrator) {
@@ -68,8 +77,8 @@ structures:
       grid: {storeys: 3, bays: 1, storey_height: 3.2 m, bay_width: 6 m, columns: {rectangle: [0.4, 0.4], shear: false},
              beams: {rectangle: [0.3, 0.5], shear: false}, floor_mass: 40 t}
       hinges:
-        beams: {at: both, bilinear: {yield_moment: 180 kN m, hardening: 0.003}}
-        columns: {at: feet, bilinear: {yield_moment: 250 kN m, hardening: 0.003}}
+        beams: {at: both, bilinear: {yield_moment: 180 kN m, spring_hardening: 0.003}}
+        columns: {at: feet, bilinear: {yield_moment: 250 kN m, spring_hardening: 0.003}}
     damping: 0
 analysis: {duration: 12 s, tolerance: 1e-7, integrator: esdirk4}
 )");
@@ -87,7 +96,7 @@ analysis: {duration: 12 s, tolerance: 1e-7, integrator: esdirk4}
     std::ranges::sort(values);
     return values;
   };
-  std::vector<double> ductilities, moments;
+  std::vector<double> ductilities, moments, expected;
   double work = 0;
   for (const SpringSummary& hinge : found.springs) {
     ductilities.push_back(hinge.ductility);
@@ -95,8 +104,9 @@ analysis: {duration: 12 s, tolerance: 1e-7, integrator: esdirk4}
     work += hinge.energy_lost;
   }
   ASSERT_EQ(ductilities.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) expected.push_back(of_member_end(i));
   for (int i = 0; i < 8; ++i) {
-    book.near("ductility of hinges [-]", sorted(ductilities)[i], sorted(ductility)[i], part * sorted(ductility)[i]);
+    book.near("ductility of member ends [-]", sorted(ductilities)[i], sorted(expected)[i], part * sorted(expected)[i]);
     book.near("peak moment of hinges [N m]", sorted(moments)[i], sorted(peak_moment)[i], part * sorted(peak_moment)[i]);
   }
   const EnergyHistory& energy = outcome.results.energy;

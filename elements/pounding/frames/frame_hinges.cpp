@@ -45,10 +45,22 @@ HingeForces forces_of(const Frame& frame, int number) {
   return {k, on_ends, beam.at_nodes(on_ends)};
 }
 
-// Part of k that is left after yielding.
+// Number of a hinge, of its law if it has one; nullopt if it is not given.
+std::optional<double> number_of(const Hinge& hinge, std::string_view name, const std::optional<double>& without_law) {
+  if (!hinge.law) return without_law;
+  const auto found = hinge.law->values.find(name);
+  return found == hinge.law->values.end() ? std::nullopt : std::optional(found->second);
+}
+
+double member_hardening(const Hinge& hinge) { return number_of(hinge, "hardening", hinge.hardening).value_or(0); }
+
+std::optional<double> spring_hardening(const Hinge& hinge) { return number_of(hinge, "spring_hardening", hinge.spring_hardening); }
+
+// Fraction of k that is left after yielding.
 double hardening_of(const Frame& frame, const Hinge& hinge, double k) {
-  if (!hinge.is_rigid_plastic()) return hinge.hardening;
-  const double h = hinge.hardening * frame.bending_stiffness(hinge) / (1 - hinge.hardening);
+  const double a = member_hardening(hinge), of_member = frame.bending_stiffness(hinge);
+  if (!hinge.is_rigid_plastic()) return spring_hardening(hinge).value_or(a / (1 + k / of_member * (1 - a)));
+  const double h = a * of_member / (1 - a);
   return h / (k + h);
 }
 
@@ -57,8 +69,9 @@ hysteresis::Settings law_of(const Frame& frame, const Hinge& hinge, double k) {
   hysteresis::Settings law{.law = "bilinear"};
   if (hinge.law) {
     law = *hinge.law;
+    if (law.values.erase("hardening") > 0) law.values["spring_hardening"] = hardening_of(frame, hinge, k);
   } else {
-    law.values = {{"yield_moment", hinge.yield_moment}, {"hardening", hardening_of(frame, hinge, k)}};
+    law.values = {{"yield_moment", hinge.yield_moment}, {"spring_hardening", hardening_of(frame, hinge, k)}};
     if (hinge.hogging_moment) law.values["negative_yield_moment"] = *hinge.hogging_moment;
   }
   law.values["stiffness"] = k;
@@ -80,20 +93,31 @@ std::vector<std::unique_ptr<Spring>> springs_of(const FrameModel& model, const A
   for (std::size_t i = 0; i < hinges.size(); ++i)
     if (loose[i]) {
       hysteresis::Settings law = law_of(model.frame, hinges[i], forces[i].k);
-      law.values["hardening"] = least_hardening;
+      law.values["spring_hardening"] = least_hardening;
       springs[i] = make_hinge(law);
     }
   return springs;
 }
 
-// With the rotation of the whole member at its first yield, moments and plastic rotations are those of this part: M/My = 1 + a (m - 1) where this part has the
-// ductility m, and the plastic rotation is (1 - a) (m - 1) times its own yield rotation.
-double of_whole(const Frame& frame, const Hinge& hinge, double k) {
-  if (!hinge.is_rigid_plastic() || hinge.member_length == 0) return 1;
+// Stiffness of the end of the whole member against rotation without its hinges: 4EI/L, or 3EI/L if the other end is released.
+double end_stiffness(const Frame& frame, const Hinge& hinge) {
   const Beam& part = frame.beam(hinge.member);
-  const Beam whole(Vector3d::Zero(), {hinge.member_length, 0, 0}, part.section(), part.material());
-  const double a = hardening_of(frame, hinge, k), softer = whole.local_stiffness()(hinge.place(), hinge.place()) / k;
-  return a + (1 - a) * softer;
+  const BeamOptions options{.start_releases = part.options().start_releases, .end_releases = part.options().end_releases, .axial_force = part.axial_force()};
+  const double length = hinge.member_length > 0 ? hinge.member_length : part.length();
+  return Beam(Vector3d::Zero(), {length, 0, 0}, part.section(), part.material(), options).local_stiffness()(hinge.place(), hinge.place());
+}
+
+// The elastic part of the deformation is that of the spring in series, or of the own part of the member.
+YieldLimits limits_of(const Frame& frame, const Hinge& hinge, double k, const Spring& spring) {
+  YieldLimits limits(spring);
+  const bool is_cut = hinge.member_length > 0 && hinge.member_length != frame.beam(hinge.member).length();
+  if (hinge.is_rigid_plastic() && !is_cut) return limits;
+  limits.flexibility = 1 / end_stiffness(frame, hinge) - 1 / k;
+  const auto& values = law_of(frame, hinge, k).values;
+  const auto other_way = values.find("negative_yield_moment");
+  limits.positive_force = limits.negative_force = values.at("yield_moment");
+  if (other_way != values.end()) limits.negative_force = other_way->second;
+  return limits;
 }
 
 std::string word_of(const Hinge& hinge) {
@@ -101,16 +125,34 @@ std::string word_of(const Hinge& hinge) {
   return hinge.law ? hinge.law->law : "bilinear";
 }
 
-std::vector<YieldingPart::Parameter> parameters_of(const Hinge& hinge, double k) {
+// Stiffness of the end of a member that bends in double curvature, before it yields at both ends and after [N m/rad].
+struct EndTangents {
+  double elastic, yielded;
+};
+
+EndTangents end_tangents(const Frame& frame, const Hinge& hinge, double k) {
+  const double of_member = frame.bending_stiffness(hinge);
+  if (hinge.is_rigid_plastic()) return {of_member, hinge.hardening * of_member};
+  const auto in_series = [of_member](double spring) { return of_member * spring / (of_member + spring); };
+  return {in_series(k), in_series(hardening_of(frame, hinge, k) * k)};
+}
+
+std::vector<YieldingPart::Parameter> parameters_of(const Frame& frame, const Hinge& hinge, double k) {
+  const EndTangents at_end = end_tangents(frame, hinge, k);
   std::vector<YieldingPart::Parameter> all;
   if (hinge.law) {
-    for (const auto& [name, value] : hinge.law->values) all.push_back({name, value});
+    for (const auto& [name, value] : hinge.law->values)
+      if (name != "hardening" && name != "spring_hardening") all.push_back({name, value});
   } else {
     all.push_back({"yield_moment", hinge.yield_moment});
     if (hinge.hogging_moment) all.push_back({"hogging_moment", *hinge.hogging_moment});
-    all.push_back({"hardening", hinge.hardening});
   }
+  const bool is_given = hinge.is_rigid_plastic() || !spring_hardening(hinge);
+  all.push_back({"hardening", is_given ? member_hardening(hinge) : at_end.yielded / at_end.elastic});
+  if (!hinge.is_rigid_plastic()) all.push_back({"spring_hardening", hardening_of(frame, hinge, k)});
   all.push_back({hinge.is_rigid_plastic() ? "member_stiffness" : "stiffness", k});
+  all.push_back({"end_stiffness", at_end.elastic});
+  all.push_back({"end_tangent", at_end.yielded});
   if (hinge.ultimate_rotation) all.push_back({"ultimate_rotation", *hinge.ultimate_rotation});
   return all;
 }
@@ -202,14 +244,22 @@ void add_to_internal_forces(const FrameModel& model, const Frame::Reactions& rea
   s.forces.by_yielding.setFromTriplets(entries.begin(), entries.end());
 }
 
+void require_sound_hardening(const Hinge& hinge, const std::string& where) {
+  const std::optional<double> of_member = number_of(hinge, "hardening", hinge.hardening), of_spring = spring_hardening(hinge);
+  if (!(of_member.value_or(0) >= 0 && of_member.value_or(0) < 1)) refuse(where + "hardening must lie in [0, 1)");
+  if (!(of_spring.value_or(0) >= 0 && of_spring.value_or(0) < 1)) refuse(where + "spring_hardening must lie in [0, 1)");
+  if (of_spring && hinge.is_rigid_plastic()) refuse(where + "spring_hardening belongs to a spring; give hardening, or its stiffness or stiffness_factor");
+  if (of_spring && of_member.value_or(0) != 0) refuse(where + "give hardening, the ratio of the member end, or spring_hardening, not both");
+}
+
 void require_sound(const Hinge& hinge, const std::string& where) {
   if (!hinge.law) {
     if (!is_positive(hinge.yield_moment) || !is_positive(hinge.hogging_moment.value_or(1)))
       refuse(where + "the yield moments must be positive and finite");
-    if (!(hinge.hardening >= 0 && hinge.hardening < 1)) refuse(where + "hardening must lie in [0, 1)");
   } else if (hinge.law->values.contains("stiffness")) {
     refuse(where + "the stiffness of its law is that of the hinge; leave it out of the law");
   }
+  require_sound_hardening(hinge, where);
   if (!is_positive(hinge.ultimate_rotation.value_or(1))) refuse(where + "ultimate_rotation must be positive and finite");
   for (const double value : {hinge.stiffness, hinge.stiffness_factor, hinge.member_length})
     if (!(value >= 0 && std::isfinite(value))) refuse(where + "stiffness, stiffness_factor and member_length must be finite and not negative");
@@ -270,9 +320,9 @@ void let_hinges_yield(const FrameModel& model, const AssembledFrame& frame, cons
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
     const double k = forces[i].k;
     YieldingPart& part = s.yielding.emplace_back(model.frame.hinge_name(i), deformation_row(model.frame, frame, hinges[i], forces[i]),
-                                                 word_of(hinges[i]), parameters_of(hinges[i], k), std::move(springs[i]));
+                                                 word_of(hinges[i]), parameters_of(model.frame, hinges[i], k), std::move(springs[i]));
     part.kind = YieldingPart::Kind::hinge;
-    part.limits.of_whole = of_whole(model.frame, hinges[i], k);
+    part.limits = limits_of(model.frame, hinges[i], k, *part.spring);
     part.at_rest = deformation_at_rest(model, hinges[i], part.deformation, k, s);
     require_unyielded_at_rest(part, forces[i]);
   }

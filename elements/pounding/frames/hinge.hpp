@@ -16,27 +16,30 @@ enum class BendingAxis { y, z };
 /// the end moment that InternalForces reports, with its sign: `yield_moment` where the member sags there, with tension on the side
 /// that its local z (about y) or y (about z) leaves; `hogging_moment` where it hogs.
 ///
+/// `hardening` a is the ratio of the member end in every form: a member that yields at both ends in double curvature keeps this fraction of its
+/// stiffness.
+///
 /// Rigid-plastic, with neither stiffness nor stiffness_factor: no rotation below the yield moment, and above it the moment rises by
-/// h = hardening 6EI/L/(1 - hardening) [N m/rad] with the plastic rotation, so that a member that yields at both ends in double curvature
-/// keeps this part of its stiffness. It adds nothing to the stiffness of the frame (force analogy: Wong & Yang 1999).
+/// h = a 6EI/L/(1 - a) [N m/rad] with the plastic rotation. It adds nothing to the stiffness of the frame (force analogy: Wong & Yang 1999).
 ///
 /// A spring in series with the member, with a stiffness or a stiffness_factor: the moment follows its law, and its first stiffness k
-/// makes the member softer. `hardening` is the part of k that is left after yielding. Of a member that as a whole is to keep the part a, it
-/// is a/(1 + n (1 - a)) with n = k L/6EI (Ibarra & Krawinkler 2005).
+/// makes the member softer. The spring keeps the fraction b = a/(1 + n (1 - a)) of k with n = k L/6EI (Ibarra & Krawinkler 2005), or
+/// `spring_hardening` = b is given instead.
 struct Hinge {
   int member = 0;
   MemberEnd at = MemberEnd::start;
   BendingAxis about = BendingAxis::y;
   double yield_moment = 0;                    ///< > 0, unless there is a law [N m]
   std::optional<double> hogging_moment{};     ///< > 0; the same unless given [N m]
-  double hardening = 0;                       ///< in [0, 1) [-]
+  double hardening = 0;                       ///< a in [0, 1) [-]
   std::optional<double> ultimate_rotation{};  ///< plastic rotation that it can bear, for reports [rad]
   double stiffness = 0;                       ///< of a spring in series [N m/rad]
   double stiffness_factor = 0;                ///< or as a multiple of 6EI/L [-]
   /// L of the member that this one is a part of, where it was cut; 0: its own length [m].
   double member_length = 0;
-  /// Law of a spring in series instead of a bilinear one, in the words of make_hinge() and without its stiffness. Its yield_moment is that
-  /// of sagging where there is a negative_yield_moment, too.
+  std::optional<double> spring_hardening{};   ///< b in [0, 1) of a spring in series, instead of hardening [-]
+  /// Law of a spring in series instead of a bilinear one, in the words of make_hinge() and without its stiffness; with `hardening` or
+  /// `spring_hardening`. Its yield_moment is that of sagging if there is a negative_yield_moment, too.
   std::optional<hysteresis::Settings> law{};
 
   /// Whether it has no stiffness of its own.

@@ -161,6 +161,9 @@ class HingeReader {
       hinge.stiffness = stiffness->as_quantity();
     else
       hinge.stiffness_factor = node.quantity("stiffness_factor");
+    const auto of_member = node.find("hardening"), of_spring = node.find("spring_hardening");
+    if (of_member && of_spring) of_spring->fail_at_key("give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
+    if (of_member) hinge.law->values["hardening"] = of_member->as_quantity();
     for (const hysteresis::ParameterInfo& parameter : law.parameters)
       if (parameter.name != "stiffness" && !parameter.name.ends_with("yield_force"))
         if (const std::string word = in_moments(std::string(parameter.name)); const auto value = node.find(word))

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pounding/input/bare_numbers.hpp>
+#include <pounding/input/changed_keys.hpp>
 #include <pounding/input/device_input.hpp>
 #include <pounding/input/fail_at.hpp>
 #include <pounding/input/ground_input.hpp>
@@ -121,6 +122,7 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   if (const auto accept = root.find("accept"))
     for (const Input& name : accept->items()) model.accept.push_back(name.as_choice());
   model.read_doubts = bare_accelerations(input);
+  for (Doubt& doubt : changed_keys(input)) model.read_doubts.push_back(std::move(doubt));
   try {
     model.complete();
   } catch (const ModelError& error) {

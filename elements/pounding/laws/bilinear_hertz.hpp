@@ -52,8 +52,8 @@ inline double exact_bilinear_loss(const CalibrationTarget& q) {
 /// F = K2 d + clamp[(K1-K2)(d-s), 0, (K1-K2) d_y], a spring K2 beside an elastic-plastic one with slip s [m].
 /// K1 = K_eff + dE/(a_y d_m^2), K2 = K_eff - dE/((1-a_y) d_m^2) [N/m], d_y = a_y d_m [m], K_eff = k d_m^(n-1),
 /// dE = loss k d_m^(n+1)/(n+1) [J]; k [N/m^n], n >= 1 [-], a_y [-] yield_ratio, m [kg] reduced mass, d [m].
-/// d_m [m] is the penetration of a Hertz spring at the closing speed, or at impact_velocity: a touch nearly at rest meets a
-/// very soft spring, which a fixed impact_velocity avoids. Muthukumar 2003; Muthukumar & DesRoches 2006, EESD 35:811;
+/// d_m [m] is the penetration of a Hertz spring at the closing speed, or at impact_velocity. A contact that closes nearly at rest would be
+/// very soft: at a closed gap, and wherever other forces press it far beyond d_m, it is refused without a fixed impact_velocity. Muthukumar 2003; Muthukumar & DesRoches 2006, EESD 35:811;
 /// OpenSees ImpactMaterial. Never pulls. The published loss gives more than asked, because the loading curve stores more
 /// than the Hertz spring (0.50 asked gives 0.69).
 ///
@@ -71,8 +71,8 @@ struct BilinearHertz {
       "n >= 1, restitutions that leave K2 positive: with a_y = 0.1 and n = 1.5 above 0.354 for exact, all for the "
       "published loss";
   static constexpr std::string_view beware =
-      "the springs are made for the closing speed of each impact: a touch nearly at rest meets a very soft one, "
-      "which a fixed impact_velocity or given K1, K2 and d_y avoid; the slopes jump where it yields and unloads; it never pulls";
+      "the springs are made for the closing speed of each impact, so a contact that closes nearly at rest and is pressed "
+      "further is refused; a fixed impact_velocity or given K1, K2 and d_y serve it; the slopes jump where it yields and unloads; it never pulls";
   static constexpr Quantity number{"loss_ratio", ""}, coefficient{"loss_ratio", ""};
 
   static constexpr std::array formulas{
@@ -137,10 +137,17 @@ struct BilinearHertz {
   };
   Curve curve(const Impact& impact) const noexcept {
     if (is_given()) return {*initial_stiffness, *secondary_stiffness, *yield_penetration};
-    const double v = std::max(impact.closing_speed, slowest_closing_speed);
-    const double dm = std::pow((exponent + 1) * reduced_mass * v * v / (2 * stiffness), 1 / (exponent + 1));
+    const double v = std::max(impact.closing_speed, slowest_closing_speed), dm = design_penetration(v);
     const double k = reduced_mass * v * v * (exponent + 1) / (2 * dm * dm), share = impact.damping / (exponent + 1);
     return {k * (1 + share / yield_ratio), k * (1 - share / (1 - yield_ratio)), yield_ratio * dm};
+  }
+
+  /// Whether the curve depends on the closing speed of each impact.
+  bool needs_closing_speed() const noexcept { return !is_given() && !impact_velocity; }
+  /// k p^(n-1) over K_eff, see designed_for_speed.
+  double softening(double penetration, const Impact& impact) const noexcept {
+    const double dm = design_penetration(std::max(impact.closing_speed, slowest_closing_speed));
+    return std::pow(std::max(penetration, 0.0) / dm, exponent - 1);
   }
 
   Response contact(double penetration, double, const Impact& impact) const noexcept {
@@ -169,6 +176,10 @@ struct BilinearHertz {
   }
 
  private:
+  /// d_m: penetration of a Hertz spring at this closing speed [m].
+  double design_penetration(double speed) const noexcept {
+    return std::pow((exponent + 1) * reduced_mass * speed * speed / (2 * stiffness), 1 / (exponent + 1));
+  }
   void check_given() const {
     if (!(initial_stiffness && secondary_stiffness && yield_penetration))
       throw std::invalid_argument("bilinear_hertz takes initial_stiffness, secondary_stiffness and yield_penetration together");

@@ -19,6 +19,12 @@ inline std::string number_text(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
+/// Text with three digits, for messages.
+inline std::string short_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
+}
+
 /// Throws std::invalid_argument with the text "NAME is VALUE, but must be ALLOWED".
 [[noreturn]] inline void refuse(std::string_view name, double value, std::string_view allowed) {
   throw std::invalid_argument(std::string(name) + " is " + number_text(value) + ", but must be " + std::string(allowed));

@@ -14,6 +14,8 @@
 ///     double stored_energy(double penetration, const Impact&) const noexcept;  // optional, see stored_energy() below
 ///     double crushed(const Impact&) const noexcept;                                     // laws that crush only, see crushes
 ///     double indentation(const Impact&) const noexcept;
+///     bool needs_closing_speed() const noexcept;                        // optional, see designed_for_speed below
+///     double softening(double penetration, const Impact&) const noexcept;
 ///
 /// `contact` continues the formula smoothly past its end, and its sign tells where the force is released; `respond` is
 /// zero for an open gap and never pulls, unless the law says `static constexpr bool may_pull = true`.
@@ -24,7 +26,10 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
+#include <pounding/laws/checks.hpp>
 #include <pounding/laws/gauss.hpp>
 
 namespace pounding::laws {
@@ -122,6 +127,37 @@ inline constexpr bool crushes = requires(const L& law, const Impact& impact) {
 /// True for a law with a coefficient that is calibrated at each impact.
 template <class L>
 inline constexpr bool has_damping = requires(const L& law) { law.damping_for(1.0); };
+
+/// True for a law whose stiffness is designed for the closing speed of each impact. `needs_closing_speed` is false if a fixed design speed or
+/// the stiffness itself is given. `softening` is the stiffness of an undamped contact at a penetration over that of the design [-].
+template <class L>
+inline constexpr bool designed_for_speed = requires(const L& law, const Impact& impact) {
+  law.needs_closing_speed();
+  law.softening(1.0, impact);
+};
+
+/// Largest softening of an impact. It is reached at nine times the design penetration for an exponent of 1.5; a free impact stays below
+/// the design penetration.
+inline constexpr double max_softening = 3;
+
+/// A contact was pressed so deep that the design of its stiffness no longer holds. The text says what to give instead.
+class BeyondDesign : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Throws BeyondDesign for a contact that is softer than max_softening allows at this penetration: bodies that touch nearly at rest and are
+/// pressed together by other forces.
+template <class L>
+void require_design(const L& law, double penetration, const Impact& impact) {
+  if constexpr (designed_for_speed<L>) {
+    if (!law.needs_closing_speed() || !(law.softening(penetration, impact) > max_softening)) return;
+    throw BeyondDesign(std::string(L::name) + " takes its stiffness from the closing speed, " + short_text(impact.closing_speed) +
+                       " m/s in this impact, and is " + short_text(law.softening(penetration, impact)) +
+                       " times too soft at the penetration of " + short_text(penetration) + " m; give a design speed, such as " +
+                       "impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and yield_penetration");
+  }
+}
 
 /// An impact begins: what the law may know of it. closing_speed is the rate at the touch [m/s], `crushed` that of the impact before.
 template <class L>

@@ -107,7 +107,9 @@ class Contact {
   /// Round-off of an event function that follows the sign of a force, for this round-off of penetration [m] and rate [m/s].
   /// Pure; has the scale of the event function, no unit.
   virtual double force_event_noise(const LinkMotion& /*motion*/, const LinkMotion& /*rounding*/) const noexcept { return 0; }
-  /// A step was kept: moves histories and peaks.
+  /// True for a law whose stiffness follows from the closing speed of each impact; a contact that is closed at rest has none.
+  virtual bool needs_closing_speed() const noexcept { return false; }
+  /// A step was kept: moves histories and peaks. Throws laws::BeyondDesign for a contact that is pressed further than its law allows.
   virtual void accept(const LinkStep& step) = 0;
   /// The event function with this index is zero at a kept state, at this time [s]: enters the next phase.
   virtual void on_event(int event, double time, const LinkMotion& motion) = 0;
@@ -118,6 +120,8 @@ class Contact {
   virtual double restitution() const noexcept { return 1; }
   /// A jump was applied at a kept state, at this time [s]. `held`: the bodies rest on each other after it.
   virtual void jumped(double /*time*/, const Jump& /*jump*/, bool /*held*/) {}
+  /// A rigid contact that rests has this force [N] at a time [s] inside the step that is accepted next.
+  virtual void record_force(double /*time*/, double /*force*/) {}
 
   /// Work done on the link since the beginning, stored and lost [J]; with what it stored at the beginning.
   virtual double work() const noexcept = 0;

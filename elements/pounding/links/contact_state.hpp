@@ -45,9 +45,10 @@ struct ContactState {
     keep(law, penetration, 0);
   }
 
-  /// A state inside the impact was kept: penetration [m] and rate [m/s].
+  /// A state inside the impact was kept: penetration [m] and rate [m/s]. Throws laws::BeyondDesign as laws::require_design() does.
   template <class Law>
-  void keep(const Law& law, double penetration, double rate) noexcept {
+  void keep(const Law& law, double penetration, double rate) {
+    laws::require_design(law, penetration, impact);
     laws::keep(law, penetration, rate, impact);
   }
 

@@ -63,6 +63,11 @@ class GapLink final : public Contact {
 
   bool may_pull() const noexcept override { return laws::may_pull<Law>; }
 
+  bool needs_closing_speed() const noexcept override {
+    if constexpr (laws::designed_for_speed<Law>) return law_.needs_closing_speed();
+    return false;
+  }
+
   EventFunctions event_functions(const LinkMotion& motion, double /*force*/) const noexcept override {
     constexpr double never = std::numeric_limits<double>::infinity();
     switch (state_.phase) {

@@ -25,6 +25,7 @@ class RigidGapLink final : public Contact {
   bool is_rigid() const noexcept override { return true; }
   double restitution() const noexcept override { return restitution_; }
   void jumped(double time, const Jump& jump, bool held) override;
+  void record_force(double time, double force) override { log_.record_peak(time, force); }
   double work() const noexcept override { return log_.work(); }
   std::span<const ImpactRow> impacts() const noexcept override { return log_.rows(); }
   void archive(Archive& archive) override;

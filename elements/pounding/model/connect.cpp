@@ -132,9 +132,20 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
     refuse_idle(ModelOption::friction, "needs a law with a force; a stereomechanical contact gives velocities only");
 }
 
+// A gap that is closed at rest, where the law needs the closing speed of an impact.
+void require_closing_speed(const Link& link, double overlap, const Structure& a, const Structure& b) {
+  constexpr double closed = 1e-9;  // [m]
+  if (overlap < -closed || !link.contact->needs_closing_speed() || a.initial_velocity.any() || b.initial_velocity.any()) return;
+  refuse(ModelOption::law, fmt::format("{} takes its stiffness from the closing speed of each impact, and the bodies of {} touch at rest from the "
+                                       "start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
+                                       "yield_penetration",
+                                       link.law, link.name));
+}
+
 void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
   const double overlap =
       displacement_along(link.left, a, link.direction) - displacement_along(link.right, b, link.direction) - link.gap;
+  require_closing_speed(link, overlap, a, b);
   if (!(overlap > 0)) return;
   // Two equal frames at a gap of zero lean by the same displacement, but for its round-off.
   const auto rounding = [&](const LinkEnd& end, const Structure& s) {

@@ -24,8 +24,9 @@ namespace pounding {
 /// penetration  a contact was pressed by more than 50 mm
 /// tolerance    a tolerance above 1e-2
 /// duration     analysis.duration cuts more than 5 % of the Arias intensity of a record
-inline constexpr std::array<std::string_view, 12> doubt_names{"period", "gap", "mass", "section", "E", "yield", "rotation", "pga",
-                                                                "motion", "penetration", "tolerance", "duration"};
+/// hardening    the hardening of a hinge with a law, which version 0.2.0 took as the ratio of the bare spring
+inline constexpr std::array<std::string_view, 13> doubt_names{"period", "gap", "mass", "section", "E", "yield", "rotation", "pga",
+                                                                "motion", "penetration", "tolerance", "duration", "hardening"};
 
 /// Warnings about a model, one line each; none of those that it accepts.
 std::vector<std::string> implausible(const Model& model);

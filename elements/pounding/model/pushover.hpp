@@ -75,7 +75,7 @@ struct Pushover {
   int strongest() const;
   /// Base shear at a point over that at the first yield; at the mechanism this is alpha_u/alpha_1 of EN 1998-1. NaN without a yield.
   double overstrength(int point) const;
-  /// Largest deformation of a part over the path, over that at which it yields in its direction.
+  /// Largest deformation of a part over the path, over that at which it yields in its direction; of a hinge as YieldLimits::ductility() says.
   double ductility(int part) const;
   /// Force of a part at a point [N] or [N m].
   double force(int point, int part) const;

@@ -25,12 +25,13 @@ double Pushover::overstrength(int point) const {
 }
 
 double Pushover::ductility(int part) const {
-  double lowest = 0, highest = 0;
-  for (const PushPoint& point : path.points) {
-    lowest = std::min(lowest, point.deformations[part]);
-    highest = std::max(highest, point.deformations[part]);
+  ValueRange deformation, moment;
+  const auto widen = [](ValueRange& range, double value) { range = {std::min(range.lowest, value), std::max(range.highest, value)}; };
+  for (int point = 0; point < static_cast<int>(path.points.size()); ++point) {
+    widen(deformation, path.points[point].deformations[part]);
+    widen(moment, force(point, part));
   }
-  return parts[part].limits.ductility(lowest, highest);
+  return parts[part].limits.ductility(deformation, moment);
 }
 
 double Pushover::force(int point, int part) const {

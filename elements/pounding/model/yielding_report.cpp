@@ -95,7 +95,8 @@ StoreyMechanism mechanism_of(const Structure& s, int floor, double height) {
 std::vector<std::vector<YieldingFacts>> alike(const std::vector<YieldingFacts>& facts) {
   std::vector<std::vector<YieldingFacts>> groups;
   const auto key = [](const YieldingFacts& f) {
-    return fmt::format("{} {:.5g} {:.5g} {:.5g} {:.5g} {:.3g} {:.3g}", f.law, f.force, f.deformation, f.stiffness, f.hardening, f.over_weight, f.at_rest);
+    return fmt::format("{} {:.5g} {:.5g} {:.5g} {:.5g} {:.3g} {:.3g} {:.5g} {:.5g}", f.law, f.force, f.deformation, f.stiffness, f.hardening, f.over_weight,
+                       f.at_rest, f.end_stiffness, f.end_tangent);
   };
   std::map<std::string, std::size_t> places;
   for (const YieldingFacts& one : facts) {
@@ -122,6 +123,10 @@ std::string table_of(const Structure& s) {
     text += fmt::format("{:<14}  {:>12.5g}  {:>12.4g}  {:>12.5g}  {:>7.4g}  {:>8}  {}\n", one.law, one.force / 1e3, 1e3 * one.deformation,
                         one.stiffness / 1e6, one.hardening, std::isnan(last) ? "-" : fmt::format("{:.3g}", last), names);
   }
+  for (const std::vector<YieldingFacts>& group : alike(facts))
+    if (const YieldingFacts& one = group.front(); one.is_hinge)
+      text += fmt::format("{}: after yielding at both ends in double curvature the end of the member keeps {:.4g} MN m/rad, {:.3g} % of {:.4g} MN m/rad\n",
+                          one.name, one.end_tangent / 1e6, 100 * one.end_tangent / one.end_stiffness, one.end_stiffness / 1e6);
   const std::vector<StoreyMechanism> mechanisms = storey_mechanisms(s);
   const auto sways = [](const StoreyMechanism& one) { return one.elastic.empty(); };
   for (const StoreyMechanism& one : mechanisms)
@@ -151,6 +156,8 @@ std::vector<YieldingFacts> yielding_facts(const Structure& s) {
     facts.force = facts.stiffness * facts.deformation;
     facts.hardening = (part.is_device() ? 0 : 1) + slope_far_behind_yield(*part.spring) / facts.stiffness;
     facts.at_rest = std::abs(part.at_rest) / facts.deformation;
+    facts.end_stiffness = part.parameter("end_stiffness");
+    facts.end_tangent = part.parameter("end_tangent");
     if (storeys && !part.is_device()) {
       facts.over_weight = facts.force / (carried * standard_gravity);
       carried -= s.floors[i].mass;
@@ -188,6 +195,8 @@ std::string yielding_json(const Model& model) {
                        {"yield_deformation", number(one.deformation)},
                        {"stiffness", one.stiffness},
                        {"hardening", number(one.hardening)},
+                       {"end_stiffness", number(one.end_stiffness)},
+                       {"end_tangent", number(one.end_tangent)},
                        {"over_weight", number(one.over_weight)},
                        {"at_rest", number(one.at_rest)}});
     for (const StoreyMechanism& one : storey_mechanisms(s))

@@ -20,6 +20,8 @@ struct YieldingFacts {
   /// Of a storey: the force over the weight that the storey carries [-]; else NaN.
   double over_weight = std::numeric_limits<double>::quiet_NaN();
   double at_rest = 0;               ///< part of the yield deformation that gravity takes [-]
+  /// Of a hinge: stiffness of the end of its member in double curvature, elastic and after both ends have yielded [N m/rad]; else NaN.
+  double end_stiffness = std::numeric_limits<double>::quiet_NaN(), end_tangent = end_stiffness;
 };
 
 /// A storey of a plane frame whose columns all yield at both ends: it sways on its own under the sum of their yield moments over its height.

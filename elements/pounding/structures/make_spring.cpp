@@ -13,9 +13,10 @@
 namespace pounding {
 namespace {
 
-/// Words of a law and of a hinge; none of the first is a part of one that follows it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> moments{
-    {{"negative_yield_force", "negative_yield_moment"},
+/// Words of a law and of a hinge; none of the first is a part of one that follows it. `hardening` of a hinge is the ratio of the member end.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> moments{
+    {{"hardening", "spring_hardening"},
+     {"negative_yield_force", "negative_yield_moment"},
      {"yield_force", "yield_moment"},
      {"cracking_force", "cracking_moment"},
      {"yield_deformation", "yield_rotation"}}};

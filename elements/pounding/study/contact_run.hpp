@@ -182,7 +182,11 @@ class ContactRun {
         const auto way = path();
         link.record_depth(way.at(turn_on(way, b.rate, e.rate)).x);
       }
-      link.keep(e.d, e.rate, e.force.force);
+      try {
+        link.keep(e.d, e.rate, e.force.force);
+      } catch (const laws::BeyondDesign& error) {
+        fail(error.what());
+      }
       if (std::abs(e.rate) > speed_) speed_ = std::abs(e.rate), allow();
       saw(e.rate);
     }

@@ -112,8 +112,9 @@ class LinkContact {
            !(before_corner(penetration, rate) < 0);
   }
 
-  /// A state inside the contact was kept.
-  void keep(double penetration, double rate, double force) noexcept {
+  /// A state inside the contact was kept. Throws laws::BeyondDesign.
+  void keep(double penetration, double rate, double force) {
+    laws::require_design(law_, penetration, state_.impact);
     state_.keep(law(), penetration, rate);
     peaks_.peak_penetration = std::max(peaks_.peak_penetration, penetration);
     record(force);

@@ -22,7 +22,7 @@ constexpr SummaryField summary_fields[] = {
     {{"peak_deformation", "m", "deformation of the largest size, signed; of hinges [rad]"}, &SpringSummary::peak},
     {{"peak_time", "s", "time of peak_deformation"}, &SpringSummary::peak_time},
     {{"peak_force", "N", "largest absolute force; of hinges [N m]"}, &SpringSummary::peak_force},
-    {{"ductility", "1", "largest size of the deformation over the yield deformation of its direction; of a part of a cut member as of the whole"}, &SpringSummary::ductility},
+    {{"ductility", "1", "largest size of the deformation over the yield deformation of its direction; of hinges, rotation of the member end over its yield rotation"}, &SpringSummary::ductility},
     {{"peak_plastic", "m", "largest size of the plastic part of the deformation; of hinges [rad]"}, &SpringSummary::plastic},
     {{"cycles", "1", "half the number of swings by more than both yield deformations"}, &SpringSummary::cycles},
     {{"residual", "m", "deformation at the end of the run, where it may still move; of hinges [rad]"}, &SpringSummary::residual},

@@ -54,7 +54,7 @@ std::vector<SpringSummary> summaries(const SpringHistory& springs) {
       s.peak_time = up ? d.t_max[i] : d.t_min[i];
       s.peak_force = springs.forces.peak(i);
     }
-    s.ductility = springs.limits[i].ductility(d.min[i], d.max[i]);
+    s.ductility = springs.limits[i].ductility({d.min[i], d.max[i]}, {springs.forces.min[i], springs.forces.max[i]});
     s.plastic = springs.plastic[i];
     s.ultimate = springs.ultimate[i];
     s.cycles = springs.cycles.cycles(i);

@@ -57,7 +57,7 @@ struct SpringSummary {
   bool is_hinge = false;           ///< at the end of a member
   double peak = 0, peak_time = 0;  ///< deformation of the largest size, signed [m] or [rad], and when [s]
   double peak_force = 0;           ///< largest absolute force [N] or [N m]
-  double ductility = 0;            ///< largest size over the yield deformation of its direction
+  double ductility = 0;            ///< largest size over the yield deformation of its direction, see YieldLimits::ductility()
   double plastic = 0;              ///< largest size of the plastic part of the deformation [m] or [rad]
   double ultimate = std::numeric_limits<double>::quiet_NaN();  ///< what a hinge can bear of it [rad]; NaN where none was given
   double cycles = 0;               ///< half the number of swings, see CycleCounts

@@ -122,7 +122,11 @@ double StepController::advance(double wanted, double end, StepSizePolicy& policy
       count_event_in_place(*located);
     else
       events_in_place_ = 0;
-    stepper_.accept();
+    try {
+      stepper_.accept();
+    } catch (const laws::BeyondDesign& error) {
+      give_up(goal.step, error.what());
+    }
     const bool is_in_contact = located ? stepper_.in_contact() : was_in_contact;  // phases change at events alone
     const double next = next_step(good, was_in_contact, is_in_contact);
     touched_ = is_in_contact && !was_in_contact;

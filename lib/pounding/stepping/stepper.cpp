@@ -45,6 +45,7 @@ Stepper::Stepper(const System& system, StructureSolver& solver, const StepperOpt
       ledger_(system),
       budget_(options.tolerance, options.scheme.error_order(), norm_.least_energy()),
       contact_events_(equations_, functions_, norm_, ledger_, options.tolerance),
+      held_forces_(equations_),
       output_(equations_, history_),
       described_{std::vector<LinkStep>(static_cast<std::size_t>(system.links()))} {}
 
@@ -220,6 +221,7 @@ void Stepper::accept() {
   const LinkSet& links = equations_.links;
   const Instant &x = history_.begin(), &y = history_.now();
   const Trial& kept = history_.kept();
+  held_forces_.record_peaks(x, kept);
   described_.with_springs = !kept.springs_stay;
   if (kept.springs_stay) equations_.ranges.keep(kept);
   for (int i = 0, count = links.size(); i < count; ++i) {
@@ -228,12 +230,14 @@ void Stepper::accept() {
     LinkStep& step = described_.steps[i];
     describe(i, step);
     if (i < links.contacts()) {
+      troublesome_link_ = i;  // for a contact that refuses the step
       links.contact(i).accept(step);
       norm_.learn(i, step.motion_end);
     } else if (i < links.frictions_from()) {
       links.spring(i).accept(step);
     }
   }
+  troublesome_link_ = norm_.worst_link();
   if (equations_.springs.any() && !kept.springs_stay) equations_.ranges.read();
   ledger_.add_step(equations_, x, kept, described_.steps);
   norm_.learn(kept);

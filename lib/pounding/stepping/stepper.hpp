@@ -17,6 +17,7 @@
 #include <pounding/stepping/energy_ledger.hpp>
 #include <pounding/stepping/error_norm.hpp>
 #include <pounding/stepping/event_locator.hpp>
+#include <pounding/stepping/held_forces.hpp>
 #include <pounding/stepping/stage_solver.hpp>
 #include <pounding/stepping/step_history.hpp>
 #include <pounding/stepping/time_scheme.hpp>
@@ -209,6 +210,7 @@ class Stepper {
   EnergyLedger ledger_;
   EnergyBudget budget_;
   ContactEvents contact_events_;
+  HeldForces held_forces_;
   DenseOutput output_;
   mutable DescribedLinks described_;
   std::vector<EventId> located_;  // events at the end of the trial

@@ -42,8 +42,9 @@ class Law:
         return {self.name: dict(self.values)}
 
     def moments(self) -> dict[str, Any]:
-        """Words of a hinge."""
-        return {self.name: {"yield_moment" if word == "yield_force" else word: value for word, value in self.values.items()}}
+        """Words of a hinge. OpenSees' ratio is that of the bare spring."""
+        names = {"yield_force": "yield_moment", "hardening": "spring_hardening"}
+        return {self.name: {names.get(word, word): value for word, value in self.values.items()}}
 
 
 @dataclass(frozen=True)

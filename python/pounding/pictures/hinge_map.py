@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +20,7 @@ from pounding.pictures.panels import legend_below
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import ENERGY_UNITS, FORCE_UNITS, NARROW, STYLE, YELLOW, BadRequest, Picture, engineering, head
 from pounding.results import RunData, Structure
+from pounding.springs import Springs
 
 #: From little to much.
 COLOURS = colormaps["YlOrRd"]
@@ -34,13 +35,29 @@ OFF_NODE, OFF_NODE_Z = 0.07, 0.13
 
 
 @dataclass(frozen=True)
+class Measure:
+    """Quantity that a map colours."""
+
+    label: str
+    lowest: float  #: of the scale of colours
+    least_top: float  #: upper end of the scale, at least
+    of: Callable[[Springs, int], float]  #: of one part
+
+
+#: For hinges that all have an ultimate rotation, for other hinges, and for runs with other parts that yield.
+OVER_ULTIMATE = Measure("Plastic rotation over ultimate", 0, 1.0, lambda springs, i: springs.largest["peak_plastic"][i] / springs.ultimate_rotation[i])
+ROTATION = Measure("Plastic rotation (mrad)", 0, 0.1, lambda springs, i: 1e3 * springs.largest["peak_plastic"][i])
+DUCTILITY = Measure("Ductility", 1, 1.5, lambda springs, i: springs.largest["ductility"][i])
+
+
+@dataclass(frozen=True)
 class Mark:
     """One part that can yield, as it is drawn."""
 
     structure: str
     name: str
     points: np.ndarray  #: [1 or 2, 3]: of a hinge, or the two ends of a storey, in the scene [m]
-    value: float  #: ductility, or plastic rotation over the ultimate one
+    value: float  #: of the measure of the map
     energy: float  #: lost [J]
     state: str  #: "elastic", "yielded" or "beyond ultimate"
 
@@ -51,13 +68,13 @@ class Mark:
 
 
 def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
-    """The structures of a run at rest with every part that can yield: circles at hinges, thick lines for storeys, coloured by ductility,
-    or by plastic rotation over the ultimate one where every hinge of the run has one, and larger the more energy they lost. Parts that
-    stayed elastic are small and white. Stars mark links that were hit, larger the harder. One elevation; of a model in space a view and an
+    """The structures of a run at rest with every part that can yield: circles at hinges, coloured by plastic rotation, over the ultimate one if
+    every hinge of the run has one; thick lines for storeys, coloured by ductility as is every part of such a run. They are larger the more energy
+    they lost. Parts that stayed elastic are small and white. Stars mark links that were hit, larger the harder. One elevation; of a model in space a view and an
     elevation, in a narrow figure the view alone. `size` [in]. Raises BadRequest for a run in which nothing can yield."""
     scene = spread_scene(run, APART)
-    over_ultimate = _all_have_ultimate(run)
-    marks = list(_marks(scene, over_ultimate))
+    measure = measure_of(run)
+    marks = list(_marks(scene, measure))
     if not marks:
         raise BadRequest("there is nothing to map: every structure of this run stays elastic. Give frames hinges, or storeys a yield_force")
     narrow = size is not None and size[0] < NARROW
@@ -65,12 +82,12 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
     with rc_context(STYLE):
         figure = Picture(figsize=size or _size(scene, len(views)), layout="constrained")
         panels = figure.subplots(1, len(views), squeeze=False)[0]
-        norm = Normalize(0 if over_ultimate else 1, max([1.0 if over_ultimate else 1.5, *(mark.value for mark in marks)]))
+        norm = Normalize(measure.lowest, max([measure.least_top, *(mark.value for mark in marks)]))
         for letter, panel, view in zip("ab", panels, views):
             panel.set_title(f"({letter}) {TITLES[view]}" if len(views) > 1 else "")
             draw_hinges(panel, scene, view, marks, norm, min(1.0, figure.get_figwidth() / (5.5 * len(views))))
         figure.colorbar(ScalarMappable(norm, COLOURS), ax=list(panels), fraction=0.04, pad=0.02, shrink=0.8,
-                        panchor=False, label="Plastic rotation over ultimate" if over_ultimate else "Ductility")
+                        panchor=False, label=measure.label)
         handles = list(_legend(run, marks))
         legend_below(figure, handles, [str(handle.get_label()) for handle in handles], 2 if narrow else 4)
         head(figure, run.title if title is None else title)
@@ -79,7 +96,7 @@ def hinges_figure(run: RunData, title: str | None = None, size: tuple[float, flo
 
 def draw_hinges(axes: Axes, scene: Scene, view: str, marks: list[Mark], norm: Normalize, scale: float = 1.0) -> None:
     """One view of a scene with its marks, as large as on a page or, with a `scale` below 1, smaller. Where there is room numbers stand beside
-    them: the largest ductility of each structure, and how often each link was hit."""
+    them: the largest value of each structure, and how often each link was hit."""
     numbers = scale > 0.75
     axes.grid(False)
     draw_ground(axes, scene, view)
@@ -101,7 +118,15 @@ def draw_hinges(axes: Axes, scene: Scene, view: str, marks: list[Mark], norm: No
         _number_largest(axes, marks, view)
 
 
-def _marks(scene: Scene, over_ultimate: bool) -> Iterator[Mark]:
+def measure_of(run: RunData) -> Measure:
+    """The quantity that the map of a run colours."""
+    found = [springs for structure in run.structures.values() if (springs := structure.springs) is not None and len(springs)]
+    if found and all(np.isfinite(springs.ultimate_rotation).all() for springs in found):
+        return OVER_ULTIMATE
+    return ROTATION if found and all(springs.is_hinge(i) for springs in found for i in range(len(springs))) else DUCTILITY
+
+
+def _marks(scene: Scene, measure: Measure) -> Iterator[Mark]:
     for name, structure in scene.run.structures.items():
         springs = structure.springs
         if springs is None:
@@ -110,14 +135,7 @@ def _marks(scene: Scene, over_ultimate: bool) -> Iterator[Mark]:
             points = _points(scene, structure, part)
             if points is None:
                 continue
-            largest = springs.largest
-            value = largest["peak_plastic"][i] / springs.ultimate_rotation[i] if over_ultimate else largest["ductility"][i]
-            yield Mark(name, part, points, float(value), float(largest["hysteretic"][i]), springs.states[i])
-
-
-def _all_have_ultimate(run: RunData) -> bool:
-    found = [springs for structure in run.structures.values() if (springs := structure.springs) is not None and len(springs)]
-    return bool(found) and all(np.isfinite(springs.ultimate_rotation).all() for springs in found)
+            yield Mark(name, part, points, float(measure.of(springs, i)), float(springs.largest["hysteretic"][i]), springs.states[i])
 
 
 def _points(scene: Scene, structure: Structure, part: str) -> np.ndarray | None:

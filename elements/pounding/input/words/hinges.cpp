@@ -31,8 +31,19 @@ constexpr Word moment_word{.key = "yield_moment", .takes = Takes::quantity, .for
 constexpr Word ultimate_word{.key = "ultimate_rotation", .takes = Takes::quantity, .bounds = bounds::positive, .otherwise = "none", .since = "0.2.0",
                              .meaning = "Plastic rotation that the end can bear, for reports [rad].", .example = "0.04"};
 
+constexpr Word hinge_hardening_word{.key = "hardening", .takes = Takes::quantity, .bounds = bounds::from_0_below_1, .otherwise = "0", .since = "0.2.0",
+                              .meaning = "Ratio of the member end: fraction of its stiffness that the member keeps when both ends yield in double curvature. At a "
+                                         "joint where all ends yield and keep nothing, each keeps 1e-8, so that the joint does not turn without end.",
+                              .example = "3 %"};
+constexpr std::string_view spring_hardening = "spring_hardening";
+
 Word rigid(Word word) {
-  word.otherwise = "that of the law, where there is one";
+  word.otherwise = word.key == hinge_hardening_word.key ? "0, or that of the law" : "that of the law, where there is one";
+  return word;
+}
+
+Word hinge_of_series(Word word) {
+  word.otherwise = "0, or by spring_hardening";
   return word;
 }
 
@@ -46,11 +57,7 @@ struct OfHinges : YieldingWords {
   std::vector<Word> own{at_word,
                         hinge_axis_word,
                         rigid(moment_word),
-                        {.key = "hardening", .takes = Takes::quantity, .bounds = bounds::from_0_below_1, .otherwise = "0", .since = "0.2.0",
-                         .meaning = "Part of its stiffness that the member keeps when both ends yield in double curvature. At a joint where all ends yield and "
-                                    "keep nothing, each keeps 1e-8, so that the joint does not turn by itself.",
-                         .example = "3 %"},
-                        ultimate_word};
+                        rigid(hinge_hardening_word), ultimate_word};
 
   template <hysteresis::Law L>
   void add(const L& made) {
@@ -62,6 +69,7 @@ struct OfHinges : YieldingWords {
                       .example = "900 MN m"});
     of_law.push_back({.key = "stiffness_factor", .takes = Takes::quantity, .bounds = bounds::positive, .otherwise = "10", .since = "0.2.0",
                       .meaning = "The same as a multiple of 6EI/L of the member.", .example = "10"});
+    of_law.push_back(hinge_of_series(hinge_hardening_word));
     for (const auto& parameter : L::parameters)
       if (const std::string_view name = parameter.info.name; name != "stiffness" && !name.ends_with("yield_force"))
         of_law.push_back(word_of(parameter, made));
@@ -89,7 +97,12 @@ struct OfHinges : YieldingWords {
     Word word{.key = kept(in_moments(std::string(info.name))), .takes = Takes::quantity, .dimension = parse_unit_dimension(unit), .bounds = bounds::any,
               .need = info.need == hysteresis::Need::required ? Need::required : Need::optional, .since = "0.2.0",
               .meaning = kept(in_moments(fmt::format("{}.", capital(info.meaning)))), .example = shown(info.typical)};
-    if (word.need == Need::optional)
+    if (word.key == spring_hardening) {
+      word.bounds = bounds::from_0_below_1;
+      word.since = "0.3.0";
+      word.otherwise = "by hardening";
+      word.meaning = "Ratio of the bare spring, instead of hardening: fraction of its first stiffness that it keeps after yielding.";
+    } else if (word.need == Need::optional)
       word.otherwise = parameter.value ? shown(made.*parameter.value) : std::string_view("what the others say");
     return word;
   }

@@ -1,0 +1,14 @@
+#pragma once
+/// Keys that an earlier version read with another meaning.
+
+#include <vector>
+
+#include <pounding/input/input.hpp>
+#include <pounding/model/model.hpp>
+
+namespace pounding {
+
+/// Warnings about keys whose meaning has changed since version 0.2.0: `hardening` of a hinge with a law.
+std::vector<Doubt> changed_keys(const Input& input);
+
+}  // namespace pounding
