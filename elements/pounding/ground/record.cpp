@@ -62,6 +62,48 @@ void require_finite(const Record& record) {
                                    "intensity is no number; look at the unit, the step and the times", record.file));
 }
 
+// Ranges of strong motion: peaks in g, steps in s, displacements in m.
+constexpr double weakest_peak = 0.005, strongest_peak = 3, longest_step = 0.1, largest_displacement = 5;
+
+// The unit, other than the one that was read, in which the largest number of the file would be a usual peak; empty if there is none.
+std::string usual_unit(double largest, double factor, const RecordOptions& options, double low, double high) {
+  for (const char* const unit : options.displacement ? std::vector<const char*>{"m", "cm", "mm"}
+                                                     : std::vector<const char*>{"g", "m/s^2", "cm/s^2", "mm/s^2"}) {
+    const double other = *records::unit_of_values(unit, options);
+    if (std::abs(other - factor) > 1e-3 * factor && largest / factor * other >= low && largest / factor * other <= high)
+      return unit;
+  }
+  return {};
+}
+
+// The likely cause of a peak beyond its range.
+std::string cause_of_peak(const Record& record, const std::string& usual) {
+  if (!usual.empty()) return fmt::format("in {} it would be a usual one: look at the unit, {} was read", usual, record.unit);
+  return fmt::format("look at the unit, {} was read, and at lines of other numbers above the values", record.unit);
+}
+
+void warn_implausible(Record& record, const RecordOptions& options) {
+  if (options.force) return;
+  const bool is_known = !record.warnings.empty();  // of times or values that the reader doubts
+  const double factor = records::unit_of_values(record.unit, options).value_or(1), peak = record.measures.pga / standard_gravity;
+  if (peak < weakest_peak || peak > strongest_peak)
+    record.warnings.push_back(
+        fmt::format("the peak acceleration is {:.4g} g, outside {:g} g to {:g} g; {}", peak, weakest_peak, strongest_peak,
+                    cause_of_peak(record, options.displacement ? ""
+                                                               : usual_unit(record.measures.pga, factor, options,
+                                                                            0.02 * standard_gravity, 1.5 * standard_gravity))));
+  if (options.displacement && record.measures.pgd > largest_displacement)
+    record.warnings.push_back(fmt::format("the peak displacement is {:.4g} m, above {:g} m; {}", record.measures.pgd,
+                                          largest_displacement,
+                                          cause_of_peak(record, usual_unit(record.measures.pgd, factor, options, 1e-3, 2))));
+  const double step = (record.samples.times.back() - record.samples.times.front()) / static_cast<double>(record.points() - 1);
+  if (step > longest_step * (1 + 1e-9) && !is_known)
+    record.warnings.push_back(
+        fmt::format("the step is {:.4g} s, above {:g} s; look at the unit of the times, and whether the first column counts the "
+                    "samples: type the step, as in step: 0.01 s",
+                    step, longest_step));
+}
+
 }  // namespace
 
 Record read_record_text(std::string_view text, const std::string& name, const RecordOptions& options) {
@@ -79,6 +121,7 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
     if (options.displacement) derive_accelerations(record, options.initial_velocity);
     record.measures = measure(record.samples, record.initial_velocity, record.initial_displacement);
     require_finite(record);
+    warn_implausible(record, options);
     return record;
   }
   throw InputError(fmt::format("{}: a record in none of the formats that are read: {}", name, fmt::join(names, ", ")));
@@ -111,6 +154,9 @@ std::filesystem::path find_record(const std::string& name, const std::filesystem
 
 GroundMotion scaled(const Record& record, double factor) {
   Samples samples = record.samples;
+  for (const std::string& text : record.warnings)
+    samples.warnings.push_back(
+        fmt::format("record {}: {}", excerpt(std::filesystem::path(record.file).filename().string()), text));
   for (double& a : samples.accelerations) a *= factor;
   const std::string scale = factor == 1 ? std::string() : fmt::format(", times {:.4g}", factor);
   const GroundMotion motion(std::move(samples), record.summary() + scale);

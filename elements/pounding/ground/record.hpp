@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <pounding/core/units.hpp>
 #include <pounding/ground/ground_motion.hpp>
@@ -40,6 +41,7 @@ struct Record {
   /// Motion of the ground at the first sample [m/s], [m]; at rest in a file of accelerations.
   double initial_velocity = 0, initial_displacement = 0;
   RecordMeasures measures;
+  std::vector<std::string> warnings;  ///< about implausible peaks and steps, with their likely cause; without the name of the file
 
   /// Number of samples.
   std::size_t points() const noexcept { return samples.times.size(); }

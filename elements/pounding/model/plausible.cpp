@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -100,6 +101,22 @@ void doubt_gaps(const Model& model, std::vector<Doubt>& doubts) {
                                        widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
 }
 
+void doubt_records(const Model& model, std::vector<Doubt>& doubts) {
+  std::set<std::string> known;
+  const auto look_at = [&](const GroundMotion& motion) {
+    if (const Samples* const samples = motion.samples())
+      for (const std::string& text : samples->warnings)
+        if (known.insert(text).second) doubts.push_back({"record", text});
+  };
+  for (const GroundMotion& motion : model.ground.components) look_at(motion);
+  for (const Structure& s : model.structures) {
+    for (const Support& support : s.supports)
+      if (support.motion)
+        for (const GroundMotion& motion : *support.motion) look_at(motion);
+    for (const AppliedForce& force : s.applied_forces) look_at(force.history);
+  }
+}
+
 // The texts of those that the model does not accept.
 std::vector<std::string> texts(const Model& model, const std::vector<Doubt>& doubts) {
   std::vector<std::string> all;
@@ -121,6 +138,7 @@ std::vector<std::string> implausible(const Model& model) {
     doubt_yielding(s, doubts);
   }
   doubt_gaps(model, doubts);
+  doubt_records(model, doubts);
   if (model.analysis.tolerance > coarsest_tolerance)
     doubts.push_back({"tolerance", fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
                                                model.analysis.tolerance, 100 * model.analysis.tolerance)});

@@ -20,11 +20,12 @@ namespace pounding {
 /// yield        a storey that yields at less than 0.01 mm of drift, or a hinge at less than 0.02 mrad
 /// rotation     an ultimate rotation of a hinge above 0.5 rad
 /// pga          a peak acceleration without its unit that would be a usual one in g
+/// record       a record with a peak outside 0.005 g to 3 g, a step above 0.1 s, a displacement above 5 m, or times that count its samples
 /// motion       nothing moved in a run
 /// penetration  a contact was pressed by more than 50 mm
 /// tolerance    a tolerance above 1e-2
-inline constexpr std::array<std::string_view, 11> doubt_names{"period", "gap", "mass", "section", "E", "yield", "rotation", "pga",
-                                                                "motion", "penetration", "tolerance"};
+inline constexpr std::array<std::string_view, 12> doubt_names{"period",   "gap", "mass",   "section", "E",           "yield",
+                                                              "rotation", "pga", "record", "motion",  "penetration", "tolerance"};
 
 /// Warnings about a model, one line each; none of those that it accepts.
 std::vector<std::string> implausible(const Model& model);
