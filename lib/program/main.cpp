@@ -11,6 +11,7 @@
 #include <pounding/core/error.hpp>
 #include "one_thread.hpp"
 #include "exit_code.hpp"
+#include "python_process.hpp"
 #include "serve.hpp"
 
 namespace {
@@ -58,6 +59,7 @@ int main(int argc, char** argv) {
   pounding::program::use_one_thread();
   on_exit(tell_of_hdf5, nullptr);
   try {
+    pounding::program::name_packaged_records();
     return pounding::program::serve(argc, argv);
   } catch (const pounding::OutOfMemory& error) {
     return report(error.what(), pounding::program::failed_solve);

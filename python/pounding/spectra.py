@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pounding.ended import exit_code
-from pounding.errors import InputError
+from pounding.errors import ImplausibleWarning, InputError
 from pounding.results import RunData
 
 if TYPE_CHECKING:
@@ -49,11 +50,14 @@ class Spectrum:
 def record_spectrum(file: str | PathLike[str], damping: float = 0.05, periods: Sequence[float] | None = None, *, units: str = "",
                     channel: str = "") -> Spectrum:
     """The spectrum of the record in a file, unscaled. `periods` [s] are 200 from 0.02 s to 4 s unless given; `units` and `channel`
-    are for files that do not say them. Raises InputError for a file that is no record, and for values out of range."""
+    are for files that do not say them. Warns of implausible peaks and steps (ImplausibleWarning). Raises InputError for a file that is
+    no record, and for values out of range."""
     from pounding._native import core
 
     chosen = _chosen(periods)
-    summary, sd = core.record_spectrum(fspath(file), units, channel, list(chosen), damping)
+    summary, sd, doubts = core.record_spectrum(fspath(file), units, channel, list(chosen), damping)
+    for doubt in doubts:
+        warnings.warn(f"{fspath(file)}: {doubt}", ImplausibleWarning, stacklevel=2)
     return Spectrum(summary, chosen, damping, np.asarray(sd))
 
 

@@ -61,6 +61,10 @@ TEST(Quantity, EveryNamedUnitHasItsSiValue) {
       {"1 MPa", dimension::stress, 1e6},      {"30 GPa", dimension::stress, 30e9},
       {"1 psi", dimension::stress, 6894.757293168}, {"1 ksi", dimension::stress, 6894757.293168},
       {"1 J", dimension::energy, 1},          {"1 kJ", dimension::energy, 1e3},
+      {"1 kips", dimension::force, 4448.2216152605}, {"2 kgf", dimension::force, 19.6133},
+      {"1 tf", dimension::force, 9806.65},    {"10 tonf", dimension::force, 98066.5},
+      {"1 lbm", dimension::mass, 0.45359237}, {"0.5 sec", dimension::time, 0.5},
+      {"5 msec", dimension::time, 0.005},
       {"1 MJ", dimension::energy, 1e6},       {"1 rad", dimension::none, 1},
       {"180 deg", dimension::none, pi},       {"5 %", dimension::none, 0.05}};
   for (const Case& c : cases) EXPECT_NEAR(parse_quantity(c.text, c.dimension) / c.value, 1, 1e-12) << c.text;
@@ -76,6 +80,10 @@ TEST(Quantity, ProductsQuotientsAndPowersCombine) {
     EXPECT_DOUBLE_EQ(parse_quantity(text, dimension::damping), 2e3) << text;
   for (const char* text : {"3 m/s^2", "3 m/s2", "3 m/s/s", "300 cm/s^2", "3 m/(s s)"})
     EXPECT_DOUBLE_EQ(parse_quantity(text, dimension::acceleration), 3) << text;
+  EXPECT_NEAR(parse_quantity("1 kips/in", dimension::stiffness), 175126.83524647636, 1e-6);
+  EXPECT_DOUBLE_EQ(parse_quantity("2 tonf/m", dimension::stiffness), 19613.3);
+  EXPECT_DOUBLE_EQ(parse_quantity("250 kgf/cm^2", dimension::stress), 250 * 98066.5);
+  EXPECT_DOUBLE_EQ(parse_quantity("386.4 in/sec^2", dimension::acceleration), 386.4 * 0.0254);
   EXPECT_DOUBLE_EQ(parse_quantity("15 rad/s", dimension::frequency), 15);
   EXPECT_DOUBLE_EQ(parse_quantity("4 1/s", dimension::frequency), 4);
   EXPECT_DOUBLE_EQ(parse_quantity("5%", dimension::none), 0.05);

@@ -67,7 +67,9 @@ TEST_F(MotionInput, RecordTakesAStepAndAChannel) {
 }
 
 TEST_F(MotionInput, RecordErrorsSayWhatToType) {
-  EXPECT_EQ(error("{record: bare.txt, units: gal}"), "m.yaml:1:10: record: bare.txt:2: 1 number; the line before has 3");
+  EXPECT_EQ(error("{record: bare.txt, units: gal}"),
+            "m.yaml:1:10: record: bare.txt:2: 1 number; the line before has 3; values at a fixed step need \"step:\", such as "
+            "step: 0.01 s");
   EXPECT_EQ(error("{record: bare.txt, step: 0.02}"),
             "m.yaml:1:10: record: bare.txt: the file does not state the unit of its accelerations; add \"units:\" with g, m/s^2, cm/s^2 or gal");
   EXPECT_EQ(error("{record: acc.csv, step: 0.02}"), "m.yaml:1:10: record: acc.csv:2: the first column holds times, every 0.02 s; remove \"step\"");

@@ -288,6 +288,20 @@ TEST(CsmipRecord, V1IsReadAsUncorrected) {
             "r.txt, CSMIP V1 in g, 12345 Nowhere - Hall, channel 2: Up, Roof - Center, 9 points every 0.005 s, uncorrected");
 }
 
+TEST(CsmipRecord, V1OfSsa1RecordersStatesItsPointsAsV2Does) {
+  const std::string text = csmip_text(1, "90 DEG",
+                                      "NO. OF POINTS =      9  RECORD LENGTH = 60.000 SEC   AT 200 SAMPLES/SEC         \n"
+                                      "UNITS OF UNCOR ACCEL IS G.                 MAX  =   .058 G, AT   9.425 SEC.     \n"
+                                      "RMS ACCEL OF COMPLETE RECORD =  .008 G.                                         \n") +
+                           table(std::vector<int>(100, 0), 16, "{:5d}") + table(Values(50, 0), 8, "{:10.3f}") +
+                           "    9 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)\n"
+                           "  .000010 -.765432  .500000 -.250000  .125000  .000001 -.000001  .000000\n-1.250000\n"
+                           "/&  ----------  END OF DATA FOR CHANNEL  1  ----------\n";
+  const Record record = read(text);
+  expect_samples(record, 0.005, g, nine_of_v1);
+  EXPECT_EQ(record.format, "CSMIP V1");
+}
+
 std::string csmip_pairs() {
   return csmip_text(1, "90 DEG",
                     "NO. OF POINTS =      6  RECORD LENGTH = 100.010 SEC                              \n"
@@ -430,6 +444,15 @@ TEST(CosmosRecord, ChannelsWithoutNumbersAreCounted) {
   EXPECT_EQ(read(text, {.channel = "2"}).channel, "2: Up");
 }
 
+TEST(CosmosRecord, SeriesMayEndAsInTheSampleOfTheStandard) {
+  const auto sample = [](int channel, const std::string& component) {
+    return replaced(cosmos(channel, component), fmt::format("End-of-data for Chan {:2d} acceleration", channel),
+                    fmt::format("/&  ---------  End of data for channel {:2d}  ---------", channel));
+  };
+  expect_samples(read(sample(1, "90 deg")), 0.005, 0.01);
+  EXPECT_EQ(read(sample(1, "90 deg") + sample(2, "Up"), {.channel = "Up"}).channel, "2: Up");
+}
+
 TEST(CosmosRecord, ErrorsSayWhere) {
   const std::string text = cosmos(1, "Up");  // its values are on lines 47 and 48
   EXPECT_EQ(error_of(cosmos(1, "Up", "acceleration", "counts (50),")),
@@ -450,9 +473,9 @@ TEST(CosmosRecord, ErrorsSayWhere) {
 }
 
 TEST(RecordFormats, AnUnknownFormatListsTheKnownOnes) {
-  EXPECT_EQ(error_of("Uncorrected accelerogram 20160214_001343_NBLC_20 GNS Science\nSite NBLC\nand so on\n"),
-            "r.txt: a record in none of the formats that are read: K-NET, ESM, COSMOS V1 and V2, CSMIP V1 and V2, USGS SMC, "
-            "PEER AT2, columns of numbers");
+  EXPECT_EQ(error_of("Response spectra of a site\nSite NBLC\nand so on\n"),
+            "r.txt: a record in none of the formats that are read: K-NET, ESM, COSMOS V1 and V2, CSMIP V1 and V2, USC V1 and V2, "
+            "GeoNet V1A and V2A, BHRC, AFAD (TR-NSMN), UNAM, USGS SMC, PEER AT2, columns of numbers");
 }
 
 TEST(RecordFormats, ChannelIsRefusedWhereNoneIsNamed) {

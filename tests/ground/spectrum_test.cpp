@@ -243,7 +243,7 @@ std::vector<double> mean_powers(const GroundFilter& filter, const std::vector<do
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     const GroundMotion motion = synthetic_motion(
         {.seed = seed, .duration = 20, .pga = 1, .filter = filter, .rise = 0.02, .strong_until = 0.98});
-    const auto& [times, accelerations, uniform] = *motion.samples();
+    const std::vector<double>&times = motion.samples()->times, &accelerations = motion.samples()->accelerations;
     double square = 0;  // undoes the scaling to the PGA, which differs from seed to seed
     for (const double a : accelerations) square += a * a;
     for (std::size_t k = 0; k < omegas.size(); ++k) {

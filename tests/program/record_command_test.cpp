@@ -117,7 +117,8 @@ TEST_F(RecordCommand, TakesTheOptionsOfTheInput) {
 TEST_F(RecordCommand, WrongOptionsSayWhatToType) {
   EXPECT_EQ(error("record info --step 0 " + file_), "--step: takes a time > 0 such as \"0.01 s\"; \"0\" is outside");
   EXPECT_EQ(error("record info --step 5mm " + file_), "--step: takes a time such as \"0.5 s\"; \"5mm\" is a length");
-  EXPECT_EQ(error("record info --step 1 " + file_), file_ + ":2: the first column holds times, every 1 s; remove \"step\"");
+  std::ofstream(file_) << "time,acc (m/s^2)\n0,0\n0.5,2\n1,0\n";
+  EXPECT_EQ(error("record info --step 1 " + file_), file_ + ":2: the first column holds times, every 0.5 s; remove \"step\"");
   const std::string takes = "--periods: takes first:last:count with 0 < first < last and count from 2 to 10000, such as "
                             "0.02:4:50; ";
   for (const std::string bad : {"1", "1:2", "0:1:5", "2:1:5", "0.1:1:2.5", "a:b:c", "0.1:1:1"})

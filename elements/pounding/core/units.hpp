@@ -50,7 +50,8 @@ struct Unit {
 
 /// Reads products and quotients of the known units: "kN/m^1.5", "N s/m", "kN/(m s)", "m/s2", "1/s"; "", "1" and "-" are
 /// pure numbers. `g` is standard gravity, 9.80665 m/s^2. `Hz` is 1/s and `rad` is 1, so "1 rad/s" and "1 Hz" are the
-/// same number: whoever takes a frequency says which one is meant. `lb` is a mass, `lbf` and `kip` are forces.
+/// same number: whoever takes a frequency says which one is meant. `lb` and `lbm` are masses, `lbf` and `kip` are forces; `tf` and
+/// `tonf` are the weight of a tonne, 9.80665 kN.
 /// Throws InputError for an unknown unit, with the nearest known one, and for "kN/m s", which can be read in two ways.
 Unit parse_unit(std::string_view unit);
 

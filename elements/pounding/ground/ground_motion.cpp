@@ -23,7 +23,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double max_part_of_period = 0.1;
 
 void check(const Samples& samples) {
-  const auto& [times, accelerations, uniform] = samples;
+  const std::vector<double>&times = samples.times, &accelerations = samples.accelerations;
   if (times.size() != accelerations.size() || times.size() < 2)
     throw std::invalid_argument(fmt::format("ground motion: {} times and {} accelerations; two or more of each, and as "
                                             "many of one as of the other, are needed", times.size(), accelerations.size()));
@@ -33,7 +33,7 @@ void check(const Samples& samples) {
     if (i > 0 && times[i] <= times[i - 1])
       throw std::invalid_argument(fmt::format("ground motion: the time of sample {} does not increase", i));
   }
-  if (uniform && !evenly_spaced(times))
+  if (samples.uniform && !evenly_spaced(times))
     throw std::invalid_argument("ground motion: samples that claim to be uniform are not evenly spaced");
 }
 

@@ -48,6 +48,7 @@ struct Samples {
   std::vector<double> times;          ///< increasing [s]
   std::vector<double> accelerations;  ///< [m/s^2], as many as times
   bool uniform = false;               ///< result of evenly_spaced(); uniform samples need no search
+  std::vector<std::string> warnings = {};  ///< about implausible values, from the reader of a record
 };
 
 /// True when every time lies within a millionth of a step from an even spacing between the first and the last.

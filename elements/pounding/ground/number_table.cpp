@@ -25,6 +25,8 @@ std::string_view unquoted(std::string_view cell) {
   return cell.size() > 1 && cell.front() == '"' && cell.back() == '"' ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
+bool has_decimals(std::string_view number) { return number.find_first_of(".,eEdD") != std::string_view::npos; }
+
 /// Text between marks, without the blanks and quotes around it.
 std::vector<std::string_view> split_at(std::string_view text, char mark) {
   std::vector<std::string_view> parts;
@@ -134,11 +136,21 @@ NumberTable::NumberTable(const Lines& lines) : header_end_(lines.size()) {
     if (!begins && has_word(line))
       lines.fail(i, fmt::format("\"{}\" stands among or after the values; delete the line, or begin it with #", excerpt(trimmed(line))));
     if (rows_.empty()) header_end_ = i;
-    rows_.push_back({i, values_.size()});
+    rows_.push_back({i, values_.size(), std::none_of(columns.begin(), columns.end(), has_decimals)});
     if (values_.size() + columns.size() > most_numbers)
       lines.fail(i, fmt::format("more than {} numbers until here; a record has at most that many", most_numbers));
     for (const std::string_view text : columns) values_.push_back(style.number(lines, i, text));
+    if (std::all_of(values_.begin() + static_cast<std::ptrdiff_t>(rows_.back().begin), values_.end(),
+                    [](double value) { return value == 0; }))
+      rows_.back().integers = false;
   }
+}
+
+void NumberTable::drop(std::size_t rows) {
+  const std::size_t numbers = rows < rows_.size() ? rows_[rows].begin : values_.size();
+  rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(rows));
+  values_.erase(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(numbers));
+  for (Row& row : rows_) row.begin -= numbers;
 }
 
 std::size_t NumberTable::columns(std::size_t row) const {

@@ -26,6 +26,12 @@ class NumberTable {
   double at(std::size_t row, std::size_t column) const { return values_[rows_[row].begin + column]; }
   /// Line of a row.
   std::size_t line(std::size_t row) const { return rows_[row].line; }
+  /// Numbers in this row and all below it.
+  std::size_t numbers_from(std::size_t row) const { return values_.size() - rows_[row].begin; }
+  /// Whether a row holds integers alone, one of them other than 0, written without a decimal mark or an exponent.
+  bool holds_integers(std::size_t row) const { return rows_[row].integers; }
+  /// Forgets the first rows.
+  void drop(std::size_t rows);
   /// Every number, row after row.
   const std::vector<double>& values() const { return values_; }
   /// One column; every row must have it.
@@ -38,6 +44,7 @@ class NumberTable {
  private:
   struct Row {
     std::size_t line, begin;
+    bool integers;
   };
   std::vector<Row> rows_;
   std::vector<double> values_;

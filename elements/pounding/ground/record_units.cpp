@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -102,6 +102,10 @@ std::optional<double> unit_of_values(std::string_view text, const RecordOptions&
 }
 
 std::optional<double> unit_of_time(std::string_view text) {
+  constexpr std::pair<std::string_view, double> words[] = {{"SECOND", 1},   {"SECONDS", 1},        {"SECS", 1},
+                                                           {"MSECS", 1e-3}, {"MILLISECOND", 1e-3}, {"MILLISECONDS", 1e-3}};
+  for (const auto& [word, seconds] : words)
+    if (upper(trimmed(text)) == word) return seconds;
   const std::optional<Unit> unit = unit_of(text);
   return unit && unit->dimension == dimension::time ? std::optional(unit->factor) : std::nullopt;
 }

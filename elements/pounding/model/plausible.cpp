@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -104,27 +105,28 @@ void doubt_gaps(const Model& model, std::vector<Doubt>& doubts) {
                                        widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
 }
 
-// Latest arrival of each record of the ground and of forces [s]. Copies of a motion share their samples.
-std::map<const Samples*, double> record_arrivals(const Model& model) {
-  std::map<const Samples*, double> arrivals;
-  const auto add = [&](const GroundMotion& motion, double arrival) {
-    if (!motion.samples()) return;
-    double& latest = arrivals.try_emplace(motion.samples(), arrival).first->second;
-    latest = std::max(latest, arrival);
+// Calls visit(samples, last arrival [s]) for each record of the ground, of supports and of forces. Copies of a motion share their samples.
+template <class Visit>
+void for_each_record(const Model& model, const Visit& visit) {
+  const auto look_at = [&](const GroundMotion& motion, double arrival) {
+    if (motion.samples()) visit(*motion.samples(), arrival);
   };
   const double last_arrival = ground_plan(model).last_arrival;
-  for (const GroundMotion& component : model.ground.components) add(component, last_arrival);
+  for (const GroundMotion& component : model.ground.components) look_at(component, last_arrival);
   for (const Structure& s : model.structures) {
     for (const Support& support : s.supports)
-      for (std::size_t i = 0; support.motion && i < support.motion->size(); ++i) add((*support.motion)[i], support.delay);
-    for (const AppliedForce& force : s.applied_forces) add(force.history, 0);
+      for (std::size_t i = 0; support.motion && i < support.motion->size(); ++i) look_at((*support.motion)[i], support.delay);
+    for (const AppliedForce& force : s.applied_forces) look_at(force.history, 0);
   }
-  return arrivals;
 }
 
 // Closed forms are not judged: their times are typed next to the duration.
 void doubt_duration(const Model& model, std::vector<Doubt>& doubts) {
-  const std::map<const Samples*, double> arrivals = record_arrivals(model);
+  std::map<const Samples*, double> arrivals;
+  for_each_record(model, [&](const Samples& samples, double arrival) {
+    double& latest = arrivals.try_emplace(&samples, arrival).first->second;
+    latest = std::max(latest, arrival);
+  });
   int cut = 0;
   double worst = 0, needed = 0;
   for (const auto& [samples, arrival] : arrivals) {
@@ -139,6 +141,14 @@ void doubt_duration(const Model& model, std::vector<Doubt>& doubts) {
                                               "to {:.0f} %; type a duration of at least {:.6g} s, or leave it out",
                                               model.analysis.duration, cut, arrivals.size(), arrivals.size() == 1 ? "" : "s", 100 * worst,
                                               std::ceil(10 * needed) / 10)});
+}
+
+void doubt_records(const Model& model, std::vector<Doubt>& doubts) {
+  std::set<std::string> known;
+  for_each_record(model, [&](const Samples& samples, double) {
+    for (const std::string& text : samples.warnings)
+      if (known.insert(text).second) doubts.push_back({"record", text});
+  });
 }
 
 // The texts of those that the model does not accept.
@@ -163,6 +173,7 @@ std::vector<std::string> implausible(const Model& model) {
   }
   doubt_gaps(model, doubts);
   doubt_duration(model, doubts);
+  doubt_records(model, doubts);
   if (model.analysis.tolerance > coarsest_tolerance)
     doubts.push_back({"tolerance", fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
                                                model.analysis.tolerance, 100 * model.analysis.tolerance)});

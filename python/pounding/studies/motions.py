@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +32,7 @@ class Motion:
     pga: float = float("nan")  #: [m/s^2]
     intensity: float = float("nan")  #: by the measure of the study [m/s^2]
     digest: str = ""  #: SHA-256 of the file's bytes
+    warnings: tuple[str, ...] = field(default=(), compare=False)  #: of implausible peaks and steps
 
     def scaled(self, scale: float) -> dict[str, Any]:
         """`ground_motion` of the model with all accelerations times `scale`."""
@@ -60,7 +61,7 @@ class Intensity:
                              "type measure: pga")
         periods = np.geomspace(*self.period, 20) if self.measure == "avg_sa" else np.array(self.period[:1])
         given = motion.words
-        _, sd = core.record_spectrum(str(given["record"]), str(given.get("units", "")), str(given.get("channel", "")), periods.tolist(), self.damping)
+        _, sd, _ = core.record_spectrum(str(given["record"]), str(given.get("units", "")), str(given.get("channel", "")), periods.tolist(), self.damping)
         # A record that does not move, or a period so long that nothing is left of its acceleration, has the intensity 0.
         with np.errstate(divide="ignore", under="ignore"):
             return float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
@@ -112,9 +113,10 @@ def _range(one: Mapping[str, Any], periods: Sequence[float]) -> tuple[float, flo
 
 def read_file(name: str, options: Mapping[str, str], event: str = "", component: str = "") -> Motion:
     """The motion of one file. Raises InputError where it is no record."""
-    points, step, duration, pga = core.record_measures(name, options.get("units", ""), options.get("channel", ""))
+    points, step, duration, pga, warnings = core.record_measures(name, options.get("units", ""), options.get("channel", ""))
     digest = hashlib.sha256(Path(name).read_bytes()).hexdigest()
-    return Motion(Path(name).name, {"record": name, **options}, event or Path(name).stem, component, points, step, duration, pga, digest=digest)
+    return Motion(Path(name).name, {"record": name, **options}, event or Path(name).stem, component, points, step, duration, pga, digest=digest,
+                  warnings=tuple(f"record {Path(name).name}: {text}" for text in warnings))
 
 
 def measured(motions: Sequence[Motion], intensity: Intensity | None) -> list[Motion]:
@@ -126,6 +128,13 @@ def measured(motions: Sequence[Motion], intensity: Intensity | None) -> list[Mot
             raise InputError("study.intensity: the motion of the model cannot be scaled; name records, as in records: {files: records/*.AT2}, or give the "
                              "model an artificial earthquake (synthetic)")
     return [replace(motion, intensity=intensity.of(motion)) for motion in motions]
+
+
+def implausible(motions: Sequence[Motion], accept: Sequence[str]) -> list[str]:
+    """Warnings of implausible records, at most five, unless the model accepts them."""
+    found = [text for motion in motions for text in motion.warnings] if "record" not in accept else []
+    more = [f"{len(found) - 5} more warnings of records"] if len(found) > 5 else []
+    return [f"{text} (where it is meant: accept: [record])" for text in [*found[:5], *more]]
 
 
 def doubts(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:

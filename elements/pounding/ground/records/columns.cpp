@@ -1,5 +1,6 @@
 /// Numbers in columns, as text or CSV: a column of times and one or more of values; or, at a step that the user states, values alone, one
-/// or several a line in the order of reading, or one column of them.
+/// or several a line in the order of reading, or one column of them. A column that counts the rows is skipped, as are lines that state
+/// the number of values and the step.
 
 #include <pounding/ground/records/format.hpp>
 
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/ground/column_roles.hpp>
 #include <pounding/ground/number_table.hpp>
 
 namespace pounding::records {
@@ -79,28 +81,28 @@ Header read_header(const Lines& lines, const NumberTable& table, const RecordOpt
   return header;
 }
 
-/// Seconds in the unit that the name of the times states.
-double time_unit(const Lines& lines, const Header& header) {
-  const std::string& stated = header.columns.front().bracket;
-  if (stated.empty() || (header.is_comment && header.columns.front().unit.empty())) return 1;
+/// Seconds in the unit that the name of a column of times states.
+double time_unit(const Lines& lines, const Header& header, std::size_t column) {
+  const std::string& stated = header.columns[column].bracket;
+  if (stated.empty() || (header.is_comment && header.columns[column].unit.empty())) return 1;
   const std::optional<double> unit = unit_of_time(stated);
   if (!unit) lines.fail(header.line, fmt::format("\"{}\" is not the unit of a time; type s or ms", excerpt(stated)));
   return *unit;
 }
 
 /// Refuses rows of another length than the first; the last may be shorter where values follow each other.
-void check_lengths(const Lines& lines, const NumberTable& table, bool last_may_be_shorter) {
+void check_lengths(const Lines& lines, const NumberTable& table, bool last_may_be_shorter, std::string_view advice = {}) {
   const std::size_t count = table.columns(0);
   for (std::size_t row = 1; row < table.rows(); ++row) {
     const std::size_t here = table.columns(row);
     if (here == count || (last_may_be_shorter && row + 1 == table.rows() && here < count)) continue;
-    lines.fail(table.line(row), fmt::format("{} number{}; the line{} before {} {}", here, here == 1 ? "" : "s", row == 1 ? "" : "s",
-                                            row == 1 ? "has" : "have", count));
+    lines.fail(table.line(row), fmt::format("{} number{}; the line{} before {} {}{}", here, here == 1 ? "" : "s",
+                                            row == 1 ? "" : "s", row == 1 ? "has" : "have", count, advice));
   }
 }
 
-std::vector<double> read_times(const Lines& lines, const NumberTable& table, double unit) {
-  std::vector<double> times = table.column(0);
+std::vector<double> read_times(const Lines& lines, const NumberTable& table, std::size_t column, double unit) {
+  std::vector<double> times = table.column(column);
   for (std::size_t row = 0; row < times.size(); ++row) {
     const std::string_view line = lines[table.line(row)];
     const bool by_commas = table.columns(0) == 4 && line.find(',') != std::string_view::npos && line.find_first_of(".;") == std::string_view::npos;
@@ -124,15 +126,59 @@ void refuse_times(const Lines& lines, const NumberTable& table, double unit) {
   lines.fail(table.line(0), fmt::format("the first column holds times, every {:g} s; remove \"step\"", mean * unit));
 }
 
-/// The columns that may be meant: those that do not state the unit of something else.
-std::vector<Channel> channels_of(const Header& header, std::size_t first, const RecordOptions& options) {
+/// The columns of values that may be meant: those that do not state the unit of something else.
+std::vector<Channel> channels_of(const Header& header, const std::vector<std::size_t>& values, const RecordOptions& options) {
   std::vector<Channel> all, fitting;
-  for (std::size_t i = first; i < header.columns.size(); ++i) {
+  for (const std::size_t i : values) {
     const Name& column = header.columns[i];
-    all.push_back({std::to_string(i - first + 1), column.name, fmt::format("column {}", i + 1), i});
+    all.push_back({std::to_string(all.size() + 1), column.name, fmt::format("column {}", i + 1), i});
     if (column.unit.empty() || unit_of_values(column.unit, options)) fitting.push_back(all.back());
   }
   return fitting.empty() ? all : fitting;
+}
+
+/// The column of times: the one that says so, else the first behind a counter, else the first.
+std::size_t time_column(const Lines& lines, const NumberTable& table, const Header& header) {
+  const auto is_time = [&](const Name& name) {
+    const bool by_name = name.unit.empty() && names_times(name.name);
+    return unit_of_time(name.unit) || (by_name && (&name == &header.columns.front() || header.is_sure(lines)));
+  };
+  const auto named = std::find_if(header.columns.begin(), header.columns.end(), is_time);
+  if (named != header.columns.end()) return static_cast<std::size_t>(named - header.columns.begin());
+  if (!counts_rows(table, 0)) return 0;
+  if (table.columns(0) > 2 && ascends(table, 1)) return 1;
+  if (names_counter(header.columns.front().name))
+    lines.fail(table.line(0), fmt::format("the first column, \"{}\", counts the rows, and no column holds times; {}",
+                                          excerpt(header.columns.front().name), step_advice));
+  return 0;
+}
+
+/// All columns but that of the times and, where others remain, counters.
+std::vector<std::size_t> value_columns(const NumberTable& table, const Header& header, std::optional<std::size_t> times) {
+  std::vector<std::size_t> all, values;
+  for (std::size_t i = 0; i < table.columns(0); ++i) {
+    if (i == times) continue;
+    all.push_back(i);
+    if (!header.columns[i].unit.empty() || !counts_rows(table, i)) values.push_back(i);
+  }
+  return values.empty() ? all : values;
+}
+
+/// Drops the lines that state the number of values and the step. Returns what they state, for the remark.
+std::string drop_count_rows(const Lines& lines, NumberTable& table, const RecordOptions& options) {
+  const CountRows found = find_count_rows(table, options.step);
+  if (found.rows == 0) return {};
+  const bool one = found.rows == 1;
+  const std::string place =
+      one ? fmt::format("line {}", table.line(0) + 1) : fmt::format("lines {} and {}", table.line(0) + 1, table.line(1) + 1);
+  const std::string stated = fmt::format("{} state{} {} values{}", place, one ? "s" : "", found.count,
+                                         found.step > 0 ? fmt::format(" and a step of {:g} s", found.step) : "");
+  if (found.step > 0 && options.step == 0) lines.fail(table.line(0), fmt::format("{}; type step: {:g} s", stated, found.step));
+  if (found.step > 0 && std::abs(found.step - options.step) > 1e-6 * options.step)
+    lines.fail(table.line(0), fmt::format("{}, but \"step\" says {:g} s; type step: {:g} s, or delete what is no sample", stated,
+                                          options.step, found.step));
+  table.drop(found.rows);
+  return stated;
 }
 
 double unit_of_column(const Lines& lines, const Header& header, const NumberTable& table, std::size_t column,
@@ -148,51 +194,105 @@ void require_samples(const Lines& lines, std::size_t count, std::string_view wha
   throw InputError(fmt::format("{}: {} sample{}; a record has two or more {}", lines.name(), count, count == 1 ? "" : "s", what));
 }
 
+/// Refuses lines of integers above values with decimals, as headers of numbers have them.
+void refuse_integer_header(const Lines& lines, const NumberTable& table) {
+  const std::size_t header = integer_header(table);
+  if (header == 0) return;
+  const std::size_t first = table.line(0) + 1, last = table.line(header - 1) + 1;
+  lines.fail(
+      table.line(0),
+      fmt::format(
+          "{} integers alone, as a header such as the number of values does, and all values below have decimals; delete {}, or "
+          "begin {} with #",
+          first == last ? fmt::format("line {} holds", first) : fmt::format("lines {} to {} hold", first, last),
+          first == last ? "it" : "them", first == last ? "it" : "each"));
+}
+
+/// Warns of values that stand out at the begin, as the numbers of a header do.
+void warn_of_header(const NumberTable& table, const RecordOptions& options, Record& record) {
+  constexpr std::size_t fewest = 100, head = 10;
+  const std::vector<double>& values = record.samples.accelerations;
+  if (values.size() < fewest || options.force) return;
+  const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto peak = std::max_element(values.begin(), values.end(), less);
+  const std::size_t place = static_cast<std::size_t>(peak - values.begin());
+  if (place < head)
+    record.warnings.push_back(fmt::format(
+        "the largest value, {:g}, is number {} of {}; if a line above the values states their number or the step, delete it",
+        *peak, place + 1, values.size()));
+  else if (table.columns(0) == 1 && values.front() == options.step)
+    record.warnings.push_back(fmt::format("the first value, {:g}, equals the step; if line {} states the step, delete it",
+                                          values.front(), table.line(0) + 1));
+}
+
+/// The columns of values at a step. Counters are left out; times must have the step.
+std::vector<std::size_t> columns_at_step(const Lines& lines, const NumberTable& table, const Header& header,
+                                         const RecordOptions& options) {
+  if (table.columns(0) == 1 || !counts_rows(table, 0)) {
+    refuse_times(lines, table, unit_of_time(header.columns.front().unit).value_or(1));
+    return value_columns(table, header, std::nullopt);
+  }
+  check_lengths(lines, table, false);
+  if (const double unit = unit_of_time(header.columns.front().unit).value_or(1); unit != 1) refuse_times(lines, table, unit);
+  const double spacing = table.columns(0) > 2 ? even_spacing(table, 1) * unit_of_time(header.columns[1].unit).value_or(1) : 0;
+  if (spacing > 0 && std::abs(spacing - options.step) > 1e-3 * options.step)
+    lines.fail(table.line(0), fmt::format("the second column holds times, every {:g} s; remove \"step\"", spacing));
+  std::vector<std::size_t> values = value_columns(table, header, spacing > 0 ? std::optional<std::size_t>(1) : std::nullopt);
+  std::erase(values, std::size_t{0});
+  return values;
+}
+
 Record read_at_step(const Lines& lines, const NumberTable& table, const Header& header, const RecordOptions& options) {
   const std::size_t count = table.columns(0);
-  refuse_times(lines, table, unit_of_time(header.columns.front().unit).value_or(1));
-  if (table.commas_are_ambiguous())
+  const std::vector<std::size_t> values = columns_at_step(lines, table, header, options);
+  if (table.commas_are_ambiguous() && !header.is_sure(lines))
     lines.fail(table.line(0), fmt::format("\"{}\" may be one value with a decimal comma or two values; write decimal points, or part "
                                           "the values by semicolons", excerpt(trimmed(lines[table.line(0)]))));
+  refuse_integer_header(lines, table);
   Record record;
   std::size_t column = 0;
-  if (count == 1 || (options.channel.empty() && !header.is_sure(lines))) {
+  if (count == 1 || (values.size() == count && options.channel.empty() && !header.is_sure(lines))) {
     refuse_channel(lines, options);
     check_lengths(lines, table, true);
     record.format = count == 1 ? "one column" : fmt::format("{} values a line", count);
     record.samples.accelerations = table.values();
   } else {
     check_lengths(lines, table, false);
-    const Channel channel = chosen(lines, channels_of(header, 0, options), options);
+    const Channel channel = chosen(lines, channels_of(header, values, options), options);
     column = channel.begin;
     record.format = fmt::format("{} columns", count);
     record.channel = channel.text();
     record.samples.accelerations = table.column(column);
   }
   require_samples(lines, record.samples.accelerations.size(), "values");
+  warn_of_header(table, options, record);
   const double unit = unit_of_column(lines, header, table, column, options, record.unit);
   for (double& a : record.samples.accelerations) a *= unit;
   record.samples.times = even_times(record.samples.accelerations.size(), options.step);
   return record;
 }
 
-Record read(const Lines& lines, const RecordOptions& options) {
-  const NumberTable table(lines);
-  if (table.rows() == 0) require_samples(lines, 0, "lines of time and acceleration");
-  const Header header = read_header(lines, table, options);
-  if (options.step > 0) return read_at_step(lines, table, header, options);
+Record read_with_times(const Lines& lines, const NumberTable& table, const Header& header, const RecordOptions& options) {
   const std::size_t count = table.columns(0);
   if (count == 1) lines.fail(table.line(0), fmt::format("one column; time and acceleration are two, and {}", step_advice));
 
   Record record;
-  std::size_t column = 1;
-  check_lengths(lines, table, false);
-  record.samples.times = read_times(lines, table, time_unit(lines, header));
+  check_lengths(lines, table, false, count > 2 ? fmt::format("; {}", step_advice) : "");
+  const std::size_t times = time_column(lines, table, header);
+  const std::vector<std::size_t> values = value_columns(table, header, times);
+  const double seconds = time_unit(lines, header, times);
+  record.samples.times = read_times(lines, table, times, seconds);
+  if (seconds == 1 && counts_rows(table, times))
+    record.warnings.push_back(
+        fmt::format("the times count {:g}, {:g}, {:g}, ... and were read in s; if they are an index of the samples, type the "
+                    "step, as in step: 0.01 s",
+                    table.at(0, times), table.at(1, times), table.at(2, times)));
+  std::size_t column = values.front();
   if (count == 2) {
     refuse_channel(lines, options);
     record.format = "two columns";
   } else {
-    const Channel channel = chosen(lines, channels_of(header, 1, options), options);
+    const Channel channel = chosen(lines, channels_of(header, values, options), options);
     column = channel.begin;
     record.format = fmt::format("{} columns", count);
     record.channel = channel.text();
@@ -201,6 +301,16 @@ Record read(const Lines& lines, const RecordOptions& options) {
   record.samples.accelerations = table.column(column);
   const double unit = unit_of_column(lines, header, table, column, options, record.unit);
   for (double& a : record.samples.accelerations) a *= unit;
+  return record;
+}
+
+Record read(const Lines& lines, const RecordOptions& options) {
+  NumberTable table(lines);
+  if (table.rows() == 0) require_samples(lines, 0, "lines of time and acceleration");
+  const std::string remark = drop_count_rows(lines, table, options);
+  const Header header = read_header(lines, table, options);
+  Record record = options.step > 0 ? read_at_step(lines, table, header, options) : read_with_times(lines, table, header, options);
+  record.remark = remark;
   return record;
 }
 

@@ -73,7 +73,8 @@ Series read_series(const Lines& lines, std::size_t begin) {
 std::vector<Series> find_series(const Lines& lines) {
   std::vector<Series> all;
   for (std::size_t i = 0; i < lines.size();) {
-    if (trimmed(lines[i]).empty() || begins_with(trimmed(lines[i]), "END-OF-DATA")) {
+    // The standard ends a series by "End-of-data for ..."; its own sample by "/&  ---  End of data for channel  1  ---".
+    if (trimmed(lines[i]).empty() || begins_with(trimmed(lines[i]), "END-OF-DATA") || lines[i].starts_with("/&")) {
       ++i;
       continue;
     }

@@ -17,7 +17,25 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
+constexpr char zero = '\0', end_of_file = '\x1A';
+
 char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+
+/// Text without the zero bytes and the DOS end-of-file mark that pad a file behind its last line.
+std::string_view without_padding(std::string_view text) {
+  constexpr std::string_view padding("\0\x1A\f\v \t\r\n", 8);
+  const std::size_t last = text.find_last_not_of(padding);
+  const std::size_t begin = last == std::string_view::npos ? 0 : last + 1;
+  return text.substr(0, std::min({text.find(zero, begin), text.find(end_of_file, begin), text.size()}));
+}
+
+/// Line without the page breaks and end-of-file marks of printed and joined files at its ends.
+std::string_view without_breaks(std::string_view line) {
+  constexpr std::string_view breaks("\f\v\x1A\r");
+  const std::size_t begin = line.find_first_not_of(breaks);
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(breaks) - begin + 1);
+}
 
 }  // namespace
 
@@ -33,15 +51,14 @@ std::span<const Format* const> formats() {
 Lines::Lines(std::string_view text, std::string name) : name_(std::move(name)) {
   if (text.size() > longest_record)
     throw InputError(fmt::format("{}: has more than {} MB, and a record has at most that; is it the right file?", name_, longest_record / 1'000'000));
-  text = without_mark(text);
+  text = without_padding(without_mark(text));
   const char mark = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(mark, begin), text.size());
-    std::string_view line = text.substr(begin, end - begin);
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    const std::string_view line = without_breaks(text.substr(begin, end - begin));
     if (line.size() > longest_line) fail(size(), fmt::format("has {} bytes, and a line has at most {}", line.size(), longest_line));
     if (size() == most_lines) fail(size(), fmt::format("the file goes on after {} lines; a record has at most that many", most_lines));
-    if (line.find('\0') != std::string_view::npos)
+    if (line.find(zero) != std::string_view::npos)
       fail(size(), "holds zero bytes, as UTF-16, workbooks of Excel and files that are no text do; save the file as text in UTF-8, a sheet as CSV");
     lines_.push_back(line);
     begin = end + 1;
@@ -169,14 +186,14 @@ std::optional<Columns> fortran_columns(std::string_view line) {
 
 std::string_view column_field(const Lines& lines, std::size_t begin, const Columns& columns, std::size_t i) {
   const std::string_view line = lines.at(begin + i / columns.per_line, "the end of its header");
-  const std::size_t at = i % columns.per_line * columns.width;
+  const std::size_t at = columns.begin_of(i % columns.per_line);
   return at < line.size() ? trimmed(line.substr(at, columns.width)) : std::string_view{};
 }
 
 std::vector<double> read_columns(const Lines& lines, std::size_t begin, const Columns& columns, const Stated& stated) {
   std::vector<double> values;
   const auto rest_is_blank = [&](std::size_t line, std::size_t fields) {
-    const std::size_t at = fields * columns.width;
+    const std::size_t at = columns.begin_of(fields);
     return at >= lines[line].size() || trimmed(lines[line].substr(at)).empty();
   };
   std::size_t i = begin;

@@ -27,7 +27,8 @@ inline constexpr std::size_t longest_header = 200'000;       ///< bytes
 inline constexpr double largest_value = 1e30;
 
 /// The lines of a file, and errors that name them. Lines count from 0 here and from 1 in messages. They end with LF, CR LF, or, where
-/// there is no LF at all, with CR.
+/// there is no LF at all, with CR. Form feeds and the DOS end-of-file mark 0x1A at the ends of lines are ignored, as are zero bytes
+/// behind the last line.
 class Lines {
  public:
   /// Throws InputError for a text in UTF-16 and one beyond the limits.
@@ -99,10 +100,13 @@ struct Stated {
 /// fewer or more than stated.
 std::vector<double> read_numbers(const Lines& lines, std::size_t begin, const Stated& stated);
 
-/// Numbers in columns as Fortran writes them, often without a blank between: (8F10.3) is {8, 10}.
+/// Numbers in columns as Fortran writes them, often without a blank between: (8F10.3) is {8, 10}, (1X,10F7.3) is {10, 7, 1}.
 struct Columns {
   std::size_t per_line, width;
+  std::size_t indent = 0;
 
+  /// First character of a field of a line.
+  std::size_t begin_of(std::size_t field) const { return indent + field * width; }
   std::size_t lines_for(std::size_t count) const { return (count + per_line - 1) / per_line; }
 };
 

@@ -1,9 +1,12 @@
-/// PEER AT2: a header that states NPTS and DT, in either order of word and number, and "UNITS OF G"; then the values.
+/// PEER AT2: a header that states NPTS and DT [s], or DT in MSEC, in either order of word and number, and "UNITS OF G"; then the values.
 
 #include <pounding/ground/records/format.hpp>
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
 #include <pounding/core/units.hpp>
 
 namespace pounding::records {
@@ -25,9 +28,24 @@ struct Size {
   double dt;
 };
 
-/// "NPTS=  5372, DT=   .0100 SEC", or the older "5372    0.0100    NPTS, DT".
+/// Seconds in the unit that follows DT; 1 if the word there is another key of the line.
+double unit_of_dt(const Lines& lines, std::size_t i, const std::string& unit, bool is_key) {
+  if (unit.empty() || is_key || unit == "NPTS" || unit == "UNITS") return 1;
+  const std::optional<double> seconds = unit_of_time(unit);
+  if (!seconds) lines.fail(i, fmt::format("\"{}\" is not the unit of DT; type SEC or MSEC", excerpt(unit)));
+  return *seconds;
+}
+
+/// "NPTS=  5372, DT=   .0100 SEC", "DT= 5.0 MSEC, NPTS= 700", or the older "5372    0.0100    NPTS, DT".
 Size read_size(const Lines& lines, std::size_t i) {
+  static const std::regex stated_count = pattern(R"(NPTS\s*[=:]?\s*([0-9.]+))");
+  static const std::regex stated_step = pattern(R"(DT\s*[=:]?\s*([0-9.]+(?:[ED][-+]?[0-9]+)?)\s*([A-Z]*)\s*([=:]?))");
   const std::string line = upper(lines[i]);
+  const auto count = captured(line, stated_count), step = captured(line, stated_step);
+  if (count && step)
+    return {checked_count(lines, i, "NPTS", lines.number(i, count->front())),
+            checked_positive(lines, i, "DT", lines.number(i, (*step)[0]) * unit_of_dt(lines, i, (*step)[1], !(*step)[2].empty()),
+                             "a time")};
   std::vector<double> numbers;
   std::string separated = line;
   std::replace_if(separated.begin(), separated.end(), [](char c) { return c == '=' || c == ','; }, ' ');

@@ -1,0 +1,133 @@
+/// UNAM, "archivo estandar de aceleracion" 2.0 of Mexico's strong-motion networks (Base Mexicana de Datos de Sismos Fuertes,
+/// Instituto de Ingenieria, UNAM; Quaas et al. 1995).
+///
+/// Some 109 lines of text, most of them "KEY : value", where lists of channels are "/V/N00E/N90E"; below "DATOS DE ACELERACION" the names of the
+/// channels between two rules, then a line of values each (3F10.4). Used are: orientations, intervals [s], numbers of samples and
+/// durations of channels 1 to 6 and 7 to 12, the unit, and the columns.
+
+#include <pounding/ground/records/format.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <pounding/core/error.hpp>
+
+namespace pounding::records {
+namespace {
+
+constexpr std::size_t header_lines = 300, title_lines = 20;
+constexpr std::string_view title = "ARCHIVO ESTANDAR DE ACELERACION", values_title = "DATOS DE ACELERACION";
+
+bool recognises(const Lines& lines) {
+  for (std::size_t i = 0; i < std::min(lines.size(), title_lines); ++i)
+    if (begins_with(trimmed(lines[i]), title)) return true;
+  return false;
+}
+
+/// The line of the header that begins with this key, which is in capitals.
+std::optional<std::size_t> find_line(const Lines& lines, std::string_view key) {
+  for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i)
+    if (begins_with(trimmed(lines[i]), key)) return i;
+  return std::nullopt;
+}
+
+std::size_t line_of(const Lines& lines, std::string_view key) {
+  const auto i = find_line(lines, key);
+  if (!i) lines.fail(std::min(lines.size(), header_lines) - 1, fmt::format("the header has no line \"{}\"", key));
+  return *i;
+}
+
+std::string value(const Lines& lines, std::size_t i) {
+  const std::size_t colon = lines[i].find(':');
+  return colon == std::string_view::npos ? std::string() : single_spaced(lines[i].substr(colon + 1));
+}
+
+/// Entries of "/V/N00E/N90E" for one channel each, the key ending in C1-C6 or C7-C12.
+std::vector<std::string> list(const Lines& lines, std::string_view key) {
+  std::vector<std::string> entries;
+  for (const std::string_view range : {"C1-C6", "C7-C12"})
+    for (std::size_t i = 0; i < std::min(lines.size(), header_lines); ++i) {
+      const std::string_view name = lines[i].substr(0, lines[i].find(" :"));
+      if (!begins_with(trimmed(lines[i]), key) || !contains(name, range)) continue;
+      const std::string text = value(lines, i);
+      for (std::size_t at = text.find('/'); at != std::string::npos;) {
+        const std::size_t next = text.find('/', at + 1);
+        entries.emplace_back(trimmed(std::string_view(text).substr(at + 1, next == std::string::npos ? next : next - at - 1)));
+        at = next;
+      }
+      break;
+    }
+  return entries;
+}
+
+/// The number of a list that belongs to a channel.
+double number(const Lines& lines, std::string_view key, std::size_t channel) {
+  const std::vector<std::string> entries = list(lines, key);
+  const std::size_t i = line_of(lines, key);
+  if (channel >= entries.size()) lines.fail(i, fmt::format("has no entry for channel {}", channel + 1));
+  return lines.number(i, entries[channel]);
+}
+
+Columns columns_of(const Lines& lines, std::size_t channels) {
+  const std::size_t i = line_of(lines, "FORMATO DATOS");
+  const auto columns = fortran_columns("(" + value(lines, i) + ")");
+  if (!columns || columns->per_line < channels)
+    lines.fail(i, fmt::format("\"{}\" states no columns for {} channels, as 3F10.4 does", excerpt(value(lines, i)), channels));
+  return *columns;
+}
+
+Record read(const Lines& lines, const RecordOptions& options) {
+  const std::vector<std::string> orientations = list(lines, "ORIENTACION C");
+  std::vector<Channel> channels;
+  for (const std::string& orientation : orientations)
+    channels.push_back({.number = std::to_string(channels.size() + 1),
+                        .component = single_spaced(orientation.substr(0, orientation.find(';'))),
+                        .place = {},
+                        .begin = channels.size()});
+  if (channels.empty()) lines.fail(line_of(lines, "ORIENTACION C"), "names no channel, as /V/N00E/N90E does");
+  const Channel channel = chosen(lines, channels, options);
+  const std::size_t k = channel.begin;
+
+  Record record;
+  record.format = "UNAM";
+  record.channel = channel.text();
+  record.title = single_spaced(
+      fmt::format("{} {}", value(lines, line_of(lines, "FECHA DEL SISMO")), value(lines, line_of(lines, "MAGNITUD"))));
+  record.station = single_spaced(fmt::format("{} {}", value(lines, line_of(lines, "CLAVE DE LA ESTACION")),
+                                             value(lines, line_of(lines, "NOMBRE DE LA ESTACION"))));
+  const std::size_t unit_line = line_of(lines, "UNIDADES DE LOS DATOS");
+  const std::string unit_text = value(lines, unit_line);
+  const double unit =
+      agreed_unit(lines, unit_line, single_spaced(unit_text.substr(0, unit_text.find('('))), options, record.unit);
+  const std::size_t count_line = line_of(lines, "NUM. TOTAL DE MUESTRAS"), step_line = line_of(lines, "INTERVALO DE MUESTREO");
+  const std::size_t count = checked_count(lines, count_line, "the number of samples", number(lines, "NUM. TOTAL DE MUESTRAS", k));
+  const double dt = checked_positive(lines, step_line, "the interval", number(lines, "INTERVALO DE MUESTREO", k), "a time");
+  // Where samples were left out ("factor de decimacion"), the interval may be that of the instrument.
+  const double duration = number(lines, "DURACION DEL REGISTRO", k);
+  if (std::abs(static_cast<double>(count) * dt - duration) > std::max(2 * dt, 0.01 * duration))
+    lines.fail(step_line, fmt::format("{} samples every {:g} s do not fit the duration of {:g} s on line {}", count, dt, duration,
+                                      line_of(lines, "DURACION DEL REGISTRO") + 1));
+
+  std::size_t begin = line_of(lines, values_title) + 1;
+  for (std::size_t rules = 0; rules < 2; ++begin)
+    if (lines.at(begin, "the values").starts_with("---")) ++rules;
+  const Columns columns = columns_of(lines, channels.size());
+  if (begin + count > lines.size())
+    lines.fail(lines.size() - 1,
+               fmt::format("the values end here, after {}; line {} states {}", lines.size() - begin, count_line + 1, count));
+  for (std::size_t i = 0; i < count; ++i)
+    record.samples.accelerations.push_back(
+        unit * lines.sample(begin + i, column_field(lines, begin, columns, i * columns.per_line + k)));
+  if (begin + count < lines.size() && !column_field(lines, begin, columns, count * columns.per_line + k).empty())
+    lines.fail(begin + count, fmt::format("more values than the {} that line {} states", count, count_line + 1));
+  record.samples.times = even_times(count, dt);
+  return record;
+}
+
+}  // namespace
+
+constinit const Format unam{"UNAM", recognises, read};
+
+}  // namespace pounding::records

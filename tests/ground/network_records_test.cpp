@@ -1,0 +1,353 @@
+// Small files of national networks: GeoNet (GNS Accelerogram Data Files, Standard Format, 2008), USC (EERL 73-03), BHRC, AFAD (TR-NSMN) and
+// UNAM, laid out as published files of each network are. Stations and values are invented.
+
+#include <pounding/ground/record.hpp>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <pounding/core/units.hpp>
+#include "ground/record_text.hpp"
+
+namespace pounding {
+namespace network_records_test {
+
+constexpr double g = standard_gravity;
+using Values = std::vector<double>;
+
+using test::error_of;
+using test::read;
+
+std::string replaced(std::string text, const std::string& part, const std::string& by) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), by);
+}
+
+template <typename Number>
+std::string table(const std::vector<Number>& values, std::size_t per_line, const char* format) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += fmt::format(fmt::runtime(format), values[i]);
+    if ((i + 1) % per_line == 0 || i + 1 == values.size()) text += '\n';
+  }
+  return text;
+}
+
+void expect_samples(const Record& record, double dt, double unit, const Values& expected) {
+  ASSERT_EQ(record.points(), expected.size());
+  EXPECT_NEAR(record.step(), dt, 1e-15);
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(record.samples.accelerations[i], unit * expected[i], 1e-12) << i;
+}
+
+// GeoNet. The first number fills its columns.
+const Values twelve = {-11026.2, 1.5, 2, 3, -4, 5, 6, 7, 8, 9, 10, -11.5};
+
+std::string geonet(const std::string& component, bool raw = true, const std::string& unit = "1.00",
+                   const Values& values = twelve) {
+  const int count = static_cast<int>(values.size());
+  std::vector<int> integers(40, 12);
+  integers[30] = 999, integers[33] = count, integers[34] = integers[35] = raw ? 0 : count;
+  Values reals(60, 1.5);
+  reals[0] = 200, reals[24] = 0.005, reals[25] = raw ? 0.005 : 0.02;
+  std::string text = fmt::format(
+      "{} accelerogram 20010203_040506_ABCD_20 GNS Science\n"
+      "Site ABCD      42 37 10S  173 03 13E     Cusp file:  20010203_040508_ABCD\n"
+      "Nowhere Farm\nInstrument Cusp_10462\nResolution: 18-bit   Instr Period: 0.0050 s   Damping: 0.700\n"
+      "Accelerogram 20010203_040506_ABCD_20                 Processed 2001 December 09\n5 km south-west of Nowhere\n"
+      "2001 February 3          04:05:06 UT\nEpicentre  42 41 33S 173 01 19E  Bearing S18W  Dist    9km  Depth   15km Mw 7.82\n"
+      "Number of points  {}     Duration 0.06  s\n{}\n{}\nComponent {}\n"
+      "Acceleration:  Peak -11026.2 mm/s/s at  44.87 s     RMS   516.57 mm/s/s\n{}\n{}\n",
+      raw ? "Uncorrected" : "Corrected", count,
+      raw ? fmt::format("Raw readings in units of {} mm/s/s  at intervals of 0.005 s", unit)
+          : "Instrument corrected data at 0.020 sec intervals",
+      raw ? "Data is unfiltered" : "Band-pass filter transition bands are .10-.25 Hz and 24.50-25.50 Hz", component,
+      raw ? "Velocity record unevaluated" : "Velocity:      peak -1016.55 mm/s   at  46.58 sec     rms    96.10 mm/s",
+      raw ? "Displacement record unevaluated" : "Displacement:  peak  234.852 mm     at  46.36 sec     rms   38.013 mm");
+  text += table(integers, 10, "{:8d}") + table(reals, 10, "{:8.4f}") + table(values, 10, "{:8.1f}");
+  if (!raw) text += table(values, 10, "{:8.2f}") + table(values, 10, "{:8.3f}");
+  return text;
+}
+
+TEST(GeonetRecord, V1AIsReadAsUncorrected) {
+  const Record record = read(geonet("N28W"));
+  expect_samples(record, 0.005, 1e-3, twelve);
+  EXPECT_EQ(record.summary(),
+            "r.txt, GeoNet V1A in mm/s/s, ABCD Nowhere Farm, channel N28W, 12 points every 0.005 s, uncorrected");
+  EXPECT_EQ(record.title, "2001 February 3 04:05:06 UT, 5 km south-west of Nowhere");
+  expect_samples(read(geonet("Up", true, "0.50")), 0.005, 0.5e-3, twelve);
+  EXPECT_NO_THROW(read(geonet("Up"), {.units = "mm/s^2", .step = 0.005}));
+  EXPECT_EQ(error_of(geonet("Up"), {.units = "g"}), "r.txt:14: the file states mm/s/s, but \"units\" says g; remove \"units\"");
+}
+
+TEST(GeonetRecord, V2AHoldsVelocitiesAndDisplacementsBehindItsAccelerations) {
+  const std::string text = geonet("N28W  Longitudinal Accelerometer Axis", false) +
+                           geonet("S62W  Transverse Accelerometer Axis", false, "", {1, 2, 3}) + geonet("Up  Vertical", false);
+  EXPECT_EQ(
+      error_of(text),
+      "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: N28W, Longitudinal Accelerometer Axis; "
+      "2: S62W, Transverse Accelerometer Axis; 3: Up, Vertical");
+  const Record record = read(text, {.channel = "s62w"});
+  expect_samples(record, 0.02, 1e-3, {1, 2, 3});
+  EXPECT_EQ(record.format, "GeoNet V2A");
+  EXPECT_EQ(record.remark, "");
+  expect_samples(read(text, {.channel = "3"}), 0.02, 1e-3, twelve);
+}
+
+TEST(GeonetRecord, MissingSamplesAreLeftOutAtTheEndsAndRefusedBetween) {
+  const Record record = read(geonet("Up", true, "1.00", {999999.9, 999999.9, 1, 2, 3, 999999.9}));
+  expect_samples(record, 0.005, 1e-3, {1, 2, 3});
+  EXPECT_EQ(record.remark, "uncorrected, 3 missing samples at the ends left out");
+  EXPECT_EQ(error_of(geonet("Up", true, "1.00", {1, 999999.9, 3})),
+            "r.txt:27: 999999.9 stands for a missing sample amid the others");
+}
+
+TEST(GeonetRecord, AnIntervalOfFourDecimalsMeansAWholeRate) {
+  EXPECT_DOUBLE_EQ(read(replaced(geonet("Up"), "  0.0050  0.0050", "  0.0039  0.0039")).step(), 1.0 / 256);
+}
+
+TEST(GeonetRecord, ErrorsSayWhere) {
+  EXPECT_EQ(error_of(replaced(geonet("Up"), "points  12", "points  22")),
+            "r.txt:28: 2 lines of values end here; line 10 and integers 35 and 36 state 3");
+  EXPECT_EQ(error_of(replaced(geonet("Up"), "points  12", "points  10")),
+            "r.txt:28: 2 lines of values end here; line 10 and integers 35 and 36 state 1");
+  EXPECT_EQ(error_of(replaced(geonet("Up"), "Component", "Direction")), "r.txt:13: is no line \"Component N28W\"");
+  EXPECT_EQ(error_of(replaced(geonet("Up"), "Number of points", "Points")), "r.txt:10: has no \"Number of points\"");
+  EXPECT_EQ(error_of(replaced(geonet("Up"), "Peak -11026.2 mm/s/s", "unevaluated")),
+            "r.txt:14: has no \"Acceleration: Peak\" with its unit");
+  EXPECT_EQ(error_of(replaced(geonet("Up"), "  0.0050  0.0050", "  0.0050  0.0000")),
+            "r.txt:23: real 26, the sampling interval, is 0; it must be a time > 0");
+  EXPECT_EQ(error_of(geonet("Up").substr(0, 900)).substr(0, 6), "r.txt:");
+}
+
+// USC.
+
+std::string usc_text(const std::string& component, const std::string& count) {
+  return fmt::format(
+      "FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:                        \n"
+      "NOWHERE EARTHQUAKE                                                      18\n"
+      "FEB 03, 2001 -1230 GMT                                                  22\n"
+      "IBB102  94.170.0 N                                                      18\n"
+      "STATION USC# 0017   34 06 52N, 118 22 47W                               39\n"
+      "1 NOWHERE AVE., LOS ANGELES, CA                                         31\n"
+      "COMP {:<67}9\n"
+      "NOWHERE EARTHQUAKE   FEB 03, 2001 -1230 GMT                             43\n"
+      "EPICENTER -   34 12 48N, 118 32 13W                                     35\n"
+      "INSTR PERIOD =  .037 SEC  DAMPING =   .568  SENSITIVITY =   1.69CM/G    69\n"
+      "NO. OF POINTS =   {}      DURATION =  30.013 SEC                         50\n"
+      "UNITS ARE SEC AND G/10                                                  22\n"
+      "RMS ACCLN. OF COMPLETE RECORD =     .211 G/10                           45\n",
+      component, count);
+}
+
+std::string usc_v1(const std::string& component, int integers_per_line = 16) {
+  return usc_text(component, "6") +
+         table(std::vector<int>(100, 0), static_cast<std::size_t>(integers_per_line),
+               integers_per_line == 16 ? "{:5d}" : "{:4d}") +
+         table(Values(50, 0), 8, "{:10.3f}") +
+         "    .000   .046   .004   .022   .008  -.003   .013-12.345100.005   .009\n 100.010   .011\n";
+}
+
+TEST(UscRecord, V1HoldsUnevenPairs) {
+  for (const int integers_per_line : {16, 20}) {
+    const Record record = read(usc_v1("S05W", integers_per_line));
+    EXPECT_EQ(record.samples.times, (Values{0, 0.004, 0.008, 0.013, 100.005, 100.010}));
+    const Values tenths = {0.046, 0.022, -0.003, -12.345, 0.009, 0.011};
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_DOUBLE_EQ(record.samples.accelerations[i], g / 10 * tenths[i]);
+    EXPECT_EQ(record.summary(),
+              "r.txt, USC V1 in G/10, 0017 1 NOWHERE AVE., LOS ANGELES, CA, channel S05W, 6 points unevenly spaced, uncorrected");
+    EXPECT_EQ(record.title, "NOWHERE EARTHQUAKE FEB 03, 2001 -1230 GMT");
+  }
+}
+
+const Values ten = {-1.133, -1152.5, -.596, .494, .888, -.019, -1.193, -.564, 2.5, -3};
+
+std::string usc_v2(const std::string& component) {
+  const std::string numbers = table(ten, 8, "{:10.3f}");
+  return "CORRECTED ACCELEROGRAM  IIBB127  94.610.0 COMP N08W   FILE   0  CORRESPONDING T \n" + usc_text(component, "8820") +
+         "ACCELEROGRAM IS BAND-PASS FILTERED BETWEEN  .225- .325 AND 25.00-27.00 HZ.      \n" + std::string(10, '\n') +
+         table(std::vector<int>(100, 0), 16, "{:5d}") + table(Values(100, 0), 8, "{:10.3f}") +
+         "  10 POINTS OF ACC DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC/SEC\n" + numbers +
+         "  10 POINTS OF VEL DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC\n" + numbers;
+}
+
+TEST(UscRecord, V2HoldsEvenAccelerations) {
+  const Record record = read(usc_v2("N08W"));
+  expect_samples(record, 0.02, 0.01, ten);
+  EXPECT_EQ(record.format, "USC V2");
+  EXPECT_EQ(record.unit, "CM/SEC/SEC");
+  EXPECT_EQ(record.remark, "");
+}
+
+TEST(UscRecord, SeveralComponentsAreChosenByName) {
+  const std::string text = usc_v1("S05W") + usc_v1(" UP") + usc_v2("N85W");
+  EXPECT_EQ(error_of(text),
+            "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: S05W; 2: UP; 3: N85W");
+  EXPECT_EQ(read(text, {.channel = "up"}).points(), 6u);
+  EXPECT_EQ(read(text, {.channel = "N85W"}).points(), 10u);
+}
+
+TEST(UscRecord, ErrorsSayWhere) {
+  EXPECT_EQ(error_of(replaced(usc_v1("UP"), "POINTS =   6", "POINTS =   7")),
+            "r.txt:29: the values end here, after 12; line 11, two for a point, states 14");
+  EXPECT_EQ(error_of(replaced(usc_v1("UP"), "G/10 ", "CM/S ")),
+            "r.txt:12: \"CM/S\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal");
+  EXPECT_EQ(error_of(replaced(usc_v1("UP"), "COMP ", "CHAN ")), "r.txt:7: is no line \"COMP S05W\"");
+}
+
+// BHRC.
+
+std::string bhrc(const std::string& component, const std::string& points = "12") {
+  Values reals(50, 0);
+  reals[8] = 200;  // the first on the second line
+  return fmt::format(
+             "* VOL1DS FILE:  1234/01\nInst Type = SSA-2\nOrigin Time : 2001/02/03   04:05:06\n\n{}\n                    \nCOMP "
+             "{}1         \n"
+             "Nowhere                   Station   37.485 N 45.891 E   Altitude 1333m   Azimuth L 324   T 54 \n"
+             "Epicenter 38.520 N 46.860 E   FD 12 Km mb      Ms      Mw6.1   M        ML   (BHRC   )\n"
+             "INSTR PERIOD =  .019 SEC   DAMPING =  .640                            \nNO. OF POINTS =   {}      DURATION =    "
+             ".060        \n"
+             "UNITS ARE SECONDS AND G/10\n                    \n",
+             component, component, points) +
+         table(std::vector<int>(88, 0), 14, "{:5d}") + table(reals, 8, "{:14.6E}") + table(twelve, 10, "{:13.5E}") + "/&\n";
+}
+
+TEST(BhrcRecord, IsReadWithItsHeader) {
+  const Record record = read(bhrc("L"));
+  expect_samples(record, 0.005, g / 10, twelve);
+  EXPECT_EQ(record.summary(),
+            "r.txt, BHRC V1 in G/10, 1234/01 Nowhere, channel L, 324 deg, 12 points every 0.005 s, uncorrected");
+}
+
+TEST(BhrcRecord, ComponentsAreChosenByName) {
+  const std::string text = bhrc("L") + bhrc("V") + bhrc("T");
+  EXPECT_EQ(error_of(text),
+            "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: L, 324 deg; 2: V; 3: T, 54 deg");
+  expect_samples(read(text, {.channel = "T"}), 0.005, g / 10, twelve);
+}
+
+TEST(BhrcRecord, ErrorsSayWhere) {
+  EXPECT_EQ(error_of(replaced(bhrc("L"), ".060", ".600")),
+            "r.txt:22: states 200 samples a second, which do not fit 12 points in 0.6 s on line 11");
+  EXPECT_EQ(error_of(bhrc("L", "13")), "r.txt:29: the values end here, after 12; line 11 states 13");
+  EXPECT_EQ(error_of(replaced(bhrc("L"), "* VOL1DS", "* VOL2DS")),
+            "r.txt:1: is no file of Volume 1, and has no line \"points of accel data equally spaced at ... sec, in ...\"; take "
+            "the V1 file");
+}
+
+// AFAD (TR-NSMN).
+
+std::string nsmn() {
+  return "STRONG GROUND MOTION RECORDS OF TURKIYE\n"
+         "PLACE                   : NOWHERE METEOROLOJI M\xC3\x9C"
+         "D\xC3\x9CRLU\xC4\x9E\xC3\x9C\n"
+         "EARTHQUAKE DATE         : 2001/02/03 04:05:06 (GMT)\nEPICENTER COORDINATES   : 36.91980N-27.44350E\nEARTHQUAKE DEPTH "
+         "(km)   : 19.44\n"
+         "EARTHQUAKE MAGNITUDE    : 6.5 Mw\nSTATION ID              : 4304\nSTATION COORDINATES     : "
+         "38.99478N-29.40040E\nSTATION ALTITUDE (m)    : 735\n"
+         "RECORDER TYPE           : Guralp cmg5td\nRECORDER SERIAL NO      : 5B02\nRECORD TIME             : 03/02/2001 "
+         "04:05:10.000000 (GMT)\n"
+         "NUMBER OF DATA          : 3\nSAMPLING INTERVAL (sec) : 0.01\nRAW PGA VALUES (gal)    : (N-S) 1.25 (E-W) 8.5 (U-D) 0.5\n"
+         "Copyright EARTHQUAKE DEPARTMENT\nDISASTER AND EMERGENCY MANAGEMENT PRESIDENCY\n       N-S          E-W          U-D\n"
+         "   -0.250000      0.000010     0.000207\n    1.250000     -8.500000     0.500000\n   -0.000194      0.000015    "
+         "-0.125000\n";
+}
+
+TEST(NsmnRecord, ComponentsAreColumnsInGal) {
+  const Record record = read(nsmn(), {.channel = "E-W"});
+  expect_samples(record, 0.01, 0.01, {0.00001, -8.5, 0.000015});
+  EXPECT_EQ(record.format, "AFAD (TR-NSMN)");
+  EXPECT_EQ(record.unit, "gal");
+  EXPECT_EQ(record.channel, "2: E-W");
+  EXPECT_EQ(record.title, "2001/02/03 04:05:06 (GMT), M 6.5 Mw");
+  EXPECT_TRUE(record.station.starts_with("4304 NOWHERE"));
+  expect_samples(read(nsmn(), {.channel = "3"}), 0.01, 0.01, {0.000207, 0.5, -0.125});
+}
+
+TEST(NsmnRecord, ErrorsSayWhere) {
+  EXPECT_EQ(error_of(nsmn()),
+            "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: N-S; 2: E-W; 3: U-D");
+  EXPECT_EQ(error_of(replaced(nsmn(), "DATA          : 3", "DATA          : 4"), {.channel = "1"}),
+            "r.txt:21: the values end here, after 9; NUMBER OF DATA, in 3 columns, states 12");
+  EXPECT_EQ(error_of(replaced(nsmn(), "(gal) ", "(cm) "), {.channel = "1"}),
+            "r.txt:15: \"cm\" is not the unit of an acceleration; allowed are g, m/s^2, cm/s^2 or gal; for displacements type "
+            "displacement: {record: FILE}");
+  EXPECT_EQ(error_of(replaced(nsmn(), "E-W          U-D", "E-W"), {.channel = "1"}),
+            "r.txt:18: names 2 components; the lines below have 3 values");
+}
+
+// UNAM.
+
+std::string unam() {
+  const std::string rule = "---------+---------+---------+---------+---------+---------+---------+---------+\n";
+  return "**************************************************************************************\n"
+         "                       INSTITUTO DE INGENIERIA, UNAM\n"
+         "**************************************************************************************\n"
+         "ARCHIVO ESTANDAR DE ACELERACION:\nVERSION DEL FORMATO                    : 2.0\n\n"
+         "================================================================================\nDATOS DE LA ESTACION:\n"
+         "NOMBRE DE LA ESTACION                  : NINGUNA PARTE\nCLAVE DE LA ESTACION                   : NADA\n"
+         "LOCALIZACION DE LA ESTACION            : AV. COSTERA\n                                       : \n"
+         "NUMERO DE CANALES                      : 3\nORIENTACION C1-C6 (rumbo;orientacion)  : /V;+/N00E;+/N90E;+\nORIENTACION "
+         "C7-C12 (rumbo;orientacion) : \n"
+         "INTERVALO DE MUESTREO, C1-C6 (s)       : /0.005/0.005/0.01\nINTERVALO DE MUESTREO, C7-C12 (s)      : \n"
+         "FECHA DEL SISMO [GMT]                  : 2001/02/03\nHORA EPICENTRO (GMT)                   : 18:14:40\nMAGNITUD(ES)   "
+         "                        : /M=7.1\n"
+         "DURACION DEL REGISTRO (s), C1-C6       : /0.02/0.02/0.02\nDURACION DEL REGISTRO (s), C7-C12      : \n"
+         "NUM. TOTAL DE MUESTRAS, C1-C6          : /4/4/2\nNUM. TOTAL DE MUESTRAS, C7-C12         : \n"
+         "UNIDADES DE LOS DATOS                  : Gal (cm/s/s)\nFACTOR DE DECIMACION                   : 1\n"
+         "FORMATO DATOS (FORTRAN,10 campos/dato) : 3F10.4\n\nCOMENTARIOS:\n\n"
+         "================================================================================\nDATOS DE ACELERACION:\n" +
+         rule + "   CANAL-1   CANAL-2   CANAL-3\n         V      N00E      N90E\n" + rule +
+         "   -0.0083   -0.0214    1.5000\n   -0.0157-1234.0103    0.0319\n   -0.0240   -0.0681\n   -0.0425   -0.0177\n";
+}
+
+TEST(UnamRecord, ComponentsAreColumns) {
+  const Record record = read(unam(), {.channel = "N00E"});
+  expect_samples(record, 0.005, 0.01, {-0.0214, -1234.0103, -0.0681, -0.0177});
+  EXPECT_EQ(record.summary(), "r.txt, UNAM in Gal, NADA NINGUNA PARTE, channel 2: N00E, 4 points every 0.005 s");
+  EXPECT_EQ(record.title, "2001/02/03 /M=7.1");
+  expect_samples(read(unam(), {.channel = "3"}), 0.01, 0.01, {1.5, 0.0319});
+}
+
+TEST(UnamRecord, ErrorsSayWhere) {
+  EXPECT_EQ(error_of(unam()),
+            "r.txt: 3 channels; add \"channel:\" with the number or the component of one: 1: V; 2: N00E; 3: N90E");
+  EXPECT_EQ(error_of(replaced(unam(), "/4/4/2", "/5/5/2"), {.channel = "V"}),
+            "r.txt:40: the values end here, after 4; line 23 states 5");
+  EXPECT_EQ(error_of(replaced(unam(), "/4/4/2", "/3/4/2"), {.channel = "V"}),
+            "r.txt:40: more values than the 3 that line 23 states");
+  EXPECT_EQ(error_of(replaced(unam(), "/0.02/0.02/0.02", "/0.2/0.02/0.02"), {.channel = "1"}),
+            "r.txt:16: 4 samples every 0.005 s do not fit the duration of 0.2 s on line 21");
+  EXPECT_EQ(error_of(replaced(unam(), ": 3F10.4", ": libre"), {.channel = "1"}),
+            "r.txt:27: \"libre\" states no columns for 3 channels, as 3F10.4 does");
+  EXPECT_EQ(error_of(replaced(unam(), "CLAVE DE", "NOMBRE"), {.channel = "1"}),
+            "r.txt:40: the header has no line \"CLAVE DE LA ESTACION\"");
+}
+
+// All of them.
+
+TEST(NetworkRecords, LineEndsPaddingAndTruncationChangeNoNumber) {
+  const std::vector<std::pair<std::string, RecordOptions>> all = {
+      {geonet("N28W"), {}}, {geonet("Up", false), {}},  {usc_v1("S05W"), {}},      {usc_v2("N08W"), {}},
+      {bhrc("L"), {}},      {nsmn(), {.channel = "1"}}, {unam(), {.channel = "2"}}};
+  for (const auto& [text, options] : all) {
+    const Record record = read(text, options);
+    std::string windows;
+    for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    EXPECT_EQ(read(windows, options).samples.accelerations, record.samples.accelerations);
+    EXPECT_EQ(read(text + "\x1A", options).samples.accelerations, record.samples.accelerations);
+    EXPECT_EQ(read(text + "\f\n\x1A" + std::string(100, '\0'), options).samples.accelerations, record.samples.accelerations);
+    // Velocities and displacements behind the accelerations are not needed.
+    const std::size_t last = std::min(text.find("  10 POINTS OF VEL"), text.find_last_of("0123456789"));
+    for (std::size_t length = 60; length < last; length += 37)
+      EXPECT_NE(error_of(text.substr(0, length), options), "no error") << text.substr(0, 30) << length;
+  }
+}
+
+}  // namespace network_records_test
+}  // namespace pounding
