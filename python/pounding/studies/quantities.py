@@ -14,12 +14,14 @@ from pounding.studies import words
 
 #: Quantities of every structure: the largest absolute value over its floors.
 OF_STRUCTURES = {"displacement": "m", "drift": "m", "acceleration": "m/s^2"}
+#: Of structures with rigid floors in space: their rotation about z, and the displacement of the corners of their plan.
+OF_TORSION = {"rotation": "rad", "edge_displacement": "m"}
 #: Quantities of all links together, or of one by its name: force.left-right.
 OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "energy_lost": "J"}
 #: From the run without links: the gap that is just enough, and by rules; the largest of all links.
 OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m"}
-UNITS = {**OF_STRUCTURES, **OF_LINKS, **OF_GAPS}
-_EXAMPLES = {"m": "30 mm", "m/s^2": "0.5 g", "N": "5 MN", "N s": "200 kN s", "J": "50 kJ", "": "3"}
+UNITS = {**OF_STRUCTURES, **OF_TORSION, **OF_LINKS, **OF_GAPS}
+_EXAMPLES = {"rad": "0.005", "m": "30 mm", "m/s^2": "0.5 g", "N": "5 MN", "N s": "200 kN s", "J": "50 kJ", "": "3"}
 _KEYS = {"force": "peak_force", "penetration": "peak_penetration", "required_gap": "enough", "gap_abs": "abs", "gap_srss": "srss",
          "gap_ddc": "ddc"}
 SUMS = ("impacts", "impulse", "energy_lost")
@@ -66,10 +68,15 @@ def read_keep(given: Any, without_links: bool, model: Mapping[str, Any], limits:
         quantity, _, name = word.partition(".")
         if quantity not in UNITS:
             raise InputError(f'study.keep: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}')
-        if quantity in OF_STRUCTURES:
+        if quantity in OF_STRUCTURES or quantity in OF_TORSION:
             if name and name not in structures:
                 raise InputError(f'study.keep: {word}: there is no structure "{name}" that moves; there is {", ".join(structures)}')
-            for each in [name] if name else structures:
+            found = [name] if name else structures
+            if quantity in OF_TORSION:
+                found = [each for each in found if _may_turn(model["structures"][each])]
+                if not found:
+                    raise InputError(f"study.keep: {word}: only frames in space with rigid floors have a {quantity}; leave it out, or keep displacement")
+            for each in found:
                 columns += [f"{quantity}.{each}"]
                 columns += [f"{quantity}.{each}.alone", f"{quantity}.{each}.ratio"] if without_links else []
         elif name and quantity in OF_GAPS:
@@ -98,9 +105,20 @@ def read_limits(given: Any) -> tuple[tuple[str, float], ...]:
     return tuple(found)
 
 
+def _may_turn(structure: Any) -> bool:
+    """False for a structure that surely has no rigid floors in space: no frame, or a grid of bays along x alone or without rigid floors."""
+    frame = structure.get("frame") if isinstance(structure, Mapping) else None
+    if not isinstance(frame, Mapping) or frame.get("dimension") in (2, "2"):
+        return False
+    grid = frame.get("grid")
+    if isinstance(grid, Mapping) and not frame.get("floors"):
+        return isinstance(grid.get("bays"), list) and str(grid.get("rigid_floors", True)).lower() != "false"
+    return True
+
+
 def _value(column: str, summary: Mapping[str, Any]) -> float:
     quantity, _, rest = column.partition(".")
-    if quantity in OF_STRUCTURES:
+    if quantity in OF_STRUCTURES or quantity in OF_TORSION:
         return _of_structure(quantity, rest, summary)
     if quantity in OF_GAPS:
         found = [_number(one[_KEYS[quantity]]) for one in summary["no_pounding"]["separations"]]
@@ -122,7 +140,12 @@ def _of_structure(quantity: str, rest: str, summary: Mapping[str, Any]) -> float
         return _of_structure(quantity, rest.removesuffix(".ratio"), summary) / alone if alone else math.nan
     is_alone = rest.endswith(".alone")
     structures = summary["no_pounding"]["structures"] if is_alone else summary["structures"]
-    values = structures[rest.removesuffix(".alone")]["peak_" + quantity]
+    name = rest.removesuffix(".alone")
+    values = structures[name].get("peak_" + quantity, ())
+    if quantity in OF_TORSION:
+        values = [value for value in map(_number, values) if not math.isnan(value)]
+        if not values:
+            raise InputError(f"study.keep: {quantity}.{name}: {name} has no rigid floors in space; leave it out, or keep displacement.{name}")
     return max(map(_number, values), default=math.nan)
 
 
