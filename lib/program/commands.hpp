@@ -45,9 +45,9 @@ void draw(const std::string& results, const std::string& picture);
 /// Draws the extremes over the height, with and without links where both runs are there. Throws as `draw`.
 void draw_profiles(const std::string& results, const std::string& picture);
 
-/// Draws the spectrum of a floor such as "left.3", with and without links where both runs are there. Throws as `draw`, and InputError for
-/// a floor that is not there.
-void draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& picture);
+/// Draws the spectrum of a floor such as "left.3" along x or y, with and without links if the file has both runs. Draws nothing and returns
+/// the reason if the output times miss the peak of the acceleration. Throws as `draw`, and InputError for a floor that is not there.
+std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction, const std::string& picture);
 
 /// Draws mode shapes; `modes` is the JSON object that python/pounding/mode_shapes.py describes. Throws as `draw`.
 void draw_modes(const std::string& modes, const std::string& picture, const std::string& title = {});

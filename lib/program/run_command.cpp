@@ -145,7 +145,8 @@ void abort_all(const std::string& text, const std::exception& error) {
   MPI_Abort(PETSC_COMM_WORLD, exit_code(error));
 }
 
-// Beside the standard picture: profiles, and of each structure the spectrum of the floor that is shaken hardest.
+// In addition to the standard picture: profiles, and for each structure the spectrum of the floor with the largest acceleration, in space
+// along x and y. Spectra that the outputs make wrong are not drawn.
 void draw_report(const Summary& summary, const std::string& results, std::vector<std::string>& pictures) {
   const std::string name = with_ending(results, "");
   pictures.push_back(name + "-profiles.png");
@@ -154,8 +155,14 @@ void draw_report(const Summary& summary, const std::string& results, std::vector
     const auto hardest = std::max_element(s.peak_acceleration.begin(), s.peak_acceleration.end());
     if (hardest == s.peak_acceleration.end()) continue;
     const std::string floor = fmt::format("{}.{}", s.name, hardest - s.peak_acceleration.begin() + 1);
-    pictures.push_back(fmt::format("{}-spectrum-{}.png", name, floor));
-    draw_floor_spectrum(results, floor, pictures.back());
+    for (const std::string& direction : s.directions) {
+      if (direction == "rz") continue;
+      const std::string picture = fmt::format("{}-spectrum-{}{}.png", name, floor, direction == "x" ? "" : "-" + direction);
+      if (const std::string wrong = draw_floor_spectrum(results, floor, direction, picture); wrong.empty())
+        pictures.push_back(picture);
+      else
+        std::fprintf(stderr, "pounding: warning: %s; it is not drawn\n", wrong.c_str());
+    }
   }
 }
 

@@ -66,20 +66,30 @@ FloorMotion read_floor(hid_t file, const FloorWords& words, const std::string& r
   return motion;
 }
 
-void warn_of_coarse_outputs(const FloorWords& words, const FloorMotion& motion, double shortest) {
+// The outputs are too far apart, with the step to try.
+std::string coarse_outputs(const FloorWords& words, const FloorMotion& motion, const std::string& reason, double shortest) {
   const double step = motion.times[1] - motion.times[0];
+  return fmt::format("the outputs every {:g} s are too far apart for this spectrum of {}: {}; run the model again with analysis: {{output_step: {:g}}}", step,
+                     words.floor, reason, std::min(step / 10, shortest / steps_in_a_period));
+}
+
+// Why the spectrum of these outputs is wrong: they miss the peak, which the run has tracked. Empty if they do not.
+std::string missed_peak(const FloorWords& words, const FloorMotion& motion, double shortest) {
   double seen = 0;
   for (const double a : motion.accelerations) seen = std::max(seen, std::abs(a));
-  std::string reason;
-  if (seen < enough_of_the_peak * motion.tracked)
-    reason = fmt::format("they reach {:.4g} m/s^2 of the peak of {:.4g} m/s^2", seen, motion.tracked);
-  else if (shortest < steps_in_a_period * step * (1 - 1e-9))
-    reason = fmt::format("a period of {:g} s needs {:g} of them", shortest, steps_in_a_period);
-  if (!reason.empty())
-    std::fprintf(stderr, "pounding: warning: %s",
-                 fmt::format("the outputs every {:g} s are too far apart for this spectrum of {}: {}; run the model again with "
-                             "analysis: {{output_step: {:g}}}\n",
-                             step, words.floor, reason, std::min(step / 10, shortest / steps_in_a_period)).c_str());
+  if (!(seen < enough_of_the_peak * motion.tracked)) return {};
+  return coarse_outputs(words, motion, fmt::format("they reach {:.4g} m/s^2 of the peak of {:.4g} m/s^2", seen, motion.tracked), shortest);
+}
+
+// Shortest period that the outputs resolve [s].
+double shortest_resolved(const FloorMotion& motion) { return steps_in_a_period * (motion.times[1] - motion.times[0]) * (1 - 1e-9); }
+
+// Leaves out periods of a picture that the outputs do not resolve; returns which, for a warning, and nothing for a spectrum without such ones.
+std::string leave_out(std::vector<NamedSpectrum>& spectra, double shortest) {
+  std::size_t count = 0;
+  for (NamedSpectrum& spectrum : spectra)
+    count = std::erase_if(spectrum.points, [&](const SpectrumPoint& point) { return point.period < shortest; });
+  return count == 0 ? "" : fmt::format("; periods below {:.4g} s are not drawn", shortest);
 }
 
 std::vector<SpectrumPoint> spectrum_of(const FloorWords& words, const FloorMotion& motion) {
@@ -89,7 +99,8 @@ std::vector<SpectrumPoint> spectrum_of(const FloorWords& words, const FloorMotio
                            words.spectrum.read_damping());
 }
 
-void show_floor_spectrum(const FloorWords& words) {
+// Shows the spectrum, or returns why it is wrong and not drawn. A table of it is printed with a warning.
+std::string show_floor_spectrum(const FloorWords& words) {
   const std::vector<double> periods = words.spectrum.read_periods();
   const double damping = words.spectrum.read_damping();
   FloorMotion with_links;
@@ -106,21 +117,33 @@ void show_floor_spectrum(const FloorWords& words) {
   }
   std::vector<NamedSpectrum> spectra{{without ? "with links" : words.floor, spectrum_of(words, with_links)}};
   if (without) spectra.push_back({"without links", spectrum_of(words, *without)});
-  warn_of_coarse_outputs(words, with_links, periods.front());
+  std::string wrong = missed_peak(words, with_links, periods.front());
+  if (wrong.empty() && without) wrong = missed_peak(words, *without, periods.front());
+  const bool draws = !words.spectrum.picture.empty();
+  if (!wrong.empty() && draws) return wrong;
+  const double shortest = shortest_resolved(with_links);
+  if (wrong.empty() && periods.front() < shortest) {
+    wrong = coarse_outputs(words, with_links, fmt::format("a period of {:g} s needs {:g} of them", periods.front(), steps_in_a_period), periods.front());
+    if (draws && !(periods[periods.size() - 2] >= shortest)) return wrong;
+    if (draws) wrong += leave_out(spectra, shortest);
+  }
+  if (!wrong.empty()) std::fprintf(stderr, "pounding: warning: %s\n", wrong.c_str());
   show_spectra(words.spectrum,
                fmt::format("Absolute acceleration of {}{}, outputs every {:g} s, damping {:g} %", words.floor,
                            words.direction == "y" ? " along y" : "", with_links.times[1] - with_links.times[0], 100 * damping),
                spectra);
+  return {};
 }
 
 }  // namespace
 
-void draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& picture) {
+std::string draw_floor_spectrum(const std::string& results, const std::string& floor, const std::string& direction, const std::string& picture) {
   FloorWords words;
   words.results = results;
   words.floor = floor;
+  words.direction = direction;
   words.spectrum.picture = picture;
-  show_floor_spectrum(words);
+  return show_floor_spectrum(words);
 }
 
 void add_spectrum(CLI::App& app) {
@@ -131,7 +154,7 @@ void add_spectrum(CLI::App& app) {
   command->add_option("--direction", words->direction, "x, or in space y")->capture_default_str();
   words->spectrum.add_to(*command);
   command->callback([words] {
-    show_floor_spectrum(*words);
+    if (const std::string wrong = show_floor_spectrum(*words); !wrong.empty()) throw InputError(wrong);
     tell_written(words->spectrum);
   });
 }

@@ -1,5 +1,6 @@
 /// Models from their text: reading, checking, modes, runs.
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <exception>
@@ -82,9 +83,16 @@ std::tuple<std::string, std::string, std::vector<std::string>> checked(const Sou
   });
 }
 
-/// Structures that move as (name, floors, has storeys), links as (name, is rigid), and the latest arrival of the model's ground motion [s].
+/// Quantities that a structure has: those of floors, of storeys, and of rigid floors in space.
+struct MovingStructure {
+  std::string name;
+  std::size_t floors = 0;
+  bool has_storeys = false, has_plans = false;
+};
+
+/// Structures that move, links as (name, is rigid), and the latest arrival of the model's ground motion [s].
 struct Layout {
-  std::vector<std::tuple<std::string, std::size_t, bool>> structures;
+  std::vector<MovingStructure> structures;
   std::vector<std::pair<std::string, bool>> links;
   double last_arrival = 0;
 };
@@ -94,7 +102,9 @@ Layout layout(const Source& source) {
     const Model model = read(source);
     Layout found;
     for (const Structure& s : model.structures)
-      if (!s.is_rigid()) found.structures.emplace_back(s.name, s.floors.size(), s.has_storeys());
+      if (!s.is_rigid())
+        found.structures.push_back({s.name, s.floors.size(), s.has_storeys(),
+                                    std::ranges::any_of(s.floors, [](const Floor& floor) { return floor.plan.has_value(); })});
     for (const Link& link : model.links) found.links.emplace_back(link.name, link.contact->is_rigid());
     found.last_arrival = ground_plan(model).last_arrival;
     return found;
@@ -367,6 +377,11 @@ void bind_models(py::module_& module) {
   module.def("read_file", [](const std::string& path) { return Input::read_file(path).text(); });
   module.def("parse", [](const Source& source) { return plain(Input::read_text(source.text, source.name)); });
   module.def("check", &checked);
+  py::class_<MovingStructure>(module, "MovingStructure")
+      .def_readonly("name", &MovingStructure::name)
+      .def_readonly("floors", &MovingStructure::floors)
+      .def_readonly("has_storeys", &MovingStructure::has_storeys)
+      .def_readonly("has_plans", &MovingStructure::has_plans);
   py::class_<Layout>(module, "Layout")
       .def_readonly("structures", &Layout::structures)
       .def_readonly("links", &Layout::links)

@@ -133,7 +133,8 @@ void add_separations(const Model& model, LinearRow& row) {
 py::dict numbers_of(const std::vector<StructureSummary>& structures) {
   py::dict found;
   for (const StructureSummary& s : structures)
-    found[py::str(s.name)] = py::dict("peak_displacement"_a = s.peak_displacement, "peak_drift"_a = s.peak_drift, "peak_acceleration"_a = s.peak_acceleration);
+    found[py::str(s.name)] = py::dict("peak_displacement"_a = s.peak_displacement, "peak_drift"_a = s.peak_drift, "peak_acceleration"_a = s.peak_acceleration,
+                                      "peak_rotation"_a = s.peak_rotation, "peak_edge_displacement"_a = s.peak_edge_displacement);
   return found;
 }
 

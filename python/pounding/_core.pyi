@@ -106,8 +106,14 @@ def read_file(path: str) -> str: ...
 def parse(source: Source) -> Any: ...
 def check(source: Source) -> tuple[str, str, list[str]]: ...
 
+class MovingStructure:
+    name: str
+    floors: int
+    has_storeys: bool
+    has_plans: bool
+
 class Layout:
-    structures: list[tuple[str, int, bool]]
+    structures: list[MovingStructure]
     links: list[tuple[str, bool]]
     last_arrival: float
 

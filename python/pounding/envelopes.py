@@ -4,11 +4,21 @@ inside the steps, so they do not depend on the output times."""
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import h5py
 import numpy as np
 
-from pounding.texts import texts
+from pounding.texts import text, texts
+
+
+#: Edges of a rigid floor in space in the order of `edge_displacement`: displacements along x at both ends of the plan along y, then along y.
+EDGES = ("x at smallest y", "x at largest y", "y at smallest x", "y at largest x")
+
+
+def section_signs(components: list[str]) -> np.ndarray:
+    """[component]: -1 for those of the start of a member, 1 for those of its end: they turn end forces into internal forces."""
+    return np.array([-1.0 if component.startswith("start") else 1.0 for component in components])
 
 
 @dataclass(frozen=True)
@@ -42,6 +52,7 @@ class StructureEnvelope:
     floors: list[str]  #: labels from the ground up
     directions: list[str] = field(default_factory=list)  #: of the floors: x; in space x, y, rz
     displacement: Extremes | None = None  #: [floor, direction] relative to the ground [m], [rad]
+    edge_displacement: Extremes | None = None  #: [floor, edge] in the order of EDGES [m]; NaN for floors that are not rigid in space
     acceleration: Extremes | None = None  #: [floor, direction] absolute [m/s^2], [rad/s^2]
     drift: Extremes | None = None  #: [floor, x or x and y] floor minus the floor below [m]
     storey_shear: Extremes | None = None  #: [floor, x or x and y] of the storey below the floor [N]
@@ -51,14 +62,44 @@ class StructureEnvelope:
     member_force: Extremes | None = None  #: [member, component] on the ends of members, local axes [N], [N m]
     supports: list[str] = field(default_factory=list)  #: names of the nodes that the ground holds
     support_directions: list[str] = field(default_factory=list)  #: x, z, ry; in space x, y, z, rx, ry, rz
-    reaction: Extremes | None = None  #: [support, direction] of the ground on a frame [N], [N m]
+    reaction: Extremes | None = None  #: [support, direction] of the ground on a frame [N], [N m]; along z negative in uplift
+    gravity_included: bool | None = None  #: whether member_force and reaction include the weights of the masses; None if not known
+    included: str = ""  #: what else they include: "gravity, P-Delta"
+
+    @property
+    def section_force(self) -> Extremes | None:
+        """[member, component]: internal forces on the sections at the ends of members, on the face towards the end of the member: N > 0 is
+        tension at either end, and the sign of a component does not depend on the end [N], [N m]."""
+        if self.member_force is None:
+            return None
+        starts = np.array([component.startswith("start") for component in self.components])[:, None]
+        values, times = self.member_force.values, self.member_force.times
+        return Extremes(np.where(starts, -values[..., ::-1], values), np.where(starts, times[..., ::-1], times))
+
+    @property
+    def axial_force(self) -> Extremes | None:
+        """[member]: axial force over both ends, positive in tension [N]: the least is the largest compression."""
+        sections = self.section_force
+        if sections is None:
+            return None
+        ends = [i for i, component in enumerate(self.components) if component.endswith(" N")]
+        values, times = sections.values[:, ends], sections.times[:, ends]
+        at = np.stack([values[..., 0].argmin(axis=1), values[..., 1].argmax(axis=1)], axis=-1)[:, None]
+        return Extremes(np.take_along_axis(values, at, axis=1)[:, 0], np.take_along_axis(times, at, axis=1)[:, 0])
 
     def member(self, name: str) -> dict[str, tuple[float, float]]:
-        """Least and largest value of each component of one member: `member("column 1.0")["start My"]` [N], [N m]. Raises KeyError."""
-        if self.member_force is None or name not in self.members:
+        """Least and largest force on the ends of one member, by component: `member("column 1.0")["start My"]` [N], [N m]. The axial force
+        has one sign at the start and the other one at the end; see `section`. Raises KeyError."""
+        return self._of_member(name, self.member_force)
+
+    def section(self, name: str) -> dict[str, tuple[float, float]]:
+        """As `member`, but internal forces: `section("column 1.0")["start N"]` is positive in tension, as is "end N". Raises KeyError."""
+        return self._of_member(name, self.section_force)
+
+    def _of_member(self, name: str, forces: Extremes | None) -> dict[str, tuple[float, float]]:
+        if forces is None or name not in self.members:
             raise KeyError(f"{self.name} has no member {name}; it has {', '.join(self.members) or 'none'}")
-        low_high = self.member_force.values[self.members.index(name)]
-        return {component: (float(low), float(high)) for component, (low, high) in zip(self.components, low_high)}
+        return {component: (float(low), float(high)) for component, (low, high) in zip(self.components, forces.values[self.members.index(name)])}
 
 
 def read_envelopes(file: h5py.Group) -> dict[str, StructureEnvelope]:
@@ -68,14 +109,22 @@ def read_envelopes(file: h5py.Group) -> dict[str, StructureEnvelope]:
 
 
 def _envelope(name: str, group: h5py.Group) -> StructureEnvelope:
-    quantities = ("displacement", "acceleration", "drift", "storey_shear", "base_shear", "member_force", "reaction")
-    found = {key: Extremes(group[key][:], group[f"{key}_time"][:]) for key in quantities if key in group}
+    quantities = ("displacement", "edge_displacement", "acceleration", "drift", "storey_shear", "base_shear", "member_force", "reaction")
+    found: dict[str, Any] = {key: Extremes(group[key][:], group[f"{key}_time"][:]) for key in quantities if key in group}
     return StructureEnvelope(
         name=name, floors=texts(group.attrs["floors"]), directions=_attribute(group, "displacement", "directions"),
         members=texts(group["members"][:]) if "members" in group else [],
         components=_attribute(group, "member_force", "components"),
         supports=texts(group["supports"][:]) if "supports" in group else [],
-        support_directions=_attribute(group, "reaction", "directions"), **found)
+        support_directions=_attribute(group, "reaction", "directions"),
+        **included(group.get("member_force", group.get("reaction"))), **found)
+
+
+def included(forces: h5py.Dataset | None) -> dict[str, Any]:
+    """The fields that say what forces of a frame include; none for a file that does not say it."""
+    if forces is None or "gravity_included" not in forces.attrs:
+        return {}
+    return {"gravity_included": bool(forces.attrs["gravity_included"]), "included": text(forces.attrs["included"])}
 
 
 def _attribute(group: h5py.Group, quantity: str, name: str) -> list[str]:

@@ -3,7 +3,7 @@
 NAME.xdmf is text that points into HDF5 files. It points into the results where datasets fit as they are; the rest
 (displacements of sticks, of plane frames, of frames with a part of their nodes) is written beside it to NAME.data.h5.
 Every structure is a grid of lines with the point vectors `displacement` [m] and, where the results have end forces of
-members, one cell array a component, such as `start N` [N], [N m]; members without are NaN. Displacements are relative to
+members, one cell array per component, such as `start N` [N], [N m], and `axial force`, positive in tension [N]; members without are NaN. Displacements are relative to
 the ground. In ParaView choose the reader "XDMF Reader" and warp by `displacement`.
 """
 
@@ -24,7 +24,7 @@ from pounding.checked_file import NotResults
 from pounding.ended import exit_code
 from pounding.errors import InputError
 from pounding.outputs import Kind, cannot_read, output_for, replaced, tell
-from pounding.results import MemberForces, RunData
+from pounding.results import RunData
 from pounding.pictures.geometry import LineModel, displaced_at, node_displacements
 from pounding.pictures.scene import Scene
 from pounding.pictures.style import BadRequest
@@ -128,15 +128,16 @@ class _Grid:
             self.displacement = _Data(results, f"{own}/nodes/displacement", nodes.displacement.shape, companion)
         else:
             self.displacement = self._store_displacements(model)
-        #: Dataset and components of the end forces.
-        self.forces: tuple[_Data, list[str]] | None = None
+        #: Datasets of forces of members, and their components.
+        self.forces: list[tuple[_Data, list[str]]] = []
         members, geometry = structure.members, structure.geometry
         if members is not None and geometry is not None:
             if members.names == geometry.member_names:
                 stored = _Data(results, f"{own}/members/end_forces", members.end_forces.shape, companion)
             else:
-                stored = self._store_forces(members, geometry.member_names)
-            self.forces = stored, members.components
+                stored = self._store_forces("end_forces", members.end_forces, members.names, geometry.member_names)
+            axial = self._store_forces("axial_force", members.axial_force[:, :, None], members.names, geometry.member_names)
+            self.forces = [(stored, members.components), (axial, ["axial force"])]
 
     def write(self, parent: ElementTree.Element, step: int, time: float) -> None:
         grid = ElementTree.SubElement(parent, "Grid", Name=self.name, GridType="Uniform")
@@ -147,8 +148,7 @@ class _Grid:
         self.points.whole(ElementTree.SubElement(grid, "Geometry", GeometryType="XYZ"), FLOATS)
         vectors = ElementTree.SubElement(grid, "Attribute", Name="displacement", AttributeType="Vector", Center="Node")
         self.displacement.at(vectors, step, 0, 3)
-        if self.forces is not None:
-            forces, components = self.forces
+        for forces, components in self.forces:
             for i, component in enumerate(components):
                 scalars = ElementTree.SubElement(grid, "Attribute", Name=component, AttributeType="Scalar", Center="Cell")
                 forces.at(scalars, step, i, 1)
@@ -171,10 +171,11 @@ class _Grid:
             stored[first:first + BLOCK] = node_displacements(displaced_at(self.structure, time, times), model)
         return _Data(self.beside, stored.name, stored.shape, self.beside)
 
-    def _store_forces(self, members: MemberForces, names: list[str]) -> _Data:
-        values = np.full((len(members.end_forces), len(names), len(members.components)), np.nan)
-        values[:, [names.index(name) for name in members.names]] = members.end_forces
-        return self._store("end_forces", values)
+    def _store_forces(self, what: str, forces: np.ndarray, members: list[str], names: list[str]) -> _Data:
+        """Forces [time, member, component] of some members among all of these names."""
+        values = np.full((len(forces), len(names), forces.shape[2]), np.nan)
+        values[:, [names.index(name) for name in members]] = forces
+        return self._store(what, values)
 
 
 def _numbers(values: Iterable[int]) -> str:

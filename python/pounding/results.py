@@ -15,7 +15,7 @@ import numpy as np
 from pounding import told
 from pounding.checked_file import RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
 from pounding.devices import Device, read_devices
-from pounding.envelopes import StructureEnvelope, read_envelopes
+from pounding.envelopes import StructureEnvelope, included, read_envelopes, section_signs
 from pounding.outputs import replaced
 from pounding.springs import Springs, read_springs
 from pounding.texts import text, texts
@@ -52,6 +52,20 @@ class MemberForces(told.Told, lines=told.member_forces):
     names: list[str]
     components: list[str]  #: "start N", "start Vz", "start My", "end N" ...
     end_forces: np.ndarray  #: [time, member, component] [N], [N m]
+    gravity_included: bool | None = None  #: whether the weights of the masses are in them; None in a file that does not say it
+    included: str = ""  #: what else is: "gravity, P-Delta"
+
+    @property
+    def section_forces(self) -> np.ndarray:
+        """[time, member, component]: internal forces on the sections at the ends, on the face towards the end of the member: N > 0 is tension at
+        either end, and the sign of a component does not depend on the end [N], [N m]."""
+        return self.end_forces * section_signs(self.components)
+
+    @property
+    def axial_force(self) -> np.ndarray:
+        """[time, member]: axial force, positive in tension [N]; of the end where it is larger if loads act along the member."""
+        ends = self.section_forces[:, :, [self.components.index(f"{end} N") for end in ("start", "end")]]
+        return np.take_along_axis(ends, np.abs(ends).argmax(axis=2, keepdims=True), axis=2)[:, :, 0]
 
 
 @dataclass(frozen=True)
@@ -60,7 +74,9 @@ class Reactions:
 
     names: list[str]
     directions: list[str]  #: x, z, ry in the plane; x, y, z, rx, ry, rz in space
-    force: np.ndarray  #: [time, node, direction] [N], [N m]
+    force: np.ndarray  #: [time, node, direction] [N], [N m]; along z positive up, negative in uplift
+    gravity_included: bool | None = None  #: as in MemberForces
+    included: str = ""
 
 
 @dataclass(frozen=True, repr=False)
@@ -91,6 +107,9 @@ class Structure(told.Told, lines=told.structure):
     members: MemberForces | None = None  #: None where the input asked for no members
     reactions: Reactions | None = None  #: of a frame; None for other structures
     springs: Springs | None = None  #: the parts that yield; None where all stays elastic
+    #: [floor, 4] of rigid floors in space: smallest x, largest x, smallest y, largest y, relative to the point whose motion is
+    #: reported [m]; NaN for other floors, None for a structure without rigid floors in space.
+    plan: np.ndarray | None = None
 
     @property
     def directions(self) -> list[str]:
@@ -121,6 +140,27 @@ class Structure(told.Told, lines=told.structure):
     def storey_shear(self) -> np.ndarray:
         """[time, floor] along x, of the storey below the floor [N]; as drift."""
         return self.along["x"].storey_shear
+
+    @property
+    def rotation(self) -> np.ndarray | None:
+        """[time, floor] about z [rad]; NaN for a floor that is not rigid, None for a structure without rigid floors in space."""
+        if self.plan is None:
+            return None
+        return np.where(np.isnan(self.plan[:, 0]), np.nan, self.along["rz"].displacement)
+
+    @property
+    def edge_displacement(self) -> np.ndarray | None:
+        """[time, floor, edge]: displacements of the edges of rigid floors along themselves, in the order of `pounding.envelopes.EDGES` [m]; NaN
+        and None as in `rotation`."""
+        if self.plan is None:
+            return None
+        x, y, turn = (self.along[axis].displacement[:, :, None] for axis in ("x", "y", "rz"))
+        return np.concatenate([x - turn * self.plan[:, 2:], y + turn * self.plan[:, :2]], axis=2)
+
+    def centre(self, floor: int) -> np.ndarray:
+        """[2]: the point of a rigid floor, counted from 0, whose motion is reported [m]. For a frame in space."""
+        assert self.geometry is not None and self.plan is not None
+        return self.geometry.nodes[self.geometry.floor_of_node == floor, :2].min(axis=0) - self.plan[floor, [0, 2]]
 
     @property
     def is_wall(self) -> bool:
@@ -158,7 +198,7 @@ class RunData(told.Told, lines=told.run):
     title: str
     status: str  #: running, done, done: collapse ..., or failed: reason
     time: np.ndarray  #: [time] output times [s]
-    ground_acceleration: np.ndarray  #: [time] [m/s^2]
+    ground_acceleration: np.ndarray  #: [time] along x [m/s^2]
     structures: dict[str, Structure]  #: in the order of the input
     links: dict[str, Link]  #: in the order of the input
     #: Structured array, one row an impact, in the order of their beginnings: `link` (its name, str), t_start, t_end, t_release
@@ -180,6 +220,7 @@ class RunData(told.Told, lines=told.run):
     #: error_members over the largest values; NaN where nothing estimates them. With `check: true` checked_windows, check_force and
     #: check_displacement too, of all unknowns in the hardest impacts.
     reduction: dict[str, dict[str, Any]] = field(default_factory=dict)
+    ground_across: dict[str, np.ndarray] = field(default_factory=dict)  #: y, z -> [time] acceleration of the ground if it moves so [m/s^2]
     #: The run without links that `compare: no_pounding` asks for, whole; its source is the file of both. None without it.
     no_pounding: RunData | None = field(default_factory=lambda: None)
 
@@ -245,6 +286,7 @@ def _contents(file: h5py.Group) -> dict[str, Any]:
         "status": text(file.attrs["status"]),
         "time": file["time"][:],
         "ground_acceleration": file["ground/acceleration"][:],
+        "ground_across": {axis: file[f"ground/acceleration_{axis}"][:] for axis in "yz" if f"ground/acceleration_{axis}" in file},
         "structures": {name: _structure(name, group) for name, group in file["structures"].items()},
         "links": {name: _link(name, group) for name, group in file["links"].items()},
         "impacts": _with_text(file["impacts"][:]),
@@ -287,7 +329,7 @@ def _structure(name: str, group: h5py.Group) -> Structure:
         nodes=_nodes(group["nodes"]) if "nodes" in group else None,
         members=_members(group["members"]) if "members" in group else None,
         reactions=_reactions(group["reactions"]) if "reactions" in group else None,
-        springs=read_springs(group))
+        springs=read_springs(group), plan=group["plan"][:] if "plan" in group else None)
 
 
 def _floor_motion(group: h5py.Group, i: int) -> FloorMotion:
@@ -315,11 +357,12 @@ def _nodes(group: h5py.Group) -> NodeMotion:
 
 def _members(group: h5py.Group) -> MemberForces:
     return MemberForces(names=texts(group["names"][:]), components=texts(group["end_forces"].attrs["components"]),
-                        end_forces=group["end_forces"][:])
+                        end_forces=group["end_forces"][:], **included(group["end_forces"]))
 
 
 def _reactions(group: h5py.Group) -> Reactions:
-    return Reactions(names=texts(group["names"][:]), directions=texts(group["force"].attrs["directions"]), force=group["force"][:])
+    return Reactions(names=texts(group["names"][:]), directions=texts(group["force"].attrs["directions"]), force=group["force"][:],
+                     **included(group["force"]))
 
 
 def _link(name: str, group: h5py.Group) -> Link:

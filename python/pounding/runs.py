@@ -59,7 +59,7 @@ class Run(RunData):
 
     def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None, *,
              compare: bool | None = None) -> Figure:
-        """A picture: "run" (histories and impacts), "displacement", "gap", "force", "loops", "energy", "model" (the
+        """A picture: "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap", "force", "loops", "energy", "model" (the
         structures at rest), "profiles" (extreme values over the height), "plan" (a map of drifts and impacts of frames in space), "springs" (loops of
         the six parts that lose most energy) or "hinges" (a map of what yielded).
 
@@ -95,9 +95,10 @@ class Run(RunData):
 
     def to_pandas(self) -> dict[str, pandas.DataFrame]:
         """A table for each group of the file, with its own time [s] as index: "impacts", "energy", "ground", "links/NAME",
-        "devices/NAME", "structures/NAME" with columns (quantity, floor, direction); where the input asked for them "structures/NAME/nodes" with
-        (quantity, node, direction) and "structures/NAME/members" with (member, component). In SI. Raises ImportError without
-        pandas."""
+        "devices/NAME", "structures/NAME" with columns (quantity, floor, direction), edges of rigid floors in space among them as (edge_displacement, floor,
+        edge); where the input asked for them "structures/NAME/nodes" with (quantity, node, direction), and with (member, component)
+        "structures/NAME/members", forces on the ends, and "structures/NAME/sections", internal forces with N positive in tension. The
+        `attrs` of these two say whether gravity is included. In SI. Raises ImportError without pandas."""
         return _needing("pandas", "pounding.tables").to_pandas(self)
 
     def to_xarray(self) -> dict[str, xarray.Dataset]:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 GRAVITY = 9.80665  #: [m/s^2]
+STEPS_IN_A_PERIOD = 10  #: outputs in a period that straight lines between them need
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ def record_spectrum(file: str | PathLike[str], damping: float = 0.05, periods: S
 def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *,
                    direction: str = "x") -> Spectrum:
     """The spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, at the output times of a run,
-    straight lines between them. `periods` [s] are 200 from 0.02 s to 4 s unless given.
+    straight lines between them. `periods` [s] are 200 from 0.02 s, or from ten output steps if these are longer, to 4 s unless given.
 
     The outputs must be close enough: InputError where they reach less than 95 % of the peak that the run has tracked, with the
     output_step to try. Raises InputError also for a floor or a direction that is not there."""
@@ -87,7 +88,7 @@ def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Seq
             step = run.time[1] - run.time[0]
             raise InputError(f"the outputs every {step:g} s are too far apart for a spectrum of {floor}: they reach {seen:.4g} m/s^2 of "
                              f"the peak of {peak:.4g} m/s^2; run the model again with analysis: {{output_step: {step / 10:g}}}")
-    chosen = _chosen(periods)
+    chosen = _chosen(periods, STEPS_IN_A_PERIOD * (run.time[1] - run.time[0]))
     return Spectrum(floor, chosen, damping, np.asarray(core.spectrum(run.time.tolist(), accelerations.tolist(), list(chosen), damping)))
 
 
@@ -121,8 +122,8 @@ def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[flo
         return figure
 
 
-def _chosen(periods: Sequence[float] | None) -> np.ndarray:
-    return np.geomspace(0.02, 4, 200) if periods is None else np.asarray(periods, dtype=float)
+def _chosen(periods: Sequence[float] | None, shortest: float = 0.02) -> np.ndarray:
+    return np.geomspace(min(max(0.02, shortest), 2.0), 4, 200) if periods is None else np.asarray(periods, dtype=float)
 
 
 def read_spectra(data: dict[str, Any]) -> tuple[str, list[Spectrum]]:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pounding.envelopes import EDGES
 from pounding.results import FloorMotion, MemberForces, NodeMotion, RunData, Structure
 
 if TYPE_CHECKING:
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
 UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2", "drift": "m", "storey_shear": "N"}
 #: Units of the histories of a node; along rx, ry, rz rad stands instead of m.
 NODE_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+#: Signs of forces of members.
+SIGNS = {"members": "forces on the ends, in local axes", "sections": "internal forces on the face towards the end, N positive in tension"}
 #: Units of the histories of a link.
 LINK_UNITS = {"penetration": "m", "velocity": "m/s", "force": "N", "energy": "J"}
 #: Units of the histories of a device.
@@ -29,7 +32,7 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
     import pandas
 
     impacts = pandas.DataFrame({name: run.impacts[name] for name in run.impacts.dtype.names or ()})
-    tables = {"impacts": impacts, "ground": pandas.DataFrame({"acceleration": run.ground_acceleration}, _index(run.time)),
+    tables = {"impacts": impacts, "ground": pandas.DataFrame(_ground(run), _index(run.time)),
               "energy": pandas.DataFrame({k: v for k, v in run.energy.items() if k != "time"}, _index(run.energy["time"]))}
     for name, link in run.links.items():
         tables[f"links/{name}"] = pandas.DataFrame({key: getattr(link, key) for key in LINK_UNITS}, _index(link.time))
@@ -40,6 +43,9 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
             (key, floor, direction): getattr(motion, key)[:, i]
                    for direction, motion in structure.along.items() for key in UNITS
                    for i, floor in enumerate(structure.floors) if i < getattr(motion, key).shape[1]}
+        edges = structure.edge_displacement
+        if edges is not None:
+            columns |= {("edge_displacement", floor, edge): edges[:, i, j] for i, floor in enumerate(structure.floors) for j, edge in enumerate(EDGES)}
         tables[f"structures/{name}"] = _table(run.time, columns, ["quantity", "floor", "direction"])
         if structure.nodes is not None:
             moved = structure.nodes
@@ -48,9 +54,11 @@ def to_pandas(run: RunData) -> dict[str, pandas.DataFrame]:
             tables[f"structures/{name}/nodes"] = _table(run.time, columns, ["quantity", "node", "direction"])
         if structure.members is not None:
             forces = structure.members
-            columns = {(member, component): forces.end_forces[:, i, j] for i, member in enumerate(forces.names)
-                       for j, component in enumerate(forces.components)}
-            tables[f"structures/{name}/members"] = _table(run.time, columns, ["member", "component"])
+            for table, values in (("members", forces.end_forces), ("sections", forces.section_forces)):
+                columns = {(member, component): values[:, i, j] for i, member in enumerate(forces.names)
+                           for j, component in enumerate(forces.components)}
+                made = tables[f"structures/{name}/{table}"] = _table(run.time, columns, ["member", "component"])
+                made.attrs = {"gravity_included": forces.gravity_included, "included": forces.included, "sign": SIGNS[table]}
         if structure.springs is not None:
             springs = structure.springs
             columns = {(key, part): getattr(springs, key)[:, i] for key in SPRING_UNITS for i, part in enumerate(springs.names)}
@@ -66,7 +74,7 @@ def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
         times = ("time", time, {"units": "s"})
         return xarray.Dataset(variables, {"time": times, **coordinates})
 
-    sets = {"ground": dataset(run.time, {"acceleration": ("time", run.ground_acceleration, {"units": "m/s^2"})}),
+    sets = {"ground": dataset(run.time, {key: ("time", values, {"units": "m/s^2"}) for key, values in _ground(run).items()}),
             "energy": dataset(run.energy["time"], {key: ("time", values, {"units": "J"})
                                                    for key, values in run.energy.items() if key != "time"}),
             "impacts": xarray.Dataset({name: ("impact", run.impacts[name]) for name in run.impacts.dtype.names or ()})}
@@ -77,13 +85,14 @@ def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
         sets[f"devices/{name}"] = dataset(run.time, {key: ("time", getattr(device, key), {"units": unit})
                                                      for key, unit in DEVICE_UNITS.items()})
     for name, structure in run.structures.items():
-        sets[f"structures/{name}"] = dataset(run.time, _motion(structure), floor=structure.floors,
-                                             direction=structure.directions)
+        edges = structure.edge_displacement
+        sets[f"structures/{name}"] = dataset(run.time, _motion(structure), floor=structure.floors, direction=structure.directions,
+                                             **({} if edges is None else {"edge": list(EDGES)}))
         if structure.nodes is not None:
             sets[f"structures/{name}/nodes"] = dataset(run.time, _node_motion(structure.nodes), node=structure.nodes.names,
                                                        direction=structure.nodes.directions)
         if structure.members is not None:
-            sets[f"structures/{name}/members"] = dataset(run.time, _end_forces(structure.members), member=structure.members.names,
+            sets[f"structures/{name}/members"] = dataset(run.time, _member_forces(structure.members), member=structure.members.names,
                                                          component=structure.members.components)
         if structure.springs is not None:
             springs = structure.springs
@@ -94,17 +103,28 @@ def to_xarray(run: RunData) -> dict[str, xarray.Dataset]:
 
 def _motion(structure: Structure) -> dict[str, Any]:
     """Arrays [time, floor, direction]; NaN where a direction has no drift."""
-    return {key: (("time", "floor", "direction"),
-                  np.stack([_padded(motion, key, len(structure.floors)) for motion in structure.along.values()], axis=-1),
-                  {"units": unit}) for key, unit in UNITS.items()}
+    found: dict[str, Any] = {key: (("time", "floor", "direction"),
+                                   np.stack([_padded(motion, key, len(structure.floors)) for motion in structure.along.values()], axis=-1),
+                                   {"units": unit}) for key, unit in UNITS.items()}
+    if structure.edge_displacement is not None:
+        found["edge_displacement"] = (("time", "floor", "edge"), structure.edge_displacement, {"units": "m"})
+    return found
 
 
 def _node_motion(nodes: NodeMotion) -> dict[str, Any]:
     return {key: (("time", "node", "direction"), getattr(nodes, key), {"units": unit}) for key, unit in NODE_UNITS.items()}
 
 
-def _end_forces(members: MemberForces) -> dict[str, Any]:
-    return {"end_forces": (("time", "member", "component"), members.end_forces, {"units": "N, N m"})}
+def _member_forces(members: MemberForces) -> dict[str, Any]:
+    about: dict[str, Any] = {"units": "N, N m", "included": members.included}
+    if members.gravity_included is not None:
+        about["gravity_included"] = int(members.gravity_included)
+    return {key: (("time", "member", "component"), values, {**about, "sign": SIGNS[table]})
+            for key, table, values in (("end_forces", "members", members.end_forces), ("section_forces", "sections", members.section_forces))}
+
+
+def _ground(run: RunData) -> dict[str, np.ndarray]:
+    return {"acceleration": run.ground_acceleration, **{f"acceleration_{axis}": values for axis, values in run.ground_across.items()}}
 
 
 def _padded(motion: FloorMotion, key: str, floors: int) -> np.ndarray:

@@ -8,6 +8,10 @@ from typing import Any
 import numpy as np
 
 
+#: Words for MemberForces.gravity_included.
+GRAVITY = {None: "", True: "; gravity is included", False: "; gravity is not included"}
+
+
 class Told:
     """Printed in three lines; at a prompt and in lists as the first of them."""
 
@@ -67,7 +71,8 @@ def member_forces(forces: Any) -> list[str]:
     """Shape; names; largest force of each component."""
     ends = (f"{name} {peak(forces.end_forces[..., i])} {'N m' if name.split()[-1][0] in 'MT' else 'N'}"
             for i, name in enumerate(forces.components))
-    return [f"{_shape(forces.end_forces, 'time', 'member', 'component')}", f"members {few(forces.names)}", f"largest {few(ends, 12)}"]
+    return [f"{_shape(forces.end_forces, 'time', 'member', 'component')}", f"members {few(forces.names)}",
+            f"largest {few(ends, 12)}{GRAVITY[forces.gravity_included]}"]
 
 
 def geometry(one: Any) -> list[str]:

@@ -222,7 +222,7 @@ TEST(Newcomer, AcceptsWarningsByTheirNames) {
           R"(7:10: accept[0]: unknown warning "gpa". Did you mean "gap"?)");
   refused(
       rest(analysis + "accept: [everything]\n"),
-      R"(7:10: accept[0]: unknown warning "everything". Allowed: period, gap, mass, section, E, yield, rotation, pga, record, motion, penetration, tolerance, duration, hardening.)");
+      R"(7:10: accept[0]: unknown warning "everything". Allowed: period, gap, mass, section, E, yield, rotation, pga, record, motion, penetration, tolerance, duration, hardening, scale, density, stiffness, damping, isolator, height, friction, amplitude, initial, drift.)");
   refused(rest(analysis + "accept: gap\n"),
           "7:9: accept: takes a list such as [a, b]");
   refused(rest(analysis + "accept: {gap: true}\n"),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +54,7 @@ TEST(Plausible, MembersFitTheirFrame) {
   EXPECT_EQ(implausible(model_of(frame("", "{rectangle: [0.3 m, 2.9 m]}"))), Texts{});
   const Texts soft = implausible(model_of(frame("", "{circle: 0.4}", "30000")));
   ASSERT_EQ(soft.size(), 2u) << "the period is doubted too";
-  EXPECT_EQ(soft[1], "structure a: member column 1.0 has E = 30 kPa, under 1 MPa; a bare E is in Pa, type its unit, as in 30 GPa (where it is meant: accept: [E])");
+  EXPECT_EQ(soft[1], "structure a: member column 1.0 has E = 30 kPa, under 100 MPa; a bare E is in Pa, type its unit, as in 30 GPa (where it is meant: accept: [E])");
 }
 
 TEST(Plausible, PartsYieldAtDeformationsThatCanBeSeen) {
@@ -86,6 +87,106 @@ TEST(Plausible, GapsAreNarrow) {
   EXPECT_EQ(implausible(model), Texts{"link a.1-b.1: the gap is 12.02 m, above 2 m; a bare length is in m, type its unit, as in 20 mm, and look at the origins "
                                       "(where it is meant: accept: [gap])"});
   EXPECT_EQ(implausible(model_of(pair, links + "accept: [gap]\n")), Texts{});
+}
+
+// The first doubt of a model with one change; the doubt must be the only one unless `count` says otherwise.
+void expect_doubt(const Model& model, const std::string& name, const std::string& text, std::size_t count = 1) {
+  const Texts found = implausible(model);
+  ASSERT_EQ(found.size(), count) << text;
+  EXPECT_TRUE(found[0].starts_with(text)) << found[0];
+  EXPECT_NE(found[0].find("accept: [" + name + "]"), std::string::npos) << found[0];
+  Model accepted = read_model(Input::read_text(model.source_text, "test.yaml"));
+  accepted.accept = {name};
+  EXPECT_EQ(implausible(accepted).size(), count - 1) << name;
+}
+
+std::string dense_frame(const std::string& floor_mass = "60 t", const std::string& density = "2500", const std::string& factor = "0.7",
+                        const std::string& heights = "storey_height: 3 m, bay_width: 6 m") {
+  return "  a: {frame: {material: {E: 30 GPa, density: " + density + "}, sections: {C: {rectangle: [0.4 m, 0.4 m], stiffness: " + factor +
+         "}}, grid: {storeys: 2, bays: 1, " + heights + ", columns: C, beams: C, floor_mass: " + floor_mass + "}}, damping: 5 %}\n";
+}
+
+TEST(Plausible, NumbersAsTheyAreTypedAreThoseOfBuildings) {
+  EXPECT_EQ(implausible(model_of(dense_frame())), Texts{});
+  // The members alone make floors of more than 1 t.
+  expect_doubt(model_of(dense_frame("90")), "mass", "structures.a.frame.grid.floor_mass: 90 is below 1 t; a bare mass is in kg, type its unit, as in 90 t");
+  expect_doubt(model_of(dense_frame("[90, 80]")), "mass", "structures.a.frame.grid.floor_mass[0]: 90 is below 1 t; a bare mass is in kg, type its unit, as in 90 t (and 1 more)");
+  expect_doubt(model_of(dense_frame("60 t", "2.5")), "density", "structures.a.frame.material.density: 2.5 is below 100 kg/m^3");
+  expect_doubt(model_of(dense_frame("60 t", "25000")), "density", "structures.a.frame.material.density: 25000 is above 1.5e+04 kg/m^3");
+  expect_doubt(model_of(dense_frame("60 t", "2500", "35")), "stiffness", "structures.a.frame.sections.C.stiffness: 35 is above 2; it is a factor");
+  expect_doubt(model_of(dense_frame("60 t", "2500", "0.35 %")), "stiffness", "structures.a.frame.sections.C.stiffness: 0.35 % is below 0.02");
+  expect_doubt(model_of(dense_frame("60 t", "2500", "0.7", "storey_height: 3 m, bay_width: 6000")), "height",
+               "structures.a.frame.grid.bay_width: 6000 is above 300 m; a bare length is in m");
+  for (const char* left_out : {"0", "0 t"}) EXPECT_EQ(implausible(model_of(dense_frame(left_out))), Texts{});
+  EXPECT_EQ(implausible(model_of(dense_frame("60 t", "0"))), Texts{});
+}
+
+TEST(Plausible, AFloorMassThatIsTheWholeFloorIsDoubtedOnce) {
+  const Texts found = implausible(model_of(dense_frame("90", "0")));
+  EXPECT_EQ(std::ranges::count_if(found, [](const std::string& text) { return text.find("accept: [mass]") != std::string::npos; }), 1);
+}
+
+TEST(Plausible, DampingRatiosAreThoseOfBuildings) {
+  const auto damped = [](const std::string& damping) { return model_of("  a: {oscillator: {mass: 100 t, period: 0.8}, damping: " + damping + "}\n"); };
+  for (const char* usual : {"5 %", "0", "0.5 %", "0.1 %", "30 %", "{rayleigh: {ratio: 2 %}}"}) EXPECT_EQ(implausible(damped(usual)), Texts{}) << usual;
+  expect_doubt(damped("0.05 %"), "damping", "structures.a.damping: 0.05 % is below 0.001; 5 % is usual");
+  expect_doubt(damped("0.5"), "damping", "structures.a.damping: 0.5 is above 0.4; 5 % is usual");
+  expect_doubt(damped("{modal: {ratio: 0.05 %}}"), "damping", "structures.a.damping.modal.ratio: 0.05 % is below 0.001");
+  expect_doubt(model_of("  a: {oscillator: {mass: 100 t, period: 0.8, damping: 0.0005}}\n"), "damping", "structures.a.oscillator.damping: 0.0005");
+}
+
+TEST(Plausible, IsolatorsBearTheirWeight) {
+  const auto isolated = [](const std::string& isolator) {
+    return model_of("  a: {shear_building: {storeys: 2, mass: 300 t, stiffness: 500 MN/m, isolator: {" + isolator + "}}, damping: 2 %}\n");
+  };
+  const std::string rubber = "lead_rubber: {strength: 300 kN, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}";
+  EXPECT_EQ(implausible(isolated(rubber + ", capacity: 350 mm")), Texts{});
+  EXPECT_EQ(implausible(isolated("friction_pendulum: {radius: 2 m, friction: 6 %}")), Texts{});
+  expect_doubt(isolated(rubber + ", capacity: 350"), "isolator", "structures.a.shear_building.isolator.capacity: 350 is above 3 m; a bare length is in m");
+  expect_doubt(isolated(rubber + ", capacity: 0.35 mm"), "isolator", "structures.a.shear_building.isolator.capacity: 0.35 mm is below 10 mm");
+  expect_doubt(isolated("lead_rubber: {strength: 300, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}"), "isolator",
+               "structure a: its isolators begin to move at 300 N, 0.0051 % of its weight of 5.884 MN, and 2 % to 15 % are usual; a bare force is in N");
+  expect_doubt(isolated("lead_rubber: {strength: 300 MN, yield_displacement: 10 mm, post_yield_stiffness: 8.5 MN/m}"), "isolator", "structure a: its isolators");
+  expect_doubt(isolated("friction_pendulum: {radius: 2000, friction: 6 %}"), "isolator", "structures.a.shear_building.isolator.friction_pendulum.radius: 2000");
+}
+
+TEST(Plausible, HeightsGapsAndStartsAreThoseOfBuildings) {
+  const auto building = [](const std::string& more, const std::string& rest = "") {
+    return model_of("  a: {shear_building: {storeys: 2, mass: 100 t, stiffness: 100 MN/m" + more + "}, damping: 5 %}\n  w: {wall: {}}\n", rest);
+  };
+  EXPECT_EQ(implausible(building(", height: 3.2 m")), Texts{});
+  expect_doubt(building(", height: 3200"), "height", "structures.a.shear_building.height: 3200 is above 50 m; a bare length is in m");
+  expect_doubt(building(", height: 3.2 mm"), "height", "structures.a.shear_building.height: 3.2 mm is below 300 mm");
+  expect_doubt(building(", initial_displacement: 20"), "initial", "structure a: it begins with a displacement of 20 m, above 2 m");
+  expect_doubt(building(", initial_velocity: 300"), "initial", "structure a: it begins with a velocity of 300 m/s, above 10 m/s");
+  EXPECT_EQ(implausible(model_of("  ball: {body: {mass: 1 kg}, initial_velocity: 30 m/s}\n  w: {wall: {}}\n")), Texts{}) << "bodies may be fast";
+  const auto gap = [&](const std::string& width) {
+    return building("", "links: [{between: [a.2, w], gap: " + width + ", law: hertz, stiffness: 2.75e9}]\n");
+  };
+  EXPECT_EQ(implausible(gap("0")), Texts{});
+  EXPECT_EQ(implausible(gap("0.1 mm")), Texts{});
+  expect_doubt(gap("0.02 mm"), "gap", "link a.2-w: the gap is 0.02 mm, under 0.05 mm");
+  expect_doubt(gap("20"), "gap", "link a.2-w: the gap is 20 m, above 2 m");
+}
+
+TEST(Plausible, GroundMotionsAreThoseOfEarthquakes) {
+  const auto shaken = [](const std::string& motion) { return model_of(oscillator("mass: 100 t, period: 0.8"), "ground_motion: " + motion + "\n"); };
+  EXPECT_EQ(implausible(shaken("{harmonic: {amplitude: 3.0, period: 0.6, duration: 3.0}}")), Texts{});
+  expect_doubt(shaken("{harmonic: {amplitude: 300, period: 0.6, duration: 3.0}}"), "scale", "ground motion: its peak acceleration is 30.59 g, above 10 g");
+  expect_doubt(shaken("{pulse: {shape: sine, amplitude: 0.3, duration: 0.5}}"), "pga", "ground_motion.pulse.amplitude: a bare 0.3 is in m/s^2, 0.0306 g; did you mean 0.3 g?");
+  expect_doubt(shaken("{displacement: {harmonic: {amplitude: 20, period: 0.5 s, duration: 10 s}}}"), "amplitude", "ground_motion.displacement.harmonic.amplitude: 20 is above 5 m", 2);
+}
+
+TEST(Plausible, DriftsOfMoreThanATenthOfTheStoreyAreDoubted) {
+  Model model = model_of("  a: {shear_building: {storeys: 2, mass: 100 t, stiffness: 100 MN/m, height: 3 m}, damping: 5 %}\n"
+                         "  b: {shear_building: {storeys: 1, mass: 100 t, stiffness: 100 MN/m}, damping: 5 %}\n");
+  const std::vector<std::vector<double>> small{{0.29, 0.3}, {9}}, large{{0.31, 0.45}, {9}};
+  EXPECT_EQ(implausible_drifts(model, small), Texts{}) << "of b no heights are known";
+  EXPECT_EQ(implausible_drifts(model, large),
+            Texts{"structure a: storey 2 drifts by 450 mm, 15 % of its height of 3 m and above 10 %, where no building stands; look at the units of masses, "
+                  "stiffnesses and ground motion, or type analysis: {collapse_drift: 10 %} to end the run there (where it is meant: accept: [drift])"});
+  model.accept = {"drift"};
+  EXPECT_EQ(implausible_drifts(model, large), Texts{});
 }
 
 TEST(Plausible, ABarePeakAccelerationIsDoubted) {

@@ -129,6 +129,135 @@ class WithoutLinks(ProgramTest):
                                  np.asarray(found[name][()]).tobytes() if data.shape else found[name][()], name)
 
 
+#: A building in space whose stiff corner makes it rotate, beside one that it hits; and one whose floors are not rigid.
+CORNER = """\
+ground_motion:
+  components:
+    x: {{pulse: {{shape: sine, amplitude: 6 m/s^2, duration: 0.5 s}}}}
+    y: {{pulse: {{shape: half_sine, amplitude: 4 m/s^2, duration: 0.4 s}}}}
+structures:
+  corner:
+    frame:
+      material: {{E: 30 GPa, density: 2500}}
+      sections: {{C: {{rectangle: [0.45, 0.45]}}, W: {{rectangle: [1.0, 1.0]}}, B: {{rectangle: [0.3, 0.5]}}}}
+      grid: {{storeys: 2, bays: [1, 1], storey_height: 3.2 m, bay_width: {{x: 5 m, y: 4 m}}, floor_mass: 60 t, columns: [[W, C, C, C], [W, C, C, C]], beams: B}}
+      report: {{members: all}}
+      {gravity}
+    damping: 5 %
+  loose:
+    frame:
+      origin: [5.002, 0]
+      material: {{E: 30 GPa, density: 2500}}
+      mass: consistent
+      grid: {{storeys: 1, bays: [1, 1], storey_height: 3.2 m, bay_width: {{x: 5 m, y: 4 m}}, floor_mass: 60 t, rigid_floors: false,
+             columns: {{rectangle: [0.45, 0.45]}}, beams: {{rectangle: [0.3, 0.5]}}}}
+    damping: 5 %
+links: [{{between: [corner, loose], floors: level, points: 1, law: hertz_damped, stiffness: 1e9, restitution: 0.6}}]
+analysis: {{duration: 1.2 s, output_step: {step}}}
+compare: no_pounding
+"""
+
+
+class Torsion(ProgramTest):
+    def test_of_rigid_floors_is_in_every_table(self):
+        self.write(CORNER.format(gravity="gravity: true", step="0.2 ms"))
+        printed = self.summary("model.yaml", "-o", "out.h5")["structures"]
+        self.assertNotIn("peak_rotation", printed["loose"])
+        with h5py.File(self.folder / "out.h5") as file:
+            structure, envelope = file["structures/corner"], file["envelopes/structures/corner"]
+            self.assertNotIn("edge_displacement", file["envelopes/structures/loose"])
+            self.assertNotIn("plan", file["structures/loose"])
+            names = [name.decode() for name in structure["nodes/names"][:]]
+            moved = structure["nodes/displacement"][:]
+            # The corners of the plan are the columns; an edge moves along itself as its nodes do.
+            corners = [moved[:, names.index(f"2.{i}.{k}")] for i in (0, 1) for k in (0, 1)]
+            edges = np.stack([corners[0][:, 0], corners[1][:, 0], corners[0][:, 1], corners[2][:, 1]], axis=1)
+            dense = np.stack([edges.min(axis=0), edges.max(axis=0)], axis=-1)
+            np.testing.assert_allclose(envelope["edge_displacement"][1], dense, atol=1e-4 * np.abs(dense).max())
+            # Extremes between steps lie on cubics.
+            self.assertTrue((envelope["edge_displacement"][1, :, 0] <= dense[:, 0] + 1e-5 * np.abs(dense).max()).all())
+            largest = max(np.hypot(*corner[:, :2].T).max() for corner in corners)
+            rotation = np.abs(structure["displacement"][:, 1, 2]).max()
+            self.assertGreater(rotation, 1e-3)
+            self.assertAlmostEqual(printed["corner"]["peak_edge_displacement"][1] / largest, 1, delta=1e-4)
+            self.assertAlmostEqual(printed["corner"]["peak_rotation"][1] / rotation, 1, delta=1e-4)
+            self.assertGreater(largest, 1.05 * printed["corner"]["peak_displacement"][1])
+            self.assertEqual(structure["plan"].shape, (2, 4))
+            np.testing.assert_allclose(np.diff(structure["plan"][:].reshape(2, 2, 2), axis=2)[..., 0], [[5, 4], [5, 4]])
+            self.assertGreater(np.abs(file["ground/acceleration_y"][:]).max(), 3.9)
+            self.assertNotIn("acceleration_z", file["ground"])
+            without = file["no_pounding/envelopes/structures/corner/edge_displacement"]
+            self.assertFalse(np.allclose(without[:], envelope["edge_displacement"][:]))
+        report = self.pounding("run", "model.yaml").stdout
+        table = report[report.index("structure  floor      rotation"):].splitlines()
+        self.assertIn("without links  without links  ratio", table[0])
+        self.assertEqual([line.split()[:2] for line in table[2:4]], [["corner", "2"], ["corner", "1"]])
+        self.assertIn(f"{1e3 * printed['corner']['peak_edge_displacement'][1]:.4f}", table[2])
+
+    def test_survives_a_resume(self):
+        self.write(CORNER.format(gravity="", step="5 ms"))
+        whole = self.summary("model.yaml", "-o", "whole.h5")
+        resumed = self.resumed(60, "cut.h5")
+        self.assertEqual(whole["structures"], resumed["structures"])
+        with h5py.File(self.folder / "whole.h5") as expected, h5py.File(self.folder / "cut.h5") as found:
+            for place in ("ground/acceleration_y", "envelopes/structures/corner/edge_displacement", "structures/corner/plan"):
+                np.testing.assert_array_equal(expected[place][:], found[place][:])
+
+
+class MemberForces(ProgramTest):
+    def test_have_one_sign_and_say_what_they_include(self):
+        for gravity, expected in (("gravity: true", True), ("geometry: p_delta", True), ("", False)):
+            with self.subTest(gravity):
+                self.write(CORNER.format(gravity=gravity, step="5 ms"))
+                envelope = self.summary("model.yaml", "-o", "out.h5")["structures"]["corner"]["envelope"]
+                self.assertEqual(envelope["gravity_included"], expected)
+                self.assertEqual("P-Delta" in envelope["included"], "p_delta" in gravity)
+                start, end = (envelope["components"].index(f"{one} N") for one in ("start", "end"))
+                forces = envelope["member_force"]
+                for i, name in enumerate(envelope["members"]):
+                    self.assertEqual(envelope["axial_force"]["min"][i], min(-forces["max"][i][start], forces["min"][i][end]), name)
+                    self.assertEqual(envelope["axial_force"]["max"][i], max(-forces["min"][i][start], forces["max"][i][end]), name)
+                with h5py.File(self.folder / "out.h5") as file:
+                    group = file["envelopes/structures/corner"]
+                    np.testing.assert_array_equal(group["axial_force"][:, 0, 1], envelope["axial_force"]["max"])
+                    for data in (group["member_force"], group["axial_force"], group["reaction"], file["structures/corner/members/end_forces"],
+                                 file["structures/corner/reactions/force"]):
+                        self.assertEqual(bool(data.attrs["gravity_included"]), expected)
+                report = self.pounding("run", "model.yaml").stdout
+                line = next(line for line in report.splitlines() if line.startswith("corner") and " N (kN) " in line)
+                least, largest = float(line.split()[3]), float(line.split()[5])
+                self.assertAlmostEqual(least, min(envelope["axial_force"]["min"]) / 1e3, places=3)
+                # Beams in rigid floors have no axial force, and do not count.
+                pairs = [pair for pair in zip(envelope["axial_force"]["min"], envelope["axial_force"]["max"]) if max(-pair[0], pair[1]) > 1]
+                self.assertAlmostEqual(largest, max(high for _, high in pairs) / 1e3, places=3)
+                self.assertEqual(largest < 0, expected, "under their weight columns stay compressed")
+                self.assertIn("N positive in tension", report)
+                self.assertIn("corner, loose: gravity is not included" if not expected else "corner: gravity is included", report)
+                uplift = next(line for line in report.splitlines() if line.startswith("corner") and " reaction z (kN) " in line)
+                vertical = envelope["directions"].index("z")
+                self.assertAlmostEqual(float(uplift.split()[4]), min(one[vertical] for one in envelope["reaction"]["min"]) / 1e3, places=3)
+
+    def test_of_a_column_under_its_weight_are_compression(self):
+        self.write("""\
+structures:
+  hanging:
+    frame:
+      material: {E: 30 GPa}
+      nodes: {a: [0, 0], b: [0, 3 m], c: [0, 6 m]}
+      members: {low: {between: [a, b], section: {rectangle: [0.4, 0.4]}}, top: {between: [c, b], section: {rectangle: [0.4, 0.4]}}}
+      supports: {a: fixed, c: fixed}
+      floors: [{nodes: [b]}]
+      masses: {b: 60 t}
+      gravity: true
+    damping: 5 %
+    initial_displacement: 1 mm
+analysis: {duration: 0.1 s, output_step: 1 ms}
+""")
+        printed = self.summary("model.yaml")["structures"]["hanging"]["envelope"]
+        half = 30e3 * 9.80665
+        np.testing.assert_allclose([printed["axial_force"]["min"], printed["axial_force"]["max"]], [[-half, half], [-half, half]], rtol=1e-6)
+
+
 class Spectra(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -160,6 +289,29 @@ class Spectra(ProgramTest):
         self.assertEqual(len(lines), 6)
         self.assertEqual(self.pounding("spectrum", "out.h5", "--floor", "left.1", "--picture", "s.png").returncode, 0)
         self.assertEqual((self.folder / "s.png").read_bytes()[1:4], b"PNG")
+
+    def test_that_miss_a_peak_are_not_drawn(self):
+        self.write(OSCILLATORS.replace("{duration: 3.0}\n", "{duration: 3.0, output_step: 50 ms}\n"), "coarse.yaml")
+        done = self.pounding("run", "coarse.yaml", "--report", "-o", "coarse.h5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for floor in ("left.1", "right.1"):
+            self.assertRegex(done.stderr, f"the outputs every 0.05 s are too far apart for this spectrum of {floor}: they reach .*output_step: 0.002}}; it is not drawn")
+        self.assertEqual(sorted(path.name for path in self.folder.glob("coarse*.png")), ["coarse-profiles.png", "coarse.png"])
+        self.assertNotIn("spectrum", done.stdout)
+        self.refused(2, "the outputs every 0.05 s are too far apart for this spectrum of left.1: they reach", "spectrum", "coarse.h5", "--floor", "left.1",
+                     "--picture", "s.png")
+        self.assertFalse((self.folder / "s.png").exists())
+        self.assertEqual(self.pounding("run", "model.yaml", "--report", "-o", "fine.h5").returncode, 0)
+        self.assertTrue((self.folder / "fine-spectrum-left.1.png").exists())
+
+    def test_pictures_leave_out_periods_that_the_outputs_do_not_resolve(self):
+        self.write(OSCILLATORS, "coarse.yaml")
+        self.summary("coarse.yaml", "-o", "coarse.h5")
+        done = self.pounding("spectrum", "coarse.h5", "--floor", "left.1", "--picture", "s.png")
+        self.assertEqual((done.returncode, (self.folder / "s.png").exists()), (0, True))
+        self.assertIn("a period of 0.02 s needs 10 of them", done.stderr)
+        self.assertIn("periods below 0.03 s are not drawn", done.stderr)
+        self.refused(2, "a period of 0.005 s needs 10 of them", "spectrum", "coarse.h5", "--floor", "left.1", "--periods", "0.005:0.02:5", "--picture", "t.png")
 
     def test_of_outputs_too_far_apart_warn(self):
         self.write(OSCILLATORS, "coarse.yaml")

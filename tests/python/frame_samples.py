@@ -60,8 +60,9 @@ BETWEEN_OUTPUTS = 1.1
 WITHOUT_LINKS = 0.7
 
 
-def write(path, dimension=2, nodes="all", members=True, wall=False, compare=False):
-    """One file. `nodes`: all, none, or how many of them from the first one on are reported; `compare`: with a run without links."""
+def write(path, dimension=2, nodes="all", members=True, wall=False, compare=False, rigid=False):
+    """One file. `nodes`: all, none, or how many of them from the first one on are reported; `compare`: with a run without links; `rigid`:
+    floors in space are rigid, so that the file has their plans."""
     storeys = {"tall": 5, "low": 3}
     with h5py.File(path, "w", track_order=True) as file:
         file.attrs.update(program="pounding", version="0.1.0", created="2026-01-02T03:04:05Z", status="done",
@@ -77,6 +78,10 @@ def write(path, dimension=2, nodes="all", members=True, wall=False, compare=Fals
         rows = [write_link(file, floor, y, dimension) for floor in (1, 2, 3) for y in ([0.0] if dimension == 2 else [0.0, 4.0])]
         if wall:
             write_wall_link(file)
+        if rigid:
+            put(file, "ground/acceleration_y", np.sin(3 * np.pi * TIME))
+            for name in storeys:
+                write_plan(file["structures"][name], storeys[name])
         for name in file["structures"]:
             write_envelope(file.create_group(f"envelopes/structures/{name}"), file["structures"][name])
         write_impacts(file, [row for link in rows for row in link])
@@ -86,6 +91,20 @@ def write(path, dimension=2, nodes="all", members=True, wall=False, compare=Fals
         if compare:
             write_without_links(file, file.create_group("no_pounding", track_order=True))
     seal(path)
+
+
+#: Half the widths of the floors about the mean of their nodes [m].
+HALVES = (BAY, 2.0)
+
+
+def write_plan(group, storeys):
+    put(group, "plan", np.tile([-HALVES[0], HALVES[0], -HALVES[1], HALVES[1]], (storeys, 1)))
+
+
+def edges_of(displacement):
+    """[n, floor, edge] of the motion of floors [n, floor, x y rz]."""
+    x, y, turn = np.moveaxis(displacement, -1, 0)
+    return np.stack([x + turn * HALVES[1], x - turn * HALVES[1], y - turn * HALVES[0], y + turn * HALVES[0]], axis=-1)
 
 
 def write_envelope(group, structure):
@@ -101,6 +120,10 @@ def write_envelope(group, structure):
         put(group, key, BETWEEN_OUTPUTS * np.stack([history.min(axis=0), history.max(axis=0)], axis=-1))
         put(group, f"{key}_time", TIME[np.stack([history.argmin(axis=0), history.argmax(axis=0)], axis=-1)])
         group[key].attrs["directions"] = directions[:history.shape[2]]
+    if "plan" in structure:
+        edges = edges_of(structure["displacement"][:])
+        put(group, "edge_displacement", BETWEEN_OUTPUTS * np.stack([edges.min(axis=0), edges.max(axis=0)], axis=-1))
+        put(group, "edge_displacement_time", TIME[np.stack([edges.argmin(axis=0), edges.argmax(axis=0)], axis=-1)])
     if "members" in structure:
         forces, ends = structure["members/end_forces"][:], structure["members/end_forces"].attrs["components"]
         group["members"] = structure["members/names"][:]
@@ -119,7 +142,7 @@ def write_without_links(file, group):
     group["summary"] = "{}"
     for name in file["structures"]:
         for structure in (group["structures"][name], group["envelopes/structures"][name]):
-            for key in ("displacement", "acceleration", "velocity", "drift", "storey_shear"):
+            for key in ("displacement", "edge_displacement", "acceleration", "velocity", "drift", "storey_shear"):
                 if key in structure:
                     structure[key][...] = WITHOUT_LINKS * structure[key][:]
 

@@ -86,7 +86,8 @@ class Exports(unittest.TestCase):
         grids = self.check(run)
         np.testing.assert_array_equal(grids["low"]["end Mz"], run.structures["low"].members.end_forces[37, :, 11])
         with h5py.File(self.directory / "out.data.h5") as data:
-            self.assertEqual(set(data["low"]), {"points", "members"})
+            self.assertEqual(set(data["low"]), {"points", "members", "axial_force"})
+        np.testing.assert_array_equal(grids["low"]["axial force"], run.structures["low"].members.axial_force[37])
 
     def test_what_does_not_fit_stands_in_a_second_file(self):
         run = self.export(2, wall=True, nodes=5)
@@ -107,6 +108,7 @@ class Exports(unittest.TestCase):
         export.export(self.results, read(self.results), self.directory / "out.xdmf")
         shown = self.grids(37)["tall"]["end N"]
         np.testing.assert_array_equal(np.flatnonzero(np.isfinite(shown)), [2, 4])
+        np.testing.assert_array_equal(np.flatnonzero(np.isfinite(self.grids(37)["tall"]["axial force"])), [2, 4])
         np.testing.assert_array_equal(shown[[4, 2]], forces[37, :, 3])
 
     def test_sticks_are_exported(self):

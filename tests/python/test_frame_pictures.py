@@ -41,9 +41,10 @@ class FramePictures(unittest.TestCase):
         frame_samples.write(place / "space.h5", 3)
         frame_samples.write(place / "compared.h5", 2, compare=True)
         frame_samples.write(place / "beside.h5", 3, compare=True)
+        frame_samples.write(place / "rigid.h5", 3, compare=True, rigid=True)
         for kind in ("towers", "row"):
             subprocess.run([WRITER, kind, place / f"{kind}.h5"], check=True)
-        cls.runs = {kind: read(place / f"{kind}.h5") for kind in ("plane", "space", "compared", "beside", "towers", "row")}
+        cls.runs = {kind: read(place / f"{kind}.h5") for kind in ("plane", "space", "compared", "beside", "rigid", "towers", "row")}
 
     @classmethod
     def tearDownClass(cls):
@@ -234,6 +235,91 @@ class FramePictures(unittest.TestCase):
         run = type(run)(**{**run.__dict__, "structures": {"wall": run.structures["wall"]}, "links": {}})
         with self.assertRaises(BadRequest):
             profiles_figure(run)
+
+    def corner(self):
+        """The run with rigid floors, with a third frame that links along y join to the tall one."""
+        run = self.runs["rigid"]
+        north = replace(run.structures["low"], name="north")
+        links = {name: replace(link, name=f"tall-north {name}", right="north", gap=0.04, direction=np.array([0, 1.0, 0]))
+                 for name, link in run.links.items()}
+        without = run.no_pounding
+        return replace(run, structures={**run.structures, "north": north}, links={**run.links, **{one.name: one for one in links.values()}},
+                       envelopes={**run.envelopes, "north": run.envelopes["low"]},
+                       no_pounding=replace(without, structures={**without.structures, "north": replace(without.structures["low"], name="north")},
+                                           envelopes={**without.envelopes, "north": without.envelopes["low"]}))
+
+    def test_in_space_each_direction_has_a_panel(self):
+        run = self.corner()
+        for figure in (plots.standard_figure(run), run.plot("displacement")):
+            along = {axes.get_title(loc="left").split()[-1]: axes for axes in figure.axes if "Displacements along" in axes.get_title(loc="left")}
+            self.assertEqual(list(along), ["x", "y"])
+            at_rest = {axis: {line.get_label(): line.get_ydata()[0] for line in axes.lines if "floor" in str(line.get_label())} for axis, axes in along.items()}
+            # The neighbour along y is no gap away along x.
+            self.assertEqual(at_rest["x"], {"tall, floor 3": 0, "low, floor 3": 25, "north, floor 3 (no link along x)": 0})
+            self.assertEqual(at_rest["y"], {"tall, floor 3": 0, "low, floor 3 (no link along y)": 0, "north, floor 3": 40})
+        north = next(line for line in along["y"].lines if line.get_label() == "north, floor 3")
+        np.testing.assert_allclose(north.get_ydata(), 40 + 1e3 * run.structures["north"].along["y"].displacement[:, 2])
+
+    def test_a_link_against_an_axis_has_its_neighbour_on_the_other_side(self):
+        run = self.runs["rigid"]
+        links = {name: replace(link, left="low", right="tall", left_floor=link.right_floor, right_floor=link.left_floor, direction=-link.direction)
+                 for name, link in run.links.items()}
+        turned, given = (replace(run, links=each).plot("displacement").axes[0] for each in (links, run.links))
+        lines = [{line.get_label(): line.get_ydata() for line in axes.lines} for axes in (turned, given)]
+        for name in ("tall, floor 3", "low, floor 3"):
+            np.testing.assert_allclose(lines[0][name] - lines[0]["tall, floor 3"][0], lines[1][name] - lines[1]["tall, floor 3"][0])
+
+    def test_rotations_have_a_panel_and_a_picture(self):
+        run = self.runs["rigid"]
+        axes = next(a for a in plots.standard_figure(run, compare=True).axes if "Rotation" in a.get_title(loc="left"))
+        lines = {line.get_label(): line for line in axes.lines}
+        np.testing.assert_allclose(lines["tall, floor 5"].get_ydata(), 1e3 * frame_samples.sway("tall")["rz"])
+        np.testing.assert_allclose(lines["without links"].get_ydata(), 0.7e3 * frame_samples.sway("tall")["rz"])
+        self.assertEqual(len(axes.lines), 4)
+        self.assertEqual(len(run.plot("rotation", compare=True).axes[0].lines), 4)
+        self.assertFalse(any("Rotation" in title for title in titles(plots.standard_figure(self.runs["space"]))))
+        with self.assertRaisesRegex(BadRequest, "no structure of this run has rigid floors in space"):
+            self.runs["space"].plot("rotation")
+
+    def test_profiles_of_rigid_floors_show_rotations_and_edges(self):
+        run = self.runs["rigid"]
+        figure = profiles_figure(run, compare=False)
+        self.assertEqual(titles(figure)[8:11], ["(i) Rotation", "(j) Edges along x", "(k) Edges along y"])
+        tracked = run.envelopes["tall"]
+        np.testing.assert_allclose(figure.axes[8].lines[1].get_xdata()[1:], 1e3 * tracked.displacement.max[:, 2])
+        np.testing.assert_allclose(figure.axes[10].lines[0].get_xdata()[1:], 1e3 * tracked.edge_displacement.min[:, 2:].min(axis=1))
+        self.assertFalse(figure.axes[11].get_visible())
+        for size in ((3.3, 9), (7.5, 8)):
+            profiles_figure(run, title="", size=size).draw_without_rendering()
+
+    def test_the_ground_is_drawn_along_every_axis(self):
+        axes = plots.standard_figure(self.runs["rigid"]).axes[0]
+        self.assertEqual([line.get_label() for line in axes.lines], ["along x", "along y"])
+        np.testing.assert_array_equal(axes.lines[1].get_ydata(), np.sin(3 * np.pi * frame_samples.TIME))
+
+    def test_comparisons_keep_every_structure(self):
+        run = self.corner()
+        for axes in plots.standard_figure(run, compare=True).axes[1:3]:
+            self.assertEqual(sum(line.get_linestyle() == "--" and line.get_linewidth() == 0.8 for line in axes.lines), 3, axes.get_title(loc="left"))
+        self.assertEqual(len([line for line in run.plot("gap", compare=True).axes[0].lines if line.get_linewidth() == 0.8]), 12)
+        # Between floors the run without links is interpolated by the height.
+        run = self.runs["compared"]
+        link = replace(run.links["tall.3-low.3"], right_floor=0, right_end="8 m up", position=np.array([10.0, 0, 8.0]))
+        axes = replace(run, links={link.name: link}).plot("displacement", compare=True).axes[0]
+        dashed = [line.get_ydata() for line in axes.lines if line.get_linewidth() == 0.8]
+        self.assertEqual(len(dashed), 2)
+        low = run.no_pounding.structures["low"].displacement
+        np.testing.assert_allclose(dashed[1], 25 + 0.5e3 * (low[:, 1] + low[:, 2]))
+
+    def test_up_to_six_structures_are_drawn_and_compared(self):
+        run = self.runs["compared"]
+        def widened(one):
+            return {f"n{i}": replace(one.structures["low"], name=f"n{i}") for i in range(6)}
+        links = {f"l{i}": replace(run.links["tall.3-low.3"], name=f"l{i}", left=f"n{i}", right=f"n{i + 1}") for i in range(5)}
+        run = replace(run, structures=widened(run), links=links, no_pounding=replace(run.no_pounding, structures=widened(run.no_pounding)))
+        axes = run.plot("displacement", compare=True).axes[0]
+        self.assertEqual(sum(line.get_linewidth() == 0.8 for line in axes.lines), 6)
+        self.assertEqual(len({line.get_color() for line in axes.lines}), 6)
 
     def test_displacements_are_those_along_the_links(self):
         run = self.runs["space"]

@@ -64,6 +64,37 @@ class Reading(Samples):
         self.assertEqual(tall.along["rz"].drift.shape, (201, 0))
         self.assertIsNone(tall.along["rz"].base_shear)
 
+    def test_rigid_floors_have_rotations_and_edges(self):
+        tall = self.read(3, rigid=True).structures["tall"]
+        np.testing.assert_allclose(tall.rotation[:, -1], frame_samples.sway("tall")["rz"], atol=1e-15)
+        nodes = frame_samples.grid(3, 5, 0)[0]
+        moved = frame_samples.displacement_of("tall", nodes, 5, 3)
+        roof = np.flatnonzero(nodes[:, 2] == 16)
+        for edge, (axis, across, place) in enumerate(((0, 1, 0), (0, 1, 4), (1, 0, 0), (1, 0, 10))):
+            node = next(node for node in roof if nodes[node, across] == place)
+            np.testing.assert_allclose(tall.edge_displacement[:, -1, edge], moved[:, node, axis], atol=1e-15)
+        run = self.read(3)
+        self.assertIsNone(run.structures["tall"].rotation)
+        self.assertIsNone(run.structures["tall"].edge_displacement)
+        self.assertEqual(run.ground_across, {})
+
+    def test_internal_forces_have_one_sign_at_both_ends(self):
+        run = self.read(3)
+        forces, envelope = run.structures["tall"].members, run.envelopes["tall"]
+        np.testing.assert_array_equal(forces.section_forces[:, :, :6], -forces.end_forces[:, :, :6])
+        np.testing.assert_array_equal(forces.section_forces[:, :, 6:], forces.end_forces[:, :, 6:])
+        self.assertEqual(forces.axial_force.shape, forces.end_forces.shape[:2])
+        np.testing.assert_array_equal(forces.axial_force, forces.end_forces[:, :, 6])  # the larger one here
+        low, high = envelope.member("m1")["start N"]
+        self.assertEqual(envelope.section("m1")["start N"], (-high, -low))
+        self.assertEqual(envelope.section("m1")["end N"], envelope.member("m1")["end N"])
+        np.testing.assert_array_equal(envelope.axial_force.min, np.minimum(-envelope.member_force.max[:, 0], envelope.member_force.min[:, 6]))
+        np.testing.assert_array_equal(envelope.axial_force.max, np.maximum(-envelope.member_force.min[:, 0], envelope.member_force.max[:, 6]))
+        np.testing.assert_array_equal(envelope.section_force.times[:, 0], envelope.member_force.times[:, 0, ::-1])
+        with self.assertRaisesRegex(KeyError, "tall has no member x"):
+            envelope.section("x")
+        self.assertIsNone(forces.gravity_included)
+
     def test_links_have_a_place(self):
         run = self.read(3)
         link = run.links["tall.2-low.2.b"]
@@ -102,6 +133,19 @@ class Nodes(Samples):
         for dimension in (2, 3):
             for name, moved in self.expected(dimension).items():
                 np.testing.assert_allclose(self.moved(dimension)[name], moved, atol=1e-15)
+
+    def test_nodes_rotate_about_the_point_whose_motion_is_reported(self):
+        # The motion at a point 1 m and 0.5 m away from the mean of the nodes, as that of a centre of mass is.
+        run = self.read(3, nodes="none", rigid=True)
+        tall = run.structures["tall"]
+        turn = tall.along["rz"].displacement
+        moved = {"x": tall.along["x"].displacement - 0.5 * turn, "y": tall.along["y"].displacement + 1.0 * turn}
+        tall = dataclasses.replace(tall, plan=tall.plan - [1, 1, 0.5, 0.5],
+                                   along={**tall.along, **{axis: dataclasses.replace(tall.along[axis], displacement=values) for axis, values in moved.items()}})
+        np.testing.assert_allclose(tall.centre(0), [6, 2.5])
+        np.testing.assert_allclose(node_displacements(tall, line_model(tall)), self.expected(3)["tall"], atol=1e-15)
+        np.testing.assert_allclose(tall.edge_displacement, frame_samples.edges_of(np.stack([run.structures["tall"].along[axis].displacement
+                                                                                              for axis in ("x", "y", "rz")], axis=-1)), atol=1e-15)
 
     def test_nodes_follow_rigid_floors_that_turn(self):
         for dimension in (2, 3):

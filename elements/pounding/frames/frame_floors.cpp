@@ -48,6 +48,19 @@ std::vector<Row> floor_motion(const FrameModel& model, const AssembledFrame& fra
   return {x, y, mean_turn(model, frame, floor.nodes, weights, centre)};
 }
 
+// nullopt for a floor that is not rigid, and in the plane, where no floor turns about z.
+std::optional<std::array<double, 4>> plan_of(const FrameModel& model, const AssembledFrame& frame, const FrameFloor& floor) {
+  if (frame.dimension == 2 || floor.master < 0) return {};
+  const Vector3d centre = model.frame.position(floor.master);
+  Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const int node : floor.nodes) {
+    const Eigen::Array2d arm = (model.frame.position(node) - centre).head<2>().array();
+    low = low.min(arm);
+    high = high.max(arm);
+  }
+  return std::array{low.x(), high.x(), low.y(), high.y()};
+}
+
 double mean_height(const Frame& frame, const std::vector<int>& nodes) {
   double sum = 0;
   for (const int node : nodes) sum += frame.position(node).z();
@@ -152,6 +165,7 @@ std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& fr
     floor.mass = mass_along_x(frame, of.nodes);
     floor.elevation = of.elevation;
     floor.motion = floor_motion(model, frame, of);
+    floor.plan = plan_of(model, frame, of);
     if (!model.is_free) floor.storey_shear = shear_through(model, frame, above[floors.size()]);
     floors.push_back(std::move(floor));
   }

@@ -105,6 +105,16 @@ Frame::Reactions make_reactions(const FrameModel& model, const AssembledFrame& f
   return model.frame.reactions(model.held_nodes(), frame, model.has_gravity(), !turns(model));
 }
 
+// Loads and geometry whose effect the forces include: a reader must know whether a column is under its weight.
+std::string included_in_forces(const FrameModel& model) {
+  std::vector<std::string> parts;
+  if (model.has_gravity()) parts.emplace_back("gravity");
+  if (model.frame.is_loaded()) parts.emplace_back("loads at rest");
+  if (model.geometry == FrameGeometry::p_delta) parts.emplace_back("P-Delta");
+  if (turns(model)) parts.emplace_back("large rotations");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 InternalForces make_internal_forces(const FrameModel& model, const AssembledFrame& frame, const Frame::Reactions& reactions) {
   constexpr std::array forces{"N", "Vy", "Vz", "T", "My", "Mz"};
   InternalForces report;
@@ -113,6 +123,8 @@ InternalForces make_internal_forces(const FrameModel& model, const AssembledFram
       report.components.push_back(fmt::format("{} {}", end == 0 ? "start" : "end", forces[static_cast<int>(dof)]));
       report.places.push_back(end + static_cast<int>(dof));
     }
+  report.with_gravity = model.has_gravity();
+  report.included = included_in_forces(model);
   report.directions = directions(frame.dimension);
   for (const int node : reactions.nodes) report.supports.push_back(model.frame.node_name(node));
   const int places = static_cast<int>(report.places.size()), first_reaction = model.frame.members() * places;

@@ -1,29 +1,146 @@
 #include <pounding/input/bare_numbers.hpp>
 
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <string_view>
+
 #include <fmt/format.h>
+
+#include <pounding/input/words/sections.hpp>
 
 namespace pounding {
 namespace {
 
-// Peaks of strong motion in g.
-constexpr double weakest = 0.02, strongest = 1.5;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-void visit(const Input& node, std::vector<Doubt>& doubts) {
-  if (node.is_list())
-    for (const Input& item : node.items()) visit(item, doubts);
-  if (node.is_map())
-    for (const auto& [key, value] : node.entries()) visit(value, doubts);
-  if (double value = 0; node.key() == "pga" && node.is_scalar() && parse_number(node.as_text(), value) && value >= weakest && value <= strongest)
-    doubts.push_back({"pga", fmt::format("{}: a bare {} is in m/s^2, {:.3g} g; did you mean {} g? Type its unit", node.path(), node.as_text(),
-                                         value / standard_gravity, node.as_text())});
+// Values that buildings have; zero means that the effect is left out, and is never doubted.
+struct Usual {
+  std::string_view section, key;
+  double low, high;            // in SI
+  std::string_view name;       // that Model::accept silences it by
+  std::string_view advice;
+};
+
+constexpr std::string_view mass_advice = "a bare mass is in kg, type its unit, as in 90 t";
+constexpr std::string_view damping_advice = "5 % is usual, type it as 5 % or 0.05";
+constexpr std::string_view height_advice = "a bare length is in m, type its unit, as in 3200 mm";
+
+constexpr Usual usual_values[] = {
+    {"grid", "floor_mass", 1e3, unbounded, "mass", mass_advice},
+    {"materials", "density", 100, 15e3, "density", "a bare density is in kg/m^3, type its unit, as in 2.5 t/m^3"},
+    {"sections", "stiffness", 0.02, 2, "stiffness", "it is a factor on the inertias, type it as 0.35 or 35 %"},
+    {"structures", "damping", 1e-3, 0.4, "damping", damping_advice},
+    {"oscillator", "damping", 1e-3, 0.4, "damping", damping_advice},
+    {"shear_building", "damping", 1e-3, 0.4, "damping", damping_advice},
+    {"frame", "damping", 1e-3, 0.4, "damping", damping_advice},
+    {"rayleigh", "ratio", 1e-3, 0.4, "damping", damping_advice},
+    {"modal", "ratio", 1e-3, 0.4, "damping", damping_advice},
+    {"isolator", "capacity", 0.01, 3, "isolator", "a bare length is in m, type its unit, as in 350 mm"},
+    {"isolator_friction_pendulum", "radius", 0.2, 30, "isolator", "a bare length is in m, type its unit, as in 2 m"},
+    {"isolator_friction_pendulum", "friction", 1e-3, 0.5, "isolator", "it is a coefficient, type it as 6 % or 0.06"},
+    {"grid", "storey_height", 0.3, 50, "height", height_advice},
+    {"shear_building", "height", 0.3, 50, "height", height_advice},
+    {"grid", "bay_width", 0.3, 300, "height", "a bare length is in m, type its unit, as in 6000 mm"},
+    {"bay_width", "x", 0.3, 300, "height", "a bare length is in m, type its unit, as in 6000 mm"},
+    {"bay_width", "y", 0.3, 300, "height", "a bare length is in m, type its unit, as in 6000 mm"},
+    {"links", "friction", 0, 2, "friction", "it is a coefficient, type it as 40 % or 0.4"},
+    {"displacement_harmonic", "amplitude", 0, 5, "amplitude", "a bare length is in m, type its unit, as in 20 mm"},
+    {"displacement_sum", "amplitude", 0, 5, "amplitude", "a bare length is in m, type its unit, as in 20 mm"},
+};
+
+// Bare accelerations that are usual in g: those of strong motion, and amplitudes below 1 m/s^2.
+struct InGravity {
+  std::string_view section, key;
+  double low, high;
+};
+
+constexpr InGravity usual_in_gravity[] = {{"ground_motion", "pga", 0.02, 1.5}, {"motion", "pga", 0.02, 1.5}, {"synthetic", "pga", 0.02, 1.5},
+                                          {"harmonic", "amplitude", 0.05, 0.99}, {"sum", "amplitude", 0.05, 0.99}, {"pulse", "amplitude", 0.05, 0.99}};
+
+// Quotes a bound in the unit of the number: "1 t", "2".
+std::string quoted(double value, const words::Word& word) {
+  return word.dimension == dimension::none ? fmt::format("{:g}", value) : format_quantity(value, word.dimension);
 }
+
+class Doubts {
+ public:
+  void visit(const Input& node, const words::Section& section) {
+    for (const auto& [key, child] : node.entries()) {
+      const words::Word* const word = section.find(key);
+      if (!word) continue;
+      const bool named = word->form == words::Form::named || word->form == words::Form::named_lists;
+      if (named && child.is_map())
+        for (const auto& [name, value] : child.entries()) visit_value(value, section, *word);
+      else
+        visit_value(child, section, *word);
+    }
+  }
+
+  // One line for each kind of number, so that a row of many buildings with one mistake has one warning.
+  std::vector<Doubt> all() const {
+    std::vector<Doubt> doubts;
+    for (const Found& found : found_)
+      doubts.push_back({std::string(found.name), found.count == 1 ? found.text : fmt::format("{} (and {} more)", found.text, found.count - 1)});
+    return doubts;
+  }
+
+ private:
+  struct Found {
+    const void* rule;
+    std::string_view name;
+    std::string text;
+    int count;
+  };
+
+  void visit_value(const Input& value, const words::Section& section, const words::Word& word) {
+    if (value.is_list()) {
+      for (const Input& item : value.items()) visit_value(item, section, word);
+    } else if (value.is_map()) {
+      const auto entries = value.entries();
+      // Keys of a section, or storeys with a value each.
+      if (word.inside && std::ranges::any_of(entries, [&](const auto& entry) { return word.inside->find(entry.first); }))
+        visit(value, *word.inside);
+      else
+        for (const auto& [key, child] : entries) visit_value(child, section, word);
+    } else if (value.is_scalar() && word.takes == words::Takes::quantity) {
+      visit_number(value, section, word);
+    }
+  }
+
+  void visit_number(const Input& value, const words::Section& section, const words::Word& word) {
+    const std::string text = value.as_text();
+    double number = 0;
+    const bool is_bare = parse_number(text, number);
+    for (const InGravity& rule : usual_in_gravity)
+      if (is_bare && rule.section == section.name && rule.key == word.key && number >= rule.low && number <= rule.high)
+        add(&rule, "pga", fmt::format("{}: a bare {} is in m/s^2, {:.3g} g; did you mean {} g? Type its unit", value.path(), text, number / standard_gravity, text));
+    for (const Usual& rule : usual_values) {
+      if (rule.section != section.name || rule.key != word.key) continue;
+      if (!is_bare) number = parse_quantity(text, word.dimension);
+      if (number == 0 || (number >= rule.low && number <= rule.high)) continue;
+      const bool is_low = number < rule.low;
+      add(&rule, rule.name, fmt::format("{}: {} is {} {}; {}", value.path(), text, is_low ? "below" : "above", quoted(is_low ? rule.low : rule.high, word), rule.advice));
+    }
+  }
+
+  void add(const void* rule, std::string_view name, std::string text) {
+    const auto known = std::ranges::find(found_, rule, &Found::rule);
+    if (known != found_.end())
+      ++known->count;
+    else
+      found_.push_back({rule, name, std::move(text), 1});
+  }
+
+  std::vector<Found> found_;
+};
 
 }  // namespace
 
-std::vector<Doubt> bare_accelerations(const Input& input) {
-  std::vector<Doubt> doubts;
-  visit(input, doubts);
-  return doubts;
+std::vector<Doubt> doubtful_numbers(const Input& input) {
+  Doubts doubts;
+  doubts.visit(input, words::model);
+  return doubts.all();
 }
 
 }  // namespace pounding

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers of an input whose missing unit makes them doubtful.
+/// Numbers of an input that are far from those of buildings, mostly because their unit is missing.
 
 #include <vector>
 
@@ -8,8 +8,9 @@
 
 namespace pounding {
 
-/// A doubt for every `pga` of the input, wherever it stands, that has no unit and would be a usual value in g: a bare 0.35 is
-/// 0.35 m/s^2, which is 0.036 g.
-std::vector<Doubt> bare_accelerations(const Input& input);
+/// Doubts about the numbers of a complete input, as they are typed: a bare `pga: 0.35`, which is 0.036 g; `floor_mass: 90`, which is 90 kg
+/// and disappears beside the mass of the members; densities, damping ratios, factors on inertias, heights and numbers of isolators. One
+/// doubt per key; an input that read_model() refuses may throw InputError.
+std::vector<Doubt> doubtful_numbers(const Input& input);
 
 }  // namespace pounding

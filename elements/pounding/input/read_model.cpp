@@ -121,7 +121,7 @@ Model read_model(const Input& input, const ModeSolver& modes, double stiffness_f
   }
   if (const auto accept = root.find("accept"))
     for (const Input& name : accept->items()) model.accept.push_back(name.as_choice());
-  model.read_doubts = bare_accelerations(input);
+  model.read_doubts = doubtful_numbers(input);
   for (Doubt& doubt : changed_keys(input)) model.read_doubts.push_back(std::move(doubt));
   try {
     model.complete();

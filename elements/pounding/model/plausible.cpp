@@ -11,14 +11,22 @@
 #include <pounding/core/units.hpp>
 #include <pounding/ground/record.hpp>
 #include <pounding/model/ground_plan.hpp>
+#include <pounding/model/storey_heights.hpp>
+#include <pounding/structures/isolators.hpp>
 
 namespace pounding {
 namespace {
 
 constexpr double shortest_period = 0.02, longest_period = 20;  // [s]
-constexpr double widest_gap = 2;                               // [m]
+constexpr double widest_gap = 2, narrowest_gap = 5e-5;         // [m]
+constexpr double round_off_of_gap = 1e-9;                      // [m], in a gap that is drawn closed
+constexpr double weakest_isolators = 2e-3;                     // of the weight
+constexpr double strongest_ground = 10 * standard_gravity;     // [m/s^2]
+constexpr double largest_start = 2, fastest_start = 10;        // [m], [m/s]
+constexpr double largest_drift = 0.1;                          // of the height of the storey
 constexpr double lightest_floor = 1e3;                         // [kg]
-constexpr double softest_material = 1e6;                       // [Pa]
+constexpr double thinnest_member = 2e-3;                       // [m]
+constexpr double softest_material = 1e8;                       // [Pa]
 constexpr double least_yield_drift = 1e-5;                     // [m]
 constexpr double least_yield_rotation = 2e-5;                  // [rad]
 constexpr double largest_ultimate_rotation = 0.5;              // [rad]
@@ -38,6 +46,9 @@ void doubt_period(const Structure& s, std::vector<Doubt>& doubts) {
 }
 
 void doubt_mass(const Structure& s, std::vector<Doubt>& doubts) {
+  // The number that makes the floors light has been doubted as it was read.
+  const std::string place = fmt::format("structures.{}.", s.name);
+  if (std::ranges::any_of(doubts, [&](const Doubt& doubt) { return doubt.name == "mass" && doubt.text.starts_with(place); })) return;
   const auto lightest = std::min_element(s.floors.begin(), s.floors.end(),
                                          [](const Floor& a, const Floor& b) { return a.mass < b.mass; });
   if (lightest == s.floors.end() || lightest->mass >= lightest_floor) return;
@@ -67,9 +78,13 @@ void doubt_members(const Structure& s, std::vector<Doubt>& doubts) {
     doubts.push_back({"section", fmt::format("structure {}: member {} is some {} deep, more than a storey of {}; a bare length is in m, type its "
                                              "unit, as in 400 mm",
                                              s.name, name_of(deepest - g.depths.begin()), metres(*deepest), metres(storey))});
+  const auto thinnest = std::min_element(g.depths.begin(), g.depths.end());
+  if (*thinnest < thinnest_member)
+    doubts.push_back({"section", fmt::format("structure {}: member {} is some {} deep, under 2 mm; look at the unit of its section", s.name,
+                                             name_of(thinnest - g.depths.begin()), metres(*thinnest))});
   const auto softest = std::min_element(g.moduli.begin(), g.moduli.end());
   if (*softest < softest_material)
-    doubts.push_back({"E", fmt::format("structure {}: member {} has E = {}, under 1 MPa; a bare E is in Pa, type its unit, as in 30 GPa", s.name,
+    doubts.push_back({"E", fmt::format("structure {}: member {} has E = {}, under 100 MPa; a bare E is in Pa, type its unit, as in 30 GPa", s.name,
                                        name_of(softest - g.moduli.begin()), format_quantity(*softest, dimension::stress))});
 }
 
@@ -97,9 +112,59 @@ void doubt_yielding(const Structure& s, std::vector<Doubt>& doubts) {
   });
 }
 
+// Force at which an isolator begins to move [N]; NaN if its law does not have one number for it.
+double strength(const YieldingPart& part) {
+  if (const double sliding = part.parameter("friction") * part.parameter("weight"); !std::isnan(sliding)) return sliding;
+  const double characteristic = part.parameter("strength");
+  return std::isnan(characteristic) ? part.parameter("yield_force") : characteristic;
+}
+
+// The strength of all isolators together; in space each stands for one of two axes.
+void doubt_isolators(const Structure& s, std::vector<Doubt>& doubts) {
+  const double weight = s.total_mass().x() * standard_gravity;
+  double sum = 0;
+  for (const YieldingPart& part : s.yielding)
+    if (isolates(part)) sum += strength(part);
+  if (s.dimension == 3) sum /= 2;
+  if (!(weight > 0) || !(sum > 0) || (sum >= weakest_isolators * weight && sum <= weight)) return;
+  doubts.push_back({"isolator", fmt::format("structure {}: its isolators begin to move at {}, {:.3g} % of its weight of {}, and 2 % to 15 % are usual; a bare "
+                                            "force is in N, type its unit, as in 375 kN",
+                                            s.name, format_quantity(sum, dimension::force), 100 * sum / weight, format_quantity(weight, dimension::force))});
+}
+
+void doubt_start(const Structure& s, std::vector<Doubt>& doubts) {
+  const auto largest = [](const Eigen::VectorXd& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0; };
+  if (const double moved = largest(s.initial_displacement); moved > largest_start)
+    doubts.push_back({"initial", fmt::format("structure {}: it begins with a displacement of {}, above {:g} m; a bare length is in m, type its unit, as in -5 mm",
+                                             s.name, format_quantity(moved, dimension::length), largest_start)});
+  if (const double velocity = largest(s.initial_velocity); velocity > fastest_start)
+    doubts.push_back({"initial", fmt::format("structure {}: it begins with a velocity of {}, above {:g} m/s; a bare velocity is in m/s, type its unit, as in 0.5 "
+                                             "m/s", s.name, format_quantity(velocity, dimension::velocity), fastest_start)});
+}
+
+void doubt_ground(const Model& model, std::vector<Doubt>& doubts) {
+  double peak = 0;
+  const auto take = [&](const GroundComponents& components) {
+    for (const GroundMotion& motion : components) peak = std::max(peak, motion.peak());
+  };
+  take(model.ground.components);
+  for (const Structure& s : model.structures)
+    for (const Support& support : s.supports)
+      if (support.motion) take(*support.motion);
+  if (peak <= strongest_ground) return;
+  doubts.push_back({"scale", fmt::format("ground motion: its peak acceleration is {:.4g} g, above {:g} g; scale is a factor on the record in its own unit, "
+                                         "as in 1.5, and pga: 0.35 g gives the peak itself",
+                                         peak / standard_gravity, strongest_ground / standard_gravity)});
+}
+
 void doubt_gaps(const Model& model, std::vector<Doubt>& doubts) {
   const auto widest = std::max_element(model.links.begin(), model.links.end(), [](const Link& a, const Link& b) { return a.gap < b.gap; });
-  if (widest == model.links.end() || widest->gap <= widest_gap) return;
+  if (widest == model.links.end()) return;
+  const auto is_narrow = [](const Link& link) { return link.gap > round_off_of_gap && link.gap < narrowest_gap; };
+  if (const auto narrow = std::ranges::find_if(model.links, is_narrow); narrow != model.links.end())
+    doubts.push_back({"gap", fmt::format("link {}: the gap is {}, under 0.05 mm; type it with its unit, as in 20 mm, or gap: 0 where the two touch", narrow->name,
+                                         format_quantity(narrow->gap, dimension::length))});
+  if (widest->gap <= widest_gap) return;
   doubts.push_back({"gap", fmt::format("link {}: the gap is {}, above {:g} m; a bare length is in m, type its unit, as in 20 mm, and look at the "
                                        "origins",
                                        widest->name, format_quantity(widest->gap, dimension::length), widest_gap)});
@@ -170,7 +235,10 @@ std::vector<std::string> implausible(const Model& model) {
     doubt_mass(s, doubts);
     doubt_members(s, doubts);
     doubt_yielding(s, doubts);
+    doubt_isolators(s, doubts);
+    doubt_start(s, doubts);
   }
+  doubt_ground(model, doubts);
   doubt_gaps(model, doubts);
   doubt_duration(model, doubts);
   doubt_records(model, doubts);
@@ -191,6 +259,24 @@ std::vector<std::string> implausible(const Model& model, bool moved, std::span<c
                                                  "of its stiffness",
                                                  model.links.at(static_cast<std::size_t>(deepest - penetrations.begin())).name,
                                                  format_quantity(*deepest, dimension::length), 1e3 * deepest_penetration)});
+  return texts(model, doubts);
+}
+
+std::vector<std::string> implausible_drifts(const Model& model, std::span<const std::vector<double>> drifts) {
+  std::vector<Doubt> doubts;
+  for (std::size_t k = 0; k < drifts.size(); ++k) {
+    const Structure& s = model.structures[k];
+    const std::vector<double> heights = storey_heights(s);
+    // Isolators move far by design, and where they stand under a frame its lowest floor moves with them.
+    std::size_t worst = is_isolated(s) ? 1 : 0;
+    for (std::size_t i = worst + 1; i < std::min(heights.size(), drifts[k].size()); ++i)
+      if (drifts[k][i] / heights[i] > drifts[k][worst] / heights[worst]) worst = i;
+    if (worst >= std::min(heights.size(), drifts[k].size()) || !(drifts[k][worst] > largest_drift * heights[worst])) continue;
+    doubts.push_back({"drift", fmt::format("structure {}: storey {} drifts by {}, {:.3g} % of its height of {} and above {:g} %, where no building stands; look at the "
+                                           "units of masses, stiffnesses and ground motion, or type analysis: {{collapse_drift: 10 %}} to end the run there",
+                                           s.name, s.floors[worst].label, format_quantity(drifts[k][worst], dimension::length, 4),
+                                           100 * drifts[k][worst] / heights[worst], format_quantity(heights[worst], dimension::length), 100 * largest_drift)});
+  }
   return texts(model, doubts);
 }
 

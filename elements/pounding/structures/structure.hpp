@@ -85,6 +85,9 @@ struct Floor {
   std::optional<double> elevation;  ///< above the common datum [m]; nothing where heights were not given
   /// Displacements that are reported: x; and y and the turn about z in a structure in space.
   std::vector<Row> motion;
+  /// Extent of a rigid floor in space, relative to the point whose motion is reported: smallest x, largest x, smallest y, largest
+  /// y [m]. nullopt for other floors.
+  std::optional<std::array<double, 4>> plan{};
   /// Shear forces of the storey below, along x, and y in space [N]; empty in a structure without storeys.
   std::vector<Row> storey_shear;
   /// The part of each of them that yielding parts add directly, as factors of their forces; empty for none.
@@ -139,6 +142,8 @@ struct NodeReport {
 struct InternalForces {
   std::vector<std::string> members, components;    ///< "start N", "start Vz", "start My", "end N" ...
   std::vector<int> places;                         ///< of each component among the twelve of a member
+  bool with_gravity = false;                       ///< the weights of the masses are included
+  std::string included;                            ///< loads and geometry that are included, for reports: "gravity, P-Delta"
   std::vector<std::string> supports, directions;   ///< names of the nodes; "x", "z", "ry" ...
   /// As factors of the unknowns: member by member and component by component, then node by node and direction by direction.
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows;

@@ -41,8 +41,29 @@ void Extremes::copy(std::size_t i, const Extremes& others, std::size_t from, dou
 }
 
 void StructureEnvelope::archive(Archive& archive) {
-  for (Extremes* extremes : {&displacement, &acceleration, &drift, &storey_shear, &member_force, &reaction}) archive(*extremes);
+  for (Extremes* extremes : {&displacement, &edge_displacement, &acceleration, &drift, &storey_shear, &member_force, &reaction}) archive(*extremes);
   for (std::vector<std::string>* names : {&members, &components, &supports, &directions}) archive(*names);
+  archive(with_gravity);
+  archive(included);
+}
+
+Extremes section_forces(const StructureEnvelope& envelope) {
+  Extremes sections(envelope.member_force.size());
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    sections.copy(i, envelope.member_force, i, envelope.components[i % envelope.components.size()].starts_with("start") ? -1 : 1);
+  return sections;
+}
+
+Extremes axial_forces(const StructureEnvelope& envelope) {
+  const Extremes sections = section_forces(envelope);
+  const std::size_t components = envelope.components.size();
+  Extremes axial(sections.size() > 0 ? envelope.members.size() : 0);
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (!envelope.components[i % components].ends_with(" N")) continue;
+    axial.update(i / components, sections.t_min[i], sections.min[i]);
+    axial.update(i / components, sections.t_max[i], sections.max[i]);
+  }
+  return axial;
 }
 
 }  // namespace pounding

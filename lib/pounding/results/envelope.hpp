@@ -2,6 +2,7 @@
 /// Extremes over a run: least and largest value of every quantity of a structure, with their times.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -112,16 +113,30 @@ struct Extremes {
 /// Extremes of one structure over all kept steps, inside the steps too, whatever the output times are. Quantities are in the order of
 /// their histories (StructureHistory), the last place changing first; lists are empty where a structure has no such quantity.
 struct StructureEnvelope {
+  /// Edges of a floor in the order of edge_displacement.
+  static constexpr std::array<const char*, 4> edges{"x at smallest y", "x at largest y", "y at smallest x", "y at largest x"};
+
   Extremes displacement;  ///< [floor, direction] relative to the ground [m], [rad]
+  /// [floor, edge] displacement of an edge along itself, relative to the ground [m]; NaN for a floor that is not rigid in space.
+  Extremes edge_displacement;
   Extremes acceleration;  ///< [floor, direction] absolute [m/s^2], [rad/s^2]
   Extremes drift;         ///< [floor, storey direction] [m]
   Extremes storey_shear;  ///< [floor, storey direction] [N]
   Extremes member_force;  ///< [member, component] of every member, on its ends, local axes [N], [N m]
   Extremes reaction;      ///< [support, direction] of the ground on the structure, global axes [N], [N m]
   std::vector<std::string> members, components, supports, directions;  ///< of the last two
+  bool with_gravity = false;  ///< the last two include the weights of the masses
+  std::string included;       ///< what else they include, see InternalForces::included
 
   /// For a checkpoint: the names too.
   void archive(Archive& archive);
 };
+
+/// Internal forces on the sections at both ends of each member, in the order of `member_force`: on the face towards the end of the
+/// member, so that N > 0 is tension and the sign of a component does not depend on the end [N], [N m].
+Extremes section_forces(const StructureEnvelope& envelope);
+
+/// Axial force of each member over both of its ends, positive in tension [N]; empty without members.
+Extremes axial_forces(const StructureEnvelope& envelope);
 
 }  // namespace pounding

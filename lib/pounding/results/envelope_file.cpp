@@ -28,12 +28,17 @@ struct Quantity {
 };
 
 // The first `places` rows of a quantity with these directions or components.
-void write(hid_t parent, const Quantity& quantity, const Extremes& extremes, std::size_t places, const Names& along, const char* word) {
+void write(hid_t parent, const Quantity& quantity, const Extremes& extremes, std::size_t places, const Names& along, const char* word,
+           const StructureEnvelope* forces = nullptr) {
   if (extremes.size() == 0) return;
   const std::size_t count = places * along.size();
   const Handle values = array(parent, {quantity.name, quantity.units, quantity.long_name},
                               paired(extremes.min, extremes.max, count), {places, along.size(), 2});
   attribute(values, word, along);
+  if (forces) {
+    attribute(values, "gravity_included", static_cast<int>(forces->with_gravity));
+    attribute(values, "included", forces->included);
+  }
   const std::string long_name = std::string("times of ") + quantity.name;
   array(parent, {quantity.time_name, "s", long_name.c_str()}, paired(extremes.t_min, extremes.t_max, count), {places, along.size(), 2});
 }
@@ -50,6 +55,8 @@ void write_envelopes(hid_t file, const std::vector<StructureHistory>& structures
     const Names along = history.storey_directions() == 1 ? Names{"x"} : Names{"x", "y"};
     write(one, {"displacement", "displacement_time", "m", "least and largest displacement relative to the ground"}, e.displacement,
           floors, history.directions, "directions");
+    write(one, {"edge_displacement", "edge_displacement_time", "m", "least and largest displacement of an edge of a rigid floor along itself"},
+          e.edge_displacement, floors, Names(e.edges.begin(), e.edges.end()), "edges");
     write(one, {"acceleration", "acceleration_time", "m/s^2", "least and largest absolute acceleration"}, e.acceleration, floors,
           history.directions, "directions");
     write(one, {"drift", "drift_time", "m", "least and largest storey drift"}, e.drift, floors, along, "directions");
@@ -60,12 +67,14 @@ void write_envelopes(hid_t file, const std::vector<StructureHistory>& structures
     if (!e.members.empty()) {
       hdf5::texts(one, "members", "names of the members", e.members);
       write(one, {"member_force", "member_force_time", "N", "least and largest force [N] or moment [N m] on an end of a member, local axes"},
-            e.member_force, e.members.size(), e.components, "components");
+            e.member_force, e.members.size(), e.components, "components", &e);
+      write(one, {"axial_force", "axial_force_time", "N", "least and largest axial force of a member over both ends, positive in tension"},
+            axial_forces(e), e.members.size(), {"N"}, "components", &e);
     }
     if (!e.supports.empty()) {
       hdf5::texts(one, "supports", "names of the nodes that the ground holds", e.supports);
       write(one, {"reaction", "reaction_time", "N", "least and largest force [N] or moment [N m] of the ground on the structure"},
-            e.reaction, e.supports.size(), e.directions, "directions");
+            e.reaction, e.supports.size(), e.directions, "directions", &e);
     }
   }
 }

@@ -92,6 +92,9 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
   attribute(place, "floors", history.floors);
   attribute(place, "elevations", history.elevations);
   attribute(place, "directions", history.directions);
+  if (!history.plans.empty())
+    array(place, {"plan", "m", "extent of rigid floors about the point whose motion is reported: smallest x, largest x, smallest y, largest y"},
+          history.plans, {floors, 4});
   write_motion(place, history.name, floors, &history.floors, history.directions, samples,
                {&history.displacement, &history.velocity, &history.acceleration});
 
@@ -126,6 +129,8 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
         array(members, {"end_forces", "N", "forces [N] and moments [N m] on the ends of members, local axes"},
               history.end_forces, {samples, history.members.size(), history.member_components.size()});
     attribute(made, "components", history.member_components);
+    attribute(made, "gravity_included", static_cast<int>(history.envelope.with_gravity));
+    attribute(made, "included", history.envelope.included);
   }
   if (const Names& supports = history.envelope.supports; !supports.empty()) {
     const Handle reactions = group(place, "reactions");
@@ -135,6 +140,8 @@ void write_structure(hid_t parent, const StructureHistory& history, std::size_t 
     const Handle made = array(reactions, {"force", "N", "forces [N] and moments [N m] of the ground on the structure, without damping"},
                               history.reaction, {samples, supports.size(), along.size()});
     attribute(made, "directions", along);
+    attribute(made, "gravity_included", static_cast<int>(history.envelope.with_gravity));
+    attribute(made, "included", history.envelope.included);
   }
   write_springs(place, history.name, history.springs, samples);
   if (!history.geometry.positions.empty()) write_geometry(place, history.geometry);
@@ -290,6 +297,8 @@ template <class AnyResults, class Visit>
 void visit_all(AnyResults& results, Visit&& visit) {
   visit("time", results.time);
   visit("ground/acceleration", results.ground_acceleration);
+  if (results.shakes_y) visit("ground/acceleration_y", results.ground_acceleration_y);
+  if (results.shakes_z) visit("ground/acceleration_z", results.ground_acceleration_z);
   for (auto& s : results.structures) {
     const std::string place = "structures/" + s.name + '/';
     visit(place + "displacement", s.displacement);
@@ -352,9 +361,13 @@ void write_all(hid_t file, const Results& results) {
 
   array(file, {"time", "s", "output times"}, results.time, {results.time.size()});
   const Handle ground = group(file, "ground");
-  check_length(results.ground_acceleration.size(), results.time.size(), "ground acceleration");
-  array(ground, {"acceleration", "m/s^2", "acceleration of the ground at the output times"},
-        results.ground_acceleration, {results.time.size()});
+  const auto along = [&](const char* name, const char* long_name, const std::vector<double>& values) {
+    check_length(values.size(), results.time.size(), "ground acceleration");
+    array(ground, {name, "m/s^2", long_name}, values, {values.size()});
+  };
+  along("acceleration", "acceleration of the ground at the output times", results.ground_acceleration);
+  if (results.shakes_y) along("acceleration_y", "the same along y", results.ground_acceleration_y);
+  if (results.shakes_z) along("acceleration_z", "the same along z, positive up", results.ground_acceleration_z);
 
   const Handle structures = group(file, "structures");
   for (const StructureHistory& history : results.structures) write_structure(structures, history, results.time.size());

@@ -55,6 +55,7 @@ struct StructureHistory {
   int dimension = 1;
   std::vector<std::string> floors;      ///< labels from the ground up
   std::vector<double> elevations;       ///< of the floors [m]; NaN where not known
+  std::vector<double> plans;            ///< [floor, 4] extents of rigid floors in space, see Floor::plan [m]; NaN for others, empty for none
   std::vector<std::string> directions{"x"};  ///< of the floors' motion
   std::vector<double> displacement, velocity;  ///< of floors, relative to the ground [m], [m/s], [rad], [rad/s]
   std::vector<double> acceleration;            ///< absolute [m/s^2], [rad/s^2]
@@ -102,7 +103,9 @@ struct Results {
   std::vector<DeviceHistory> devices;
   std::vector<ImpactRow> impacts;
   EnergyHistory energy;
-  std::vector<double> ground_acceleration;  ///< at the output times [m/s^2]
+  std::vector<double> ground_acceleration;  ///< along x at the output times [m/s^2]
+  bool shakes_y = false, shakes_z = false;  ///< the ground also moves along y, along z
+  std::vector<double> ground_acceleration_y, ground_acceleration_z;  ///< along y and z; empty if it does not move so
   /// Of a run without links, three a link: displacements of the left and the right end along the link, relative to the ground, and
   /// how far the two have approached each other [m]. Else empty.
   Extremes approach;

@@ -63,11 +63,15 @@ Extremes lowest(const Extremes& storeys, std::size_t along) {
 
 Json envelope_json(const StructureSummary& s) {
   const StructureEnvelope& e = s.envelope;
-  Json all = object_of(10);
+  Json all = object_of(15);
   const std::size_t directions = s.directions.size(), storey_directions = directions == 1 ? 1 : 2;
   if (e.displacement.size() > 0) {
     all["displacement"] = extremes_json(e.displacement, directions);
     all["acceleration"] = extremes_json(e.acceleration, directions);
+  }
+  if (e.edge_displacement.size() > 0) {
+    all["edges"] = e.edges;
+    all["edge_displacement"] = extremes_json(e.edge_displacement, e.edges.size());
   }
   if (e.drift.size() > 0) all["drift"] = extremes_json(e.drift, storey_directions);
   if (e.storey_shear.size() > 0) {
@@ -78,6 +82,11 @@ Json envelope_json(const StructureSummary& s) {
     all["members"] = e.members;
     all["components"] = e.components;
     all["member_force"] = extremes_json(e.member_force, e.components.size());
+    all["axial_force"] = extremes_json(axial_forces(e), 1);
+  }
+  if (e.member_force.size() > 0 || e.reaction.size() > 0) {
+    all["gravity_included"] = e.with_gravity;
+    all["included"] = e.included;
   }
   if (e.reaction.size() > 0) {
     all["supports"] = e.supports;
@@ -116,10 +125,14 @@ Json yielding_json(const std::vector<SpringSummary>& springs) {
 Json structures_json(const std::vector<StructureSummary>& structures) {
   Json all = object_of(structures.size());
   for (const StructureSummary& s : structures) {
-    Json& one = all[s.name] = object_of(8);
+    Json& one = all[s.name] = object_of(10);
     one["peak_displacement"] = s.peak_displacement;
     one["peak_drift"] = s.peak_drift;
     one["peak_acceleration"] = s.peak_acceleration;
+    if (!s.peak_rotation.empty()) {
+      one["peak_rotation"] = places_json(s.peak_rotation, 1);
+      one["peak_edge_displacement"] = places_json(s.peak_edge_displacement, 1);
+    }
     one["envelope"] = envelope_json(s);
     if (s.springs.empty()) continue;
     one["residual_displacement"] = s.residual_displacement;

@@ -41,6 +41,9 @@ struct StructureSummary {
   std::string name;
   std::vector<double> peak_displacement, peak_drift, peak_acceleration;  ///< [m], [m], [m/s^2]
   std::vector<std::string> directions;  ///< of the floors' motion: x; in space x, y, rz
+  /// Largest rotation about z [rad], and largest displacement of a corner of the plan, the length of a horizontal vector [m]: one per
+  /// floor, NaN for a floor that is not rigid; empty for a structure without rigid floors in space.
+  std::vector<double> peak_rotation{}, peak_edge_displacement{};
   StructureEnvelope envelope{};
   std::vector<SpringSummary> springs{};  ///< of the parts that yield; empty for none, and so are the three below
   /// At the end of the run, where it may still move, one a floor: signed along x, in space lengths of horizontal vectors [m]. A structure
@@ -55,6 +58,8 @@ struct StructureSummary {
     archive(peak_drift);
     archive(peak_acceleration);
     archive(directions);
+    archive(peak_rotation);
+    archive(peak_edge_displacement);
     archive(envelope);
     archive(springs);
     archive(residual_displacement);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -31,6 +33,35 @@ std::string structures_table(const std::vector<StructureSummary>& structures,
       if (compare) {
         const double alone = without[k].peak_displacement[i];
         text += fmt::format("  {:>14.4f}  {:>5.3f}", 1e3 * alone, s.peak_displacement[i] / alone);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+// Rotation of rigid floors in space, and the largest displacement of a corner of their plan; empty if no floor turns.
+std::string torsion_table(const std::vector<StructureSummary>& structures, const std::vector<StructureSummary>& without) {
+  std::size_t width = 9;
+  bool turns = false;
+  for (const StructureSummary& s : structures) {
+    if (!s.peak_rotation.empty()) width = std::max(width, s.name.size());
+    turns = turns || !s.peak_rotation.empty();
+  }
+  if (!turns) return {};
+  const bool compare = !without.empty();
+  std::string text = fmt::format("{:<{}}  floor      rotation  edge displacement  edge/middle{}\n", "structure", width,
+                                 compare ? "  without links  without links  ratio" : "");
+  text += fmt::format("{:<{}}               (mrad)               (mm)             {}\n", "", width, compare ? "         (mrad)           (mm)" : "");
+  for (std::size_t k = 0; k < structures.size(); ++k) {
+    const StructureSummary& s = structures[k];
+    for (std::size_t i = s.peak_rotation.size(); i-- > 0;) {
+      if (std::isnan(s.peak_rotation[i])) continue;
+      text += fmt::format("{:<{}}  {:>5}  {:>12.5f}  {:>17.4f}  {:>11.3f}", s.name, width, i + 1, shown(1e3 * s.peak_rotation[i], 5),
+                          1e3 * s.peak_edge_displacement[i], s.peak_edge_displacement[i] / s.peak_displacement[i]);
+      if (compare) {
+        const double rotation = without[k].peak_rotation[i], edge = without[k].peak_edge_displacement[i];
+        text += fmt::format("  {:>13.5f}  {:>13.4f}  {:>5.3f}", shown(1e3 * rotation, 5), 1e3 * edge, s.peak_edge_displacement[i] / edge);
       }
       text += '\n';
     }
@@ -82,33 +113,80 @@ ForceLine base_shear(const StructureSummary& s, std::size_t j, const std::string
   return {s.name, name, e.min[j], e.max[j], e.t_min[j], e.t_max[j], "", ""};
 }
 
-// For each kind of force (N, Vz, My ...) the extremes over all ends of all members.
+// Takes over an extreme that is beyond those of a line.
+void widen(ForceLine& line, const Extremes& of, std::size_t i, const std::string& where) {
+  if (line.at_min.empty() || of.min[i] < line.min) {
+    line.min = of.min[i];
+    line.t_min = of.t_min[i];
+    line.at_min = where;
+  }
+  if (line.at_max.empty() || of.max[i] > line.max) {
+    line.max = of.max[i];
+    line.t_max = of.t_max[i];
+    line.at_max = where;
+  }
+}
+
+// Forces below this fraction of the largest one are round-off.
+constexpr double no_force = 1e-9;
+
+// For each kind of force (N, Vz, My ...) the extremes over the sections at both ends of all members. End forces would give each axial
+// force twice, once with each sign, so that compression and tension could not be distinguished.
 std::vector<ForceLine> member_lines(const StructureSummary& s) {
   const StructureEnvelope& e = s.envelope;
+  const Extremes sections = section_forces(e);
   std::vector<ForceLine> lines;
   const std::size_t components = e.components.size();
-  for (std::size_t i = 0; i < e.member_force.size(); ++i) {
+  const auto kind_of = [&](std::size_t i) { return e.components[i % components].substr(e.components[i % components].find(' ') + 1); };
+  std::map<std::string, double> peaks;
+  for (std::size_t i = 0; i < sections.size(); ++i) peaks[kind_of(i)] = std::max(peaks[kind_of(i)], sections.peak(i));
+  for (std::size_t i = 0; i < sections.size(); ++i) {
     const std::string& component = e.components[i % components];
-    const std::string kind = component.substr(component.find(' ') + 1);
+    const std::string kind = kind_of(i);
+    // Beams in rigid floors have no axial force, which would hide that every column stays compressed.
+    if (peaks[kind] > 0 && sections.peak(i) < no_force * peaks[kind]) continue;
     auto line = std::find_if(lines.begin(), lines.end(), [&](const ForceLine& one) { return one.force == kind; });
     if (line == lines.end()) line = lines.insert(lines.end(), {s.name, kind, 0, 0, 0, 0, "", ""});
-    const std::string where = fmt::format("{}, {}", e.members[i / components], component.substr(0, component.find(' ')));
-    if (e.member_force.min[i] < line->min) {
-      line->min = e.member_force.min[i];
-      line->t_min = e.member_force.t_min[i];
-      line->at_min = where;
-    }
-    if (e.member_force.max[i] > line->max) {
-      line->max = e.member_force.max[i];
-      line->t_max = e.member_force.t_max[i];
-      line->at_max = where;
-    }
+    widen(*line, sections, i, fmt::format("{}, {}", e.members[i / components], component.substr(0, component.find(' '))));
   }
   return lines;
 }
 
+// The vertical reaction, in which uplift is seen: it is negative where the ground holds a support down.
+std::vector<ForceLine> reaction_line(const StructureSummary& s) {
+  const StructureEnvelope& e = s.envelope;
+  const auto vertical = std::find(e.directions.begin(), e.directions.end(), "z");
+  if (e.reaction.size() == 0 || vertical == e.directions.end()) return {};
+  ForceLine line{s.name, "reaction z", 0, 0, 0, 0, "", ""};
+  for (std::size_t i = 0; i < e.supports.size(); ++i)
+    widen(line, e.reaction, i * e.directions.size() + static_cast<std::size_t>(vertical - e.directions.begin()), e.supports[i]);
+  return {line};
+}
+
 // Local axes: N and V are forces, T and M moments.
 std::string with_unit(const std::string& force) { return force + (force[0] == 'M' || force[0] == 'T' ? " (kN m)" : " (kN)"); }
+
+// Signs of the table of forces, and what is included in them; structures with the same loads share a line.
+std::string notes_on_forces(const std::vector<StructureSummary>& structures) {
+  std::string text = "base shear: positive if the floor above has moved along the axis\n";
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes;
+  for (const StructureSummary& s : structures) {
+    const StructureEnvelope& e = s.envelope;
+    if (e.member_force.size() == 0 && e.reaction.size() == 0) continue;
+    const std::string others = e.included.substr(e.with_gravity ? std::min(e.included.size(), std::string("gravity, ").size()) : 0);
+    const std::string more = others.empty() ? "" : fmt::format(", {} {}", e.with_gravity ? "with" : "but", others);
+    const std::string note = e.with_gravity ? fmt::format("gravity is included{}", more)
+                                            : fmt::format("gravity is not included{}: weights add compression, so tension and uplift are "
+                                                          "overestimated; type gravity: true in the frame to include it", more);
+    auto known = std::ranges::find(notes, note, &std::pair<std::string, std::vector<std::string>>::first);
+    if (known == notes.end()) known = notes.insert(notes.end(), {note, {}});
+    known->second.push_back(s.name);
+  }
+  if (notes.empty()) return text;
+  text += "members: internal forces in local axes, N positive in tension, without damping; reaction: of the ground, positive up, negative in uplift\n";
+  for (const auto& [note, names] : notes) text += fmt::format("{}: {}\n", fmt::join(names, ", "), note);
+  return text;
+}
 
 std::string forces_table(const std::vector<StructureSummary>& structures) {
   std::vector<ForceLine> lines;
@@ -120,6 +198,8 @@ std::string forces_table(const std::vector<StructureSummary>& structures) {
     }
     const std::vector<ForceLine> members = member_lines(s);
     lines.insert(lines.end(), members.begin(), members.end());
+    const std::vector<ForceLine> reaction = reaction_line(s);
+    lines.insert(lines.end(), reaction.begin(), reaction.end());
   }
   if (lines.empty()) return {};
   std::size_t width = 9;
@@ -133,7 +213,7 @@ std::string forces_table(const std::vector<StructureSummary>& structures) {
       text += fmt::format("  {}; {}", line.at_min.empty() ? "-" : line.at_min, line.at_max.empty() ? "-" : line.at_max);
     text += '\n';
   }
-  return text;
+  return text + notes_on_forces(structures);
 }
 
 // The parts that yield most, at most so many of a structure.
@@ -228,6 +308,7 @@ std::string early_end(const std::string& status) {
 
 std::string to_table(const Summary& summary) {
   std::string text = structures_table(summary.structures, summary.without_pounding);
+  if (const std::string torsion = torsion_table(summary.structures, summary.without_pounding); !torsion.empty()) text += '\n' + torsion;
   if (const std::string forces = forces_table(summary.structures); !forces.empty()) text += '\n' + forces;
   if (const std::string springs = springs_table(summary.structures); !springs.empty()) text += '\n' + springs;
   if (!summary.devices.empty()) text += '\n' + devices_table(summary.devices);

@@ -2,6 +2,8 @@
 /// Extremes of floors and storeys over the kept steps.
 
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include <pounding/core/archive.hpp>
@@ -13,8 +15,8 @@
 
 namespace pounding {
 
-/// Extremes of displacements, accelerations and drifts in the envelopes of all structures, and the largest lengths of these as
-/// horizontal vectors for the summary.
+/// Extremes of displacements, of edges of rigid floors, accelerations and drifts in the envelopes of all structures, and the largest
+/// lengths of these as horizontal vectors for the summary.
 class FloorEnvelopes {
  public:
   /// Fills the envelopes in `histories`, which must outlive this, as must `response`.
@@ -34,21 +36,26 @@ class FloorEnvelopes {
   void archive(Archive& archive) { archive(lengths_); }
 
  private:
-  // Lengths of horizontal vectors, one a floor; none in a structure that moves along x only.
+  // Lengths of horizontal vectors, one a floor; none in a structure that moves along x only. `corner`: displacements of all corners
+  // of a rigid floor.
   struct Lengths {
-    Extremes displacement, drift, acceleration;
+    Extremes displacement, drift, acceleration, corner;
     void archive(Archive& archive) {
       archive(displacement);
       archive(drift);
       archive(acceleration);
+      archive(corner);
     }
   };
   void step_along(int structure, const StepMotion& step);
   void step_in_plan(int structure, const StepMotion& step);
+  void step_of_edges(int structure, const StepMotion& step);
 
   const FloorResponse& response_;
   std::vector<StructureHistory>& histories_;
   std::vector<Lengths> lengths_;
+  std::vector<std::vector<std::optional<std::array<double, 4>>>> plans_;  // [structure][floor], see Floor::plan
+  std::vector<bool> turns_;                                               // [structure] it has such floors
 };
 
 }  // namespace pounding

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,13 @@ inline std::vector<std::string> implausible(const Model& model, const Summary& s
     floors += structure.peak_displacement.size();
     moved = moved || std::any_of(structure.peak_displacement.begin(), structure.peak_displacement.end(), [](double peak) { return peak != 0; });
   }
-  return implausible(model, moved || floors == 0, penetrations);
+  std::vector<std::string> texts = implausible(model, moved || floors == 0, penetrations);
+  // A run that ends by collapse_drift drifts as far as it was allowed to.
+  std::vector<std::vector<double>> drifts;
+  for (const StructureSummary& structure : summary.structures) drifts.push_back(structure.peak_drift);
+  if (model.analysis.collapse_drift > 0) drifts.clear();
+  std::ranges::move(implausible_drifts(model, drifts), std::back_inserter(texts));
+  return texts;
 }
 
 /// One line for each isolator that moved further than it can.

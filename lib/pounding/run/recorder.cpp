@@ -24,7 +24,10 @@ Recorder::Recorder(const Model& model, const Stepper& stepper, Results& results)
       storeys_(model, stepper, results),
       forces_(model, plan_, stepper, results),
       reduction_(model, response_, stepper),
-      check_(model, response_, stepper) {}
+      check_(model, response_, stepper) {
+  results_.shakes_y = plan_.supports.front().at_first(1) >= 0;
+  results_.shakes_z = plan_.supports.front().at_first(2) >= 0;
+}
 
 void Recorder::accelerations_of_ground(double time) {
   ground_.resize(static_cast<int>(plan_.motions.size()));
@@ -49,6 +52,8 @@ void Recorder::sample(double time, bool inside) {
   results_.time.push_back(time);
   const int along_x = plan_.supports.front().at_first(0);
   results_.ground_acceleration.push_back(along_x < 0 ? 0.0 : ground_[along_x]);
+  if (results_.shakes_y) results_.ground_acceleration_y.push_back(ground_[plan_.supports.front().at_first(1)]);
+  if (results_.shakes_z) results_.ground_acceleration_z.push_back(ground_[plan_.supports.front().at_first(2)]);
   structures_.sample({time, inside, motion_, ground_});
   devices_.sample(time, inside);
   springs_.sample(time, inside);

@@ -20,6 +20,12 @@ StructureHistory heading(const Structure& s) {
     history.floors.push_back(floor.label);
     history.elevations.push_back(floor.elevation.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (std::ranges::any_of(s.floors, [](const Floor& floor) { return floor.plan.has_value(); }))
+    for (const Floor& floor : s.floors) {
+      const std::array<double, 4> plan = floor.plan.value_or(std::array{none, none, none, none});
+      history.plans.insert(history.plans.end(), plan.begin(), plan.end());
+    }
   if (history.dimension == 3) history.directions = {"x", "y", "rz"};
   history.nodes = s.nodes.names;
   history.node_directions = s.nodes.directions;
@@ -27,6 +33,8 @@ StructureHistory heading(const Structure& s) {
   history.member_components = s.forces.components;
   history.envelope.members = s.forces.members;
   history.envelope.components = s.forces.components;
+  history.envelope.with_gravity = s.forces.with_gravity;
+  history.envelope.included = s.forces.included;
   history.envelope.supports = s.forces.supports;
   history.envelope.directions = s.forces.directions;
   history.geometry = s.geometry;

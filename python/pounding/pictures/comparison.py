@@ -5,14 +5,13 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 
-from pounding.pictures.displacements import drawn_displacements
+from pounding.pictures.displacements import drawn_displacements, drawn_rotations
 from pounding.pictures.panels import legend_beside, link_styles, plot_time
-from pounding.pictures.style import ENERGY_UNITS, MM, BadRequest, engineering, largest
-from pounding.results import Link, RunData
+from pounding.pictures.style import DASHED, ENERGY_UNITS, MM, BadRequest, engineering, largest
+from pounding.results import Link, RunData, Structure
 
 #: Pictures that have something to show of a run without links.
-COMPARABLE = ("run", "displacement", "gap", "energy", "profiles", "plan")
-DASHED = {"linestyle": (0, (3, 2)), "linewidth": 0.8}
+COMPARABLE = ("run", "displacement", "rotation", "gap", "energy", "profiles", "plan")
 
 
 def require_comparison(run: RunData, picture: str) -> RunData:
@@ -24,11 +23,20 @@ def require_comparison(run: RunData, picture: str) -> RunData:
     return run.no_pounding
 
 
-def draw_displacements_without_links(axes: Axes, run: RunData, chosen: dict[str, int] | None = None) -> None:
+def draw_displacements_without_links(axes: Axes, run: RunData, chosen: dict[str, int] | None = None,
+                                     direction: np.ndarray | None = None) -> None:
     """Adds the displacements of the run without links to a panel of draw_displacements, of the same floors and at their places."""
     without = require_comparison(run, "displacement")
-    for number, (displacement, colour) in enumerate(drawn_displacements(run, without, chosen)):
+    for number, (displacement, colour) in enumerate(drawn_displacements(run, without, chosen, direction)):
         plot_time(axes, run, without.time, displacement, color=colour, label="without links" if number == 0 else None, **DASHED)
+    legend_beside(axes)
+
+
+def draw_rotations_without_links(axes: Axes, run: RunData) -> None:
+    """Adds the rotations of floors in the run without links to a panel of draw_rotations."""
+    without = require_comparison(run, "rotation")
+    for number, (rotation, colour, _) in enumerate(drawn_rotations(run, without)):
+        plot_time(axes, run, without.time, rotation, color=colour, label="without links" if number == 0 else None, **DASHED)
     legend_beside(axes)
 
 
@@ -53,13 +61,29 @@ def draw_input_without_links(axes: Axes, run: RunData) -> None:
 
 
 def _opening(link: Link, run: RunData) -> np.ndarray | None:
-    """Gap less the approach of the two floors along the link [m]; None for an end that is no floor, and for floors that turn."""
+    """Gap less the approach of the two floors along the link [m]; None for an end that is no floor, and for a floor in space that is not
+    rigid."""
     opening = np.full(run.time.shape, link.gap)
     for name, floor, sign in ((link.left, link.left_floor, -1), (link.right, link.right_floor, 1)):
         structure = run.structures[name]
         if structure.is_wall:
             continue
-        if not floor or structure.dimension == 3:
+        moved = _of_end(structure, floor - 1, link) if floor else None
+        if moved is None:
             return None
-        opening += sign * link.direction[0] * structure.displacement[:, floor - 1]
+        opening += sign * moved
     return opening
+
+
+def _of_end(structure: Structure, floor: int, link: Link) -> np.ndarray | None:
+    """Displacement of a floor, from 0, along a link where it acts [m]."""
+    if structure.dimension != 3:
+        return link.direction[0] * structure.displacement[:, floor]
+    if structure.plan is None or structure.geometry is None or link.position is None or np.isnan(structure.plan[floor]).any():
+        return None
+    centre = structure.centre(floor)
+    across = link.position[:2] - centre
+    rotation = structure.along["rz"].displacement[:, floor]
+    x = structure.along["x"].displacement[:, floor] - rotation * across[1]
+    y = structure.along["y"].displacement[:, floor] + rotation * across[0]
+    return link.direction[0] * x + link.direction[1] * y

@@ -1,73 +1,141 @@
-"""Panel of the displacements: structures beside each other, a gap apart."""
+"""Panels of the displacements along one direction, a gap apart, and of the rotations of floors."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
-from pounding.pictures.panels import legend_beside, plot_time, time_unit
-from pounding.pictures.style import MM, STRUCTURE_COLOURS, BadRequest
+from pounding.pictures.geometry import floor_heights
+from pounding.pictures.panels import NO_LINK, legend_beside, plot_time, time_unit
+from pounding.pictures.style import MM, STRUCTURE_COLOURS, BadRequest, structure_colour
 from pounding.results import Link, RunData, Structure
 
-#: More displacements than these in one panel cannot be told apart.
-MOST_STRUCTURES = 4
+#: More displacements than these in one panel cannot be distinguished.
+MOST_STRUCTURES = len(STRUCTURE_COLOURS)
+#: Line of a structure that no link along the panel's direction joins to another: its distance from them has no meaning.
+APART: dict[str, Any] = {"linewidth": 0.6, "alpha": 0.8}
 #: A place of a structure: the number of a floor, from 1; else the words for the end of a link, as "node b" and "10.5 m up".
 Place = int | str
 
 
-def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None = None) -> None:
-    """Displacements of up to four structures where their highest links are, each a gap away from its left neighbour, so that
+@dataclass(frozen=True)
+class _View:
+    """Structures of a run along one direction."""
+
+    direction: np.ndarray  #: horizontal, unit
+    drawn: list[Structure]
+    colours: dict[str, str]
+    places: dict[str, Place]
+    facing: list[Link]  #: links along the direction that join two of these places
+    offsets: dict[str, float]  #: of each structure at rest [m]
+    apart: set[str]  #: structures without such a link, if others have one
+
+
+def directions_of(run: RunData) -> list[np.ndarray]:
+    """Directions that have a panel each: x; in space x, y and those of oblique links."""
+    if not is_spatial(run):
+        return [np.array([1.0, 0, 0])]
+    found = [np.array([1.0, 0, 0]), np.array([0, 1.0, 0])]
+    for link in run.links.values():
+        if np.hypot(*link.direction[:2]) > 1e-9 and not any(_sign(link, known) for known in found):
+            found.append(np.sign(link.direction[np.flatnonzero(np.abs(link.direction[:2]) > 1e-9)[0]]) * link.direction)
+    return found
+
+
+def is_spatial(run: RunData) -> bool:
+    """Some structure moves in space."""
+    return any(structure.dimension == 3 for structure in run.structures.values())
+
+
+def draw_displacements(axes: Axes, run: RunData, chosen: dict[str, int] | None = None, direction: np.ndarray | None = None) -> None:
+    """Displacements of up to six structures where their highest links are, each a gap away from its left neighbour, so that
     two lines meet when the structures touch. A top above the links is drawn thin. `chosen` maps names of structures to
     numbers of floors, from 0, that are drawn instead; structures with a chosen floor come first.
 
     Two lines face each other, with the gap shaded between them, where one link joins them at the places that are drawn. The
     end of a link between floors moves as the floor at its other end and the opening of the link say.
 
-    In space the displacements are those of the middle of the floors in the direction of the first link; where a floor
-    turns, its ends may touch before the lines meet."""
+    `direction` is one of directions_of(), by default that of the first link. Links along other directions have no part in the panel:
+    a structure that only they join is drawn thin, about zero. In space the displacements are those of the middle of the floors;
+    if a floor rotates, its ends may touch before the lines meet."""
     chosen = chosen or {}
-    drawn, places, facing = _drawn(run, chosen)
-    names = [structure.name for structure in drawn]
-    moved = _displacements(run, places, facing)
-    offsets = _offsets(run, names)
-    sides = {name: MM * (offsets[name] + moved[name]) for name in names}
-    for structure, colour in zip(drawn, STRUCTURE_COLOURS):
-        name, place, top = structure.name, places[structure.name], len(structure.floors)
-        axes.axhline(MM * offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
+    view = _view(run, chosen, _direction(run) if direction is None else direction)
+    moved = _displacements(run, view)
+    sides = {name: MM * (view.offsets[name] + moved[name]) for name in view.places}
+    axis = _axis_words(view.direction)
+    for structure in view.drawn:
+        name, place, top, colour = structure.name, view.places[structure.name], len(structure.floors), view.colours[structure.name]
+        if name in view.apart:
+            plot_time(axes, run, run.time, sides[name], color=colour, label=f"{_label(structure, place)}{NO_LINK} {axis})", **APART)
+            continue
+        axes.axhline(MM * view.offsets[name], color=colour, linewidth=0.5, linestyle=(0, (4, 4)))
         plot_time(axes, run, run.time, sides[name], color=colour, label=_label(structure, place))
         if place != top and top and name not in chosen:
-            plot_time(axes, run, run.time, MM * (offsets[name] + _of_floor(run, name, top, _direction(run))), color=colour,
+            plot_time(axes, run, run.time, MM * (view.offsets[name] + _of_floor(run, name, top, view.direction)), color=colour,
                       linewidth=0.5, alpha=0.7, label=f"{name}, top")
-    sizes = ", ".join(f"{MM * link.gap:.4g}" for link in facing)
-    for i, link in enumerate(facing):
-        left, right = sides[link.left], sides[link.right]
+    sizes = ", ".join(f"{MM * link.gap:.4g}" for link in view.facing)
+    for i, link in enumerate(view.facing):
+        left, right = (sides[name] for name in _ordered(link, view.direction))
         axes.fill_between(run.time / time_unit(run)[0], left, right, where=right >= left, color="0.55", alpha=0.22, linewidth=0,
                           label=f"gap, {sizes} mm at rest" if i == 0 else None)
-    more = len(run.structures) - len(drawn)
-    title = "Displacements" if not more else f"Displacements of {len(drawn)} of {len(run.structures)}"
-    if any(structure.dimension == 3 for structure in drawn):
-        title += f" along {_axis_words(_direction(run))}"
-    axes.set_title(title)
+    more = len(run.structures) - len(view.drawn)
+    title = "Displacements" if not more else f"Displacements of {len(view.drawn)} of {len(run.structures)}"
+    axes.set_title(f"{title} along {axis}" if is_spatial(run) else title)
     axes.set_ylabel("Displacement\n[mm]")
     legend_beside(axes)
 
 
-def drawn_displacements(run: RunData, other: RunData, chosen: dict[str, int] | None = None) -> list[tuple[np.ndarray, str]]:
-    """Displacements [mm] in another run of the floors that draw_displacements shows, at their places, with the colours there. Between
-    floors only the links of the run know how a structure moves."""
-    drawn, places, _ = _drawn(run, chosen or {})
-    offsets = _offsets(run, [structure.name for structure in drawn])
-    floors = [(structure.name, places[structure.name], colour) for structure, colour in zip(drawn, STRUCTURE_COLOURS)]
-    return [(MM * (offsets[name] + _of_floor(other, name, place, _direction(run))), colour)
-            for name, place, colour in floors if isinstance(place, int)]
+def drawn_displacements(run: RunData, other: RunData, chosen: dict[str, int] | None = None,
+                        direction: np.ndarray | None = None) -> list[tuple[np.ndarray, str]]:
+    """Displacements [mm] in another run of the structures that draw_displacements shows, at their places, with the colours there. Only
+    the links of the run know how a structure moves between its floors; in the other run it is interpolated by the height."""
+    view = _view(run, chosen or {}, _direction(run) if direction is None else direction)
+    return [(MM * (view.offsets[structure.name] + _at_place(run, other, structure.name, view)), view.colours[structure.name])
+            for structure in view.drawn]
 
 
-def _drawn(run: RunData, chosen: dict[str, int]) -> tuple[list[Structure], dict[str, Place], list[Link]]:
-    """The structures that are drawn, the place of each, and the links that join two of these places."""
-    drawn = sorted(run.structures.values(), key=lambda structure: structure.name not in chosen)[:MOST_STRUCTURES]
-    drawn = [structure for structure in run.structures.values() if any(structure is one for one in drawn)]
-    places, facing = _places(run, [structure.name for structure in drawn], {name: floor + 1 for name, floor in chosen.items()})
-    return drawn, places, facing
+def draw_rotations(axes: Axes, run: RunData) -> None:
+    """Rotation of the highest rigid floor of each structure in space."""
+    for rotation, colour, label in drawn_rotations(run, run):
+        plot_time(axes, run, run.time, rotation, color=colour, label=label)
+    axes.set_title("Rotation of floors about z")
+    axes.set_ylabel("Rotation\n[mrad]")
+    legend_beside(axes)
+
+
+def drawn_rotations(run: RunData, other: RunData) -> Iterator[tuple[np.ndarray, str, str]]:
+    """Rotations [mrad] in another run of the floors that draw_rotations shows, with their colours and labels."""
+    for name in turning(run):
+        rotation, floors = other.structures[name].rotation, run.structures[name].floors
+        assert rotation is not None
+        highest = int(np.flatnonzero(np.isfinite(rotation).all(axis=0))[-1])
+        yield MM * rotation[:, highest], structure_colour(list(run.structures).index(name)), f"{name}, floor {floors[highest]}"
+
+
+def turning(run: RunData) -> list[str]:
+    """Names of the structures with rigid floors in space, up to MOST_STRUCTURES of them."""
+    return [name for name, structure in run.structures.items() if structure.rotation is not None][:MOST_STRUCTURES]
+
+
+def _view(run: RunData, chosen: dict[str, int], direction: np.ndarray) -> _View:
+    along = [link for link in run.links.values() if _sign(link, direction)]
+    linked = {name for link in along for name in (link.left, link.right)}
+    moving = [structure for structure in run.structures.values()
+              if structure.name in linked or any(abs(factor) > 1e-9 and axis in structure.along and structure.floors
+                                                 for axis, factor in zip("xy", direction))]
+    # Structures with a chosen floor come first, then those that links along the direction join.
+    drawn = sorted(moving, key=lambda structure: (structure.name not in chosen, structure.name not in linked))[:MOST_STRUCTURES]
+    drawn = [structure for structure in moving if any(structure is one for one in drawn)]
+    names = [structure.name for structure in drawn]
+    places, facing = _places(run, names, {name: floor + 1 for name, floor in chosen.items()}, along)
+    numbers = {name: number for number, name in enumerate(run.structures)}
+    few = len(run.structures) <= MOST_STRUCTURES
+    colours = {name: structure_colour(numbers[name] if few else i) for i, name in enumerate(names)}
+    return _View(direction, drawn, colours, places, facing, _offsets(along, names, direction), set(names) - linked if linked else set())
 
 
 def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
@@ -83,14 +151,14 @@ def chosen_floors(run: RunData, labels: dict[str, str]) -> dict[str, int]:
     return chosen
 
 
-def _places(run: RunData, names: list[str], chosen: dict[str, Place]) -> tuple[dict[str, Place], list[Link]]:
+def _places(run: RunData, names: list[str], chosen: dict[str, Place], along: list[Link]) -> tuple[dict[str, Place], list[Link]]:
     """Where each structure is drawn, and the links that join two of these places: of each pair of neighbours the highest one
-    that fits what is decided. A structure without such a link is drawn at its top; a wall has the place 0."""
+    of `along` that fits what is decided. A structure without such a link is drawn at its top; a wall has the place 0."""
     places: dict[str, Place] = {name: 0 for name in names if run.structures[name].is_wall}
-    places.update(chosen)
+    places.update({name: place for name, place in chosen.items() if name in names})
     facing: list[Link] = []
     pairs: dict[tuple[str, str], list[Link]] = {}
-    for link in run.links.values():
+    for link in along:
         if link.left in names and link.right in names:
             pairs.setdefault((link.left, link.right), []).append(link)
     for links in pairs.values():
@@ -131,12 +199,12 @@ def _label(structure: Structure, place: Place) -> str:
     return f"{structure.name}, {place if isinstance(place, str) else f'floor {structure.floors[place - 1]}'}"
 
 
-def _displacements(run: RunData, places: dict[str, Place], facing: list[Link]) -> dict[str, np.ndarray]:
-    """Displacement of each place relative to the ground, in the direction of the links [time] [m]."""
-    moved = {name: _of_floor(run, name, place, _direction(run)) for name, place in places.items() if isinstance(place, int)}
-    for _ in facing:
-        for link in facing:
-            widened = np.interp(run.time, link.time, -link.penetration) - link.gap
+def _displacements(run: RunData, view: _View) -> dict[str, np.ndarray]:
+    """Displacement of each place relative to the ground, in the direction of the view [time] [m]."""
+    moved = {name: _of_floor(run, name, place, view.direction) for name, place in view.places.items() if isinstance(place, int)}
+    for _ in view.facing:
+        for link in view.facing:
+            widened = _sign(link, view.direction) * (np.interp(run.time, link.time, -link.penetration) - link.gap)
             if link.left in moved:
                 moved.setdefault(link.right, moved[link.left] + widened)
             elif link.right in moved:
@@ -144,9 +212,43 @@ def _displacements(run: RunData, places: dict[str, Place], facing: list[Link]) -
     return moved
 
 
+def _at_place(run: RunData, other: RunData, name: str, view: _View) -> np.ndarray:
+    """Displacement [m] in another run of the place of a structure."""
+    place = view.places[name]
+    if isinstance(place, int):
+        return _of_floor(other, name, place, view.direction, other.time)
+    structure = run.structures[name]
+    link = next(link for link in view.facing if name in (link.left, link.right))
+    nodes = other.structures[name].nodes
+    if nodes is not None and place.removeprefix("node ") in nodes.names:
+        i = nodes.names.index(place.removeprefix("node "))
+        return sum((factor * nodes.displacement[:, i, nodes.directions.index(axis)]
+                    for axis, factor in zip("xy", view.direction) if axis in nodes.directions), np.zeros(other.time.size))
+    heights, _ = floor_heights(structure)
+    ground = structure.geometry.nodes[:, 2].min() if structure.geometry is not None else 0.0
+    motion = np.stack([_of_floor(other, name, floor, view.direction, other.time) for floor in range(len(heights) + 1)], axis=1)
+    height = link.position[2] if link.position is not None else _height(run, link)
+    levels = np.array([ground, *heights])
+    above = int(np.clip(np.searchsorted(levels, height), 1, len(levels) - 1))
+    share = np.clip((height - levels[above - 1]) / (levels[above] - levels[above - 1]), 0, 1)
+    return (1 - share) * motion[:, above - 1] + share * motion[:, above]
+
+
+def _sign(link: Link, direction: np.ndarray) -> int:
+    """1 for a link along a direction, -1 against it, 0 for one that is not parallel to it."""
+    share = float(link.direction[:2] @ direction[:2])
+    return int(np.sign(share)) if abs(share) > (1 - 1e-6) * np.hypot(*link.direction[:2]) > 0 else 0
+
+
+def _ordered(link: Link, direction: np.ndarray) -> tuple[str, str]:
+    """The names of the structures that it joins, the one further back along the direction first."""
+    return (link.left, link.right) if _sign(link, direction) > 0 else (link.right, link.left)
+
+
 def _direction(run: RunData) -> np.ndarray:
-    """Horizontal direction in which the first link opens; x without links."""
-    return next((link.direction for link in run.links.values()), np.array([1.0, 0, 0]))
+    """The direction of the first link, towards positive x or y; x without links."""
+    first = next((link for link in run.links.values() if np.hypot(*link.direction[:2]) > 1e-9), None)
+    return next((each for each in directions_of(run) if first is not None and _sign(first, each)), np.array([1.0, 0, 0]))
 
 
 def _axis_words(direction: np.ndarray) -> str:
@@ -157,21 +259,25 @@ def _axis_words(direction: np.ndarray) -> str:
     return f"({x:.2g}, {y:.2g})"
 
 
-def _of_floor(run: RunData, name: str, floor: int, direction: np.ndarray) -> np.ndarray:
-    """Displacement of a floor, from 1, relative to the ground, in a direction; a wall moves with the ground."""
+def _of_floor(run: RunData, name: str, floor: int, direction: np.ndarray, time: np.ndarray | None = None) -> np.ndarray:
+    """Displacement of a floor, from 1, relative to the ground, in a direction; a wall moves with the ground, and so does floor 0."""
     along = run.structures[name].along
+    still = np.zeros((run.time if time is None else time).size)
     if floor == 0:
-        return np.zeros_like(run.time)
-    return sum(factor * along[axis].displacement[:, floor - 1] for axis, factor in zip("xy", direction) if axis in along)
+        return still
+    return sum((factor * along[axis].displacement[:, floor - 1] for axis, factor in zip("xy", direction) if axis in along), still)
 
 
-def _offsets(run: RunData, names: list[str]) -> dict[str, float]:
-    """Where each structure rests, a gap to the right of its left neighbour [m]."""
-    offsets = {names[0]: 0.0} if names else {}
-    for _ in names:
-        for link in run.links.values():
-            if link.left in offsets and link.right in names:
-                offsets.setdefault(link.right, offsets[link.left] + link.gap)
-            elif link.right in offsets and link.left in names:
-                offsets.setdefault(link.left, offsets[link.right] - link.gap)
-    return {name: offsets.get(name, 0.0) for name in names}
+def _offsets(along: list[Link], names: list[str], direction: np.ndarray) -> dict[str, float]:
+    """Where each structure is at rest, a gap behind its neighbour along the direction; the first of those that links join is at 0 [m]."""
+    offsets: dict[str, float] = {}
+    for first in names:
+        offsets.setdefault(first, 0.0)
+        for _ in names:
+            for link in along:
+                back, front = _ordered(link, direction)
+                if back in offsets and front in names:
+                    offsets.setdefault(front, offsets[back] + link.gap)
+                elif front in offsets and back in names:
+                    offsets.setdefault(back, offsets[front] - link.gap)
+    return offsets

@@ -9,13 +9,13 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from pounding.pictures.comparison import (draw_displacements_without_links, draw_input_without_links, draw_openings_without_links,
-                                          require_comparison)
-from pounding.pictures.displacements import draw_displacements
+                                          draw_rotations_without_links, require_comparison)
+from pounding.pictures.displacements import directions_of, draw_displacements, draw_rotations, turning
 from pounding.pictures.hinge_map import hinges_figure
 from pounding.pictures.histories import draw_energies, draw_forces, draw_openings
 from pounding.pictures.loops import draw_loops
 from pounding.pictures.model_picture import model_figure
-from pounding.pictures.panels import label_time, legend_below
+from pounding.pictures.panels import gather_legends, label_time
 from pounding.pictures.plan_map import plan_figure
 from pounding.pictures.profiles import profiles_figure
 from pounding.pictures.run_picture import standard_figure
@@ -26,11 +26,12 @@ from pounding.results import RunData
 WHOLE: dict[str, Callable[..., Figure]] = {"run": standard_figure, "model": model_figure, "profiles": profiles_figure,
                                          "plan": plan_figure,
                                          "springs": loops_figure, "hinges": hinges_figure}
-OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "gap": draw_openings, "force": draw_forces,
-                                             "energy": draw_energies}
+OVER_TIME: dict[str, Callable[..., None]] = {"displacement": draw_displacements, "rotation": draw_rotations, "gap": draw_openings,
+                                             "force": draw_forces, "energy": draw_energies}
 PANELS: dict[str, Callable[..., None]] = {**OVER_TIME, "loops": draw_loops}
 #: Panels that can also show the run without links.
-COMPARED: dict[str, Callable[..., None]] = {"displacement": draw_displacements_without_links, "gap": draw_openings_without_links,
+COMPARED: dict[str, Callable[..., None]] = {"displacement": draw_displacements_without_links, "rotation": draw_rotations_without_links,
+                                            "gap": draw_openings_without_links,
                                             "energy": draw_input_without_links}
 
 
@@ -49,20 +50,26 @@ def figure(run: RunData, picture: str = "run", title: str | None = None, size: t
         return WHOLE[picture](run, title, size=size)
     if picture not in PANELS:
         raise BadRequest(f'there is no picture "{picture}"; there is {", ".join([*WHOLE, *PANELS])}')
+    if picture == "rotation" and not turning(run):
+        raise BadRequest("there is no rotation to draw: no structure of this run has rigid floors in space")
+    # In space there is a panel of displacements for each direction.
+    directions: list[dict[str, Any]] = [{"direction": each} for each in directions_of(run)] if picture == "displacement" else [{}]
     with rc_context(STYLE):
-        size = size or ((6.5, 3.2) if picture in OVER_TIME else (5.5, 4.0))
+        size = size or ((6.5, 0.8 + 2.4 * len(directions)) if picture in OVER_TIME else (5.5, 4.0))
         made = Picture(figsize=size, layout="constrained")
-        axes: Any = made.add_subplot()
-        PANELS[picture](axes, run)
-        if compare:
-            COMPARED[picture](axes, run)
+        panels: Any = made.subplots(len(directions), 1, squeeze=False, sharex=True)[:, 0]
+        for axes, options in zip(panels, directions):
+            PANELS[picture](axes, run, **options)
+            if compare:
+                COMPARED[picture](axes, run, **options)
         if picture in OVER_TIME:
-            label_time(axes, run)
-        if size[0] < NARROW and axes.get_legend():
-            axes.get_legend().remove()
-            handles, labels = axes.get_legend_handles_labels()
-            legend_below(made, handles, labels, 3)
-        if title == "":
-            axes.set_title("")
+            label_time(panels[-1], run)
+        if size[0] < NARROW:
+            gather_legends(made, list(panels))
+            if len(panels) > 1:  # they are too low for the whole label
+                for axes in panels:
+                    axes.set_ylabel("[mm]")
+        if title == "" and len(panels) == 1:
+            panels[0].set_title("")
         head(made, run.title if title is None else title)
         return made

@@ -94,8 +94,8 @@ def outline(points: np.ndarray) -> np.ndarray:
 def node_displacements(structure: Structure, model: LineModel) -> np.ndarray:
     """[time, node, 3]: displacements of the nodes of the line model relative to the ground [m].
 
-    Nodes that the file reports move as it says. Other nodes of a floor move with it as a plate that is rigid in its plane and
-    turns about the mean of its nodes; nodes between two floors are interpolated by their height."""
+    Nodes that the file reports move as it says. Other nodes of a floor move with it as a plate that is rigid in its plane
+    and rotates about the point whose motion is reported; nodes between two floors are interpolated by their height."""
     moved = _by_floors(structure, model)
     reported = structure.nodes
     if reported is None or structure.geometry is None:
@@ -155,11 +155,18 @@ def _plate(structure: Structure, model: LineModel, floor_of_node: np.ndarray, fl
             move[:, j] = structure.along[axis].displacement[:, floor]
     on_floor = floor_of_node == floor
     if "rz" in structure.along and np.any(on_floor):
-        arm = position - model.nodes[on_floor].mean(axis=0)
+        arm = position[:2] - _centre(structure, model, on_floor, floor)
         turn = structure.along["rz"].displacement[:, floor]
         move[:, 0] -= turn * arm[1]
         move[:, 1] += turn * arm[0]
     return move
+
+
+def _centre(structure: Structure, model: LineModel, on_floor: np.ndarray, floor: int) -> np.ndarray:
+    """[2]: the point of a floor whose motion is reported. Files that have no plan of the floor do not say where it is: the mean of its nodes."""
+    if structure.plan is None or structure.geometry is None or np.isnan(structure.plan[floor]).any():
+        return model.nodes[on_floor, :2].mean(axis=0)
+    return structure.centre(floor)
 
 
 def _between(structure: Structure, model: LineModel, floor_of_node: np.ndarray, heights: np.ndarray, held: float,

@@ -13,10 +13,15 @@ from pounding.results import RunData
 
 
 def draw_ground(axes: Axes, run: RunData) -> None:
-    """Acceleration of the ground."""
-    plot_time(axes, run, run.time, run.ground_acceleration, color="0.25", linewidth=0.7)
-    axes.set_title("Ground")
+    """Acceleration of the ground, along every axis along which it moves."""
+    along = {"x": run.ground_acceleration, **run.ground_across}
+    moving = {axis: values for axis, values in along.items() if largest([values]) > 0} or {"x": run.ground_acceleration}
+    for (axis, values), colour in zip(moving.items(), ("0.25", SKY, ORANGE)):
+        plot_time(axes, run, run.time, values, color=colour, linewidth=0.7, label=f"along {axis}")
+    axes.set_title("Ground" if "x" in moving or len(moving) > 1 else f"Ground along {next(iter(moving))}")
     axes.set_ylabel("Acceleration\n[m/s²]")
+    if len(moving) > 1:
+        legend_beside(axes)
 
 
 def draw_openings(axes: Axes, run: RunData) -> None:

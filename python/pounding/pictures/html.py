@@ -30,12 +30,17 @@ def run_html(title: str, status: str, summary: Mapping[str, Any]) -> str:
     structures = [[name, *(_number(max(one[key], default=None), size) for key, size in
                            (("peak_displacement", 1e-3), ("peak_drift", 1e-3), ("peak_acceleration", 1.0)))]
                   for name, one in summary.get("structures", {}).items() if one.get("peak_displacement")]
+    torsion = [[name, *(_number(max((value for value in one[key] if value is not None), default=None), 1e-3)
+                        for key in ("peak_rotation", "peak_edge_displacement"))]
+               for name, one in summary.get("structures", {}).items() if one.get("peak_rotation")]
     words = ["link", "impacts", "peak force [kN]", "penetration [mm]", "impulse [kN s]", "energy lost [kJ]", "still pressed"]
     parts = [f"<b>{html.escape(title)}</b>" + ("" if status == "done" else f": {html.escape(status)}")]
     if links:
         parts.append(table(words, links))
     if structures:
         parts.append(table(["structure", "displacement [mm]", "drift [mm]", "acceleration [m/s²]"], structures))
+    if torsion:
+        parts.append(table(["structure", "rotation [mrad]", "edge displacement [mm]"], torsion))
     energy = summary.get("energy", {})
     if energy:
         terms = " + ".join(f"{name} {_number(energy[name], 1e3)}"

@@ -14,6 +14,10 @@ from pounding.pictures.style import LINK_COLOURS, QUIET, TIME_UNITS, largest
 from pounding.results import Link, RunData
 
 
+#: Begins the words behind a structure that no link along the direction of a panel joins to another.
+NO_LINK = " (no link along"
+
+
 def time_unit(run: RunData) -> tuple[float, str]:
     """The (size [s], name) of the unit in which the time of a run is drawn."""
     span = run.time[-1] - run.time[0] if run.time.size else 0.0
@@ -73,3 +77,15 @@ def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], 
         if columns == 1 or legend.get_window_extent(renderer).width <= 0.94 * figure.bbox.width:
             return
         legend.remove()
+
+
+def gather_legends(figure: Figure, panels: Sequence[Axes]) -> None:
+    """One legend below all panels instead of one beside each. A structure that is linked in one panel and not in another one has one entry."""
+    entries: dict[str, Any] = {}
+    for axes in panels:
+        handles, labels = axes.get_legend_handles_labels()
+        entries |= {label.split(NO_LINK)[0]: handle for label, handle in zip(labels, handles) if NO_LINK not in label or label.split(NO_LINK)[0] not in entries}
+        legend = axes.get_legend()
+        if legend is not None:
+            legend.remove()
+    legend_below(figure, list(entries.values()), list(entries), 3)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from string import ascii_lowercase
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from pounding.envelopes import EDGES
 from pounding.pictures.comparison import require_comparison
 from pounding.pictures.geometry import floor_heights
 from pounding.pictures.style import FORCE_UNITS, MM, STYLE, BadRequest, Picture, engineering, head, largest, structure_colour
@@ -27,7 +29,8 @@ NARROW = 5.0
 def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, float] | None = None,
                     compare: bool | None = None) -> Figure:
     """Displacement and acceleration of the floors, drift and shear of the storeys: least and largest of the run, over the height, as
-    the run has tracked them in every step. One row of panels for x, another one for y when a structure has it.
+    the run has tracked them in every step. One row of panels for x, another one for y when a structure has it, and where floors are rigid in
+    space a third one: their rotation, and displacements of their edges.
 
     The run without links is dashed: where the file has it, unless `compare` is False. Raises BadRequest when no structure has floors,
     for a file of version 0.1, which has no extremes, and when `compare` is True and there is nothing to compare with."""
@@ -46,15 +49,19 @@ def profiles_figure(run: RunData, title: str | None = None, size: tuple[float, f
     if all(run.envelopes[structure.name].drift is None for structure in structures):
         panels = [draw_displacement, draw_acceleration]
     columns = len(panels) if size is None or size[0] >= NARROW else 2
-    lines = len(rows) * len(panels) // columns
+    drawn = [(axis, draw) for axis in rows for draw in panels]
+    if any(run.envelopes[structure.name].edge_displacement is not None for structure in structures):
+        drawn += [("rz", draw_rotation), *((axis, draw_edges) for axis in rows)]
+    lines = -(-len(drawn) // columns)
     width, height = size or (7.5, 0.9 + 3.4 * lines)
     with rc_context(STYLE):
         figure = Picture(figsize=(width, height), layout="constrained")
         grid = figure.subplots(lines, columns, sharey=True, squeeze=False)
-        drawn = [(axis, draw) for axis in rows for draw in panels]
-        for letter, (axis, draw), axes in zip("abcdefgh", drawn, grid.flat):
+        for axes in grid.flat[len(drawn):]:
+            axes.set_visible(False)
+        for letter, (axis, draw), axes in zip(ascii_lowercase, drawn, grid.flat):
             draw(axes, runs, axis)
-            along = "" if len(rows) == 1 else f" along {axis}" if width >= NARROW else f", {axis}"
+            along = "" if len(rows) == 1 or axis == "rz" else f" along {axis}" if width >= NARROW else f", {axis}"
             axes.set_title(f"({letter}) {axes.get_title(loc='left')}{along}")
         for line in grid:
             line[0].set_ylabel(_height_label(structures))
@@ -73,6 +80,30 @@ def draw_displacement(axes: Axes, runs: Runs, axis: str = "x") -> None:
         for values in _extremes(run, structure, axis, "displacement"):
             axes.plot([0, *(MM * values)], _levels(structure, run), marker="o", markersize=2.5, **style)
     _finish(axes, "Displacement", "mm")
+
+
+def draw_rotation(axes: Axes, runs: Runs, axis: str = "rz") -> None:
+    """Extreme rotations of rigid floors about z."""
+    for run, structure, style in _structures(runs, axis):
+        tracked = run.envelopes[structure.name].displacement
+        if structure.plan is not None and tracked is not None:
+            rigid = ~np.isnan(structure.plan[:, 0])
+            place = structure.directions.index("rz")
+            for values in (tracked.min[:, place], tracked.max[:, place]):
+                axes.plot([0, *(MM * np.where(rigid, values, np.nan))], _levels(structure, run), marker="o", markersize=2.5, **style)
+    _finish(axes, "Rotation", "mrad")
+
+
+def draw_edges(axes: Axes, runs: Runs, axis: str = "x") -> None:
+    """Extreme displacements along an axis of the two edges of rigid floors: the larger ones of both."""
+    edges = [number for number, name in enumerate(EDGES) if name.startswith(axis)]
+    for run, structure, style in _structures(runs, axis):
+        tracked = run.envelopes[structure.name].edge_displacement
+        if tracked is not None:
+            for values in (tracked.min[:, edges].min(axis=1), tracked.max[:, edges].max(axis=1)):
+                axes.plot([0, *(MM * values)], _levels(structure, run), marker="o", markersize=2.5, **style)
+    _finish(axes, "Edge displacement", "mm")
+    axes.set_title("Edges")
 
 
 def draw_acceleration(axes: Axes, runs: Runs, axis: str = "x") -> None:

@@ -30,6 +30,8 @@ YELLOW = "#F0E442"
 STRUCTURE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
 LINK_COLOURS = (BLUE, VERMILION, GREEN, ORANGE)
 QUIET = "0.72"
+#: Lines of the run without links.
+DASHED: dict[str, Any] = {"linestyle": (0, (3, 2)), "linewidth": 0.8}
 STYLE: dict[Any, Any] = {
     "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8.5, "axes.titleweight": "bold", "axes.titlelocation": "left",
     "legend.fontsize": 7.5, "legend.frameon": False, "legend.handlelength": 1.6, "legend.columnspacing": 1.2,

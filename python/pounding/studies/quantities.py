@@ -15,12 +15,14 @@ from pounding.studies import words
 
 #: Quantities of every structure: the largest absolute value over its floors.
 OF_STRUCTURES = {"displacement": "m", "drift": "m", "acceleration": "m/s^2"}
+#: Of structures with rigid floors in space: their rotation about z, and the displacement of the corners of their plan.
+OF_TORSION = {"rotation": "rad", "edge_displacement": "m"}
 #: Quantities of all links together, or of one by its name: force.left-right.
 OF_LINKS = {"force": "N", "penetration": "m", "impacts": "", "impulse": "N s", "energy_lost": "J"}
 #: From the run without links: the gap that is just enough, and by rules; the largest of all links.
 OF_GAPS = {"required_gap": "m", "gap_abs": "m", "gap_srss": "m", "gap_ddc": "m"}
-UNITS = {**OF_STRUCTURES, **OF_LINKS, **OF_GAPS}
-_EXAMPLES = {"m": "30 mm", "m/s^2": "0.5 g", "N": "5 MN", "N s": "200 kN s", "J": "50 kJ", "": "3"}
+UNITS = {**OF_STRUCTURES, **OF_TORSION, **OF_LINKS, **OF_GAPS}
+_EXAMPLES = {"rad": "0.005", "m": "30 mm", "m/s^2": "0.5 g", "N": "5 MN", "N s": "200 kN s", "J": "50 kJ", "": "3"}
 _KEYS = {"force": "peak_force", "penetration": "peak_penetration", "required_gap": "enough", "gap_abs": "abs", "gap_srss": "srss",
          "gap_ddc": "ddc"}
 SUMS = ("impacts", "impulse", "energy_lost")
@@ -73,7 +75,7 @@ class Kept:
 
 def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tuple[tuple[str, float], ...]) -> Kept:
     """The columns that `keep:` asks for, of rows with this layout. Raises InputError, also for quantities that the rows do not have."""
-    structures = {name: (floors, has_storeys) for name, floors, has_storeys in layout.structures}
+    structures = {one.name: one for one in layout.structures}
     rigid = {name for name, is_rigid in layout.links if is_rigid}
     links = [name for name, _ in layout.links]
     default = [{"force": "impulse"}.get(quantity, quantity) if rigid else quantity for quantity in DEFAULT]
@@ -85,7 +87,7 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
         quantity, _, name = word.partition(".")
         if quantity not in UNITS:
             raise InputError(f'study.{place}: there is no quantity "{word}".{words.meant(quantity, UNITS)} Allowed: {", ".join(UNITS)}')
-        if quantity in OF_STRUCTURES:
+        if quantity in OF_STRUCTURES or quantity in OF_TORSION:
             for each in _structures_with(quantity, name, structures, f"study.{place}"):
                 columns += [f"{quantity}.{each}"]
                 columns += [f"{quantity}.{each}.alone", f"{quantity}.{each}.ratio"] if without_links else []
@@ -97,15 +99,18 @@ def read_keep(given: Any, without_links: bool, layout: core.Layout, limits: tupl
     return Kept(tuple(dict.fromkeys(columns)), limits)
 
 
-def _structures_with(quantity: str, name: str, structures: Mapping[str, tuple[int, bool]], place: str) -> list[str]:
+def _structures_with(quantity: str, name: str, structures: Mapping[str, core.MovingStructure], place: str) -> list[str]:
     """The structures that have a quantity, or the one that is named."""
     if name and name not in structures:
         raise InputError(f'{place}: {quantity}.{name}: there is no structure "{name}" that moves; there is {", ".join(structures)}')
-    having = [each for each, (floors, has_storeys) in structures.items() if name in ("", each) and floors and (has_storeys or quantity != "drift")]
+    among = [one for one in structures.values() if name in ("", one.name)]
+    having = [one.name for one in among if (one.has_plans if quantity in OF_TORSION else one.floors and (one.has_storeys or quantity != "drift"))]
     if having:
         return having
     lacking = name or ", ".join(structures)
-    if quantity == "drift" and all(floors for each, (floors, _) in structures.items() if name in ("", each)):
+    if quantity in OF_TORSION:
+        raise InputError(f"{place}: {quantity} is that of rigid floors in space, and {lacking} has none; keep displacement instead")
+    if quantity == "drift" and all(one.floors for one in among):
         raise InputError(f"{place}: {quantity} is the motion of a floor relative to the one below, and {lacking} has no storeys; keep displacement instead")
     raise InputError(f"{place}: {quantity} is that of floors, and {lacking} has none; name them, as in floors: [{{nodes: [a, b], elevation: 3 m}}]")
 
@@ -176,7 +181,7 @@ def _after_collapse(column: str, value: float, summary: Mapping[str, Any]) -> fl
 
 def _value(column: str, summary: Mapping[str, Any]) -> float:
     quantity, _, rest = column.partition(".")
-    if quantity in OF_STRUCTURES:
+    if quantity in OF_STRUCTURES or quantity in OF_TORSION:
         return _of_structure(quantity, rest, summary)
     if quantity in OF_GAPS:
         found = [_number(one[_KEYS[quantity]]) for one in summary["no_pounding"]["separations"]]
@@ -197,7 +202,10 @@ def _of_structure(quantity: str, rest: str, summary: Mapping[str, Any]) -> float
         return _of_structure(quantity, rest.removesuffix(".ratio"), summary) / alone if alone else math.nan
     is_alone = rest.endswith(".alone")
     structures = summary["no_pounding"]["structures"] if is_alone else summary["structures"]
-    values = structures[rest.removesuffix(".alone")]["peak_" + quantity]
+    name = rest.removesuffix(".alone")
+    values = structures[name].get("peak_" + quantity, ())
+    if quantity in OF_TORSION:  # floors that are not rigid have none
+        values = [value for value in values if value is not None]
     return max(map(_number, values), default=math.nan)
 
 
