@@ -42,7 +42,7 @@ TEST(LinkInput, SaysWhichOfItsKeysIsMissing) {
 
 TEST(LinkInput, AsksForADesignSpeedWhereAClosedGapHasNone) {
   const std::string closed = "between: [left, right], gap: 0, law: bilinear_hertz, stiffness: 2.75e9, restitution: 0.65";
-  refused(link(closed), "5:45: links[0].law: bilinear_hertz takes its stiffness from the closing speed of each impact, and the bodies of left-right touch at "
+  refused(link(closed), "5:35: links[0].gap: bilinear_hertz takes its stiffness from the closing speed of each impact, and the bodies of left-right touch at "
                         "rest from the start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
                         "yield_penetration");
   EXPECT_EQ(test::model_of(link(closed + ", impact_velocity: 0.5 m/s")).links.size(), 1u);

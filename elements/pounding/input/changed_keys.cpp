@@ -1,6 +1,10 @@
 #include <pounding/input/changed_keys.hpp>
 
+#include <string>
+
 #include <fmt/format.h>
+
+#include <pounding/core/units.hpp>
 
 namespace pounding {
 namespace {
@@ -12,8 +16,9 @@ void doubt_hinges(const Input& hinges, std::vector<Doubt>& doubts) {
     for (const auto& [law, numbers] : hinge.entries()) {
       if (!numbers.is_map()) continue;
       const auto hardening = numbers.find("hardening");
-      if (!hardening || hardening->as_quantity() == 0) continue;
+      if (!hardening || !hardening->is_scalar()) continue;
       const std::string text = hardening->as_text();
+      if (double value = 1; parse_number(text.substr(0, text.find_first_of(" %")), value) && value == 0) continue;  // zero has one meaning
       doubts.push_back({"hardening", fmt::format("{}: is the ratio of the member end; version 0.2.0 took {} as that of the bare spring, which is now "
                                                  "spring_hardening: {}",
                                                  hardening->path(), text, text)});

@@ -136,7 +136,7 @@ void set_friction(Link& link, const LinkOptions& options, const Structure& a, co
 void require_closing_speed(const Link& link, double overlap, const Structure& a, const Structure& b) {
   constexpr double closed = 1e-9;  // [m]
   if (overlap < -closed || !link.contact->needs_closing_speed() || a.initial_velocity.any() || b.initial_velocity.any()) return;
-  refuse(ModelOption::law, fmt::format("{} takes its stiffness from the closing speed of each impact, and the bodies of {} touch at rest from the "
+  refuse(ModelOption::gap, fmt::format("{} takes its stiffness from the closing speed of each impact, and the bodies of {} touch at rest from the "
                                        "start; give a design speed, such as impact_velocity: 0.5 m/s, or initial_stiffness, secondary_stiffness and "
                                        "yield_penetration",
                                        link.law, link.name));

@@ -38,7 +38,7 @@ constexpr Word hinge_hardening_word{.key = "hardening", .takes = Takes::quantity
 constexpr std::string_view spring_hardening = "spring_hardening";
 
 Word rigid(Word word) {
-  word.otherwise = word.key == hinge_hardening_word.key ? "0, or that of the law" : "that of the law, where there is one";
+  word.otherwise = "that of the law, where there is one";
   return word;
 }
 
@@ -57,7 +57,8 @@ struct OfHinges : YieldingWords {
   std::vector<Word> own{at_word,
                         hinge_axis_word,
                         rigid(moment_word),
-                        rigid(hinge_hardening_word), ultimate_word};
+                        hinge_hardening_word,
+                        ultimate_word};
 
   template <hysteresis::Law L>
   void add(const L& made) {
