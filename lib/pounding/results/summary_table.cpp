@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
+
 namespace pounding {
 namespace {
 
@@ -245,6 +247,12 @@ std::string to_table(const Summary& summary) {
     text += fmt::format("without links it ended by {}: what the table says of that run lasts until then\n", why);
   text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
+  // Those of PETSC_OPTIONS are not on the command line.
+  if (!summary.options.empty()) {
+    text += "options     ";
+    for (const std::string& option : summary.options) text += " " + excerpt(option);
+    text += '\n';
+  }
   for (const ReducedStructure& s : summary.reduced)
     text += fmt::format("reduced      {}; errors by it: {}{}{}\n", s.size_text(), s.error_text(), s.checked_windows > 0 ? "; " : "", s.check_text());
   return text;
