@@ -2,15 +2,36 @@
 
 from __future__ import annotations
 
+import reprlib
 import unicodedata
 from typing import Any
+
+
+#: Characters of a message, and those that it quotes of one value.
+LONGEST, LONGEST_EXCERPT = 10_000, 200
+
+
+def excerpt(value: object) -> str:
+    """A value as a message quotes it: its beginning if it is long."""
+    if isinstance(value, str):
+        return f'"{value}"' if len(value) <= LONGEST_EXCERPT else f'"{value[:LONGEST_EXCERPT]}..."'
+    if isinstance(value, (bytes, bytearray)):
+        shown = repr(value[:LONGEST_EXCERPT + 1])
+    else:
+        try:
+            shown = reprlib.repr(value)
+        except Exception:  # an object without a representation
+            shown = f"an object of type {type(value).__name__}"
+    return shown if len(shown) <= LONGEST_EXCERPT else shown[:LONGEST_EXCERPT] + "..."
 
 
 class InputError(ValueError):
     """Wrong input. The text says where it stands, what was read, what is allowed and what to type."""
 
     def __init__(self, text: object = "") -> None:
-        super().__init__("".join(letter if letter == "\n" or _is_shown(letter) else letter.encode("unicode_escape").decode() for letter in str(text)))
+        words = str(text)
+        shown = words if len(words) <= LONGEST else words[:LONGEST] + "..."
+        super().__init__("".join(letter if letter == "\n" or _is_shown(letter) else letter.encode("unicode_escape").decode() for letter in shown))
 
 
 def _is_shown(letter: str) -> bool:

@@ -8,8 +8,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pounding.arguments import number, one_of, takes
 from pounding.errors import InputError
 from pounding.studies.scipy_stats import stats
+
+
+_CONFIDENCE = number(0, 0.999999)
 
 
 @dataclass(frozen=True)
@@ -30,14 +34,17 @@ class GapCurve:
         return cls(np.sort(required[known]), {name: values[known] for name, values in rules.items()}, required[known],
                    int(known.sum()) if events is None else len(np.unique(events[known])))
 
+    @takes(gap=number())
     def exceedance(self, gap: float) -> float:
         """Share of rows that need more than this gap [m]."""
         return float(np.mean(self.gap > gap))
 
+    @takes(gap=number(), confidence=_CONFIDENCE)
     def band(self, gap: float, confidence: float = 0.9) -> tuple[float, float]:
         """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), of as many samples as there are events."""
         return clopper_pearson(int((self.gap > gap).sum()) * self.independent / len(self.gap), self.independent, confidence)
 
+    @takes(percent=number(0, 100), confidence=_CONFIDENCE)
     def percentile(self, percent: float, confidence: float = 0.9) -> tuple[float, float, float]:
         """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows are too few [m]."""
         n = self.independent
@@ -52,6 +59,7 @@ class GapCurve:
 
     def ratio(self, rule: str) -> np.ndarray:
         """[row] The gap of a rule over the one that is needed; above 1 the rule is safe."""
+        one_of(self.rules)("rule", rule)
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.rules[rule] / self.required
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
@@ -10,8 +11,10 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from pounding import arguments
 from pounding._native import core
-from pounding.errors import InputError
+from pounding.arguments import number, takes, whole
+from pounding.errors import InputError, excerpt
 from pounding.studies import fragility, gaps
 from pounding.studies import percentiles as curves
 from pounding.studies.engines import DONE, EXCEEDED, NOT_RUN, STATUSES
@@ -37,6 +40,7 @@ class Rows:
         self.check = dict(check or {})  #: row of the kernel -> its kept columns by the solver
 
     @classmethod
+    @takes(path=arguments.file)
     def open(cls: type[Table], path: str | PathLike[str]) -> Table:
         """The table in a file, also of a study that was killed once. Raises InputError, OSError."""
         with open_study(Path(path)) as file:
@@ -58,8 +62,8 @@ class Rows:
 
     def __getitem__(self, column: str) -> np.ndarray:
         """One column. Raises InputError for a name that is not there."""
-        if column not in self.columns:
-            raise InputError(f'there is no column "{column}"; there is {", ".join(self.columns)}')
+        if not isinstance(column, str) or column not in self.columns:
+            raise InputError(f"there is no column {excerpt(column)}; there is {', '.join(self.columns)}")
         return self.columns[column]
 
     @property
@@ -89,6 +93,7 @@ class Rows:
         """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError where there is none."""
         chosen = self.finished.copy()
         for name, value in values.items():
+            value = number()(name, value)
             chosen &= np.isclose(self[name], value, rtol=1e-9, atol=0)
         if not chosen.any():
             known = "; ".join(f"{name} is {', '.join(f'{value:g}' for value in np.unique(self[name])[:12])}" for name in values)
@@ -99,7 +104,7 @@ class Rows:
         """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises InputError."""
         self[column]
         if not isinstance(limit, str):
-            return limit
+            return limit if limit == math.inf else number()("limit", limit)
         unit = self.units.get(column, "")
         try:
             return core.quantity(limit, unit) if unit else float(limit)
@@ -108,6 +113,7 @@ class Rows:
         except ValueError:
             raise InputError(f'limit of {column}: takes a number without a unit, not "{limit}"') from None
 
+    @takes(bootstrap=whole(0, 1_000_000), seed=whole(0))
     def fragility(self, column: str, limit: float | str, *, bootstrap: int = 1000, seed: int = 1, **values: float) -> fragility.Fragility:
         """The lognormal curve of the probability that `column` is above `limit` (SI, or "5 MN"), over the intensity; the band comes from records
         drawn again, since rows of one event are not independent. `values` choose factors. See `pounding.studies.fragility.fit`."""
@@ -116,6 +122,7 @@ class Rows:
         return fragility.of_rows(self._im()[chosen], exceeded, self._events()[chosen], bootstrap=bootstrap, seed=seed,
                                  failed=int((~self.finished & (self["status"] != NOT_RUN)).sum()))
 
+    @takes(percent=arguments.listed(number(0, 100), "a list of percentages"))
     def percentiles(self, column: str, percent: Sequence[float] = (16, 50, 84), **values: float) -> curves.Percentiles:
         """Percentiles of a column at every level, by order statistics; rows beyond a limit count as infinite."""
         chosen = self.choose(**values)
@@ -128,6 +135,7 @@ class Rows:
         rules = {name: self[f"gap_{name}"][chosen] for name in ("abs", "srss", "ddc") if f"gap_{name}" in self.columns}
         return gaps.GapCurve.of(self["required_gap"][chosen], rules, self._events()[chosen])
 
+    @takes(percent=number(0, 100))
     def map(self, column: str, across: str, along: str, percent: float = 50) -> curves.Map:
         """A percentile of a column over two factors, of all other rows together."""
         return curves.over_two(self[across], self[along], self[column], self.finished, percent, (across, along))
