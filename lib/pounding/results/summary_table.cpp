@@ -247,7 +247,7 @@ std::string to_table(const Summary& summary) {
     text += fmt::format("without links it ended by {}: what the table says of that run lasts until then\n", why);
   text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
-  // Those of PETSC_OPTIONS are not on the command line.
+  // The command does not show options of PETSC_OPTIONS.
   if (!summary.options.empty()) {
     text += "options     ";
     for (const std::string& option : summary.options) text += " " + excerpt(option);
