@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include <pounding/core/error.hpp>
+#include <pounding/core/text.hpp>
 
 namespace pounding::program {
 namespace {
@@ -22,11 +23,29 @@ constexpr const char* what_to_install =
     "Type `make python` in the source directory, or `python3 -m pip install numpy h5py matplotlib`, or set the "
     "environment variable POUNDING_PYTHON to a Python that has them.";
 
+/// Folders of a list such as PATH or PYTHONPATH that are absolute. An empty or relative entry means the working folder or one inside
+/// it, which may hold the files of others.
+std::vector<std::string> absolute_folders(const char* list) {
+  std::vector<std::string> folders;
+  if (list == nullptr) return folders;
+  for (const std::string_view folder : parts_between(list, ":"))
+    if (folder.starts_with('/')) folders.emplace_back(folder);
+  return folders;
+}
+
+/// The file of a program by its name, searched in the absolute folders of PATH; the name itself if it is in none of them.
+std::string on_path(const std::string& name) {
+  if (name.find('/') != std::string::npos) return name;
+  for (const std::string& folder : absolute_folders(std::getenv("PATH")))
+    if (const std::string file = folder + '/' + name; access(file.c_str(), X_OK) == 0 && !std::filesystem::is_directory(file)) return file;
+  return name;
+}
+
 /// The Python to run: the user's choice, else the environment that `make` prepared, else the one on the path.
 std::string find_python() {
-  if (const char* chosen = std::getenv("POUNDING_PYTHON"); chosen != nullptr && *chosen != '\0') return chosen;
+  if (const char* chosen = std::getenv("POUNDING_PYTHON"); chosen != nullptr && *chosen != '\0') return on_path(chosen);
   if (access(POUNDING_DEFAULT_PYTHON, X_OK) == 0) return POUNDING_DEFAULT_PYTHON;
-  return "python3";
+  return on_path("python3");
 }
 
 /// Our Python directory: the one installed with this program, else that of the source directory.
@@ -44,12 +63,13 @@ std::string whole_package_path() {
   return std::filesystem::is_directory(built / "pounding", unknown) ? built.string() : module_path();
 }
 
-/// This process's environment with our Python directory first on the module path.
+/// This process's environment with our Python directory first on the module path. Python and the processes that it starts import no module
+/// of the working folder: Python 3.11 and later read PYTHONSAFEPATH, which is `-P`.
 std::vector<std::string> environment_with(std::string path) {
-  if (const char* given = std::getenv("PYTHONPATH"); given != nullptr && *given != '\0') path.append(":").append(given);
-  std::vector<std::string> variables{"PYTHONPATH=" + path};
+  for (const std::string& folder : absolute_folders(std::getenv("PYTHONPATH"))) path.append(":").append(folder);
+  std::vector<std::string> variables{"PYTHONPATH=" + path, "PYTHONSAFEPATH=1"};
   for (char** variable = environ; *variable != nullptr; ++variable)
-    if (!std::string_view(*variable).starts_with("PYTHONPATH=")) variables.emplace_back(*variable);
+    if (const std::string_view text(*variable); !text.starts_with("PYTHONPATH=") && !text.starts_with("PYTHONSAFEPATH=")) variables.emplace_back(text);
   return variables;
 }
 

@@ -130,7 +130,8 @@ Rest rest_of(const CLI::App& command) {
   bool value = false;
   for (const std::string& word : rest.options) {
     const bool option = word.rfind("-pounding_", 0) == 0 || word == "-log_view";
-    if (!option && !value)
+    // PETSc would read the name of another option as such, not as a value.
+    if (!option && (!value || petsc::is_option_name(word)))
       throw InputError(fmt::format("unknown option \"{}\"; PETSc's options for the run start with -pounding_, the others "
                                    "are listed by pounding run --help",
                                    excerpt(word)));

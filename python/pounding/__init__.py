@@ -17,6 +17,13 @@ Everything is loaded when it is first used: results files need numpy and h5py, p
 from __future__ import annotations
 
 import importlib
+import sys
+
+# Python looks for a module to run by `python3 -m pounding...` when the name of the script is not known yet.
+if getattr(sys, "argv", [])[:1] == ["-m"]:
+    from pounding.working_folder import leave_working_folder_out
+
+    leave_working_folder_out()
 
 # The name is true for type checkers. The module typing alone would make up two thirds of the time of the import.
 TYPE_CHECKING = False

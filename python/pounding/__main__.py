@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from pounding.ended import exit_code
+from pounding.working_folder import leave_working_folder_out
 
 #: The program, as the wheel and the build tree hold it.
 PROGRAM = Path(__file__).parent / "bin/pounding"
@@ -20,6 +21,7 @@ STUDIES = ("study", "separation")
 def main(arguments: list[str] | None = None) -> int:
     """Becomes the program with these words, those of the command line unless given. Without a program hands them to one module.
     Returns its code, or 2 after a message."""
+    leave_working_folder_out()
     arguments = sys.argv[1:] if arguments is None else arguments
     if arguments and arguments[0] in STUDIES:
         return int(importlib.import_module("pounding.studies.command").main(arguments))

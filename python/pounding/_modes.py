@@ -12,6 +12,7 @@ import numpy as np
 
 from pounding import told
 from pounding._native import core
+from pounding.arguments import takes, whole
 from pounding.models import Model, as_model
 from pounding.pictures.html import table
 
@@ -77,6 +78,7 @@ class Modes(told.Told, Mapping[str, list[Mode]], lines=told.modes):
         return plot_modes(structures, title or self._title or "Mode shapes")
 
 
+@takes(count=whole(1, 10_000))
 def modes(model: Model | str | PathLike[str], count: int = 12) -> Modes:
     """The natural modes of a model or an input file, longest period first: `count` of a frame, all of other structures, none
     of a wall. Raises InputError."""

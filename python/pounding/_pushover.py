@@ -8,12 +8,15 @@ from collections.abc import Sequence
 from os import PathLike, fspath
 from pathlib import Path
 
+from pounding import arguments
 from pounding._native import core
+from pounding.arguments import optional, quantity, takes, text
 from pounding.errors import InputError, SolverError
 from pounding.models import Model, as_model
 from pounding.pushover_curve import Pushover
 
 
+@takes(structure=text, to=optional(quantity), direction=text, output=arguments.file)
 def pushover(model: Model | str | PathLike[str], structure: str = "", *, to: str | float | None = None,
              cyclic: Sequence[str | float] | str = (), load: str | PathLike[str] | Sequence[float] = "triangular", direction: str = "x",
              output: str | PathLike[str] = "") -> Pushover:
@@ -27,19 +30,19 @@ def pushover(model: Model | str | PathLike[str], structure: str = "", *, to: str
 
     Raises InputError for what cannot be pushed so; SolverError, with the results until then, for a structure that collapses."""
     model = as_model(model)
-    steps = cyclic if isinstance(cyclic, str) else ", ".join(_length(step) for step in cyclic)
-    arguments = (direction, "" if to is None else _length(to), steps, fspath(output))
+    steps = cyclic if isinstance(cyclic, str) else ", ".join(map(_length, arguments.listed(quantity)("cyclic", cyclic)))
+    words = (direction, "" if to is None else _length(to), steps, fspath(output))
     if isinstance(load, (str, PathLike)):
-        text = core.pushover(model._source(), structure, fspath(load), *arguments)
+        pushed = core.pushover(model._source(), structure, fspath(arguments.file("load", load)), *words)
     else:
         with tempfile.TemporaryDirectory() as folder:
             forces = Path(folder) / "load"
-            forces.write_text("\n".join(repr(float(force)) for force in load))
+            forces.write_text("\n".join(map(repr, arguments.listed(arguments.number(), "a name, a file or a list of forces")("load", load))))
             try:
-                text = core.pushover(model._source(), structure, str(forces), *arguments)
+                pushed = core.pushover(model._source(), structure, str(forces), *words)
             except InputError as error:
                 raise InputError(str(error).replace(f"{forces} holds", "the list holds")) from None
-    found = Pushover.from_json(json.loads(text))
+    found = Pushover.from_json(json.loads(pushed))
     if found.status != "done":
         raise SolverError(f"{found.structure} collapses: {found.status.removeprefix('collapse: ')}; push it less far", found)
     return found

@@ -12,9 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from pounding import told
+from pounding import arguments, told
 from pounding._native import core
-from pounding.errors import InputError
+from pounding.arguments import flag, number, optional, quantity, takes, text
+from pounding.errors import InputError, excerpt
 
 #: A number in SI, or a text with its unit: "0.5 m/s".
 Quantity = float | str
@@ -112,7 +113,7 @@ class Law:
             exponent = _number("exponent", given["exponent"], "")
         units = {p.name: p.unit for p in kind.parameters}
         self.kind = kind
-        self.formula = formula
+        self.formula = optional(text)("formula", formula)
         self.restitution = None if restitution is None else _number("restitution", restitution, "")
         self.impact_velocity = None if impact_velocity is None else _number("impact_velocity", impact_velocity, "m/s")
         self.reduced_mass = None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg")
@@ -145,6 +146,7 @@ class Law:
         answer = self._asked(penetration, rate, approach_velocity, reduced_mass, in_order, slopes=True)
         return Response(*(values[()] for values in answer))
 
+    @takes(closing_speed=arguments.numbers, reduced_mass=optional(quantity))
     def free_impact(self, closing_speed: Numbers, reduced_mass: Quantity | None = None) -> FreeImpact:
         """Two free bodies with this reduced mass [kg] that meet at this speed [m/s], one impact an element. The mass is the
         law's own unless given. Raises InputError unless both are finite and positive."""
@@ -152,12 +154,13 @@ class Law:
         if mass is None:
             raise InputError("free_impact needs reduced_mass [kg]: m1 m2/(m1+m2) of the two bodies")
         law = self._with_mass(None if self.reduced_mass is not None else mass)
-        speeds = np.asarray(closing_speed, dtype=float)
+        speeds = np.asarray(closing_speed)
         impacts = [law.free_impact(mass, speed) for speed in speeds.ravel()]
         values = {name: np.array([getattr(impact, name) for impact in impacts]).reshape(speeds.shape)[()]
                   for name in FreeImpact.__dataclass_fields__ if name != "closed_form"}
         return FreeImpact(**values, closed_form=tuple(impacts[0].closed_form) if impacts else ())
 
+    @takes(closing_speed=number(0, open=True))
     def describe(self, closing_speed: float = 1.0) -> dict[str, tuple[float, str]]:
         """Every parameter, the damping number and the damping coefficient at this closing speed [m/s]: name -> (value, SI
         unit)."""
@@ -174,7 +177,7 @@ class Law:
 
     def _asked(self, penetration: Numbers, rate: Numbers, approach_velocity: Numbers | None,
                reduced_mass: Quantity | None, in_order: bool, slopes: bool) -> Any:
-        name = self.kind.name
+        name, in_order = self.kind.name, flag("in_order", in_order)
         if self.kind.instantaneous:
             raise InputError(f"{name} has no force history")
         law = self._with_mass(None if reduced_mass is None else _number("reduced_mass", reduced_mass, "kg"))
@@ -183,7 +186,8 @@ class Law:
                 raise InputError(f"{name} needs approach_velocity [m/s], the closing speed of the impact: its damping depends "
                                  "on it")
             approach_velocity = 1.0
-        arrays = [np.asarray(values, dtype=float) for values in (penetration, rate, approach_velocity)]
+        given = {"penetration": penetration, "rate": rate, "approach_velocity": approach_velocity}
+        arrays = [arguments.numbers(key, values) for key, values in given.items()]
         velocity = arrays[2]
         if not np.all(np.isfinite(velocity) & (velocity >= 0)):
             worst = velocity[~(np.isfinite(velocity) & (velocity >= 0))].flat[0]
@@ -191,7 +195,11 @@ class Law:
         if in_order and (velocity.ndim or max(array.ndim for array in arrays) != 1):
             raise InputError("in_order takes the states of one impact: rows of penetrations and rates, one approach_velocity")
         if len({array.shape for array in arrays if array.ndim}) > 1:
-            arrays = list(np.broadcast_arrays(*arrays))
+            try:
+                arrays = list(np.broadcast_arrays(*arrays))
+            except ValueError:
+                shapes = ", ".join(f"{key} {array.shape}" for key, array in zip(given, arrays))
+                raise InputError(f"the arrays have shapes that do not go together: {shapes}; give arrays of one shape, or numbers") from None
         ask = law.responses if slopes else law.forces
         return ask(arrays[0], arrays[1], arrays[2], in_order)
 
@@ -214,12 +222,14 @@ class Laws(Mapping[str, LawKind]):
         self._kinds = {entry["name"]: _kind(entry) for entry in core.catalogue()}
 
     def __getitem__(self, name: str) -> LawKind:
+        if not isinstance(name, str):
+            raise arguments.refuse("laws[...]", "the name of a law", name)
         if name not in self._kinds:
-            raise InputError(f'unknown law "{name}".' + core.law_hint(str(name)))
+            raise InputError(f"unknown law {excerpt(name)}." + core.law_hint(name))
         return self._kinds[name]
 
     def __contains__(self, name: object) -> bool:
-        return name in self._kinds
+        return isinstance(name, str) and name in self._kinds
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._kinds)
@@ -234,6 +244,8 @@ class Laws(Mapping[str, LawKind]):
         return "laws"
 
 
+@takes(law=text, m1=quantity, m2=quantity, restitution=optional(quantity), stiffness=optional(quantity), velocity=optional(quantity),
+       exponent=optional(quantity), parameters=quantity)
 def calibrate(law: str, *, m1: Quantity, m2: Quantity = "wall", restitution: Quantity | None = None,
               stiffness: Quantity | None = None, velocity: Quantity | None = None, exponent: Quantity | None = None,
               **parameters: Quantity) -> dict[str, Any]:
@@ -253,6 +265,7 @@ def _kind(entry: dict[str, Any]) -> LawKind:
 
 
 def _number(name: str, value: Quantity, unit: str, exponent: float = 1.0) -> float:
+    value = quantity(name, value)
     if not isinstance(value, str):
         return float(value)
     try:

@@ -2,17 +2,32 @@
 
 from __future__ import annotations
 
+import reprlib
 import unicodedata
 from typing import Any
 
 
-#: Characters of a message, at most, as in the program.
-LONGEST_MESSAGE = 1800
+#: Characters of a message, at most, as in the program; and those that it quotes of one value.
+LONGEST_MESSAGE, LONGEST_EXCERPT = 1800, 200
 
 
 def shortened(text: str) -> str:
     """The text without its middle if it is longer than a message may be: its end says what to type."""
     return text if len(text) <= LONGEST_MESSAGE else f"{text[:LONGEST_MESSAGE - 605]} ... {text[-600:]}"
+
+
+def excerpt(value: object) -> str:
+    """A value as a message quotes it: its beginning if it is long."""
+    if isinstance(value, str):
+        return f'"{value}"' if len(value) <= LONGEST_EXCERPT else f'"{value[:LONGEST_EXCERPT]}..."'
+    if isinstance(value, (bytes, bytearray)):
+        shown = repr(value[:LONGEST_EXCERPT + 1])
+    else:
+        try:
+            shown = reprlib.repr(value)
+        except Exception:  # an object without a representation
+            shown = f"an object of type {type(value).__name__}"
+    return shown if len(shown) <= LONGEST_EXCERPT else shown[:LONGEST_EXCERPT] + "..."
 
 
 class InputError(ValueError):

@@ -11,7 +11,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
-from pounding import told, yaml_text
+from pounding import arguments, told, yaml_text
 from pounding._native import core
 from pounding.errors import ImplausibleWarning
 from pounding.pictures.html import text_html
@@ -56,13 +56,13 @@ class Model(told.Told, lines=told.model):
     def from_file(cls, path: str | PathLike[str]) -> Model:
         """The model of an input file. Its numbers stay the texts that they are there. Raises InputError for a file that
         cannot be read or is not YAML; `check` and `run` check its contents."""
-        name = fspath(path)
+        name = fspath(arguments.file("path", path))
         return cls._from_text(core.read_file(name), name)
 
     @classmethod
     def from_yaml(cls, text: str) -> Model:
-        """The model of an input's text."""
-        return cls._from_text(text, "model")
+        """The model of an input's text. Raises InputError for what is not YAML."""
+        return cls._from_text(arguments.text("text", text), "model")
 
     @classmethod
     def _from_text(cls, text: str, name: str) -> Model:
@@ -96,8 +96,9 @@ class Model(told.Told, lines=told.model):
 
     def _parts(self) -> dict[str, Any]:
         given = {part: getattr(self, part) for part in PARTS}
-        links_too = {part: value for part, value in given.items() if value is not None and (part != "links" or len(value))}
-        return yaml_text.plain(links_too)
+        plain = yaml_text.plain({part: value for part, value in given.items() if value is not None})
+        # Without links is as without the key.
+        return {part: value for part, value in plain.items() if part != "links" or value != []}
 
     def _source(self) -> core.Source:
         """For the program's reader: the text, and the file that it stands for in messages."""
@@ -124,7 +125,11 @@ class Checked:
 
 def as_model(model: Model | str | PathLike[str]) -> Model:
     """A model, or that of the input file which is named."""
-    return model if isinstance(model, Model) else Model.from_file(model)
+    if isinstance(model, Model):
+        return model
+    if not isinstance(model, (str, PathLike)):
+        raise arguments.refuse("model", "a Model or the name of an input file", model)
+    return Model.from_file(model)
 
 
 def check(model: Model | str | PathLike[str]) -> Checked:

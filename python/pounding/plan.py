@@ -6,8 +6,9 @@ import copy
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+from pounding import arguments
 from pounding._native import core
-from pounding.errors import InputError
+from pounding.errors import InputError, excerpt
 
 #: Coordinates are rounded to this many decimals of a metre: 12.03, not 12.030000000000001.
 DECIMALS = 9
@@ -36,7 +37,7 @@ def extent(structures: Mapping[str, Any]) -> Extent:
     """The rectangle around frames, as a model holds them: {name: {"frame": {...}, "damping": ...}}. A plane frame has no depth.
 
     Raises InputError for a structure that is no frame, and for one without grid and nodes."""
-    if not structures:
+    if not arguments.mapping("structures", structures):
         raise InputError("structures: there is none; give at least one frame")
     every = [_extent(name, words) for name, words in structures.items()]
     return Extent(min(one.x0 for one in every), max(one.x1 for one in every), min(one.y0 for one in every), max(one.y1 for one in every))
@@ -51,13 +52,14 @@ def row(structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Seq
 
     Nothing that was given is changed; an `origin` that a frame had is replaced. Raises InputError as `extent` does, and for gaps that
     are negative or too few."""
-    if along not in ("x", "y"):
-        raise InputError(f'along: takes x or y; "{along}" was given')
-    if align not in ("low", "high"):
-        raise InputError(f'align: takes low or high; "{align}" was given')
+    arguments.mapping("structures", structures)
+    arguments.one_of(("x", "y"))("along", along)
+    arguments.one_of(("low", "high"))("align", align)
     axis = "xy".index(along)
     gaps = [_metres(one, "gap") for one in _each(gap, len(structures) - 1)]
-    place = [_metres(value, "start") for value in start]
+    place = [_metres(value, "start") for value in arguments.listed(arguments.quantity, "x and y")("start", start)]
+    if len(place) != 2:
+        raise InputError(f"start: takes x and y [m]; {excerpt(start)} was given")
     if any(one < 0 for one in gaps):
         raise InputError("gap: takes distances of at least 0; frames that overlap cannot be linked")
     # One by one: the same words may stand under several names.
@@ -87,6 +89,13 @@ def _each(gap: Any, count: int) -> list[Any]:
 
 def _frame(name: str, words: Any) -> dict[str, Any]:
     frame = words.get("frame") if isinstance(words, Mapping) else None
+    if isinstance(frame, dict):
+        for key, kind in (("grid", Mapping), ("nodes", Mapping), ("origin", Sequence)):
+            if key in frame and not isinstance(frame[key], kind):
+                raise arguments.refuse(f"structures.{name}.frame.{key}", "a map" if kind is Mapping else "a list", frame[key])
+        for node, position in frame.get("nodes", {}).items():
+            if isinstance(position, str) or not isinstance(position, Sequence) or len(position) not in (2, 3):
+                raise arguments.refuse(f"structures.{name}.frame.nodes.{node}", "two or three coordinates", position)
     if not isinstance(frame, dict):
         raise InputError(f"structures.{name}: has no place in plan; only frames have: {{\"frame\": {{...}}}}")
     return frame
@@ -119,8 +128,13 @@ def _size(place: str, grid: Mapping[str, Any]) -> tuple[float, float]:
     if bays is None or width is None:
         raise InputError(f'{place}: its size needs bays and bay_width, as in "bays": [3, 2], "bay_width": "6 m"')
     counts = list(bays) if isinstance(bays, Sequence) and not isinstance(bays, str) else [bays]
+    if not counts:
+        raise InputError(f"{place}.bays: takes a number of bays, or one along x and one along y; an empty list was given")
     sizes = []
     for count, axis in zip(counts, "xy"):
+        if isinstance(width, Mapping) and axis not in width:
+            raise InputError(f"{place}.bay_width: has no {axis}, and there are bays along {axis}")
+        count = arguments.whole(1, 100_000)(f"{place}.bays", count)
         own = width[axis] if isinstance(width, Mapping) else width
         widths = own if isinstance(own, Sequence) and not isinstance(own, str) else [own] * int(count)
         sizes.append(sum(_metres(value, f"{place}.bay_width") for value in widths))
@@ -128,8 +142,9 @@ def _size(place: str, grid: Mapping[str, Any]) -> tuple[float, float]:
 
 
 def _metres(value: Any, place: str) -> float:
+    value = arguments.quantity(place, value)
     if not isinstance(value, str):
-        return float(value)
+        return value
     try:
         return float(core.quantity(value, "m"))
     except InputError as error:

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pounding import told
+from pounding import arguments, told
+from pounding.arguments import optional, takes
 from pounding.checked_file import NotResults, require_whole
 from pounding.ended import exit_code
 from pounding.errors import InputError
@@ -94,12 +95,14 @@ class Pushover(told.Told, lines=_lines):
                    mechanism=None if mechanism is None else mechanism["point"], overstrength=summary["overstrength"]["largest"],
                    summary=summary)
 
+    @takes(title=optional(arguments.text), size=optional(arguments.size))
     def plot(self, title: str | None = None, size: tuple[float, float] | None = None) -> Figure:
         """A picture of the curve with its events, numbered in their order, and the two straight lines. `size` is width and height [in].
         Raises ImportError without matplotlib."""
         return pushover_figure(self, f"Pushover of {self.structure}" if title is None else title, size)
 
 
+@takes(path=arguments.file)
 def read_pushover(path: str | PathLike[str]) -> Pushover:
     """The pushover in the results file `path`, whose checksum is compared first. Raises OSError when it cannot be opened, NotResults when
     it is something else or damaged."""

@@ -12,10 +12,12 @@ from typing import Any, TypeVar
 import h5py
 import numpy as np
 
-from pounding import told
+from pounding import arguments, told
+from pounding.arguments import takes
 from pounding.checked_file import RESULTS, HoldsPushover, NotResults, require_whole, require_whole_image
 from pounding.devices import Device, read_devices
 from pounding.envelopes import StructureEnvelope, included, read_envelopes, section_signs
+from pounding.errors import InputError, excerpt
 from pounding.outputs import replaced
 from pounding.springs import Springs, read_springs
 from pounding.texts import text, texts
@@ -225,6 +227,7 @@ class RunData(told.Told, lines=told.run):
     no_pounding: RunData | None = field(default_factory=lambda: None)
 
     @classmethod
+    @takes(path=arguments.file, checked=arguments.flag)
     def read(cls: type[Data], path: str | PathLike[str], *, checked: bool = True) -> Data:
         """The results in the file `path`. Its checksum is compared first; `checked=False` reads a file that has none, of an earlier
         version, or to which you have added something, as it stands: HDF5 may never end on a damaged one. Raises OSError when it
@@ -239,6 +242,8 @@ class RunData(told.Told, lines=told.run):
     @classmethod
     def from_image(cls: type[Data], image: bytes) -> Data:
         """The results in the bytes of such a file. Raises NotResults."""
+        if not isinstance(image, bytes):
+            raise arguments.refuse("image", "the bytes of a results file", image)
         require_whole_image(image)
         with _opened(image, "what was given") as file:
             return cls._of(file, "what was given", image)
@@ -256,10 +261,14 @@ class RunData(told.Told, lines=told.run):
         except Exception as error:
             raise NotResults(f"{name} is not a results file of pounding: {error}") from error
 
+    @takes(link=arguments.text)
     def impacts_of(self, link: str) -> np.ndarray:
-        """The rows of `impacts` that belong to one link."""
+        """The rows of `impacts` that belong to one link. Raises InputError for a name that no link has."""
+        if link not in self.links:
+            raise InputError(f"there is no link {excerpt(link)}; there is {', '.join(self.links) or 'none'}")
         return self.impacts[self.impacts["link"] == link]
 
+    @takes(path=arguments.file)
     def save(self, path: str | PathLike[str]) -> None:
         """Writes the results file, which replaces nothing but results. Raises InputError, OSError."""
         with replaced(path, RESULTS) as temporary:

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import sys
 import warnings
 from collections.abc import Callable, Iterator, Mapping
+from numbers import Real
 from os import PathLike, fspath
 from typing import Any
 
+from pounding import arguments
 from pounding._native import core
-from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError
+from pounding.arguments import optional, takes
+from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError, excerpt
 from pounding.models import Model, as_model
 from pounding.runs import Run
 
@@ -35,8 +39,10 @@ def run(model: Model | File, *, tolerance: float | None = None, output: File | N
     this function alike, and an error of one of them is raised by all."""
     with _refused_by_all():
         model = as_model(model)
+        tolerance = optional(arguments.number(0, open=True))("tolerance", tolerance)
         if tolerance is not None:
             model = model.copy()
+            arguments.mapping("model.analysis", model.analysis or {})
             model.analysis = {**(model.analysis or {}), "tolerance": tolerance}
         words = _words(options)
         source = model._source()
@@ -52,7 +58,7 @@ def resume(results: File, *, output: File | None = None, options: Mapping[str, A
     """Goes on with a run that was killed, interrupted or cut, from its results file, to the bits of one that never stopped.
     `output` is another file to write; `options` beside those of the beginning. Raises as `run`."""
     with _refused_by_all():
-        place, words, other = fspath(results), _words(options), _place(output)
+        place, words, other = fspath(arguments.file("results", results)), _words(options), _place(output)
     with _Shown(progress) as shown:
         ran = core.resume(place, other, words, " ".join(["pounding.resume", place, *words]), shown.report)
     return _results(ran, other or place)
@@ -62,7 +68,7 @@ def _place(output: File | None) -> str:
     """The name of a results file; empty for none. Raises InputError for an empty name, which hardly means none."""
     if output is None:
         return ""
-    if not fspath(output):
+    if not fspath(arguments.file("output", output)):
         raise InputError("the name of the output is empty: name a file, or write output=None")
     return fspath(output)
 
@@ -83,9 +89,13 @@ def _refused_by_all() -> Iterator[None]:
 
 def _words(options: Mapping[str, Any] | None) -> list[str]:
     words = []
-    for name, value in (options or {}).items():
+    for name, value in arguments.mapping("options", {} if options is None else options).items():
+        if not re.fullmatch("[A-Za-z][A-Za-z0-9_-]*", name):
+            raise InputError(f'options: the name of an option is one such as "ts_max_steps"; {excerpt(name)} was given')
         words.append(f"-pounding_{name}")
         if value is not True:
+            if not isinstance(value, (str, PathLike, Real)) or str(value) in ("", "nan"):
+                raise arguments.refuse(f"options[{name!r}]", "a number, a text, or True for an option without a value", value)
             words.append(str(value))
     return words
 
@@ -116,6 +126,8 @@ class _Shown:
     """Progress as a line that is written over and over, in a notebook as a bar; gone at the end."""
 
     def __init__(self, progress: Progress | bool | None) -> None:
+        if not (progress is None or isinstance(progress, bool) or callable(progress)):
+            raise arguments.refuse("progress", "True, False, None or a function of time, duration and impacts", progress)
         notebook = _is_notebook()
         shows = notebook or sys.stderr.isatty() if progress is None else progress
         shown = self._show_bar if notebook else self._write

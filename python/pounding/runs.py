@@ -10,6 +10,8 @@ from dataclasses import dataclass, fields
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+from pounding import arguments
+from pounding.arguments import flag, number, optional, takes, text, whole
 from pounding.pictures.html import run_html
 from pounding.results import RunData
 from pounding.spectra import Spectrum, floor_spectrum
@@ -57,6 +59,7 @@ class Run(RunData):
         self._load()
         return self.__dict__
 
+    @takes(picture=text, title=optional(text), size=optional(arguments.size), compare=optional(flag))
     def plot(self, picture: str = "run", title: str | None = None, size: tuple[float, float] | None = None, *,
              compare: bool | None = None) -> Figure:
         """A picture: "run" (histories and impacts), "displacement", "rotation" (of rigid floors in space), "gap", "force", "loops", "energy", "model" (the
@@ -79,6 +82,8 @@ class Run(RunData):
         try, and for a floor that is not there."""
         return floor_spectrum(self, floor, damping, periods, direction=direction)
 
+    @takes(path=optional(arguments.file), frames=optional(whole(1)), start=optional(number()), end=optional(number()),
+           scale=optional(number()), title=optional(text))
     def animate(self, path: str | PathLike[str] | None = None, *, frames: int | None = None, start: float | None = None,
                 end: float | None = None, scale: float | None = None, title: str | None = None) -> Film:
         """The run in motion from `start` to `end` [s], displacements drawn `scale` times as large.
@@ -113,6 +118,7 @@ class Run(RunData):
 _FIELDS = frozenset(each.name for each in fields(Run))
 
 
+@takes(path=arguments.file, checked=flag)
 def read(path: str | PathLike[str], *, checked: bool = True) -> Run:
     """The run in the results file `path`. Its checksum is compared first; `checked=False` reads a file that has none, of an earlier
     version, or to which you have added something, as it stands. Raises OSError when it cannot be opened, NotResults when it is

@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pounding import arguments
+from pounding.arguments import number, numbers_above, optional, takes, text
 from pounding.ended import exit_code
-from pounding.errors import ImplausibleWarning, InputError
+from pounding.errors import ImplausibleWarning, InputError, excerpt
 from pounding.results import RunData
 
 if TYPE_CHECKING:
@@ -48,6 +50,7 @@ class Spectrum:
         return spectra_figure([self], title, size)
 
 
+@takes(file=arguments.file, damping=number(), periods=optional(numbers_above(0)), units=text, channel=text)
 def record_spectrum(file: str | PathLike[str], damping: float = 0.05, periods: Sequence[float] | None = None, *, units: str = "",
                     channel: str = "") -> Spectrum:
     """The spectrum of the record in a file, unscaled. `periods` [s] are 200 from 0.02 s to 4 s unless given; `units` and `channel`
@@ -62,6 +65,7 @@ def record_spectrum(file: str | PathLike[str], damping: float = 0.05, periods: S
     return Spectrum(summary, chosen, damping, np.asarray(sd))
 
 
+@takes(floor=text, damping=number(), periods=optional(numbers_above(0)), direction=text)
 def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Sequence[float] | None = None, *,
                    direction: str = "x") -> Spectrum:
     """The spectrum of the absolute acceleration of a floor, "left.3" for the third from the ground, at the output times of a run,
@@ -71,13 +75,13 @@ def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Seq
     output_step to try. Raises InputError also for a floor or a direction that is not there."""
     from pounding._native import core
 
-    name, _, number = floor.rpartition(".")
-    if name not in run.structures or not number.isdigit() or not 1 <= int(number) <= len(run.structures[name].floors):
+    name, _, place = floor.rpartition(".")
+    if name not in run.structures or not place.isdecimal() or len(place) > 9 or not 1 <= int(place) <= len(run.structures[name].floors):
         known = ", ".join(f"{key}.1 to {key}.{len(one.floors)}" for key, one in run.structures.items() if one.floors)
-        raise InputError(f'there is no floor "{floor}"; there is {known}')
-    structure, i = run.structures[name], int(number) - 1
+        raise InputError(f'there is no floor {excerpt(floor)}; there is {known}')
+    structure, i = run.structures[name], int(place) - 1
     if direction not in ("x", "y") or direction not in structure.along:
-        raise InputError(f'{name} moves along {", ".join(axis for axis in structure.along if axis != "rz")}, not along "{direction}"')
+        raise InputError(f'{name} moves along {", ".join(axis for axis in structure.along if axis != "rz")}, not along {excerpt(direction)}')
     accelerations = structure.along[direction].acceleration[:, i]
     if len(run.time) < 2:
         raise InputError("this run holds no results over time yet")
@@ -92,6 +96,7 @@ def floor_spectrum(run: RunData, floor: str, damping: float = 0.05, periods: Seq
     return Spectrum(floor, chosen, damping, np.asarray(core.spectrum(run.time.tolist(), accelerations.tolist(), list(chosen), damping)))
 
 
+@takes(title=text, size=optional(arguments.size))
 def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[float, float] | None = None) -> Figure:
     """Pseudo-acceleration and displacement over the period; of several spectra the second one is dashed. `size` is width and height
     [in]. Raises InputError without a spectrum."""
@@ -99,6 +104,7 @@ def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[flo
 
     from pounding.pictures.style import STRUCTURE_COLOURS, STYLE, Picture, head
 
+    spectra = arguments.listed(_spectrum, "a list of spectra")("spectra", spectra)
     if not spectra:
         raise InputError("there is no spectrum to draw")
     size = size or (6.5, 3.0)
@@ -120,6 +126,12 @@ def spectra_figure(spectra: Sequence[Spectrum], title: str = "", size: tuple[flo
             panels[0].legend()
         head(figure, title)
         return figure
+
+
+def _spectrum(name: str, value: Any) -> Spectrum:
+    if not isinstance(value, Spectrum):
+        raise arguments.refuse(name, "a Spectrum", value)
+    return value
 
 
 def _chosen(periods: Sequence[float] | None, shortest: float = 0.02) -> np.ndarray:

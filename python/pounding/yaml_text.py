@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from pounding.errors import InputError, excerpt
+
 #: A line of the text is no longer than this unless one value is.
 WIDTH = 118
 #: Texts that YAML reads as they stand; other texts are quoted.
@@ -17,24 +19,30 @@ PLAIN = re.compile(r"[A-Za-z0-9_./+][A-Za-z0-9_./+%^ -]*(?<! )|-[0-9.][A-Za-z0-9
 NOTHING = ("null", "Null", "NULL", "~")
 
 
-def plain(value: Any, place: str = "") -> Any:
-    """The value in dicts, lists and texts, as it comes back from a YAML file. Raises TypeError, with the place, for a value that
+#: Maps and lists inside each other, at most: one that contains itself has no end.
+DEEPEST = 60
+
+
+def plain(value: Any, place: str = "", depth: int = 0) -> Any:
+    """The value in dicts, lists and texts, as it comes back from a YAML file. Raises InputError, with the place, for a value that
     YAML cannot hold."""
+    if depth > DEEPEST:
+        raise InputError(f"{place[:200]}...: has more than {DEEPEST} maps and lists inside each other; does one contain itself?")
     if isinstance(value, Mapping):
-        return {str(key): plain(inner, f"{place}.{key}" if place else str(key)) for key, inner in value.items()}
+        return {str(key): plain(inner, f"{place}.{key}" if place else str(key), depth + 1) for key, inner in value.items()}
     if isinstance(value, (list, tuple)) or isinstance(value, np.ndarray) and value.ndim:
-        return [plain(inner, f"{place}[{i}]") for i, inner in enumerate(value)]
+        return [plain(inner, f"{place}[{i}]", depth + 1) for i, inner in enumerate(value)]
     if isinstance(value, (np.generic, np.ndarray)):
         value = value.item()
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (int, float)):
         return repr(value)
-    if isinstance(value, PathLike):
-        return fspath(value)
+    if isinstance(value, PathLike) and isinstance(path := fspath(value), str):
+        return path
     if isinstance(value, str) or value is None:
         return value
-    raise TypeError(f"{place}: takes numbers, texts, lists and dicts; {value!r} was given")
+    raise InputError(f"{place}: takes numbers, texts, lists and dicts; {excerpt(value)} was given")
 
 
 def emit(values: Mapping[str, Any]) -> str:

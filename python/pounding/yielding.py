@@ -17,8 +17,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from pounding import arguments
 from pounding._native import core
-from pounding.errors import InputError
+from pounding.errors import InputError, excerpt
 
 #: A number in SI, or a text with its unit: "150 kN".
 Quantity = float | str
@@ -92,7 +93,7 @@ class YieldingLaw:
         chosen = {choice.name for choice in kind.choices}
         units = {p.name: p.unit for p in kind.parameters}
         self.kind = kind
-        self.choices = {name: str(value) for name, value in given.items() if name in chosen}
+        self.choices = {name: arguments.text(name, value) for name, value in given.items() if name in chosen}
         #: in SI
         self.parameters = {name: _number(name, value, units.get(name, "")) for name, value in given.items() if name not in chosen}
         self._made = core.YieldingLaw(kind.name, self.parameters, self.choices)
@@ -114,7 +115,7 @@ class YieldingLaw:
         """The law along deformations [m], each reached straight from the one before, the first from zero. Of an array with more than one
         dimension every row is a path of its own. Ways are followed exactly: points between turning points change nothing after them.
         Raises InputError for what is no finite number."""
-        deformation = np.asarray(path, dtype=float)
+        deformation = arguments.numbers("path", path)
         if not np.isfinite(deformation).all():
             raise InputError("path: a deformation is not finite")
         rows = deformation.reshape(-1, deformation.shape[-1]) if deformation.ndim else deformation.reshape(1, 1)
@@ -128,11 +129,13 @@ class _Kinds(Mapping[str, YieldingKind]):
         self._kinds = {entry["name"]: _kind(entry) for entry in core.yielding_catalogue()}
 
     def __getitem__(self, name: str) -> YieldingKind:
+        if not isinstance(name, str):
+            raise arguments.refuse("hysteresis[...]", "the name of a law of yielding", name)
         if name in self._kinds:
             return self._kinds[name]
-        near = difflib.get_close_matches(name, self._kinds, 1)
+        near = difflib.get_close_matches(name[:100], self._kinds, 1)
         hint = f'Did you mean "{near[0]}"?' if near else f"Allowed: {', '.join(self._kinds)}."
-        raise InputError(f'unknown law of yielding "{name}". {hint}')
+        raise InputError(f"unknown law of yielding {excerpt(name)}. {hint}")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._kinds)
@@ -141,7 +144,7 @@ class _Kinds(Mapping[str, YieldingKind]):
         return len(self._kinds)
 
     def __contains__(self, name: object) -> bool:
-        return name in self._kinds
+        return isinstance(name, str) and name in self._kinds
 
     def __repr__(self) -> str:
         return f"<laws of yielding: {', '.join(self._kinds)}>"
@@ -154,6 +157,7 @@ def _kind(entry: dict[str, Any]) -> YieldingKind:
 
 
 def _number(name: str, value: Quantity, unit: str) -> float:
+    value = arguments.quantity(name, value)
     if not isinstance(value, str):
         return float(value)
     try:

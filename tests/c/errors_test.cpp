@@ -48,6 +48,16 @@ TEST(CInterfaceErrors, WrongNamesAndValuesAreRefusedWithTheWordsOfTheLaws) {
   EXPECT_REFUSED(pnd_create("hertz", "", nullptr, 0, &law), "hertz needs stiffness (contact stiffness k)");
 }
 
+TEST(CInterfaceErrors, AMassThatIsNoMassIsRefused) {
+  pnd_law* law = nullptr;
+  for (const char* name : {"kelvin_voigt", "kelvin_voigt_no_tension", "komodromos", "modified_linear_viscoelastic"})
+    for (const double mass : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
+      const pnd_value values[] = {{"stiffness", 1e8}, {"damping_coefficient", 2e5}, {"reduced_mass", mass}};
+      EXPECT_EQ(pnd_create(name, "", values, 3, &law), PND_BAD_ARGUMENT) << name << ' ' << mass;
+      EXPECT_EQ(std::string(pnd_error_text()).substr(0, 13), "reduced_mass ");
+    }
+}
+
 TEST(CInterfaceErrors, TextsOfTheCallerAreQuotedShortAndPrintable) {
   pnd_law* law = nullptr;
   std::string letters;

@@ -267,6 +267,22 @@ TEST(LawsByName, DashpotCoefficientNeedsNoMass) {
   }
 }
 
+// Damping that is given directly needs no mass; one that is given must be one all the same.
+TEST(LawsByName, AMassThatIsNoMassIsRefusedBesideAnyDamping) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for (const Entry& entry : catalogue())
+    for (const Need need : {Need::damping, Need::together}) {
+      Settings s{.law = std::string(entry.name), .formula = {}, .reduced_mass = typical_reduced_mass};
+      for (const ParameterInfo& p : entry.parameters)
+        if (p.need == need || (p.need == Need::required && need == Need::damping)) s.values.emplace(p.name, p.typical);
+      if (refusal(s) != "accepted") continue;
+      for (const double bad : {nan, infinite, -1.0}) {
+        s.reduced_mass = bad;
+        EXPECT_EQ(refusal(s).substr(0, 13), "reduced_mass ") << entry.name << ' ' << bad;
+      }
+    }
+}
+
 TEST(LawsByName, LawsThatNeedTheMassRefuseNone) {
   for (const Entry& entry : catalogue()) {
     Settings s = typical_settings(entry);

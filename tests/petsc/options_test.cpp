@@ -32,6 +32,11 @@ TEST_F(Options, AreThoseOfOurPrefixWithTheirValues) {
   EXPECT_EQ(Environment::given_options(), (std::vector<std::string>{"-pounding_ts_monitor", "-pounding_ts_rtol 1e-6"}));
 }
 
+// Options that the library sets to start PETSc are excluded.
+TEST_F(Options, InForceAreThoseOfAHostAsWell) {
+  EXPECT_EQ(Environment::all_options(), (std::vector<std::string>{"-other_option_of_a_host 3", "-pounding_ts_monitor", "-pounding_ts_rtol 1e-6"}));
+}
+
 TEST_F(Options, AreAllToldOrNoneWhereMemoryEnds) { test::expect_right_answers_in_short_memory([] { return Environment::given_options(); }); }
 
 }  // namespace options_test

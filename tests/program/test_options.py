@@ -1,6 +1,7 @@
 """PETSc's options on the command line of `pounding run`."""
 
 import json
+import os
 import unittest
 
 import h5py
@@ -93,6 +94,11 @@ class Options(ProgramTest):
             for part in ("links", "structures", "energy"):
                 self.assertEqual(other[part], made[part])
             self.assertEqual(other["solver"]["reduction"], made["solver"]["reduction"])
+        for path_of_modes in list(folder.iterdir()):
+            path_of_modes.unlink()
+            os.mkfifo(path_of_modes)
+        self.assertEqual(self.told(path, *reduced, "-pounding_red_cache", str(folder))["links"], made["links"])
+        self.assertTrue(all(one.is_file() for one in folder.iterdir()))
         # Nothing is kept of structures that are not reduced, and a run goes on with or without the folder.
         self.assertEqual(self.told(path, "-pounding_red_cache", "none")["links"], self.told(path)["links"])
         self.assertFalse((self.folder / "none").exists())

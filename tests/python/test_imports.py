@@ -66,7 +66,7 @@ class Imports(unittest.TestCase):
         self.assertEqual(in_circles(self.imports), set())
 
     def test_results_know_no_picture(self):
-        self.assertEqual(reached_from("pounding.results", self.imports), {"pounding.checked_file", "pounding.devices", "pounding.envelopes", "pounding.errors", "pounding.outputs", "pounding.springs", "pounding.texts",
+        self.assertEqual(reached_from("pounding.results", self.imports), {"pounding.arguments", "pounding.checked_file", "pounding.devices", "pounding.envelopes", "pounding.errors", "pounding.outputs", "pounding.springs", "pounding.texts",
                                                                         "pounding.told"})
 
     def test_a_table_for_a_notebook_needs_no_picture_and_no_file(self):

@@ -83,7 +83,7 @@ class Words(unittest.TestCase):
         self.assertIn("mass: [100000.0, 200000.0]", model.to_yaml())
         pounding.check(model)
         model.title = {1, 2}
-        with self.assertRaisesRegex(TypeError, "title: takes numbers, texts, lists and dicts"):
+        with self.assertRaisesRegex(pounding.InputError, "title: takes numbers, texts, lists and dicts"):
             model.to_yaml()
 
     def test_mistakes_are_told_as_the_program_tells_them(self):

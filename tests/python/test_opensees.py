@@ -283,6 +283,18 @@ class Models(unittest.TestCase):
         self.refused("the model has 1 dimension")
 
 
+class Arguments(unittest.TestCase):
+    def test_of_other_types_are_refused(self):
+        two_oscillators()
+        right = {"tag": 100, "node_i": 2, "node_j": 4, "gap": "20 mm", "law": "hertz", "dof": 1, "stiffness": STIFFNESS}
+        words = {"rayleigh": [0.1, 0, 0, 0.001], "names": ["a", "b"], "without_loads": False, "title": "A"}
+        for function, given in ((opensees.link, right), (pounding.from_opensees, words)):
+            for name in given:
+                for wrong in (math.nan, -1.5, 10**400, "nonsense", b"bytes", 1j, {"a": 1}, [None], [[1], [1, 2]], object()):
+                    with self.subTest(name=name, wrong=repr(wrong)[:40]):
+                        self.assertRaises(pounding.InputError, function, **{**given, name: wrong})
+
+
 class LinkedFrames(unittest.TestCase):
     """Two plane portals, one twice as stiff, under a harmonic ground motion."""
 

@@ -186,6 +186,7 @@ struct BilinearHertz {
     require_positive("initial_stiffness", initial_stiffness);
     require_positive("secondary_stiffness", secondary_stiffness);
     require_positive("yield_penetration", yield_penetration);
+    require_not_negative("reduced_mass", reduced_mass);
     if (*secondary_stiffness > *initial_stiffness)
       refuse("secondary_stiffness", *secondary_stiffness, "at most the initial_stiffness, " + number_text(*initial_stiffness));
     if (restitution || impact_velocity)

@@ -159,6 +159,7 @@ L make(const Settings& s) {
     law.impact_velocity = s.impact_velocity;
   else if (s.impact_velocity)
     throw std::invalid_argument(law_name + " takes no impact_velocity: nothing in it depends on one");
+  require_not_negative("reduced_mass", s.reduced_mass);  // 0 is none, for laws that need none
   if constexpr (requires { law.reduced_mass; }) law.reduced_mass = s.reduced_mass;
   law.check();
   return law;

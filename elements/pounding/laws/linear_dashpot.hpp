@@ -25,8 +25,8 @@ double coefficient_of_dashpot(const L& law) {
   return 2 * ratio_of_dashpot(law) * std::sqrt(law.stiffness * law.reduced_mass);
 }
 
-/// Throws std::invalid_argument for members out of range, and unless the dashpot is given exactly once. The mass is needed for all
-/// but a given coefficient.
+/// Throws std::invalid_argument for members out of range, and unless the dashpot is given exactly once. A given coefficient needs no mass,
+/// which then may be 0.
 template <class L>
 void check_dashpot(const L& law) {
   require_positive("stiffness", law.stiffness);
@@ -35,7 +35,10 @@ void check_dashpot(const L& law) {
   require_not_negative("damping_coefficient", law.damping_coefficient);
   require_one_damping(L::name, law.restitution,
                       {{"damping_ratio", &law.damping_ratio}, {"damping_coefficient", &law.damping_coefficient}});
-  if (!law.damping_coefficient) require_positive("reduced_mass", law.reduced_mass);
+  if (law.damping_coefficient)
+    require_not_negative("reduced_mass", law.reduced_mass);
+  else
+    require_positive("reduced_mass", law.reduced_mass);
 }
 
 }  // namespace pounding::laws

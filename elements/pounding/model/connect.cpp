@@ -46,6 +46,7 @@ double displacement_along(const LinkEnd& end, const Structure& s, const Eigen::V
 double reduced_mass(double left, double right) {
   if (std::isinf(left)) return right;
   if (std::isinf(right)) return left;
+  if (left == 0 || right == 0) return 0;
   return left * right / (left + right);
 }
 

@@ -50,11 +50,16 @@ void prepare_mpi() {
   setenv("OMPI_MCA_orte_create_session_dirs", "0", keep_existing);
 }
 
+// PETSc would read ~/.petscrc, .petscrc and petscrc, the last two in the working folder: a model's folder could then load libraries, write
+// files and change the tolerance. Options come from the command line and the environment only.
+constexpr const char* no_options_files = "-skip_petscrc";
+constexpr const char* no_list_of_unread = "-options_left";
+
 // Newer versions list options that nothing read when they end; a run tells of its own before it begins.
 void leave_unread_options_out() {
   PetscBool asked = PETSC_FALSE;
-  check(PetscOptionsHasName(nullptr, nullptr, "-options_left", &asked));
-  if (!asked) check(PetscOptionsSetValue(nullptr, "-options_left", "0"));
+  check(PetscOptionsHasName(nullptr, nullptr, no_list_of_unread, &asked));
+  if (!asked) check(PetscOptionsSetValue(nullptr, no_list_of_unread, "0"));
 }
 
 }  // namespace
@@ -66,7 +71,7 @@ Environment::Environment(const std::vector<std::string>& options) {
     struct sigaction of_pipes = {};
     sigaction(SIGPIPE, nullptr, &of_pipes);
     prepare_mpi();
-    std::vector<std::string> words{"pounding"};
+    std::vector<std::string> words{"pounding", no_options_files};
     words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
@@ -111,25 +116,30 @@ std::vector<std::string> Environment::unread_options() {
   return unread;
 }
 
-std::vector<std::string> Environment::given_options() {
+std::vector<std::string> Environment::all_options() {
   char* text = nullptr;
   check(PetscOptionsGetAll(nullptr, &text));
   const std::string all = text;
   check(PetscFree(text));
-  std::vector<std::string> given;
-  bool ours = false;
+  std::vector<std::string> options;
   for (const std::string_view word : parts_between(all, " \t\r\n")) {
-    const bool name = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
-    if (name) ours = word.starts_with("-pounding_") && word != "-pounding_red_cache";
-    if (!ours) continue;
-    if (name)
-      given.emplace_back(word);
-    else
-      given.back().append(1, ' ').append(word);
+    if (is_option_name(word))
+      options.emplace_back(word);
+    else if (!options.empty())
+      options.back().append(1, ' ').append(word);
   }
-  std::sort(given.begin(), given.end());
+  std::erase_if(options, [](const std::string& option) { return option == no_options_files || option == std::string(no_list_of_unread) + " 0"; });
+  std::sort(options.begin(), options.end());
+  return options;
+}
+
+std::vector<std::string> Environment::given_options() {
+  std::vector<std::string> given = all_options();
+  std::erase_if(given, [](const std::string& option) { return !option.starts_with("-pounding_") || option.substr(0, option.find(' ')) == "-pounding_red_cache"; });
   return given;
 }
+
+bool is_option_name(std::string_view word) { return word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1])); }
 
 void check(PetscErrorCode code) {
   if (code == 0) return;

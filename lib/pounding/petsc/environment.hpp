@@ -4,6 +4,7 @@
 #include <petscsys.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <pounding/core/error.hpp>
@@ -11,7 +12,8 @@
 namespace pounding::petsc {
 
 /// Starts PETSc (with MPI) and SLEPc, each of them unless the host program has started it, and ends only what it started. A host
-/// that owns PETSc must end it after this object.
+/// that owns PETSc must end it after this object. PETSc starts without its options files (~/.petscrc, .petscrc and petscrc of the working
+/// folder); options come from `options` and from the environment variable PETSC_OPTIONS. A host that starts PETSc decides for itself.
 class Environment {
  public:
   /// `options`: words of a command line, as PETSc reads them ("-pounding_ts_rtol", "1e-6").
@@ -22,6 +24,8 @@ class Environment {
 
   /// Options with the prefix `-pounding_` that nothing has read.
   static std::vector<std::string> unread_options();
+  /// All options in force with their values, sorted: "-log_view", "-pounding_ts_rtol 1e-6".
+  static std::vector<std::string> all_options();
   /// Options with the prefix `-pounding_` and their values as PETSc has them now, sorted: "-pounding_ts_rtol 1e-6". Not `-pounding_red_cache`, with which
   /// nothing changes but time.
   static std::vector<std::string> given_options();
@@ -29,6 +33,9 @@ class Environment {
  private:
   bool owns_petsc_ = false, owns_slepc_ = false;
 };
+
+/// True for the name of an option ("-log_view"), false for a value, which may be a negative number.
+bool is_option_name(std::string_view word);
 
 /// Throws SolverError with PETSc's own text when `code` is not zero, and OutOfMemory where PETSc could get no memory.
 void check(PetscErrorCode code);

@@ -242,9 +242,11 @@ void write_energy(hid_t file, const EnergyHistory& energy, bool has_devices) {
   column({"error", "J", "input minus all other parts"}, energy.error);
 }
 
-void write_solver(hid_t file, const std::string& integrator, const SolverStatistics& solver) {
+void write_solver(hid_t file, const Results& results) {
+  const SolverStatistics& solver = results.solver;
   const Handle place = group(file, "solver");
-  attribute(place, "integrator", integrator);
+  attribute(place, "integrator", results.integrator);
+  attribute(place, "options", fmt::format("{}", fmt::join(results.options, " ")));
   scalar(place, {"steps", "1", "steps kept"}, solver.steps);
   scalar(place, {"rejected", "1", "steps thrown away by the error control"}, solver.rejected);
   scalar(place, {"events", "1", "located touches, reversals, releases and separations"}, solver.events);
@@ -378,7 +380,7 @@ void write_all(hid_t file, const Results& results) {
   write_impacts(file, results);
   write_energy(file, results.energy, results.has_devices());
   text(file, "summary", "summary as JSON", results.summary_json);
-  write_solver(file, results.integrator, results.solver);
+  write_solver(file, results);
   if (!results.reduced.empty()) write_reduction(file, results);
   if (!results.no_pounding.empty()) hdf5::add_file(file, "no_pounding", results.no_pounding, without_pounding_leaves_out);
   if (results.checkpoint) write_checkpoint(file, results);

@@ -97,6 +97,7 @@ struct Results {
   std::string model_yaml;          ///< the input as given
   std::string resolved_yaml;       ///< every default and calibrated parameter filled in
   std::string integrator;          ///< scheme of the time stepping by its name in the input
+  std::vector<std::string> options;  ///< PETSc options in force: "-pounding_ts_rtol 1e-6"
   std::vector<double> time;        ///< output times [s]
   std::vector<StructureHistory> structures;
   std::vector<LinkHistory> links;

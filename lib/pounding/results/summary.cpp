@@ -285,6 +285,7 @@ std::string to_json(const Summary& summary) {
                    {"rejected", summary.solver.rejected},
                    {"events", summary.solver.events},
                    {"wall_seconds", summary.solver.wall_seconds}};
+  if (!summary.options.empty()) all["solver"]["options"] = summary.options;
   if (!summary.reduced.empty()) all["solver"]["reduction"] = reduction_json(summary.reduced);
   if (!summary.devices.empty()) all["devices"] = devices_json(summary.devices);
   if (!summary.devices.empty() || e.devices > 0) all["energy"]["devices"] = e.devices;

@@ -100,6 +100,7 @@ struct Summary {
   EnergySummary energy;
   std::string integrator;  ///< scheme of the time stepping by its name in the input
   SolverStatistics solver;
+  std::vector<std::string> options;  ///< PETSc options in force: "-pounding_ts_rtol 1e-6"
   std::vector<ReducedStructure> reduced;  ///< structures in fewer coordinates, with estimated errors
   /// Warnings of the implausible in the model and in the run, and of energies that do not balance; one line each.
   std::vector<std::string> warnings;

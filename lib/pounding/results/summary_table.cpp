@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <pounding/core/error.hpp>
+
 namespace pounding {
 namespace {
 
@@ -326,6 +328,12 @@ std::string to_table(const Summary& summary) {
     text += fmt::format("without links it ended by {}: what the table says of that run lasts until then\n", why);
   text += fmt::format("solver       {}, {} steps, {} rejected, {} events, {:.3f} s\n", summary.integrator, summary.solver.steps,
                       summary.solver.rejected, summary.solver.events, summary.solver.wall_seconds);
+  // The command does not show options of PETSC_OPTIONS.
+  if (!summary.options.empty()) {
+    text += "options     ";
+    for (const std::string& option : summary.options) text += " " + excerpt(option);
+    text += '\n';
+  }
   for (const ReducedStructure& s : summary.reduced)
     text += fmt::format("reduced      {}; errors by it: {}{}{}\n", s.size_text(), s.error_text(), s.checked_windows > 0 ? "; " : "", s.check_text());
   return text;

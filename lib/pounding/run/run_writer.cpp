@@ -97,6 +97,7 @@ void RunWriter::conclude(const std::string& status) {
   summary.solver = results.solver;
   results.reduced = summary.reduced;
   if (options_.numbers_only) return;
+  results.options = summary.options = petsc::Environment::all_options();
   summary.warnings = doubts_;
   for (std::string& text : implausible(model_, summary)) summary.warnings.push_back(std::move(text));
   for (std::string& text : beyond_capacity(model_, summary)) summary.warnings.push_back(std::move(text));

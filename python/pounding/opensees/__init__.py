@@ -26,6 +26,7 @@ import numpy as np
 
 from pounding import told
 from pounding._native import core
+from pounding.arguments import quantity, refuse, takes, whole
 from pounding.contact import Law, Quantity, laws
 from pounding.errors import InputError, SolverError
 
@@ -122,6 +123,7 @@ def links() -> list[Link]:
     return [each for each in _made if of_tag.get(each.tag) is each]
 
 
+@takes(tag=whole(-(2**31), 2**31 - 1), node_i=whole(-(2**31), 2**31 - 1), node_j=whole(-(2**31), 2**31 - 1), gap=quantity, dof=whole(1))
 def link(tag: int, node_i: int, node_j: int, *, gap: Quantity, law: str | Law, dof: int = 1,
          reduced_mass: Quantity | None = None, **parameters: Quantity) -> Link:
     """Adds a gap link between two nodes of the OpenSees model, as its element `tag`, of type genericClient.
@@ -141,6 +143,8 @@ def link(tag: int, node_i: int, node_j: int, *, gap: Quantity, law: str | Law, d
     if isinstance(law, str):
         words: dict[str, Any] = {**parameters, "reduced_mass": reduced_mass}
         law = laws[law](**words)
+    elif not isinstance(law, Law):
+        raise refuse("law", "the name of a law or a law", law)
     elif parameters:
         raise InputError(f"a law was given, which has its parameters; leave out {', '.join(parameters)}")
     if law.kind.instantaneous:

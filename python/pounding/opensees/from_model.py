@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from pounding.arguments import flag, listed, number, optional, takes, text
 from pounding.errors import InputError
 from pounding.models import Model
 from pounding.opensees import Link, links, openseespy
@@ -14,6 +15,8 @@ from pounding.opensees.printed import Printed
 from pounding.opensees.springs import between_words
 
 
+@takes(rayleigh=optional(listed(number(), "the four factors of ops.rayleigh")), names=optional(listed(text, "a list of names")), without_loads=flag,
+       title=optional(text))
 def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
                   rayleigh: Sequence[float] | None = None, damping: Any = None, names: Sequence[str] | None = None,
                   without: Iterable[int] = (), without_loads: bool = False, title: str | None = None) -> Model:

@@ -160,7 +160,12 @@ def _keys(part: Any, step: str) -> list[str | int]:
     if isinstance(part, Mapping):
         return list(part) if step == "*" else [step] if step in part else []
     if isinstance(part, list):
-        return [i for i, one in enumerate(part) if step in ("*", str(i), link_name(one, i))]
+        named = [i for i, one in enumerate(part) if link_name(one, i) == step]
+        numbered = [i for i in range(len(part)) if step in ("*", str(i))]
+        if named and step != "*" and set(numbered) - set(named):
+            raise InputError(f'links.{step} means two links: the one of the name "{step}", and number {step} counted from 0; give the first another name, '
+                             f'such as "link {step}"')
+        return sorted({*named, *numbered})
     return []
 
 

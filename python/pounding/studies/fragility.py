@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pounding.arguments import numbers, takes
 from pounding.errors import InputError
 from pounding.studies.scipy_stats import special
 
@@ -38,8 +39,9 @@ class Fragility:
 
     def probability(self, im: np.ndarray | float) -> np.ndarray:
         """P(exceeded) at these intensities."""
-        return np.asarray(special().ndtr(np.log(np.asarray(im) / self.theta) / self.beta))
+        return np.asarray(special().ndtr(np.log(numbers("im", im) / self.theta) / self.beta))
 
+    @takes(im=numbers)
     def band(self, im: np.ndarray | float, percent: tuple[float, float] = (5, 95)) -> np.ndarray:
         """[2, im] the band of the curve, from records drawn again. Raises InputError without a bootstrap."""
         if self.boot is None or not len(self.boot):

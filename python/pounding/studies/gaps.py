@@ -10,9 +10,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pounding._native import core
+from pounding.arguments import number, one_of, takes
 from pounding.errors import ImplausibleWarning, InputError
 from pounding.studies.quantities import bare_limit_doubt
 from pounding.studies.scipy_stats import stats
+
+
+_CONFIDENCE = number(0, 0.999999)
 
 
 @dataclass(frozen=True)
@@ -37,10 +41,12 @@ class GapCurve:
         """Share of rows that need more than this gap ([m], or "20 mm"). A row that collapses without links needs more than any."""
         return float(np.mean(self.gap > _metres(gap)))
 
+    @takes(confidence=_CONFIDENCE)
     def band(self, gap: float | str, confidence: float = 0.9) -> tuple[float, float]:
         """Limits of the probability that this gap is not enough (Clopper and Pearson 1934), of as many samples as there are events."""
         return clopper_pearson(int((self.gap > _metres(gap)).sum()) * self.independent / len(self.gap), self.independent, confidence)
 
+    @takes(percent=number(0, 100), confidence=_CONFIDENCE)
     def percentile(self, percent: float, confidence: float = 0.9) -> tuple[float, float, float]:
         """The gap that is enough for `percent` % of the rows, and its band by order statistics; infinite where the rows are too few [m]."""
         n = self.independent
@@ -55,6 +61,7 @@ class GapCurve:
 
     def ratio(self, rule: str) -> np.ndarray:
         """[row] The gap of a rule over the one that is needed; above 1 the rule is safe."""
+        one_of(self.rules)("rule", rule)
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.rules[rule] / self.required
 

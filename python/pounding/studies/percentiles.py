@@ -7,6 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pounding.arguments import number, takes
+from pounding.errors import InputError
+
 
 @dataclass(frozen=True)
 class Percentiles:
@@ -17,9 +20,12 @@ class Percentiles:
     values: np.ndarray  #: [percent, level]; infinite where so many rows are beyond a limit
     count: np.ndarray  #: [level] rows
 
+    @takes(value=number(), percent=number(0, 100))
     def im_at(self, value: float, percent: float) -> float:
         """The intensity at which a percentile of the quantity first reaches a value, straight between levels; infinite where none does.
         The p-th percentile of the quantity given im belongs to the (100 - p)-th of im given the quantity."""
+        if percent not in self.percent:
+            raise InputError(f"there is no percentile {percent:g}; there is {', '.join(f'{one:g}' for one in self.percent)}")
         curve = self.values[self.percent.index(percent)]
         above = np.flatnonzero(curve >= value)
         if not above.size:

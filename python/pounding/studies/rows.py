@@ -12,8 +12,10 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from pounding import arguments
 from pounding._native import core
-from pounding.errors import ImplausibleWarning, InputError
+from pounding.arguments import number, takes, whole
+from pounding.errors import ImplausibleWarning, InputError, excerpt
 from pounding.studies import fragility, gaps
 from pounding.studies import percentiles as curves
 from pounding.studies.batches import COLLAPSED, COMPLETE, EXCEEDED, NOT_RUN, STATUSES
@@ -53,6 +55,7 @@ class Rows:
         self.warnings = tuple(warnings)  #: of the plan
 
     @classmethod
+    @takes(path=arguments.file)
     def open(cls: type[Table], path: str | PathLike[str]) -> Table:
         """The table in a file, also of a study that was killed once. Raises InputError, OSError."""
         with open_study(Path(path)) as file:
@@ -77,8 +80,8 @@ class Rows:
         """One column; "collapsed" is 1 in rows that ended by collapse_drift and 0 in others. Raises InputError for a name that is not there."""
         if column == COLLAPSED_COLUMN and column not in self.columns:
             return (self.columns["status"] == COLLAPSED).astype(float)
-        if column not in self.columns:
-            raise InputError(f'there is no column "{column}"; there is {", ".join(self.columns)}')
+        if not isinstance(column, str) or column not in self.columns:
+            raise InputError(f"there is no column {excerpt(column)}; there is {', '.join(self.columns)}")
         return self.columns[column]
 
     @property
@@ -113,6 +116,7 @@ class Rows:
         """[row] True for finished rows with these values of factors: `choose(gap=0.02)`. Raises InputError where there is none."""
         chosen = self.finished.copy()
         for name, value in values.items():
+            value = number()(name, value)
             chosen &= np.isclose(self[name], value, rtol=1e-9, atol=0)
         if not chosen.any():
             known = "; ".join(f"{name} is {', '.join(f'{value:g}' for value in np.unique(self[name])[:12])}" for name in values)
@@ -123,6 +127,8 @@ class Rows:
         """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises InputError; warns of a bare
         number that is usual in another unit (ImplausibleWarning)."""
         self[column]
+        if not isinstance(limit, str):
+            limit = number()(f"limit of {column}", limit)
         unit = self.units.get(column, "")
         if doubt := bare_limit_doubt(f"limit of {column}", limit, unit, column):
             warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
@@ -136,6 +142,7 @@ class Rows:
             raise InputError(f"limit of {column}: takes a finite number; {limit} was read")
         return found
 
+    @takes(bootstrap=whole(0, 1_000_000), seed=whole(0))
     def fragility(self, column: str, limit: float | str | None = None, *, bootstrap: int = 1000, seed: int = 1, **values: float) -> fragility.Fragility:
         """The lognormal curve of the probability that `column` is above `limit` (SI, or "5 MN"), over the intensity; the band comes from records
         drawn again, since rows of one event are not independent. The column "collapsed" needs no limit: its curve is that of collapse. `values` choose
@@ -151,6 +158,7 @@ class Rows:
         return fragility.of_rows(self._im()[known], self[column][known] > above, self._events()[known], bootstrap=bootstrap, seed=seed,
                                  failed=int((~self.finished & (self["status"] != NOT_RUN)).sum()), undefined=int((chosen & ~known).sum()))
 
+    @takes(percent=arguments.listed(number(0, 100), "a list of percentages"))
     def percentiles(self, column: str, percent: Sequence[float] = (16, 50, 84), **values: float) -> curves.Percentiles:
         """Percentiles of a column at every level, by order statistics; rows beyond a limit and collapsed rows count as infinite."""
         chosen = self.choose(**values)
@@ -164,6 +172,7 @@ class Rows:
         rules = {name: self[f"gap_{name}"][chosen] for name in ("abs", "srss", "ddc") if f"gap_{name}" in self.columns}
         return gaps.GapCurve.of(self["required_gap"][chosen], rules, self._events()[chosen])
 
+    @takes(percent=number(0, 100))
     def map(self, column: str, across: str, along: str, percent: float = 50) -> curves.Map:
         """A percentile of a column over two factors, of all other rows together."""
         return curves.over_two(self[across], self[along], self[column], self.finished, percent, (across, along))

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pounding import yaml_text
+from pounding import arguments, yaml_text
+from pounding.arguments import takes
 from pounding.checked_file import STUDY
 from pounding.errors import ImplausibleWarning, InputError
 from pounding.models import Model, as_model
@@ -65,6 +66,7 @@ class Study(Rows):
 
         return sobol_indices(self, column)
 
+    @takes(picture=arguments.text, column=arguments.optional(arguments.text))
     def plot(self, picture: str, column: str | None = None, **options: Any) -> Figure:
         """A picture from the table alone: "fragility", "ida", "gap", "map" or "tornado". Raises InputError, ImportError without
         matplotlib."""
@@ -99,7 +101,8 @@ class Study(Rows):
         to_parquet(self, path)
 
     def model_of(self, row: int) -> str:
-        """The input file of one row, which `pounding run` takes."""
+        """The input file of one row, which `pounding run` takes. Raises InputError for a row that is not there; rows count from 0."""
+        row = arguments.whole(0, len(self) - 1)("row", row)
         given = self.description
         factors = tuple(Factor(one["name"], tuple(one["of"]), one["times"], one["unit"], None, labels=tuple(one["labels"])) for one in given["factors"])
         motions = tuple(Motion(one["name"], one["words"], one["event"], pga=one["pga"]) for one in given["records"])
@@ -112,6 +115,7 @@ class Study(Rows):
         scipy.optimize, pymoo or optuna. Columns of a row that collapses are infinite. Raises InputError for a row that fails."""
         if self.plan is None:
             raise InputError("a table from a file cannot run; make the study with pounding.study(...)")
+        factors = {name: arguments.number()(name, value) for name, value in arguments.mapping("factors", factors).items()}
         missing = [name for name in self.factors if name not in factors]
         if missing or set(factors) - set(self.factors):
             raise InputError(f"evaluate takes a value for each of {', '.join(self.factors)}")
