@@ -10,7 +10,7 @@ import numpy as np
 
 import pounding
 from pounding import plan
-from pounding.errors import LONGEST
+from pounding.errors import LONGEST_MESSAGE
 from pounding.spectra import spectra_figure
 
 MODEL = """\
@@ -64,7 +64,7 @@ class WrongArguments(unittest.TestCase):
                 try:
                     function(**{**right, name: wrong})
                 except (ValueError, ImportError, *allowed) as error:
-                    self.assertLess(len(str(error)), LONGEST + 1000)
+                    self.assertLess(len(str(error)), LONGEST_MESSAGE + 1000)
                     self.assertTrue(str(error))
                 except Exception as error:
                     with self.subTest(function=getattr(function, "__qualname__", function), name=name, wrong=repr_of(wrong)):

@@ -67,13 +67,10 @@ class GapCurve:
 
 
 def _metres(gap: float | str) -> float:
-    """A gap [m]. Raises InputError for another unit and for NaN; warns of a bare number that is usual in mm."""
+    """A gap [m]. Raises InputError for another unit, NaN and infinity; warns of a bare number that is usual in mm."""
     if doubt := bare_limit_doubt("gap", gap, "m"):
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
-    metres = core.quantity(gap, "m") if isinstance(gap, str) else float(gap)
-    if math.isnan(metres):
-        raise InputError("gap: takes a length such as 20 mm; NaN was read")
-    return metres
+    return core.quantity(gap, "m") if isinstance(gap, str) else number()("gap", gap)
 
 
 def clopper_pearson(exceeded: float, count: int, confidence: float = 0.9) -> tuple[float, float]:
