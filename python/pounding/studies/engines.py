@@ -55,7 +55,7 @@ class SolverEngine:
     def _row(self, batch: Batch, i: int) -> tuple[int, list[float], str]:
         template = batch.template
         try:
-            values = template.kept.of(prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i])))
+            values = template.kept.of(prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i]), batch.files))
         except InputError as error:
             return REFUSED, [], str(error)
         except MemoryError:  # of the process, whatever the row

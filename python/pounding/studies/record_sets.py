@@ -14,12 +14,13 @@ import numpy as np
 
 from pounding.errors import InputError
 from pounding.studies import words
+from pounding.studies.files import Files
 from pounding.studies.motions import Motion, read_file
 
 _FILES = {"far_field": "farfield.hdf5", "near_field_pulse": "nearfield_pulse.hdf5", "near_field_no_pulse": "nearfield_no_pulse.hdf5"}
 
 
-def read_set(name: str, store: Path | None) -> list[Motion]:
+def read_set(name: str, store: Path | None, files: Files) -> list[Motion]:
     """The records of a set as recorded, each as a text file in `store`. Raises InputError for another name, and with what to install."""
     if name not in _FILES:
         raise InputError(f'study.records.set: there is no set "{name}".{words.meant(name, _FILES)} Allowed: {", ".join(_FILES)}')
@@ -34,7 +35,7 @@ def read_set(name: str, store: Path | None) -> list[Motion]:
     folder = (store or Path("study.records")) / name
     folder.mkdir(parents=True, exist_ok=True)
     with h5py.File(Path(package.origin).parent / _FILES[name], "r") as file:
-        return [_written(folder, *one) for one in _records(file)]
+        return [_written(folder, files, *one) for one in _records(file)]
 
 
 def _records(file: Any) -> list[tuple[str, str, float, np.ndarray]]:
@@ -51,11 +52,11 @@ def _records(file: Any) -> list[tuple[str, str, float, np.ndarray]]:
     return found
 
 
-def _written(folder: Path, event: str, component: str, step: float, values: np.ndarray) -> Motion:
+def _written(folder: Path, files: Files, event: str, component: str, step: float, values: np.ndarray) -> Motion:
     """A text file of times and accelerations with all digits."""
     path = folder / f"{event.replace(' ', '_')}_{component}.csv"
     lines = ["time,acc (g)", *(f"{i * step!r},{value!r}" for i, value in enumerate(values.tolist()))]
     content = ("\n".join(lines) + "\n").encode()
     if not path.is_file() or hashlib.sha256(path.read_bytes()).digest() != hashlib.sha256(content).digest():
         path.write_bytes(content)
-    return replace(read_file(str(path.resolve()), {}, event, component), name=f"{event} {component}")
+    return replace(read_file(str(path.resolve()), {}, files, event, component), name=f"{event} {component}")

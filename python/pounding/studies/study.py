@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from os import PathLike, fspath
@@ -12,13 +13,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pounding import yaml_text
-from pounding.errors import InputError
-from pounding.models import Model, as_model
+from pounding.errors import ImplausibleWarning, InputError
+from pounding.models import Model
 from pounding.studies.engines import run_batch
 from pounding.studies.execution import Progress, batch_of, run_rows
 from pounding.studies.factors import Factor
+from pounding.studies.files import located, relative
 from pounding.studies.motions import Motion
-from pounding.studies.plan import Plan, make_plan, read_plan
+from pounding.studies.plan import Plan, make_plan, plan_of, read_given
 from pounding.studies.progress import Shown
 from pounding.studies.quantities import Kept
 from pounding.studies.rows import Rows
@@ -51,7 +53,7 @@ class Study(Rows):
         records = {name: [getattr(motion, name) for motion in motions] if name in ("name", "event", "component") else
                    np.array([getattr(motion, name) for motion in motions])
                    for name in ("name", "event", "component", "points", "step", "duration", "pga", "intensity")}
-        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(plan.description())), table.engines, table.path, table.check)
+        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(relative(plan.description(), table.folder))), table.engines, table.path, table.check)
         found.plan = plan
         return found
 
@@ -96,7 +98,7 @@ class Study(Rows):
 
     def model_of(self, row: int) -> str:
         """The input file of one row, which `pounding run` takes."""
-        given = self.description
+        given = located(self.description, Path() if self.path is None else self.path.parent)
         factors = tuple(Factor(one["name"], tuple(one["of"]), one["times"], one["unit"], None, labels=tuple(one["labels"])) for one in given["factors"])
         motions = tuple(Motion(one["name"], one["words"], one["event"], pga=one["pga"]) for one in given["records"])
         template = Template(given["model"], "", factors, motions, Kept(()))
@@ -137,13 +139,16 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
     words = {"factors": factors, "records": records, "intensity": intensity, "keep": keep, "sampling": sampling, "limits": limits}
     given = {name: value for name, value in words.items() if value is not None}
     path = None if output is None else Path(output)
-    if isinstance(model, (str, PathLike)) and is_study_file(model):
+    read = None if isinstance(model, Model) else read_given(model)
+    if read is not None and read.words is not None:
         if given or without_links:
-            raise InputError(f"{fspath(model)} is a study with its own words; write {', '.join(given) or 'without_links'} there")
-        plan = read_plan(model, records_folder(path or Path(model)))
+            raise InputError(f"{read.name} is a study with its own words; write {', '.join(given) or 'without_links'} there")
+        plan = plan_of(read, records_folder(path or Path(read.name)))
     else:
-        plan = make_plan(as_model(model), {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
+        plan = make_plan(model if read is None else read.model, {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
                          store=records_folder(path or Path("study")))
+    for doubt in plan.warnings:
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
     return run_plan(plan, path, workers=workers, executor=executor, chunk=chunk, progress=progress)
 
 
@@ -173,14 +178,6 @@ def run_plan(plan: Plan, path: Path | None, *, workers: int | None = None, execu
     finally:
         table.write()
     return Study.of(table)
-
-
-def is_study_file(path: File) -> bool:
-    """Whether a file has a line `study:`."""
-    try:
-        return any(line.startswith("study:") for line in Path(path).read_text(encoding="utf-8", errors="replace").splitlines())
-    except OSError:
-        return False
 
 
 def records_folder(path: Path) -> Path:

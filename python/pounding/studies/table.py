@@ -21,6 +21,7 @@ from pounding.checked_file import NotResults, require_whole_study, write_study
 from pounding.errors import InputError
 from pounding.studies.cross_check import differences
 from pounding.studies.engines import ENGINES, NOT_RUN, STATUSES, Done
+from pounding.studies.files import by_content, relative
 from pounding.studies.plan import Plan
 from pounding.texts import text
 
@@ -48,6 +49,11 @@ class Table:
     def parts(self) -> Path | None:
         """The folder of finished chunks."""
         return None if self.path is None else self.path.with_name(self.path.name + ".parts")
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the table; the working folder for a table in memory."""
+        return Path() if self.path is None else self.path.parent
 
     def missing(self) -> np.ndarray:
         """Numbers of the rows that have not run."""
@@ -97,7 +103,7 @@ class Table:
                 self._fill(_read_part(name))
         parts.mkdir(parents=True, exist_ok=True)
         with _moved(parts / "plan.json") as temporary:
-            temporary.write_text(json.dumps({"digest": self.plan.digest(), "plan": self.plan.description()}))
+            temporary.write_text(json.dumps({"digest": self.plan.digest(), "plan": relative(self.plan.description(), self.folder)}))
 
     def _read_table(self, path: Path) -> None:
         with open_study(path) as file:
@@ -161,8 +167,9 @@ def _read_part(path: Path) -> Done:
 def _require_same(kept: dict[str, Any], plan: Plan, path: Path) -> None:
     if kept["digest"] == plan.digest():
         return
-    now = json.loads(json.dumps(plan.description()))
-    different = [name for name in now if now[name] != kept["plan"].get(name)]
+    now = json.loads(json.dumps(by_content(plan.description())))
+    before = by_content({"files": {}, **kept["plan"]})
+    different = [name for name in now if now[name] != before.get(name)]
     raise InputError(f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
                      f"{path} and {path.name}.parts to begin again")
 
@@ -195,7 +202,7 @@ def _image(table: Table) -> bytes:
         reasons = sorted(table.reasons.items())
         file["reasons/row"] = np.array([row for row, _ in reasons], np.int64)
         file.create_dataset("reasons/text", data=[why for _, why in reasons], dtype=h5py.string_dtype(), shape=(len(reasons),))
-        file["study/plan"] = json.dumps({"digest": plan.digest(), "plan": plan.description()})
+        file["study/plan"] = json.dumps({"digest": plan.digest(), "plan": relative(plan.description(), table.folder)})
         file["study/text"] = plan.text
         file.create_dataset("study/engines", data=table.engines, dtype=h5py.string_dtype(), shape=(len(table.engines),))
         _write_records(file, plan)
