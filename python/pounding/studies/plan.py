@@ -19,6 +19,7 @@ from pounding._native import core
 from pounding.errors import InputError
 from pounding.models import PARTS, Model, as_model, check
 from pounding.studies import words
+from pounding.studies.bare_numbers import doubtful
 from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
 from pounding.studies.factors import Factor, find, read_factors, with_files
 from pounding.studies.files import Files, absolute, by_content
@@ -206,7 +207,7 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
         raise InputError(f"study.stop_after: takes a share from 0 to 100 %, such as 5 %; {one['stop_after']} was read")
     template = Template(parts, model._file or "model", tuple(factors), tuple(motions), kept, engine,
                         files.named_by([parts, *(factor.labels for factor in factors)]))
-    warnings = tuple(doubts(motions, intensity))
+    warnings = (*doubts(motions, intensity), *doubtful(one, points, parts))
     plan = Plan(template, points, intensity, seed, stop, text or yaml_text.emit({"study": one}), warnings, files)
     if plan.count > MOST_ROWS:
         raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
