@@ -6,6 +6,7 @@
 #include <exception>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/units.hpp>
+#include <pounding/ground/record.hpp>
 #include <pounding/run/run.hpp>
 #include <pounding/run/restart.hpp>
 #include <pounding/input/pushover_input.hpp>
@@ -44,13 +46,16 @@ using namespace py::literals;
 namespace pounding::python {
 namespace {
 
-/// The text of a model and the file that it stands for.
+/// The text of a model, the file that it stands for, and contents of files that it names.
 struct Source {
   std::string text, name;
+  std::map<std::string, std::string> files = {};
+
+  Input input() const { return Input::read_text(text, name, std::make_shared<const std::map<std::string, std::string>>(files)); }
 };
 
 Model read(const Input& input) { return read_model(input, petsc::lowest_modes); }
-Model read(const Source& source) { return read(Input::read_text(source.text, source.name)); }
+Model read(const Source& source) { return read(source.input()); }
 
 /// Runs `task` without holding the interpreter, with PETSc started.
 template <class Task>
@@ -333,7 +338,7 @@ RunOutcome run_source(const Source& source, const std::string& output, const std
                       const std::string& command, const py::object& progress) {
   return run_read(source.name, output, options, command, "", progress, [&](auto& words, auto& given) {
     given.emplace(words);
-    return Input::read_text(source.text, source.name);
+    return source.input();
   });
 }
 
@@ -350,7 +355,7 @@ RunOutcome resume(const std::string& file, const std::string& output, const std:
 }  // namespace
 
 void bind_models(py::module_& module) {
-  py::class_<Source>(module, "Source").def(py::init<std::string, std::string>(), "text"_a, "name"_a)
+  py::class_<Source>(module, "Source").def(py::init<std::string, std::string, std::map<std::string, std::string>>(), "text"_a, "name"_a, "files"_a = py::dict())
       .def_readonly("name", &Source::name);
   py::class_<Mode>(module, "Mode")
       .def_readonly("period", &Mode::period)
@@ -375,7 +380,7 @@ void bind_models(py::module_& module) {
       .def_readonly("resumable", &RunOutcome::resumable)
       .def_readonly("raised", &RunOutcome::raised);
   module.def("read_file", [](const std::string& path) { return Input::read_file(path).text(); });
-  module.def("parse", [](const Source& source) { return plain(Input::read_text(source.text, source.name)); });
+  module.def("parse", [](const Source& source) { return plain(source.input()); });
   module.def("check", &checked);
   py::class_<MovingStructure>(module, "MovingStructure")
       .def_readonly("name", &MovingStructure::name)
@@ -398,6 +403,8 @@ void bind_models(py::module_& module) {
   module.def("run", &run_source, "source"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("resume", &resume, "file"_a, "output"_a, "options"_a, "command"_a, "progress"_a);
   module.def("si_value", &value_in_si, "text"_a);
+  module.def("find_record", [](const std::string& name, const std::string& folder) { return find_record(name, folder).string(); }, "name"_a, "folder"_a);
+  module.def("read_record", [](const std::string& path) { return py::bytes(read_text_of_record(path)); }, "path"_a);
   module.def("run_alone", &run_alone);
   module.def("refuse", &refuse, "text"_a);
   module.def("end_petsc", &end_petsc, "failed"_a);

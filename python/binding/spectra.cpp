@@ -1,5 +1,6 @@
 /// Response spectra of records and of motions that a run has computed.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,11 @@ std::vector<double> displacements(const GroundMotion& motion, const std::vector<
   return peaks;
 }
 
+/// A record in a file, or in `content` where the file was read before.
+Record record_in(const std::string& file, const RecordOptions& options, const std::optional<std::string>& content) {
+  return content ? read_record_text(*content, file, options) : read_record(find_record(file, {}), options);
+}
+
 }  // namespace
 
 void bind_spectra(py::module_& module) {
@@ -36,18 +42,18 @@ void bind_spectra(py::module_& module) {
   module.def(
       "record_spectrum",
       [](const std::string& file, const std::string& units, const std::string& channel, const std::vector<double>& periods,
-         double damping) {
-        const Record record = read_record(find_record(file, {}), {.units = units, .channel = channel});
+         double damping, double step, const std::optional<std::string>& content) {
+        const Record record = record_in(file, {.units = units, .channel = channel, .step = step}, content);
         return py::make_tuple(record.summary(), displacements(scaled(record, 1), periods, damping), record.warnings);
       },
-      "file"_a, "units"_a, "channel"_a, "periods"_a, "damping"_a);
+      "file"_a, "units"_a, "channel"_a, "periods"_a, "damping"_a, "step"_a = 0.0, "content"_a = py::none());
   module.def(
       "record_measures",
-      [](const std::string& file, const std::string& units, const std::string& channel) {
-        const Record record = read_record(find_record(file, {}), {.units = units, .channel = channel});
+      [](const std::string& file, const std::string& units, const std::string& channel, double step, const std::optional<std::string>& content) {
+        const Record record = record_in(file, {.units = units, .channel = channel, .step = step}, content);
         return py::make_tuple(record.points(), record.step(), record.samples.times.back(), record.measures.pga, record.warnings);
       },
-      "file"_a, "units"_a, "channel"_a);
+      "file"_a, "units"_a, "channel"_a, "step"_a = 0.0, "content"_a = py::none());
 }
 
 }  // namespace pounding::python

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -15,7 +16,6 @@
 #include <pybind11/stl.h>
 
 #include <pounding/core/archive.hpp>
-#include <pounding/ground/record.hpp>
 #include <pounding/input/ground_input.hpp>
 #include <pounding/input/read_model.hpp>
 #include <pounding/input/words/sections.hpp>
@@ -61,19 +61,27 @@ struct RowMotion {
   }
 };
 
-/// A record, to be scaled for one row after the other.
-class RowRecord {
- public:
-  RowRecord(const std::string& file, const std::string& units, const std::string& channel)
-      : record_(read_record(find_record(file, {}), {.units = units, .channel = channel})) {}
-  RowMotion scaled(double factor) const { return {GroundSection(pounding::scaled(record_, factor))}; }
+/// The motion with all accelerations times `factor`. Throws std::invalid_argument for one in closed form.
+GroundMotion times(const GroundMotion& motion, double factor) {
+  if (motion.is_still()) return motion;
+  if (!motion.samples()) throw std::invalid_argument("only samples can be scaled");
+  Samples samples = *motion.samples();
+  for (double& a : samples.accelerations) a *= factor;
+  const GroundMotion scaled(std::move(samples), motion.source());
+  if (motion.initial_velocity() == 0 && motion.initial_displacement() == 0) return scaled;
+  return scaled.with_initial_motion(factor * motion.initial_velocity(), factor * motion.initial_displacement());
+}
 
- private:
-  Record record_;
-};
+RowMotion times(const RowMotion& motion, double factor) {
+  RowMotion scaled = motion;
+  for (GroundMotion& component : scaled.ground.components) component = times(component, factor);
+  return scaled;
+}
 
-RowMotion read_row_motion(const std::string& text, const std::string& name) {
-  return {read_ground_section(Input::read_text(text, name).in(words::model).at("ground_motion"))};
+using Files = std::map<std::string, std::string>;
+
+RowMotion read_row_motion(const std::string& text, const std::string& name, const Files& files) {
+  return {read_ground_section(Input::read_text(text, name, std::make_shared<const Files>(files)).in(words::model).at("ground_motion"))};
 }
 
 /// A structure as the kernel numbers its outputs.
@@ -153,8 +161,8 @@ py::dict numbers_of(const Summary& summary) {
 /// A model and the places of its text that change from row to row.
 class RowModel {
  public:
-  RowModel(const std::string& text, const std::string& name, const std::vector<std::vector<std::string>>& places)
-      : root_(Input::read_text(text, name)) {
+  RowModel(const std::string& text, const std::string& name, const std::vector<std::vector<std::string>>& places, const Files& files)
+      : root_(Input::read_text(text, name, std::make_shared<const Files>(files))) {
     for (const std::vector<std::string>& keys : places) {
       Input node = root_;
       for (const std::string& key : keys) node = node.is_list() ? Input(node.items().at(std::stoul(key))) : node.at(key);
@@ -261,14 +269,12 @@ class RowModel {
 
 void bind_study_rows(py::module_& module) {
   py::class_<RowMotion>(module, "RowMotion")
-      .def(py::init(&read_row_motion), "text"_a, "name"_a)
+      .def(py::init(&read_row_motion), "text"_a, "name"_a, "files"_a = py::dict())
+      .def("scaled", py::overload_cast<const RowMotion&, double>(&times), "factor"_a)
       .def_property_readonly("step", &RowMotion::step)
       .def_property_readonly("duration", [](const RowMotion& motion) { return motion.along_x().duration(); })
       .def_property_readonly("accelerations", &RowMotion::accelerations)
       .def("arias_after", &RowMotion::arias_after, "time"_a);
-  py::class_<RowRecord>(module, "RowRecord")
-      .def(py::init<std::string, std::string, std::string>(), "file"_a, "units"_a, "channel"_a)
-      .def("scaled", &RowRecord::scaled, "factor"_a);
   py::class_<LinearRow>(module, "LinearRow")
       .def_readonly("model", &LinearRow::model)
       .def_readonly("alone", &LinearRow::alone)
@@ -290,7 +296,7 @@ void bind_study_rows(py::module_& module) {
       .def_readonly("duration", &LinearRow::duration)
       .def_readonly("tolerance", &LinearRow::tolerance);
   py::class_<RowModel>(module, "RowModel")
-      .def(py::init<std::string, std::string, std::vector<std::vector<std::string>>>(), "text"_a, "name"_a, "places"_a)
+      .def(py::init<std::string, std::string, std::vector<std::vector<std::string>>, Files>(), "text"_a, "name"_a, "places"_a, "files"_a = py::dict())
       .def("put", &RowModel::put, "values"_a)
       .def("linear", &RowModel::linear, "motion"_a, "accelerations"_a, "alone"_a)
       .def("run", &RowModel::run, "motion"_a);

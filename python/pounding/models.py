@@ -50,6 +50,7 @@ class Model(told.Told, lines=told.model):
         self.devices = devices
         self._file = ""
         self._text = ""
+        self._files: Mapping[str, bytes] = {}  # contents of files that were read before, by the names that the parts give them
         self._parts_of_text: dict[str, Any] | None = None
 
     @classmethod
@@ -106,8 +107,8 @@ class Model(told.Told, lines=told.model):
         if "record" in text and not os.environ.get(POUNDING_RECORDS) and (folder := data_folder()):
             os.environ[POUNDING_RECORDS] = str(folder)
         if text is self._text:
-            return core.Source(text, self._file)
-        return core.Source(text, str(Path(self._file).with_name("model")) if self._file else "model")
+            return core.Source(text, self._file, dict(self._files))
+        return core.Source(text, str(Path(self._file).with_name("model")) if self._file else "model", dict(self._files))
 
 
 @dataclass(frozen=True)

@@ -40,7 +40,7 @@ def frames():
              "intensity": {"measure": "pga", "levels": ["0.2 g", "0.4 g"]}}
     batch = batch_of(plan := make_plan(model, words, Path()), np.arange(4))
     ready = prepared(plan.template)
-    motions = [ready.motion(int(record), float(scale)) for record, scale in zip(batch.record, batch.scale)]
+    motions = [ready.motion(int(record), float(scale), batch.files) for record, scale in zip(batch.record, batch.scale)]
     return best(lambda: run_batch(batch)) / 4, best(lambda: [ready._rows.run(motion) for motion in motions]) / 4
 
 

@@ -2,6 +2,7 @@
 /// A small model around each section of the input, with one word of it.
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include <pounding/input/words/isolators.hpp>
 #include <pounding/input/words/sections.hpp>
 #include <pounding/input/words/springs.hpp>
+#include <pounding/laws/compiled.hpp>
 
 namespace pounding::test {
 
@@ -303,6 +305,21 @@ inline Keys keys_around(const Section& s, const Word& word, const std::string& v
   return keys;
 }
 
+/// The keys of a link by this law with one of its parameters.
+inline Keys keys_of_law(const laws::Entry& law, const Word& word) {
+  const auto is = [&](const Word& each, laws::Need need) {
+    const auto found = std::ranges::find(law.parameters, each.key, &laws::ParameterInfo::name);
+    return found != law.parameters.end() && found->need == need;
+  };
+  const laws::Need needed = is(word, laws::Need::together) ? laws::Need::together : laws::Need::required;
+  const bool asks = needed == laws::Need::required && word.need != Need::exactly_one;
+  Keys keys{{"between", "[left, right]"}, {"gap", "20 mm"}, {"law", std::string(law.name)}};
+  for (const Word& each : words::parameters_of(law).words)
+    if (is(each, needed) || (each.key == "restitution" && asks)) keys[std::string(each.key)] = each.example;
+  keys[std::string(word.key)] = word.example;
+  return keys;
+}
+
 inline std::string with_keys(const Section& s, const Keys& keys) {
   std::string text = around(s);
   return text.replace(text.find('@'), 1, map_of(keys)) + "\n";
@@ -312,6 +329,25 @@ inline std::string with_word(const Section& s, const Word& word, const std::stri
   if (s.name == "members" && word.key == "reference")
     return in_space({{"members", "{c1: {between: [a, b], section: " + rectangle + ", reference: " + value + "}, " + others + "}"}}) + "\n";
   return with_keys(s, keys_around(s, word, value));
+}
+
+/// The records that the examples name.
+inline void write_records(const std::string& folder) {
+  std::ofstream(folder + "plain.csv") << "0, 0\n0.1, 1\n0.2, -1\n0.3, 0\n";
+  std::ofstream(folder + "values.txt") << "0 1 -1\n0\n";
+  std::ofstream(folder + "forces.csv") << "t [s], F [kN]\n0, 0\n0.5, 3\n1, 2\n";
+  std::ofstream(folder + "channels_of_force.csv") << "t [s]; a [kN]; b [kN]\n0; 0; 0\n0.5; 3; 1\n1; 2; 4\n";
+  std::ofstream(folder + "moved.csv") << "t [s], d [mm]\n0, 0\n0.5, 3\n1, 2\n";
+  std::ofstream(folder + "channels.csv") << "t [s]; ns [mm]; ew [mm]\n0; 0; 0\n0,5; 3; 1\n1; 2; 4\n";
+  std::string knet =
+      "Origin Time       2001/02/03 04:05:00\nLat.              40.0\nLong.             142.5\nDepth. (km)       30\n"
+      "Mag.              6.2\nStation Code      ABC001\nStation Lat.      41.5000\nStation Long.     140.9000\n"
+      "Station Height(m) 39\nRecord Time       2001/02/03 04:05:43\nSampling Freq(Hz) 20Hz\nDuration Time(s)  1\n"
+      "Dir.              90 deg\nScale Factor      3920(gal)/6182761\nMax. Acc. (gal)   4.954\n"
+      "Last Correction   2001/02/03 04:05:43\nMemo.             \n";
+  for (int i = 0; i < 20; ++i) knet += fmt::format("{:8d}{}", 13190 + (i % 2 ? -7813 : 7813), i % 8 == 7 ? " \n" : " ");
+  for (const char* name : {"knet.txt", "RSN6_IMPVALL.I_I-ELC180.AT2", "EW.AT2", "NS.AT2", "UP.AT2"})
+    std::ofstream(folder + name) << knet << "\n";
 }
 
 }  // namespace pounding::test

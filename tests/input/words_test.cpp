@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -45,24 +44,6 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-void write_records() {
-  std::ofstream(testing::TempDir() + "plain.csv") << "0, 0\n0.1, 1\n0.2, -1\n0.3, 0\n";
-  std::ofstream(testing::TempDir() + "values.txt") << "0 1 -1\n0\n";
-  std::ofstream(testing::TempDir() + "forces.csv") << "t [s], F [kN]\n0, 0\n0.5, 3\n1, 2\n";
-  std::ofstream(testing::TempDir() + "channels_of_force.csv") << "t [s]; a [kN]; b [kN]\n0; 0; 0\n0.5; 3; 1\n1; 2; 4\n";
-  std::ofstream(testing::TempDir() + "moved.csv") << "t [s], d [mm]\n0, 0\n0.5, 3\n1, 2\n";
-  std::ofstream(testing::TempDir() + "channels.csv") << "t [s]; ns [mm]; ew [mm]\n0; 0; 0\n0,5; 3; 1\n1; 2; 4\n";
-  std::string knet =
-      "Origin Time       2001/02/03 04:05:00\nLat.              40.0\nLong.             142.5\nDepth. (km)       30\n"
-      "Mag.              6.2\nStation Code      ABC001\nStation Lat.      41.5000\nStation Long.     140.9000\n"
-      "Station Height(m) 39\nRecord Time       2001/02/03 04:05:43\nSampling Freq(Hz) 20Hz\nDuration Time(s)  1\n"
-      "Dir.              90 deg\nScale Factor      3920(gal)/6182761\nMax. Acc. (gal)   4.954\n"
-      "Last Correction   2001/02/03 04:05:43\nMemo.             \n";
-  for (int i = 0; i < 20; ++i) knet += fmt::format("{:8d}{}", 13190 + (i % 2 ? -7813 : 7813), i % 8 == 7 ? " \n" : " ");
-  for (const char* name : {"knet.txt", "RSN6_IMPVALL.I_I-ELC180.AT2", "EW.AT2", "NS.AT2", "UP.AT2"})
-    std::ofstream(testing::TempDir() + name) << knet << "\n";
-}
-
 /// Calls this for every word of every section.
 void for_each_word(const std::function<void(const Section&, const Word&)>& act) {
   for (const Section* s : words::sections())
@@ -71,7 +52,7 @@ void for_each_word(const std::function<void(const Section&, const Word&)>& act) 
 
 class Words : public testing::Test {
  protected:
-  void SetUp() override { write_records(); }
+  void SetUp() override { test::write_records(testing::TempDir()); }
 };
 
 TEST_F(Words, EachExampleIsRead) {
@@ -113,19 +94,8 @@ TEST_F(Words, EachKeyThatIsReadHasAWord) {
 
 TEST_F(Words, EachParameterOfEachLawIsRead) {
   for (const laws::Entry& law : laws::catalogue()) {
-    const Section& own = words::parameters_of(law);
-    const auto is = [&](const Word& word, laws::Need need) {
-      const auto found = std::ranges::find(law.parameters, word.key, &laws::ParameterInfo::name);
-      return found != law.parameters.end() && found->need == need;
-    };
-    for (const Word& word : own.words) {
-      const laws::Need needed = is(word, laws::Need::together) ? laws::Need::together : laws::Need::required;
-      const bool asks = needed == laws::Need::required && word.need != Need::exactly_one;
-      Keys keys{{"between", "[left, right]"}, {"gap", "20 mm"}, {"law", std::string(law.name)}};
-      for (const Word& each : own.words)
-        if (is(each, needed) || (each.key == "restitution" && asks))
-          keys[std::string(each.key)] = each.example;
-      keys[std::string(word.key)] = word.example;
+    for (const Word& word : words::parameters_of(law).words) {
+      Keys keys = test::keys_of_law(law, word);
       EXPECT_EQ(refusal(with_keys(words::link, keys)), "") << map_of(keys);
       keys[std::string(word.key)] = "[[[{}]]]";
       EXPECT_NE(refusal(with_keys(words::link, keys)), "") << map_of(keys);

@@ -17,7 +17,7 @@ from pounding.studies import kernel_engine
 from pounding.studies.cross_check import differences, rows_to_check
 from pounding.studies.engines import DONE, ENGINES, EXCEEDED, REFUSED, run_batch
 from pounding.studies.execution import batch_of
-from pounding.studies.factors import apply, at
+from pounding.studies.factors import at
 from pounding.studies.pairs import Pairs
 from pounding.studies.places import Places
 from pounding.studies.plan import make_plan
@@ -84,7 +84,8 @@ class Engines(unittest.TestCase):
         within = {**factors, "loss": {"of": "structures.left.oscillator.damping", "list": ["2 %", "5 %"]}}
         plan = make_plan(pair(structures=beside), {"factors": factors, "records": RECORDS, "keep": ["force"]}, Path())
         ready = kernel_engine._Ready(plan.template)
-        ready.run((), batch_of(plan, np.arange(2)).values, 0, 1.0, lambda found, rows: None)
+        batch = batch_of(plan, np.arange(2))
+        ready.run((), batch.values, ready.prepared.motion(0, 1.0, batch.files), lambda found, rows: None)
         self.assertEqual([type(way) for way in ready._ways.values()], [Pairs])
         one, other = both(pair(structures=beside), factors)[0], both(pair(), within)[0]
         for column in one.plan.template.kept.columns:
@@ -273,9 +274,6 @@ class Engines(unittest.TestCase):
         for values, numbers in zip(batch.values, places.numbers(batch.values)):
             whole = plan.template.case(values.tolist(), 0, 1.0)
             self.assertEqual([at(whole, keys) for keys in places.keys], places.texts(numbers))
-            other = pair()._parts()
-            apply(other, plan.template.factors, values.tolist())
-            self.assertEqual([at(other, keys) for keys in places.keys], places.texts(numbers))
 
     def test_a_plan_of_another_kernel_is_refused(self):
         plan = make_plan(pair(), {"factors": FACTORS, **WORDS}, Path())

@@ -1,5 +1,6 @@
 """Plans of studies: the rows that words ask for, and wrong words that end with what to type."""
 
+import itertools
 import math
 import tempfile
 import unittest
@@ -47,6 +48,44 @@ class Plans(unittest.TestCase):
         plan = plan_of(factors={"ratio": FACTORS["ratio"], "T": {"of": "structures.left.oscillator.period", "list": ["1 s"]}})
         self.assertEqual(float(plan.case(1)["structures"]["right"]["oscillator"]["period"]), 0.8)
         self.assertEqual(plan.case(1)["structures"]["left"]["oscillator"]["period"], "1.0")
+
+    def test_ratios_of_ratios_do_not_depend_on_the_order(self):
+        chain = {"a": {"of": "structures.right.oscillator.period", "times": "structures.left.oscillator.period", "list": [0.5]},
+                 "b": {"of": "structures.left.oscillator.period", "times": "analysis.duration", "list": [0.2]},
+                 "c": {"of": "analysis.duration", "list": ["4 s"]},
+                 "d": {"of": "links.*.gap", "times": "links.*.gap", "list": [3]}}
+        model = pair(analysis={"duration": "2 s"})
+        for order in itertools.permutations(chain):
+            case = plan_of(model, factors={name: chain[name] for name in order}).case(0)
+            self.assertEqual([float(case["structures"][name]["oscillator"]["period"]) for name in ("left", "right")], [0.8, 0.4])
+            self.assertEqual(float(case["links"][0]["gap"]), 3e-3)
+
+    def test_integers_stay_integers(self):
+        building = {"shear_building": {"storeys": "3", "mass": "100 t", "stiffness": "100 MN/m", "height": "3 m"}, "damping": "5 %"}
+        model = pair(structures={"left": building, "right": {"wall": {}}}, links=[{"between": ["left.1", "right"], "gap": "1 mm", "law": "hertz", "stiffness": "2.75e9"}])
+        for factor, values in (({"from": 2, "to": 4, "count": 3}, ["2", "3", "4"]), ({"times": "structures.left.shear_building.storeys", "list": [1, 2]}, ["3", "6"]),
+                               ({"from": 1, "to": 100, "count": 3, "spacing": "log"}, ["1", "10", "100"])):
+            plan = plan_of(model, factors={"n": {"of": "structures.left.shear_building.storeys", **factor}})
+            self.assertEqual([plan.case(row)["structures"]["left"]["shear_building"]["storeys"] for row in range(plan.count)], values)
+            study = run_plan(plan, None, workers=0)
+            self.assertEqual(study.failed, {})
+        seeds = plan_of(factors={"seed": {"of": "ground_motion.synthetic.seed", "list": [1, 7, 12345678901]}})
+        self.assertEqual([seeds.case(row)["ground_motion"]["synthetic"]["seed"] for row in range(3)], ["1", "7", "12345678901"])
+        self.assertEqual(len(set(run_plan(seeds, None, workers=0)["displacement.left"])), 3)
+
+    def test_a_factor_of_the_own_motion_has_an_effect(self):
+        factors = {"pga": {"of": "ground_motion.synthetic.pga", "list": ["0.1 g", "0.3 g"]}, "T": {"of": "ground_motion.synthetic.duration", "list": ["0.8 s", "1 s"]}}
+        for engine in ("auto", "solver"):
+            study = run_plan(plan_of(factors=factors, engine=engine, keep=["displacement"]), None, workers=0)
+            for row, (pga, duration) in enumerate(itertools.product(("0.1 g", "0.3 g"), ("0.8 s", "1 s"))):
+                by_hand = pair(ground_motion={"synthetic": {"seed": "1", "duration": duration, "pga": pga, "soil": "firm"}})
+                peaks = [max(one["peak_displacement"]) for one in pounding.run(by_hand).summary["structures"].values()]
+                np.testing.assert_allclose([study[f"displacement.{name}"][row] for name in ("left", "right")], peaks, rtol=1e-12)
+        # Levels scale it, with the other numbers of the row.
+        words = {"factors": {"T": factors["T"]}, "intensity": {"measure": "pga", "levels": ["0.2 g", "0.5 g"]}, "keep": ["displacement"]}
+        study = run_plan(plan_of(**words), None, workers=0)
+        by_hand = pair(ground_motion={"synthetic": {"seed": "1", "duration": "1 s", "pga": "0.5 g", "soil": "firm"}})
+        np.testing.assert_allclose(study["displacement.left"][3], max(pounding.run(by_hand).summary["structures"]["left"]["peak_displacement"]), rtol=1e-12)
 
     def test_a_model_may_leave_its_motion_and_its_duration_to_the_records(self):
         factors = {"gap": {"of": "links.*.gap", "list": ["1 mm"]}}
@@ -176,6 +215,59 @@ class Wrong(unittest.TestCase):
     def test_levels_without_a_measure(self):
         self.refused("levels need the measure that they are of; type measure: pga, measure: sa with period: 1 s", intensity={"levels": ["0.1 g"]})
         self.refused("sa needs its period", intensity={"measure": "sa", "levels": ["0.1 g"]})
+
+    def test_ratios_of_each_other(self):
+        periods = [f"structures.{name}.oscillator.period" for name in ("left", "right")]
+        self.refused("study.factors.a.times: a and b are ratios of each other; give one of them values without times",
+                     factors={"a": {"of": periods[0], "times": periods[1], "list": [1]}, "b": {"of": periods[1], "times": periods[0], "list": [1]}})
+        self.refused("study.factors.a.times: links.0.law: ", factors={"a": {"of": periods[0], "times": "links.0.law", "list": [1]}})
+
+    def test_a_table_that_is_no_table_of_numbers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "t.csv"
+            words = {"factors": {"gap": {"of": "links.*.gap", "column": "gap"}}, "sampling": {"table": str(file)}}
+            for text, said in (("gap (mm),gap (m)\n1,0.5\n", 't.csv:1: two columns are called "gap"; give each column its own name'),
+                               ("gap,T,gap\n1,2,3\n", 'two columns are called "gap"'),
+                               ("gap(mm),gap (mm)\n1,1\n", 'two columns are called "gap"'),
+                               ("gap (mm)\n1\n1_0\n", 't.csv:3: takes 1 numbers with commas between them, one for each of gap; "1_0" was read'),
+                               ("gap (mm)\n\uff11\n", '"\uff11" was read'), ("gap (mm)\n\u0661\n", '"\u0661" was read'),
+                               ("gap (mm)\n0x10\n", '"0x10" was read'), ("gap (mm)\n1 0\n", '"1 0" was read'), ("gap (mm)\n1e999\n", "finite numbers")):
+                file.write_text(text, encoding="utf-8")
+                self.refused(said, **words)
+            for text in ("gap (mm)\n 1.5 \n+2e0\n.5\n", "\ufeffgap (mm)\r\n1.5\r\n2.\r\n5E-1\r\n"):
+                file.write_text(text, encoding="utf-8")
+                np.testing.assert_allclose(plan_of(**words).points.sample.ravel(), [1.5e-3, 2e-3, 0.5e-3], rtol=1e-15)
+        for values in (["1_0"], ["\uff11"], [True]):
+            self.refused("study.sampling.table.gap: takes a list of numbers", factors={"gap": {"of": "links.*.gap", "column": "gap"}},
+                         sampling={"table": {"gap": values}})
+
+    def test_bare_numbers(self):
+        def warned(**words):
+            return plan_of(**words).warnings
+
+        factor = lambda of, **values: {"factors": {"f": {"of": of, **values}}}
+        for words, said in (({"intensity": {"measure": "pga", "levels": [0.1, 0.2]}}, "study.intensity.levels: a bare 0.1 is in m/s^2, 0.0102 g; did you mean 0.1 g?"),
+                            ({"records": {"synthetic": {"count": 2, "duration": "0.8 s", "pga": 0.3}}}, "study.records.synthetic.pga: a bare 0.3 is in m/s^2"),
+                            (factor("ground_motion.synthetic.pga", list=[0.2, 0.4]), "did you mean 0.2 g"),
+                            (factor("links.*.gap", list=[2, 4]), "study.factors.f: a bare 2 is in SI, and links.0.gap of the model is 1 mm; did you mean 2 mm?"),
+                            ({**factor("links.*.gap", uniform={"from": 2, "to": 4}), "sampling": {"random": 4}}, "did you mean"),
+                            ({**factor("links.*.gap", column="gap"), "sampling": {"table": {"gap": [0.5, 3]}}}, "did you mean 0.5 mm"),
+                            (factor("structures.left.oscillator.mass", list=[120]), "did you mean 120 t"),
+                            ({"limits": {"drift": 30}}, "study.limits.drift: a bare 30 is in m; type its unit, as in 30 mm"),
+                            ({"limits": {"acceleration": 0.5}}, "study.limits.acceleration: a bare 0.5 is in m/s^2"),
+                            ({"limits": {"force": 5}}, "study.limits.force: a bare 5 is in N"),
+                            (factor("links.*.law", list=["hertz_damped", "kelvin_voigt"]),
+                             "study.factors.f: links.0.stiffness is a bare 2.75e9, in N/m^1.5 for hertz_damped, in N/m for kelvin_voigt")):
+            self.assertEqual([said in text for text in warned(**words)], [True], (words, warned(**words)))
+        for words in ({"intensity": {"measure": "pga", "levels": ["0.1 g"]}}, {"intensity": {"measure": "pga", "levels": [2.0]}}, factor("links.*.gap", list=[1e-3, 4e-3]),
+                      factor("links.*.gap", list=["2 mm"]), factor("structures.left.oscillator.period", list=[0.5, 1.5]), {"limits": {"drift": "30 mm", "force": "5 MN"}},
+                      factor("links.*.law", list=["hertz_damped", "jankowski"]), factor("links.*.stiffness", list=[1e9]), {"limits": {"impacts": 3}}):
+            self.assertEqual(warned(**words), (), words)
+        self.assertEqual(plan_of(pair(accept=["pga"]), intensity={"measure": "pga", "levels": [0.1]}).warnings, ())
+        self.refused("truncate takes limits in m, as the values have", factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "9 mm"}, "truncate": [2, 8]}},
+                     sampling={"random": 4})
+        self.refused("study.intensity.damping: takes a share from 0 to 100 %", intensity={"measure": "pga", "damping": 5})
+        self.refused("study.stop_after: takes a share from 0 to 100 %", stop_after=5)
 
     def test_a_power_of_two_that_is_missing(self):
         self.refused("type 64 or 128 instead of 100", factors={"g": {"of": "links.*.gap", "uniform": {"from": "1 mm", "to": "2 mm"}}},

@@ -129,10 +129,14 @@ Record read_record_text(std::string_view text, const std::string& name, const Re
   throw InputError(fmt::format("{}: a record in none of the formats that are read: {}", name, fmt::join(names, ", ")));
 }
 
-Record read_record(const std::filesystem::path& file, const RecordOptions& options) {
+std::string read_text_of_record(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) throw InputError(fmt::format("{}: no such record, or it cannot be read", excerpt(file.string())));
-  return read_record_text(read_text_file(file.string(), "record", records::longest_record), file.string(), options);
+  return read_text_file(file.string(), "record", records::longest_record);
+}
+
+Record read_record(const std::filesystem::path& file, const RecordOptions& options) {
+  return read_record_text(read_text_of_record(file), file.string(), options);
 }
 
 namespace {

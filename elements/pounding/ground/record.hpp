@@ -89,6 +89,9 @@ struct RecordOptions {
 /// chosen, the text lists them.
 Record read_record(const std::filesystem::path& file, const RecordOptions& options = {});
 
+/// Content of the file of a record, unread. Throws InputError if it cannot be read or is too long for a record.
+std::string read_text_of_record(const std::filesystem::path& file);
+
 /// read_record() from text; `name` stands for the file in messages.
 Record read_record_text(std::string_view text, const std::string& name, const RecordOptions& options = {});
 

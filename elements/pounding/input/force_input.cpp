@@ -102,7 +102,7 @@ class HistoryReader {
     const double scale = force_.quantity("scale");
     if (scale == 0) force_.at("scale").fail("takes a number other than 0; leave the force out");
     try {
-      return scaled(read_record(find_record(file.as_text(), force_.directory()), options), scale).delayed(force_.quantity("start"));
+      return scaled(read_named_record(file, options), scale).delayed(force_.quantity("start"));
     } catch (const InputError& error) {
       file.fail(error.what());
     }

@@ -53,7 +53,7 @@ GroundMotion read_record_motion(const Input& section, std::initializer_list<std:
   options.initial_velocity = velocity / factor;
   const Record record = [&] {
     try {
-      return read_record(find_record(file.as_text(), section.directory()), options);
+      return read_named_record(file, options);
     } catch (const InputError& error) {
       file.fail(error.what());
     }
@@ -227,6 +227,11 @@ double read_phase(const Input& harmonic) {
 Pulse::Shape read_shape(const Input& pulse) {
   const std::string name = pulse.at("shape").as_choice();
   return name == "half_sine" ? Pulse::Shape::half_sine : name == "sine" ? Pulse::Shape::sine : Pulse::Shape::rectangle;
+}
+
+Record read_named_record(const Input& file, const RecordOptions& options) {
+  if (const std::string* const content = file.file_content()) return read_record_text(*content, file.as_text(), options);
+  return read_record(find_record(file.as_text(), file.directory()), options);
 }
 
 GroundMotion read_ground_motion(const Input& section) { return read_motion(section.in(words::motion), {}); }

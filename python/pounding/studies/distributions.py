@@ -140,6 +140,8 @@ def _bounds(truncate: Any, unit: str, place: str) -> tuple[float, float] | None:
         return None
     bounds, own = words.quantities(truncate, f"{place}: truncate")
     words.same_unit(own, unit, f"{place}: truncate", "20 mm")
+    if unit and not own:
+        raise InputError(f"{place}: truncate takes limits in {unit}, as the values have; bare numbers were read: {truncate}")
     low, high = bounds[0], bounds[-1]
     if len(bounds) != 2 or low >= high:
         raise InputError(f"{place}: truncate takes a lower and an upper limit")

@@ -56,7 +56,7 @@ class SolverEngine:
     def _row(self, batch: Batch, i: int) -> tuple[int, list[float], str]:
         template = batch.template
         try:
-            summary = prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i]))
+            summary = prepared(template).run(batch.values[i], int(batch.record[i]), float(batch.scale[i]), batch.files)
             values = template.kept.of(summary)
             if undefined := template.kept.undefined_limits(np.array([values])):
                 raise InputError(f"study.limits: {', '.join(undefined)} is undefined in this row, so it cannot be compared with its limit")

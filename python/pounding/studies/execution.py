@@ -39,7 +39,8 @@ def batch_of(plan: Plan, rows: np.ndarray, engine: str = "") -> Batch:
     """The rows as a worker gets them; `engine` instead of that of the plan."""
     columns = plan.columns(rows)
     values = np.column_stack([columns[factor.name] for factor in plan.points.factors]) if plan.points.factors else np.empty((len(rows), 0))
-    return Batch(plan.template, rows, values, columns["record"], columns["scale"], engine or plan.template.engine)
+    return Batch(plan.template, rows, values, columns["record"], columns["scale"], engine or plan.template.engine,
+                 plan.files_of(columns["record"]))
 
 
 def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = None, executor: Executor | None = None,

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,10 @@ import numpy as np
 from pounding.errors import InputError
 from pounding.studies import words
 from pounding.studies.distributions import KINDS, Distribution, read_distribution
+from pounding.studies.files import KEYS, Files
 
+#: Integers up to this one are exact as floating-point numbers.
+LARGEST_INTEGER = 2**53
 #: Values of one factor, at most.
 MOST_VALUES = 1_000_000
 _WORDS = ("of", "times", "list", "from", "to", "count", "spacing", "truncate", "at", "column", *KINDS)
@@ -37,9 +41,28 @@ class Factor:
         """Whether its values stand in the sample, and in no list."""
         return self.values is None
 
-    def word(self, value: float) -> str:
-        """The text that the model takes for a value."""
-        return self.labels[int(value)] if self.labels else repr(float(value))
+    def word(self, value: float, held: Any) -> str:
+        """The text that the model takes for a value in the place of `held`: an integer in the place of one."""
+        if self.labels:
+            return self.labels[int(value)]
+        return str(round(value)) if is_integer(held) and is_whole(value) else repr(float(value))
+
+
+def with_files(factor: Factor, model: Mapping[str, Any], folder: Path, files: Files) -> Factor:
+    """The factor with absolute names in the place of files that its labels name from `folder`."""
+    if not factor.labels or not any(keys[-1] in KEYS for path in factor.of for keys in find(model, path, "")):
+        return factor
+    return replace(factor, labels=tuple(files.find(label, folder) or label for label in factor.labels))
+
+
+def is_integer(held: Any) -> bool:
+    """Whether the text of a model is an integer without a unit."""
+    return isinstance(held, str) and held.isascii() and held.strip().removeprefix("+").removeprefix("-").isdigit()
+
+
+def is_whole(value: float) -> bool:
+    """Whether a value is an integer that floating-point numbers hold exactly, up to the round-off of a range or ratio."""
+    return abs(value) < LARGEST_INTEGER and abs(value - round(value)) <= 1e-12 * abs(value)
 
 
 def read_factors(given: Any, model: Mapping[str, Any]) -> list[Factor]:
@@ -56,7 +79,23 @@ def read_factors(given: Any, model: Mapping[str, Any]) -> list[Factor]:
             if keys in places:
                 raise InputError(f"study.factors.{factor.name}.of: {dotted(keys)} is set by {places[keys]} already; give each place one factor")
             places[keys] = factor.name
+    in_order(model, factors)
     return factors
+
+
+def in_order(model: Mapping[str, Any], factors: Sequence[Factor]) -> list[int]:
+    """Numbers of the factors, each after the one that sets the base of its ratio. A ratio of a place that it sets itself is one of the
+    model's own number. Raises InputError for ratios of each other."""
+    setter = {keys: j for j, factor in enumerate(factors) for path in factor.of for keys in find(model, path, factor.name)}
+    after = {j: setter.get(find(model, factor.times, factor.name)[0], j) if factor.times is not None else j for j, factor in enumerate(factors)}
+    found: list[int] = []
+    while len(found) < len(factors):
+        ready = [j for j in range(len(factors)) if j not in found and (after[j] == j or after[j] in found)]
+        if not ready:
+            circle = [factor.name for j, factor in enumerate(factors) if j not in found]
+            raise InputError(f"study.factors.{circle[0]}.times: {' and '.join(circle)} are ratios of each other; give one of them values without times")
+        found += ready
+    return found
 
 
 def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
@@ -94,10 +133,14 @@ def _read(name: str, given: Any, model: Mapping[str, Any]) -> Factor:
         unit = ""
     else:
         distribution, unit = read_distribution(ways[0], one[ways[0]], one.get("truncate"), place)
+    if times is not None:
+        words.quantity(at(model, find(model, times, f"{place}.times")[0]), f"{place}.times: {times}")
     if times is not None and unit:
         raise InputError(f"{place}: with times it is a ratio, without a unit; its values are in {unit}")
     if times is None and not labels and ways[0] != "column":
         check_units(model, places, unit, place)
+    if values is not None and not labels and max(map(abs, values)) >= LARGEST_INTEGER and any(is_integer(at(model, keys)) for keys in places):
+        raise InputError(f"{place}: takes integers below {LARGEST_INTEGER} in the place of {dotted(places[0])}, so that each is exact; {max(values):g} was read")
     return Factor(name, tuple(paths), times, unit, None if values is None else tuple(values), distribution, labels,
                   str(one.get("column", "")))
 
@@ -192,15 +235,3 @@ def put(model: Any, keys: Sequence[str | int], value: Any) -> None:
 def dotted(keys: Sequence[str | int]) -> str:
     """The keys as a path."""
     return ".".join(map(str, keys))
-
-
-def apply(model: dict[str, Any], factors: Sequence[Factor], values: Sequence[float]) -> None:
-    """Writes the values of the factors into the model: first those that stand alone, then the ratios."""
-    for factor, value in sorted(zip(factors, values), key=lambda pair: pair[0].times is not None):
-        written = factor.word(value)
-        if factor.times is not None:
-            base, _ = words.quantity(at(model, find(model, factor.times, factor.name)[0]), factor.times)
-            written = repr(float(value) * base)
-        for path in factor.of:
-            for keys in find(model, path, factor.name):
-                put(model, keys, written)

@@ -55,7 +55,8 @@ class KernelEngine:
             begin = perf_counter()
             chosen = np.array(members)
             try:
-                reasons = ready.run(labels, batch.values[chosen], record, scale, lambda found, rows: self._fill(done, chosen[rows], found, batch.template.kept))
+                motion = ready.prepared.motion(record, scale, batch.files)
+                reasons = ready.run(labels, batch.values[chosen], motion, lambda found, rows: self._fill(done, chosen[rows], found, batch.template.kept))
             except (InputError, OSError) as error:
                 reasons = dict.fromkeys(range(len(chosen)), str(error))
             done.reasons.update({int(batch.rows[chosen[i]]): why for i, why in reasons.items()})
@@ -93,9 +94,8 @@ class _Ready:
         self.accelerations = "acceleration" in quantities
         self.alone = template.kept.needs_comparison
 
-    def run(self, labels: tuple[float, ...], values: np.ndarray, record: int, scale: float, take: Callable[[Found, np.ndarray], None]) -> dict[int, str]:
+    def run(self, labels: tuple[float, ...], values: np.ndarray, motion: core.RowMotion | None, take: Callable[[Found, np.ndarray], None]) -> dict[int, str]:
         """Runs rows of one motion and hands over what it found; returns why rows were not run. Raises InputError, OSError."""
-        motion = self.prepared.motion(record, scale)
         if motion is None or motion.step == 0:
             return dict.fromkeys(range(len(values)), "the kernel takes records with an even step from time 0 on")
         numbers = self.prepared.places.numbers(values)

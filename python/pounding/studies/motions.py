@@ -13,6 +13,7 @@ import numpy as np
 from pounding._native import core
 from pounding.errors import InputError
 from pounding.studies import words
+from pounding.studies.files import Files
 
 #: Largest factor on a record that passes without a warning.
 PLAUSIBLE_SCALE = 4.0
@@ -23,24 +24,52 @@ class Motion:
     """One ground motion as the table lists it."""
 
     name: str
-    words: dict[str, Any]  #: `ground_motion` of the model; without it the model's own
+    words: dict[str, Any]  #: `ground_motion` of the row without the wave; empty for the model's own
     event: str  #: motions of one event are no independent samples
     component: str = ""
     points: int = 0
     step: float = 0.0  #: [s]; 0 where it varies
     duration: float = 0.0  #: [s]
-    pga: float = float("nan")  #: [m/s^2]
+    pga: float = float("nan")  #: of several horizontal components the geometric mean [m/s^2]
     intensity: float = float("nan")  #: by the measure of the study [m/s^2]
-    digest: str = ""  #: SHA-256 of the file's bytes
+    digest: str = ""  #: SHA-256 of the bytes of its files
     warnings: tuple[str, ...] = field(default=(), compare=False)  #: of implausible peaks and steps
 
+    @property
+    def parts(self) -> dict[str, dict[str, Any]]:
+        """The motion along each axis; without components, along x."""
+        return dict(self.words.get("components") or {"x": self.words})
+
+    @property
+    def is_record(self) -> bool:
+        """Whether files hold it."""
+        return all("record" in part for part in self.parts.values())
+
     def scaled(self, scale: float) -> dict[str, Any]:
-        """`ground_motion` of the model with all accelerations times `scale`."""
-        if "record" in self.words:
-            return {**self.words, "scale": repr(float(scale))}
-        inner = dict(self.words["synthetic"])
-        inner["pga"] = repr(float(self.pga * scale))
-        return {"synthetic": inner}
+        """`ground_motion` of the row with all accelerations times `scale`."""
+        if "components" in self.words:
+            return {"components": {axis: scaled(part, scale) for axis, part in self.parts.items()}}
+        return scaled(self.words, scale)
+
+
+def scaled(part: Mapping[str, Any], scale: float) -> dict[str, Any]:
+    """A record or an artificial earthquake with all accelerations times `scale`."""
+    if "record" in part:
+        return {**part, "scale": repr(float(factor_of(part) * scale))}
+    inner = dict(part["synthetic"])
+    inner["pga"] = repr(float(words.quantity(inner["pga"], "ground_motion.synthetic.pga")[0] * scale))
+    return {**part, "synthetic": inner}
+
+
+def factor_of(part: Mapping[str, Any]) -> float:
+    """The factor on the values of a file."""
+    return words.quantity(part.get("scale", 1.0), "ground_motion.scale")[0]
+
+
+def mean_of_horizontal(values: Mapping[str, float]) -> float:
+    """The geometric mean of the values along x and y; that along z if there is no other."""
+    found = [value for axis, value in values.items() if axis != "z"] or list(values.values())
+    return found[0] if len(found) == 1 else float(np.prod(found) ** (1 / len(found)))
 
 
 @dataclass(frozen=True)
@@ -52,19 +81,24 @@ class Intensity:
     damping: float = 0.05
     levels: tuple[float, ...] = ()  #: [m/s^2]; none for motions as they are
 
-    def of(self, motion: Motion) -> float:
-        """The intensity of an unscaled motion [m/s^2]. Raises InputError for a measure that the motion does not have."""
+    def of(self, motion: Motion, files: Files) -> float:
+        """The intensity of an unscaled motion [m/s^2], of horizontal components the geometric mean. Raises InputError for a measure that the
+        motion does not have."""
         if self.measure == "pga":
             return motion.pga
-        if "record" not in motion.words:
+        if not motion.is_record:
             raise InputError(f"study.intensity.measure: {self.measure} is known of records; with artificial earthquakes or the model's own motion "
                              "type measure: pga")
         periods = np.geomspace(*self.period, 20) if self.measure == "avg_sa" else np.array(self.period[:1])
-        given = motion.words
-        _, sd, _ = core.record_spectrum(str(given["record"]), str(given.get("units", "")), str(given.get("channel", "")), periods.tolist(), self.damping)
+        return mean_of_horizontal({axis: self._of_record(part, periods, files) for axis, part in motion.parts.items() if axis != "z" or len(motion.parts) == 1})
+
+    def _of_record(self, part: Mapping[str, Any], periods: np.ndarray, files: Files) -> float:
+        name = str(part["record"])
+        _, sd, _ = core.record_spectrum(name, str(part.get("units", "")), str(part.get("channel", "")), periods.tolist(), self.damping, step_of(part),
+                                        files.content(name))
         # A record that does not move, or a period so long that nothing is left of its acceleration, has the intensity 0.
         with np.errstate(divide="ignore", under="ignore"):
-            return float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
+            return abs(factor_of(part)) * float(np.exp(np.mean(np.log((2 * np.pi / periods) ** 2 * np.asarray(sd)))))
 
 
 def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:
@@ -77,6 +111,8 @@ def read_intensity(given: Any, periods: Sequence[float]) -> Intensity | None:
         asked = "levels need the measure that they are of" if measure is None else f"{measure!r} was read"
         raise InputError(f"study.intensity: {asked}; type measure: pga, measure: sa with period: 1 s, or measure: avg_sa")
     damping = words.quantity(one.get("damping", 0.05), "study.intensity.damping")[0]
+    if not 0 <= damping < 1:
+        raise InputError(f"study.intensity.damping: takes a share from 0 to 100 %, such as 5 %; {one['damping']} was read")
     levels: list[float] = []
     if "levels" in one:
         levels, unit = words.quantities(one["levels"], "study.intensity.levels")
@@ -111,23 +147,39 @@ def _range(one: Mapping[str, Any], periods: Sequence[float]) -> tuple[float, flo
     return 0.2 * min(known), 1.5 * max(known)
 
 
-def read_file(name: str, options: Mapping[str, str], event: str = "", component: str = "") -> Motion:
+def step_of(part: Mapping[str, Any]) -> float:
+    """The step of a file without times [s]; 0 if it is not given."""
+    return words.quantity(part["step"], "study.records.step")[0] if "step" in part else 0.0
+
+
+def read_file(name: str, options: Mapping[str, str], files: Files, event: str = "", component: str = "") -> Motion:
     """The motion of one file. Raises InputError where it is no record."""
-    points, step, duration, pga, warnings = core.record_measures(name, options.get("units", ""), options.get("channel", ""))
-    digest = hashlib.sha256(Path(name).read_bytes()).hexdigest()
-    return Motion(Path(name).name, {"record": name, **options}, event or Path(name).stem, component, points, step, duration, pga, digest=digest,
-                  warnings=tuple(f"record {Path(name).name}: {text}" for text in warnings))
+    content = files.content(name)
+    points, step, duration, pga, warnings = core.record_measures(name, options.get("units", ""), options.get("channel", ""), step_of(options), content)
+    return Motion(Path(name).name, {"record": name, **options}, event or Path(name).stem, component, points, step, duration, pga,
+                  digest=hashlib.sha256(content).hexdigest(), warnings=tuple(f"record {Path(name).name}: {text}" for text in warnings))
 
 
-def measured(motions: Sequence[Motion], intensity: Intensity | None) -> list[Motion]:
+def joined(parts: Mapping[str, Motion]) -> Motion:
+    """One motion of several components."""
+    every = list(parts.values())
+    steps = {motion.step for motion in every}
+    return Motion(" + ".join(motion.name for motion in every), {"components": {axis: motion.words for axis, motion in parts.items()}}, every[0].event,
+                  " + ".join(motion.component or axis for axis, motion in parts.items()), every[0].points, steps.pop() if len(steps) == 1 else 0.0,
+                  max(motion.duration for motion in every), mean_of_horizontal({axis: motion.pga for axis, motion in parts.items()}),
+                  digest=hashlib.sha256("".join(motion.digest for motion in every).encode()).hexdigest(),
+                  warnings=tuple(text for motion in every for text in motion.warnings))
+
+
+def measured(motions: Sequence[Motion], intensity: Intensity | None, files: Files) -> list[Motion]:
     """The motions with their intensity. Raises InputError where levels ask for motions that cannot be scaled."""
     if intensity is None:
         return list(motions)
     for motion in motions:
-        if not motion.words:
+        if np.isnan(motion.pga):
             raise InputError("study.intensity: the motion of the model cannot be scaled; name records, as in records: {files: records/*.AT2}, or give the "
                              "model an artificial earthquake (synthetic)")
-    return [replace(motion, intensity=intensity.of(motion)) for motion in motions]
+    return [replace(motion, intensity=intensity.of(motion, files)) for motion in motions]
 
 
 def implausible(motions: Sequence[Motion], accept: Sequence[str]) -> list[str]:
@@ -138,10 +190,12 @@ def implausible(motions: Sequence[Motion], accept: Sequence[str]) -> list[str]:
 
 
 def doubts(motions: Sequence[Motion], intensity: Intensity | None) -> list[str]:
-    """Warnings of records that are scaled far."""
+    """Warnings of records that the model or the intensity scales."""
     if intensity is None or not intensity.levels:
-        return []
-    scales = [max(intensity.levels) / motion.intensity for motion in motions if motion.digest]
+        scales = [abs(factor_of(part)) for motion in motions for part in motion.parts.values() if "scale" in part]
+        return [f"scale or pga of the model's ground_motion applies to the records of the study, which are scaled by {min(scales):.3g} to {max(scales):.3g}; remove it to "
+                "use them as recorded, or type levels of an intensity"] if scales else []
+    scales = [max(intensity.levels) / motion.intensity * max(abs(factor_of(part)) for part in motion.parts.values()) for motion in motions if motion.digest]
     if not scales or max(scales) <= PLAUSIBLE_SCALE:
         return []
     far = sum(scale > PLAUSIBLE_SCALE for scale in scales)

@@ -8,28 +8,29 @@ from typing import Any
 import numpy as np
 
 from pounding.studies import words
-from pounding.studies.factors import Factor, at, find
+from pounding.studies.factors import Factor, at, find, in_order
 
 Keys = tuple[str | int, ...]
 
 
 class Places:
-    """Values that the rows of a study write into their model: the same as `factors.apply` writes, for many rows at once."""
+    """Values that the rows of a study write into their model, for many rows at once."""
 
     def __init__(self, model: Mapping[str, Any], factors: Sequence[Factor]) -> None:
-        # Ratios come after all that they may be a part of.
-        order = sorted(range(len(factors)), key=lambda j: factors[j].times is not None)
         self.keys: list[Keys] = []  #: [place]
         self.factor: list[int] = []  #: [place] the number of its factor
         self._factors = factors
         self._base: list[int | float | None] = []  # [place] the place that it is a ratio of, or the number
-        for j in order:
+        self._held: list[Any] = []  # [place] the model's own value
+        # A ratio follows the factor that sets its base.
+        for j in in_order(model, factors):
             base = self._base_of(model, factors[j])
             for path in factors[j].of:
                 for keys in find(model, path, factors[j].name):
                     self.keys.append(keys)
                     self.factor.append(j)
                     self._base.append(base)
+                    self._held.append(at(model, keys))
 
     def _base_of(self, model: Mapping[str, Any], factor: Factor) -> int | float | None:
         if factor.times is None:
@@ -46,4 +47,4 @@ class Places:
 
     def texts(self, numbers: np.ndarray) -> list[str]:
         """Texts for the model, from the numbers of one row."""
-        return [self._factors[j].word(number) for j, number in zip(self.factor, numbers.tolist())]
+        return [self._factors[j].word(number, held) for j, number, held in zip(self.factor, numbers.tolist(), self._held)]

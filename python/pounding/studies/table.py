@@ -21,6 +21,7 @@ from pounding.outputs import destination
 from pounding.studies.cross_check import differences
 from pounding.studies.batches import COMPLETE
 from pounding.studies.engines import DIED, ENGINES, NOT_RUN, STATUSES, Done
+from pounding.studies.files import by_content, relative
 from pounding.studies.parts import Parts
 from pounding.studies.plan import Plan
 from pounding.texts import text
@@ -56,6 +57,11 @@ class Table:
             except BaseException:
                 self.close()
                 raise
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the table; the working folder for a table in memory."""
+        return Path() if self.path is None else self.path.parent
 
     def missing(self) -> np.ndarray:
         """Numbers of the rows that have not run."""
@@ -107,7 +113,7 @@ class Table:
             _require_same(kept, self.plan, path)
             for done in parts.chunks():
                 self._fill(done)
-        parts.begin({"digest": self.plan.digest(), "plan": self.plan.description()})
+        parts.begin({"digest": self.plan.digest(), "plan": relative(self.plan.description(), self.folder)})
 
     def _read_table(self, path: Path) -> None:
         with open_study(path) as file:
@@ -159,8 +165,9 @@ def open_study(path: Path) -> h5py.File:
 def _require_same(kept: Mapping[str, Any], plan: Plan, path: Path) -> None:
     if kept["digest"] == plan.digest():
         return
-    now = json.loads(json.dumps(plan.description()))
-    different = [name for name in now if now[name] != kept["plan"].get(name)]
+    now = json.loads(json.dumps(by_content(plan.description())))
+    before = by_content({"files": {}, **kept["plan"]})
+    different = [name for name in now if now[name] != before.get(name)]
     raise InputError(f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
                      f"{path} and {path.name}.parts to begin again")
 
@@ -184,7 +191,7 @@ def _image(table: Table) -> bytes:
         reasons = sorted(table.reasons.items())
         file["reasons/row"] = np.array([row for row, _ in reasons], np.int64)
         file.create_dataset("reasons/text", data=[why for _, why in reasons], dtype=h5py.string_dtype(), shape=(len(reasons),))
-        file["study/plan"] = json.dumps({"digest": plan.digest(), "plan": plan.description()})
+        file["study/plan"] = json.dumps({"digest": plan.digest(), "plan": relative(plan.description(), table.folder)})
         file["study/text"] = plan.text
         file.create_dataset("study/warnings", data=plan.warnings, dtype=h5py.string_dtype(), shape=(len(plan.warnings),))
         file.create_dataset("study/engines", data=table.engines, dtype=h5py.string_dtype(), shape=(len(table.engines),))

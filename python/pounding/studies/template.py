@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import copy
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from pounding.studies.factors import Factor, apply
-from pounding.studies.motions import Motion
+from pounding.studies.factors import Factor, put
+from pounding.studies.motions import Motion, scaled
+from pounding.studies.places import Places
 from pounding.studies.quantities import Kept
 
 
@@ -17,12 +19,13 @@ from pounding.studies.quantities import Kept
 class Template:
     """The model, where the factors go, the motions, and what is kept."""
 
-    model: dict[str, Any]  #: parts of the input in texts
+    model: dict[str, Any]  #: parts of the input in texts; of a ground motion that records replace only what holds for each of them
     place: str  #: file that the model stands for in messages
     factors: tuple[Factor, ...]
     motions: tuple[Motion, ...]
     kept: Kept
     engine: str = "auto"  #: the engine of all rows, or "auto"
+    files: Mapping[str, bytes] = field(default_factory=dict)  #: contents of the files that the model names
 
     def begin(self, values: np.ndarray) -> None:
         """Called before the solver runs a row, with the values of its factors."""
@@ -30,7 +33,17 @@ class Template:
     def case(self, values: list[float], record: int, scale: float) -> dict[str, Any]:
         """The model of one row."""
         made = copy.deepcopy(self.model)
-        apply(made, self.factors, values)
-        if self.motions[record].words:
-            made["ground_motion"] = self.motions[record].scaled(scale)
+        places = Places(self.model, self.factors)
+        for keys, text in zip(places.keys, places.texts(places.numbers(np.array([values]))[0])):
+            put(made, keys, text)
+        ground = self.ground_motion(made.get("ground_motion"), record, scale)
+        if ground is not None:
+            made["ground_motion"] = ground
         return made
+
+    def ground_motion(self, given: Mapping[str, Any] | None, record: int, scale: float) -> dict[str, Any] | None:
+        """`ground_motion` of one row, from that of the model with the values of the row; None for a still ground."""
+        motion = self.motions[record]
+        if motion.words:
+            return {**motion.scaled(scale), **(given or {})}
+        return None if given is None else dict(given) if scale == 1 else scaled(given, scale)
