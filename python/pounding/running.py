@@ -13,7 +13,7 @@ from typing import Any
 
 from pounding import arguments
 from pounding._native import core
-from pounding.arguments import optional, takes
+from pounding.arguments import optional
 from pounding.errors import AccuracyWarning, ImplausibleWarning, InputError, Interrupted, SolverError, excerpt
 from pounding.models import Model, as_model
 from pounding.runs import Run
