@@ -119,7 +119,9 @@ class Words(ProgramTest):
 
     def test_a_folder_that_cannot_be_made_or_written_is_refused(self):
         (self.folder / "out" / "sdof_contact.csv").mkdir(parents=True)
-        self.refused(2, "out/sdof_contact.csv cannot be written", "reproduce", "--only", "sdof", "-o", "out")
+        self.refused(2, "-o out: the folder holds files, and no report of a reproduction", "reproduce", "--only", "sdof", "-o", "out")
+        self.write('{"items":[]}', "out/report.json")
+        self.refused(2, 'cannot write "out/sdof_contact.csv": it is a directory', "reproduce", "--only", "sdof", "-o", "out")
         self.write("a file", "taken")
         self.refused(2, "-o taken/out: the folder cannot be made", "reproduce", "--only", "sdof", "-o", "taken/out")
 
