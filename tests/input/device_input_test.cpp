@@ -58,6 +58,30 @@ TEST(DeviceInput, BecomesAPartThatYields) {
   EXPECT_EQ(s.floors[2].storey_shear_by_yielding[0].sum(), 1);
 }
 
+// Forces of such parts would be round-off, and the runs end late or never.
+TEST(DeviceInput, IsNotStifferThanItsForceHasDigits) {
+  const auto expect = [](const std::string& yaml, const std::string& place, const std::string& what) {
+    const std::string text = refusal(yaml);
+    EXPECT_NE(text.find(place), std::string::npos) << text;
+    EXPECT_NE(text.find(what), std::string::npos) << text;
+  };
+  const std::string maxwell = "leave stiffness out, which means a rigid one, or type at most";
+  for (const char* stiffness : {"4.0e19", "1e300", "1e16 MN/m"}) {
+    expect(between(std::string("damper: {coefficient: 2e6, exponent: 0.5, stiffness: ") + stiffness + "}"), "tie.damper", maxwell);
+    expect(inside(std::string("{storey: 2, damper: {coefficient: 2e6, exponent: 0.5, stiffness: ") + stiffness + "}}"), "brace.damper", maxwell);
+    expect(in_frame(std::string("{between: [\"0.0\", \"1.1\"], damper: {coefficient: 2e6, stiffness: ") + stiffness + "}}"), "brace.damper", maxwell);
+  }
+  expect(between("bar: {stiffness: 1e25}"), "tie.bar", "the bar is far too stiff: 1e+25 N/m, and the structures at its ends have 1.58e+07 N/m");
+  expect(inside("{between: [1, 3], bar: {stiffness: 1e20}}"), "brace.bar", "the bar is far too stiff");
+  expect(in_frame("{between: [\"0.0\", \"1.1\"], bar: {stiffness: 1e25}}"), "brace.bar", "the bar is far too stiff");
+  expect(between("damper: {coefficient: 1e19, exponent: 0.3}"), "tie.damper", "the damper is far too stiff");
+  expect(inside("{storey: 1, damper: {coefficient: 1e25}}"), "brace.damper", "the damper is far too stiff");
+  expect(between("bilinear: {stiffness: 1e20, yield_force: 600 kN}"), "tie.bilinear", "the device is far too stiff");
+  for (const char* device : {"bar: {stiffness: 1e12}", "bar: {stiffness: 1e17}", "damper: {coefficient: 1e12}", "damper: {coefficient: 1e12, exponent: 0.3}",
+                             "damper: {coefficient: 2e6, exponent: 0.5, stiffness: 4e12}", "bilinear: {stiffness: 1e12, yield_force: 600 kN}"})
+    EXPECT_EQ(refusal(between(device)), "was read") << device;
+}
+
 TEST(DeviceInput, OfAFrameIsNoHinge) {
   const std::string resolved = resolved_yaml(test::model_of(in_frame("{between: [\"0.0\", \"1.1\"], bar: {stiffness: 1 MN/m}}")));
   EXPECT_NE(resolved.find("devices:"), std::string::npos) << resolved;

@@ -89,6 +89,16 @@ TEST(DeviceSpring, RefusesNumbersThatCannotBe) {
     EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 1, .exponent = wrong}}), std::invalid_argument);
 }
 
+// Its number of steps would be inversely proportional to the relaxation time.
+TEST(DeviceSpring, RefusesASpringInSeriesThatIsFarTooStiff) {
+  for (const double exponent : {0.2, 0.5, 1.0}) {
+    const double stiffest = exponent * 2e6 / Damper::shortest_relaxation;
+    EXPECT_NO_THROW(DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = 0.999 * stiffest}}));
+    for (const double stiffness : {1.001 * stiffest, 4e19, 1e300})
+      EXPECT_THROW(DeviceSpring({.damper = Damper{.coefficient = 2e6, .exponent = exponent, .stiffness = stiffness}}), std::invalid_argument);
+  }
+}
+
 // s + lag g(s) = length: g is a power of the stretch from 1 to 5, and the lag anything from no time to rest.
 TEST(DeviceSpring, SolvesTheStretchBesideItsDashpot) {
   for (const double exponent : {0.2, 0.35, 0.7, 1.0}) {

@@ -53,6 +53,8 @@ TEST(Oscillator, RefusesWhatCannotBe) {
   EXPECT_THROW(make_body({.mass = std::numeric_limits<double>::infinity()}), std::invalid_argument);
   EXPECT_THROW(make_shear_building({.storeys = 2, .mass = {1, 2}, .stiffness = {1, 2, 3}}), std::invalid_argument);
   EXPECT_THROW(make_shear_building({}), std::invalid_argument);
+  EXPECT_NO_THROW(make_shear_building({.storeys = 2, .mass = {1, 2}, .stiffness = {1, 1e9}}));
+  EXPECT_THROW(make_shear_building({.storeys = 2, .mass = {1, 2}, .stiffness = {1e22, 9e7}}), std::invalid_argument);
 }
 
 TEST(ShearBuilding, HasTheMatricesOfItsStoreysFromTheGroundUp) {

@@ -1,10 +1,14 @@
 #include <pounding/model/device_parts.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 #include <pounding/model/refuse_option.hpp>
+#include <pounding/structures/device_spring.hpp>
 
 namespace pounding {
 namespace {
@@ -39,6 +43,30 @@ Eigen::Vector3d unit_vector(const Eigen::Vector3d& line) {
   for (double& component : direction)
     if (std::abs(component) < square) component = 0;
   return direction.normalized();
+}
+
+double against(const SparseMatrix& matrix, const Row& motion) {
+  const double square = motion.squaredNorm();
+  return square > 0 ? motion.dot(Row(matrix * motion)) / square : 0;
+}
+
+void require_digits(const DeviceParts& parts, double stiffness, double mass) {
+  // The forces keep six digits.
+  constexpr double largest_ratio = 1e10;
+  // A body has no stiffness; slow structures have about this circular frequency [rad/s].
+  constexpr double slow = 1;
+  stiffness = std::max(stiffness, mass * slow * slow);
+  const auto require = [&](ModelOption option, const char* what, double value, double of_structures, const char* unit) {
+    if (of_structures > 0 && value > largest_ratio * of_structures)
+      refuse(option, fmt::format("{} is far too stiff: {:.3g} {}, and the structures at its ends have {:.3g} {}; beyond {:g} times that its force is round-off. Look "
+                                 "at the unit, or type at most {:.3g} {}",
+                                 what, value, unit, of_structures, unit, largest_ratio, largest_ratio * of_structures, unit));
+  };
+  if (parts.bar) require(ModelOption::bar, "the bar", parts.bar->stiffness, stiffness, "N/m");
+  if (parts.law) require(ModelOption::device_law, "the device", DeviceSpring({.law = parts.law}).first_slope(), stiffness, "N/m");
+  if (!parts.damper || parts.damper->has_stiffness()) return;
+  const double rate = parts.damper->exponent > 1 ? 1 : 0;  // where the slope is to be compared [m/s]
+  require(ModelOption::damper, "the damper", parts.damper->slope(rate), std::sqrt(stiffness * mass), "N s/m");
 }
 
 DeviceParts parts_of(const DeviceOptions& options, std::optional<double> length) {

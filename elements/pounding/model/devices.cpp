@@ -113,6 +113,16 @@ void Model::connect(const std::string& name, const ContactLocation& left, const 
   require_motion(device.left, a, device.direction, ModelOption::left);
   require_motion(device.right, b, device.direction, ModelOption::right);
   device.parts = parts_of(options, device.length);
+  double stiffness = 0, mass = 0;
+  for (const auto& [end, s] : {std::pair(&device.left, &a), std::pair(&device.right, &b)}) {
+    if (s->is_rigid()) continue;
+    Row row(s->size());
+    for (int axis = 0; axis < 3; ++axis)
+      if (device.direction[axis] != 0 && end->point.motion[axis].nonZeros() > 0) row += device.direction[axis] * end->point.motion[axis];
+    stiffness = std::max(stiffness, against(s->stiffness, row));
+    mass = std::max(mass, against(s->mass, row));
+  }
+  require_digits(device.parts, stiffness, mass);
   device.member = std::make_unique<DeviceSpring>(device.parts);
   devices.push_back(std::move(device));
 }

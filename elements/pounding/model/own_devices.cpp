@@ -182,6 +182,7 @@ void Model::connect_within(const std::string& name, const StructureHandle& struc
   const DeviceParts parts = parts_of(options, length);
   Row row = elongation(a, b, direction, s);
   require_motion(row, a, b, direction, parts.damper.has_value(), s);
+  require_digits(parts, against(s.stiffness, row), against(s.mass, row));
   const double strained = row.dot(s.initial_displacement);
   YieldingPart part(name, std::move(row), law_name(parts), numbers(parts), std::make_unique<DeviceSpring>(parts));
   part.kind = YieldingPart::Kind::device;

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <pounding/core/units.hpp>
 #include <pounding/structures/make_spring.hpp>
 #include <pounding/structures/structure_damping.hpp>
@@ -150,6 +152,17 @@ YieldingPart isolators_under(const std::vector<double>& masses, const IsolatorOp
   }
 }
 
+// The motion of the soft storeys is round-off if others are stiffer by more digits than a number has: six of 16 remain.
+void require_digits_of_storeys(const std::vector<double>& stiffnesses) {
+  constexpr double largest_ratio = 1e10;
+  if (stiffnesses.empty()) return;
+  const auto [softest, stiffest] = std::ranges::minmax(stiffnesses);
+  if (stiffest > largest_ratio * softest)
+    throw std::invalid_argument(fmt::format("stiffness: storeys of {:.3g} and {:.3g} N/m differ by more than {:g} times, and the motion of the soft one is round-off; look "
+                                            "at the unit, or type at most {:.3g} N/m for the stiff one",
+                                            softest, stiffest, largest_ratio, largest_ratio * softest));
+}
+
 }  // namespace
 
 Structure make_shear_building(const ShearBuildingOptions& options) {
@@ -162,6 +175,7 @@ Structure make_shear_building(const ShearBuildingOptions& options) {
   std::vector<double> stiffnesses;
   if (above > 0) stiffnesses = options.stiffness.of_each(above, isolators ? "stiffness of the storeys above the isolators" : "stiffness");
   for (const double stiffness : stiffnesses) require_positive(stiffness, "stiffness");
+  require_digits_of_storeys(stiffnesses);
   if (isolators) stiffnesses.insert(stiffnesses.begin(), isolators->spring->stiffness());
   std::vector<double> heights;
   if (!options.height.empty()) heights = options.height.of_each(options.storeys, "height");
