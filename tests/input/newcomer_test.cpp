@@ -223,7 +223,7 @@ TEST(Newcomer, AcceptsWarningsByTheirNames) {
   refused(rest(analysis + "accept: [gpa]\n"),
           R"(7:10: accept[0]: unknown warning "gpa". Did you mean "gap"?)");
   refused(rest(analysis + "accept: [everything]\n"),
-          R"(7:10: accept[0]: unknown warning "everything". Allowed: period, gap, mass, section, E, yield, rotation, pga, motion, penetration, tolerance.)");
+          R"(7:10: accept[0]: unknown warning "everything". Allowed: period, gap, mass, section, E, yield, rotation, pga, motion, penetration, tolerance, face, joint.)");
   refused(rest(analysis + "accept: gap\n"),
           "7:9: accept: takes a list such as [a, b]");
   refused(rest(analysis + "accept: {gap: true}\n"),
