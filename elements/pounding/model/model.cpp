@@ -11,6 +11,7 @@
 #include <pounding/core/limits.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/model/arrivals.hpp>
 #include <pounding/model/cost.hpp>
 #include <pounding/model/first_yield.hpp>
 #include <pounding/model/ground_plan.hpp>
@@ -238,6 +239,11 @@ std::vector<Support> Model::supports_on_ground(int structure) const {
 
 void Model::put_on_ground() {
   if (is_on_ground_) return;
+  if (ground.wave) {
+    std::vector<bool> on_wave;
+    for (const OwnGround& own : own_ground_) on_wave.push_back(!own.motion);
+    place_by_links(structures, links, devices, on_wave, ground.wave->direction);
+  }
   std::vector<std::vector<Support>> supports;
   for (std::size_t i = 0; i < structures.size(); ++i) supports.push_back(supports_on_ground(static_cast<int>(i)));
   for (std::size_t i = 0; i < structures.size(); ++i) structures[i].supports = std::move(supports[i]);
