@@ -46,7 +46,8 @@ def extent(structures: Mapping[str, Any]) -> Extent:
 def row(structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Sequence[Any] = (0.0, 0.0), align: str = "low") -> dict[str, Any]:
     """The frames one after the other along x or y, in their order, as structures of a model.
 
-    gap: between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each frame but the last.
+    gap: between neighbours, a number [m] or a text such as "30 mm", or a list with one gap after each frame but the last. It is measured
+    between faces, which are the `face` of a frame beyond its axes; "auto" is known to the program only and refused here.
     start: x, y where the row begins [m].
     align: which sides of the frames stand in the line through `start`: those where the other coordinate is least (low) or largest (high).
 
@@ -64,7 +65,9 @@ def row(structures: Mapping[str, Any], gap: Any, *, along: str = "x", start: Seq
         raise InputError("gap: takes distances of at least 0; frames that overlap cannot be linked")
     # One by one: the same words may stand under several names.
     placed = {name: copy.deepcopy(words) for name, words in structures.items()}
-    for name, following in zip(placed, [*gaps, 0.0]):
+    faces = [_face(name, words) for name, words in placed.items()]
+    between = [one + face + following for one, face, following in zip(gaps, faces, faces[1:])]
+    for name, following in zip(placed, [*between, 0.0]):
         frame = _frame(name, placed[name])
         is_plane = not _is_spatial(frame)
         if is_plane and along == "y":
@@ -99,6 +102,14 @@ def _frame(name: str, words: Any) -> dict[str, Any]:
     if not isinstance(frame, dict):
         raise InputError(f"structures.{name}: has no place in plan; only frames have: {{\"frame\": {{...}}}}")
     return frame
+
+
+def _face(name: str, words: Mapping[str, Any]) -> float:
+    """Distance from the axes of a frame to its faces [m]; its key lies next to the frame or inside."""
+    face = words.get("face", _frame(name, words).get("face", 0.0))
+    if face == "auto":
+        raise InputError(f'structures.{name}.face: a row needs the distance from the axes to the faces; type "0.3 m" instead of auto')
+    return _metres(face, f"structures.{name}.face")
 
 
 def _is_spatial(frame: Mapping[str, Any]) -> bool:

@@ -198,7 +198,7 @@ TEST(FrameLink, ItsEndsExist) {
   refused(linked("between: [a.1, {node: 1.0}]"),
           "9:64: links[0].between[1]: key \"structure\" is missing; type \"structure: left\"");
   refused(linked("between: [a.1, {structure: b, storey: 1}]"),
-          "9:79: links[0].between[1]: unknown key \"storey\". Allowed: structure, floor, node, elevation.");
+          "9:79: links[0].between[1]: unknown key \"storey\". Allowed: structure, floor, node, elevation, face.");
   refused(linked("between: [a.3, b.1]"),
           "9:59: links[0].between[0]: \"a.3\" names no floor of a, which has the floors 1 to 2; type a.2");
   refused(linked("between: [a, b.1]"),

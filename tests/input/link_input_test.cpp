@@ -234,10 +234,10 @@ TEST(LawInput, TakesOnlyWhatItUses) {
   refused(law("hertz, stiffness: 2.75e9, impact_velocity: 1 m/s"),
           "5:90: links[0].impact_velocity: hertz takes no impact_velocity: nothing in it depends on one");
   refused(law("hertz, stiffness: 2.75e9, damping_ratio: 0.1"),
-          R"(5:73: links[0]: unknown key "damping_ratio". Allowed: between, within, floors, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
+          R"(5:73: links[0]: unknown key "damping_ratio". Allowed: between, within, floors, level_within, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
           "restitution, impact_velocity, reduced_mass, stiffness, exponent.");
   refused(law("stereomechanical, restitution: 0.5, stiffness: 1e9"),
-          R"(5:83: links[0]: unknown key "stiffness". Allowed: between, within, floors, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
+          R"(5:83: links[0]: unknown key "stiffness". Allowed: between, within, floors, level_within, gap, preload, name, points, friction, sliding_velocity, law, formula, )"
           "restitution, impact_velocity, reduced_mass.");
   refused(law("hertz_damped, stiffness: 2.75e9, restitution: 0.65, damping_ratoi: 0.1"),
           R"(5:99: links[0]: unknown key "damping_ratoi". Did you mean "damping_factor"?)");

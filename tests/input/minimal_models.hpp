@@ -274,6 +274,7 @@ inline const std::map<std::string, Keys> beside_word = {
     {"sections.shear_area_y", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
     {"sections.shear_area_z", {{"area", "0.16 m^2"}, {"inertia_y", "2.1e-3 m^4"}, {"rectangle", ""}}},
     {"sections.area", {{"inertia_y", "2.1e-3 m^4"}}},
+    {"structures.face", {{"oscillator", ""}, {"frame", "{material: {E: 30 GPa}, grid: " + grid_of_space + "}"}}},
     {"links.within", {{"between", "neighbours"}}},
     {"links.sliding_velocity", {{"friction", "0.3"}}},
     {"links.preload", {{"gap", "-2 mm"}, {"law", "hertz"}, {"restitution", ""}}},
@@ -328,6 +329,10 @@ inline std::string with_keys(const Section& s, const Keys& keys) {
 inline std::string with_word(const Section& s, const Word& word, const std::string& value) {
   if (s.name == "members" && word.key == "reference")
     return in_space({{"members", "{c1: {between: [a, b], section: " + rectangle + ", reference: " + value + "}, " + others + "}"}}) + "\n";
+  if (s.name == "between" && word.key == "face") {
+    std::string text = two_in_space + "links: [{between: [{structure: left, face: " + value + "}, right], law: hertz, stiffness: 1e9}]\n";
+    return text.replace(text.find("6.02 m"), 6, "6.5 m");
+  }
   return with_keys(s, keys_around(s, word, value));
 }
 

@@ -80,7 +80,7 @@ TEST(StructureInput, HasOneKnownKind) {
   refused(structure("{wall: {}, body: {mass: 1}}"),
           "2:7: structures.a.wall: a structure has one kind, and a body is given too; keep one of the two");
   refused(structure("{body: {mass: 1}, mass: 3}"),
-          R"(2:24: structures.a: unknown key "mass". Allowed: damping, initial_velocity, initial_displacement, )"
+          R"(2:24: structures.a: unknown key "mass". Allowed: damping, initial_velocity, initial_displacement, face, )"
           "delay, ground_motion, forces, reduction, body, oscillator, shear_building, frame, wall.");
 }
 

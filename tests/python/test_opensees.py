@@ -317,6 +317,16 @@ class LinkedFrames(unittest.TestCase):
         ops.rayleigh(0.4, 2e-3, 0.0, 0.0)
         return opensees.link(100, 3, 12, gap="20 mm", law="hertz_damped", stiffness=1e9, restitution=0.6)
 
+    def test_may_be_drawn_by_axes(self):
+        self.build()
+        motion = {"harmonic": {"amplitude": 3.0, "period": 0.6, "duration": 3.0}}
+        for face, text in (("5 mm", "5 mm as typed and 5 mm as typed"), ({"left": 0.01}, "10 mm as typed")):
+            model = pounding.from_opensees(rayleigh=(0.4, 2e-3), analysis={"duration": 2.0}, ground_motion=motion, face=face)
+            del model.links[0]["gap"]
+            self.assertIn(f"gap 10 mm between faces ({text})", pounding.check(model).description)
+        with self.assertRaisesRegex(pounding.InputError, "there is no frame 'lefft' among left, right"):
+            pounding.from_opensees(rayleigh=(0.4, 2e-3), ground_motion=motion, face={"lefft": 0.3})
+
     def test_both_programs_come_to_the_same_impacts(self):
         self.build()
         model = pounding.from_opensees(rayleigh=(0.4, 2e-3), analysis={"duration": 2.0, "tolerance": "1e-8"},

@@ -64,6 +64,16 @@ class Rows(unittest.TestCase):
         self.assertEqual(origins(row), {"a": [0.0], "b": [10.02, "2 m"]})
         self.assertEqual(plan.extent(row), (0.0, 25.02, 0.0, 0.0))
 
+    def test_leave_the_gap_between_faces(self):
+        drawn = {"a": {**house(), "face": "0.2 m"}, "b": house(), "c": house()}
+        drawn["b"]["frame"]["face"] = 0.25
+        self.assertEqual(origins(plan.row(drawn, "30 mm")), {"a": [0.0, 0.0], "b": [10.48, 0.0], "c": [20.76, 0.0]})
+        model = pounding.Model(plan.row(drawn, "30 mm"), [{"between": "neighbours", "law": "hertz", "stiffness": 1e9}], analysis={"duration": 1})
+        self.assertIn("gap 30 mm between faces (200 mm as typed and 250 mm as typed)", pounding.check(model).description)
+        drawn["a"]["face"] = "auto"
+        with self.assertRaisesRegex(pounding.InputError, "structures.a.face: a row needs the distance from the axes"):
+            plan.row(drawn, "30 mm")
+
     def test_take_frames_by_nodes(self):
         mast = {"frame": {"nodes": {"foot": [1, 2, 0], "top": ["1 m", "2.5 m", 9]}}}
         self.assertEqual(plan.extent({"m": mast}), (1.0, 1.0, 2.0, 2.5))

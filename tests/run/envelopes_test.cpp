@@ -117,7 +117,7 @@ TEST(Envelopes, OfMembersThatTurnAreThoseOfDenseOutputs) {
 
 // A right frame of lower storeys hits the columns of the left one between their ends; beams have these hinges.
 std::string hit_columns(const std::string& outputs, const std::string& hinges = "") {
-  const std::string hit = "links: [{between: [left, right], floors: any, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
+  const std::string hit = "links: [{between: [left, right], floors: any, level_within: 50 mm, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
   return frames(hit, outputs, ", mass: consistent" + hinges, ", mass: consistent" + hinges, "2.4 m");
 }
 
@@ -219,7 +219,7 @@ TEST(Reactions, HoldTheLowestStoreyAndTheWeight) {
 
 // A single column ends at each foot.
 TEST(Reactions, HoldTheColumnThatIsHitBetweenItsEnds) {
-  const std::string hit = "links: [{between: [left, right], floors: any, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
+  const std::string hit = "links: [{between: [left, right], floors: any, level_within: 50 mm, gap: 10 mm, law: hertz_damped, stiffness: 1e8, restitution: 0.6}]\n";
   const Outcome run = test::run_text(frames(hit, "", ", mass: consistent", ", mass: consistent", "1.2 m"));
   ASSERT_GT(run.results.impacts.size(), 1u);
   const StructureHistory& left = run.results.structures[0];

@@ -31,6 +31,10 @@ struct Section {
   double torsion = 0;    ///< St Venant's constant [m^4]
   double shear_area_y = std::numeric_limits<double>::infinity();  ///< for shear along local y [m^2]
   double shear_area_z = std::numeric_limits<double>::infinity();  ///< for shear along local z [m^2]
+  double width = 0, depth = 0;  ///< outer dimensions along local y and z [m]; 0 for a section given by numbers
+  bool is_round = false;
+
+  bool has_size() const { return depth > 0; }  ///< whether its outer dimensions are known
 };
 
 /// Linear elastic.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <pounding/frames/frame_surface.hpp>
+#include <pounding/frames/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -117,6 +118,22 @@ std::vector<bool> nodes_above(const Frame& frame, const FrameFloor& floor, doubl
   return above;
 }
 
+// Depth of the deepest beam that meets the nodes of each floor [m]; 0 for a floor without beams.
+std::vector<double> beam_depths(const FrameModel& model) {
+  std::vector<int> floor_of_node(model.frame.nodes(), -1);
+  for (std::size_t f = 0; f < model.floors.size(); ++f)
+    for (const int node : model.floors[f].nodes) floor_of_node[node] = static_cast<int>(f);
+  std::vector<double> depths(model.floors.size(), 0.0);
+  for (int member = 0; member < model.frame.members(); ++member) {
+    const Beam& beam = model.frame.beam(member);
+    if (beam.is_truss() || is_upright(beam)) continue;
+    for (const int node : model.frame.ends(member))
+      if (const int floor = floor_of_node[node]; floor >= 0)
+        depths[floor] = std::max(depths[floor], extent(beam.section(), beam.axes(), Vector3d::UnitZ()));
+  }
+  return depths;
+}
+
 }  // namespace
 
 std::vector<std::vector<bool>> storey_cuts(const FrameModel& model) {
@@ -158,12 +175,14 @@ Eigen::MatrixX3d enforced_shears(const FrameModel& model, const AssembledFrame& 
 std::vector<Floor> make_floors(const FrameModel& model, const AssembledFrame& frame) {
   // Without supports no storey stands on the ground.
   const std::vector<std::vector<bool>> above = model.is_free ? std::vector<std::vector<bool>>() : storey_cuts(model);
+  const std::vector<double> depths = beam_depths(model);
   std::vector<Floor> floors;
   for (const FrameFloor& of : model.floors) {
     Floor floor;
     floor.label = of.label;
     floor.mass = mass_along_x(frame, of.nodes);
     floor.elevation = of.elevation;
+    floor.beam_depth = depths[floors.size()];
     floor.motion = floor_motion(model, frame, of);
     floor.plan = plan_of(model, frame, of);
     if (!model.is_free) floor.storey_shear = shear_through(model, frame, above[floors.size()]);

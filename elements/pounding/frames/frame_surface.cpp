@@ -11,6 +11,7 @@
 #include <pounding/core/names.hpp>
 #include <pounding/core/refuse.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/frames/sections.hpp>
 
 namespace pounding {
 namespace {
@@ -19,6 +20,8 @@ using Eigen::Vector3d;
 
 // Points nearer than this are one [m].
 constexpr double together = 1e-6;
+// Columns are in line if their axes differ by less, the rounding of typed decimals [m].
+constexpr double in_line = 1e-3;
 
 std::string metres(double length) { return format_quantity(length, dimension::length, 6); }
 
@@ -160,9 +163,62 @@ ContactPoint FrameSurface::column(double elevation, Side side, double along) con
   const auto distance = [&](const OnColumn& each) { return std::abs(each.position[across] - along); };
   const OnColumn& hit = *std::min_element(candidates.begin(), candidates.end(),
                                           [&](const OnColumn& a, const OnColumn& b) { return distance(a) < distance(b); });
-  const ContactPoint point = hit.node >= 0 ? on_arm(hit.node, hit.position, mass_of(hit))
-                                           : on_member(hit.member, hit.along, hit.position, mass_of(hit));
+  ContactPoint point = hit.node >= 0 ? on_arm(hit.node, hit.position, mass_of(hit))
+                                     : on_member(hit.member, hit.along, hit.position, mass_of(hit));
+  const Beam& beam = model_->frame.beam(hit.member);
+  point.to_joint = to_joint(hit);
+  point.column_depth = extent(beam.section(), beam.axes(), out);
   return pushed(point, axis);
+}
+
+std::optional<ColumnFace> FrameSurface::column_face(const Vector3d& point, Side side) const {
+  const Vector3d out = outward(side);
+  const double line = out.dot(point);
+  std::optional<ColumnFace> found;
+  for (int member = 0; member < model_->frame.members(); ++member) {
+    const Beam& beam = model_->frame.beam(member);
+    if (beam.is_truss() || !is_upright(beam)) continue;
+    const double half = 0.5 * extent(beam.section(), beam.axes(), out);
+    const auto [start, end] = model_->frame.ends(member);
+    for (const auto& [node, offset] : {std::pair(start, beam.options().start_offset), std::pair(end, beam.options().end_offset)}) {
+      const double at_node = out.dot(position(node)), axis = at_node + out.dot(offset);
+      if (std::min(std::abs(at_node - line), std::abs(axis - line)) > in_line) continue;
+      const double distance = std::max(0.0, half + (axis - line));
+      if (found && distance <= found->distance) continue;
+      const std::string name = model_->frame.member_name(member);
+      found = {distance, name.substr(0, name.find('/')), !beam.section().has_size()};
+    }
+  }
+  return found;
+}
+
+// Distance along the column to the nearer joint, a node at which other members or a floor meet it, or at which it ends [m]. 0 at one.
+double FrameSurface::to_joint(const OnColumn& point) const {
+  const Frame& frame = model_->frame;
+  const auto next = [&](int node, int from) {
+    int found = -1;
+    if (floor_of_node_[node] >= 0) return found;
+    for (int member = 0; member < frame.members(); ++member) {
+      const auto [start, end] = frame.ends(member);
+      if (member == from || (start != node && end != node) || frame.beam(member).is_truss()) continue;
+      if (found >= 0 || !is_upright(frame.beam(member))) return -1;
+      found = member;
+    }
+    return found;
+  };
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int node : frame.ends(point.member)) {
+    int member = point.member;
+    for (int step = 0; step < frame.members(); ++step) {
+      const int beyond = next(node, member);
+      if (beyond < 0) break;
+      const auto [start, end] = frame.ends(beyond);
+      member = beyond;
+      node = start == node ? end : start;
+    }
+    nearest = std::min(nearest, std::abs(position(node).z() - point.position.z()));
+  }
+  return nearest;
 }
 
 int FrameSurface::numbered(const std::string& name) const {

@@ -30,6 +30,7 @@ class FrameSurface final : public Surface {
   ContactPoint floor(int floor, Side side, double along) const override;
   ContactPoint column(double elevation, Side side, double along) const override;
   ContactPoint node(const std::string& name) const override;
+  std::optional<ColumnFace> column_face(const Eigen::Vector3d& point, Side side) const override;
   Row displacement(const std::string& node, const std::string& dof) const override;
 
  private:
@@ -50,6 +51,7 @@ class FrameSurface final : public Surface {
   ContactPoint on_arm(int node, const Eigen::Vector3d& position, double mass) const;
   ContactPoint on_member(int member, double along, const Eigen::Vector3d& position, double mass) const;
   ContactPoint on_rigid_floor(int floor, int before, int after, const Eigen::Vector3d& position) const;
+  double to_joint(const OnColumn& point) const;
   ContactPoint pushed(ContactPoint point, int axis) const;
 
   std::shared_ptr<const FrameModel> model_;

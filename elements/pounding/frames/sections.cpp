@@ -30,6 +30,8 @@ Section ring(double diameter, double ratio) {
   s.inertia_y = s.inertia_z = s.area * diameter * diameter / 16 * squares;
   s.torsion = 2 * s.inertia_y;
   s.shear_area_y = s.shear_area_z = s.area * 6 * squares * squares / (7 * squares * squares + 20 * ratio * ratio);
+  s.width = s.depth = diameter;
+  s.is_round = true;
   return s;
 }
 
@@ -51,7 +53,9 @@ Section rectangle_section(double width, double depth) {
           .inertia_z = depth * cubed(width) / 12,
           .torsion = rectangle_torsion(width, depth),
           .shear_area_y = area * 5 / 6,
-          .shear_area_z = area * 5 / 6};
+          .shear_area_z = area * 5 / 6,
+          .width = width,
+          .depth = depth};
 }
 
 Section circle_section(double diameter) {
@@ -81,6 +85,8 @@ Section i_section(double depth, double width, double flange, double web) {
   s.torsion = (2 * width * cubed(flange) + between * cubed(web)) / 3;
   s.shear_area_z = s.area * cowper_i_factor(width, between, flange, web);
   s.shear_area_y = 2 * width * flange * 5 / 6;
+  s.width = width;
+  s.depth = depth;
   return s;
 }
 
@@ -101,6 +107,22 @@ Section with_stiffness(Section section, double factor) {
   section.inertia_y *= factor;
   section.inertia_z *= factor;
   return section;
+}
+
+double extent(const Section& section, const Eigen::Matrix3d& axes, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d local = axes * direction;
+  double width = section.width, depth = section.depth;
+  if (!section.has_size()) {
+    depth = std::sqrt(12 * section.inertia_y / section.area);
+    width = section.inertia_z > 0 ? std::sqrt(12 * section.inertia_z / section.area) : section.area / depth;
+  }
+  if (section.is_round) return depth * std::hypot(local.y(), local.z());
+  return width * std::abs(local.y()) + depth * std::abs(local.z());
+}
+
+bool is_upright(const Beam& beam) {
+  const Eigen::RowVector3d along = beam.axes().row(0);
+  return std::abs(along.z()) > along.head<2>().norm();
 }
 
 }  // namespace pounding

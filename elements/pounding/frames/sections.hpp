@@ -29,6 +29,12 @@ Material isotropic(double young, double density = 0, double poisson = 0.2);
 /// A section without its shear deformation (Euler-Bernoulli).
 Section without_shear_deformation(Section section);
 
+/// Size of a section across a member in a direction [m]; `axes` as from beam_axes(). A section given by numbers counts as a rectangle of
+/// its area and inertias.
+double extent(const Section& section, const Eigen::Matrix3d& axes, const Eigen::Vector3d& direction);
+/// Whether a member rises more than it runs, as columns do.
+bool is_upright(const Beam& beam);
+
 /// Both inertias times a factor > 0, as for cracked concrete; area, torsion and shear areas stay.
 Section with_stiffness(Section section, double factor);
 

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <pounding/core/error.hpp>
+#include <pounding/input/face_input.hpp>
 #include <pounding/input/fail_at.hpp>
 #include <pounding/input/law_input.hpp>
 #include <pounding/model/contact_law.hpp>
@@ -60,6 +61,7 @@ ContactLocation read_end(const Input& node, const Model& model) {
   if (floor) end.floor = read_floor(floor->as_text(), floor->as_text(), *floor, model.structures[end.structure]);
   if (at_node) end.node = at_node->as_text();
   if (elevation) end.elevation = elevation->as_quantity();
+  if (const auto face = node.find("face")) end.face = read_face(*face);
   return end;
 }
 
@@ -79,6 +81,7 @@ Input place_of(const ModelError& error, const Input& link, const Input& between)
     case ModelOption::right: return between.is_list() ? between.items()[1] : between;
     case ModelOption::within: return at("within");
     case ModelOption::floors: return at("floors");
+    case ModelOption::level_within: return at("level_within");
     case ModelOption::gap: return at("gap");
     case ModelOption::preload: return at("preload");
     case ModelOption::link_name: return at("name");
@@ -98,6 +101,7 @@ LinkOptions read_options(const Input& node, int count, bool is_drawn) {
   if (!is_drawn || node.has("gap")) options.gap = node.at("gap").as_quantities(count);
   if (const auto name = node.find("name")) options.name = name->as_text();
   if (const auto points = node.find("points")) options.points = static_cast<int>(points->as_integer());
+  options.level_within = node.find_quantity("level_within");
   options.friction = node.find_quantity("friction");
   options.sliding_velocity = node.find_quantity("sliding_velocity");
   options.reduced_mass = node.find_quantity("reduced_mass");
@@ -154,7 +158,7 @@ void read_link(const Input& node, Model& model) {
   if (const auto within = node.find("within")) within->fail_at_key("belongs to between: neighbours; leave it out");
   try {
     const std::optional<FacingFloors> floors = read_floors(node);
-    const std::size_t count = pairs_of(model, left, right, floors).size();
+    const std::size_t count = pairs_of(model, left, right, floors, node.find_quantity("level_within")).size();
     const Structure &a = model.structures[left.structure], &b = model.structures[right.structure];
     facing_side(a, b);
     const auto [options, law] = read_options_and_law(node, floors, static_cast<int>(count), are_drawn(a, b));

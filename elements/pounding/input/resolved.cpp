@@ -229,12 +229,19 @@ void emit_ground(YAML::Emitter& out, const Model& model) {
   out << YAML::EndMap;
 }
 
+std::string face_source(const LinkEnd& end) { return !end.face_column.empty() ? end.face_column : end.face ? "the input" : "none"; }
+
 void emit_link(YAML::Emitter& out, const Model& model, const Link& link) {
   out << YAML::BeginMap;
   field(out, "name") << link.name;
   field(out, "between") << YAML::Flow << YAML::BeginSeq
       << end_of(model, link.left) << end_of(model, link.right) << YAML::EndSeq;
   emit(out, "gap", link.gap);
+  if (link.left.face || link.right.face) {
+    emit_list(out, "face", {link.left.face.value_or(0), link.right.face.value_or(0)});
+    if (!link.left.face_column.empty() || !link.right.face_column.empty())
+      field(out, "face_from") << YAML::Flow << YAML::BeginSeq << face_source(link.left) << face_source(link.right) << YAML::EndSeq;
+  }
   if (link.preload) field(out, "preload") << true;
   field(out, "law") << link.law;
   if (!link.formula.empty()) field(out, "formula") << link.formula;

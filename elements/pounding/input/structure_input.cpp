@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <pounding/input/device_input.hpp>
+#include <pounding/input/face_input.hpp>
 #include <pounding/input/fail_at.hpp>
 #include <pounding/input/force_input.hpp>
 #include <pounding/input/frame_input.hpp>
@@ -204,6 +205,7 @@ class StructureInput {
     damping_ = beside_or_inside(place_, *body_, "damping");
     velocity_ = beside_or_inside(place_, *body_, "initial_velocity");
     displacement_ = beside_or_inside(place_, *body_, "initial_displacement");
+    face_ = beside_or_inside(place_, *body_, "face");
     const std::optional<Input> delay = place_.find("delay"), motion = place_.find("ground_motion");
     const bool is_damped = !s.is_rigid() && !s.is_free;
     if (damping_) options.damping = is_damped ? read_damping(*damping_, s) : Damping(0);
@@ -217,6 +219,7 @@ class StructureInput {
       options.ground_motion = std::move(ground.components);
     }
     if (delay) options.delay = delay->as_quantity();
+    if (face_) options.face = read_face(*face_);
     if (const auto forces = place_.find("forces")) options.forces = read_forces(*forces);
     const StructureHandle handle = [&] {
       try {
@@ -258,6 +261,7 @@ class StructureInput {
       case ModelOption::forces: place_.at("forces").items()[static_cast<std::size_t>(error.item())].fail(error.what());
       case ModelOption::initial_velocity: at = &*velocity_; break;
       case ModelOption::initial_displacement: at = &*displacement_; break;
+      case ModelOption::face: at = &*face_; break;
       case ModelOption::initial_node_displacements: at = &*node_displacements_; break;
       default: break;
     }
@@ -266,7 +270,7 @@ class StructureInput {
 
   const std::string& name_;
   const Input& place_;
-  std::optional<Input> body_, damping_, velocity_, displacement_, node_displacements_;
+  std::optional<Input> body_, damping_, velocity_, displacement_, face_, node_displacements_;
 };
 
 }  // namespace

@@ -76,8 +76,28 @@ void check_options(const LinkOptions& options, const ContactLaw& law, bool is_dr
     refuse(ModelOption::reduced_mass, "reduced_mass must be positive and finite");
   if (options.reduced_mass && law.reduced_mass() > 0)
     refuse(ModelOption::reduced_mass, "the reduced mass is given twice, by the law and by the link; keep one of the two");
+  if (options.level_within && !options.floors && !is_drawn)
+    refuse_idle(ModelOption::level_within, "belongs to floors: all, level or any, and to ends that are drawn; leave it out");
   if (options.sliding_velocity && !options.friction)
     refuse_idle(ModelOption::sliding_velocity, "belongs to friction; type friction: 0.3 beside it, or leave it out");
+}
+
+// Faces belong to a drawing: the gap of other ends is given.
+void set_faces(Link& link, const ContactLocation& left, const ContactLocation& right, const Structure& a, const Structure& b, Side side,
+               bool is_drawn) {
+  for (const auto& [location, option] : {std::pair(&left, ModelOption::left), std::pair(&right, ModelOption::right)})
+    if (location->face && !is_drawn)
+      refuse(option, fmt::format("face is for gaps that are drawn, and the one between {} and {} is typed, from face to face; leave face out",
+                                      a.name, b.name));
+  if (!is_drawn) return;
+  set_face(link.left, a, left.face, side, ModelOption::left);
+  set_face(link.right, b, right.face, opposite(side), ModelOption::right);
+}
+
+// Height in which two ends may differ and still face each other [m].
+double level_of_ends(const LinkEnd& left, const LinkEnd& right, const Structure& a, const Structure& b, std::optional<double> level_within) {
+  if (left.floor < 0 || right.floor < 0) return usual_offset;
+  return level_within.value_or(std::max(usual_offset, level_of(a.floors[left.floor], b.floors[right.floor], {})));
 }
 
 // Nothing where the drawing tells.
@@ -167,7 +187,7 @@ void refuse_overlap(const Link& link, const Structure& a, const Structure& b) {
 
 void Model::link(const ContactLocation& left, const ContactLocation& right, const LinkOptions& options, const ContactLaw& law) {
   require_open();
-  const std::vector<LinkPair> pairs = pairs_of(*this, left, right, options.floors);
+  const std::vector<LinkPair> pairs = pairs_of(*this, left, right, options.floors, options.level_within);
   const Structure &a = structures[left.structure], &b = structures[right.structure];
   const Side side = facing_side(a, b);
   const bool is_drawn = are_drawn(a, b);
@@ -189,7 +209,10 @@ void Model::link(const ContactLocation& left, const ContactLocation& right, cons
       require_inertia(link.right, b, side, ModelOption::right);
       link.direction = outward(side);
       link.preload = gaps[i] && *gaps[i] < 0;
-      link.gap = is_drawn && !link.preload ? drawn_gap(*this, link.left, link.right, side, gaps[i]) : *gaps[i];
+      set_faces(link, left, right, a, b, side, is_drawn);
+      link.gap = is_drawn && !link.preload ? drawn_gap(*this, link.left, link.right, side, gaps[i],
+                                                       level_of_ends(link.left, link.right, a, b, options.level_within))
+                                           : *gaps[i];
       link.name = name_of(options, pairs[i], a, b, i, count == 1);
       if (along.size() > 1) link.name += fmt::format("#{}", k + 1);
       check_name(link.name, options, links);

@@ -1,3 +1,4 @@
+#include <pounding/model/drawing.hpp>
 #include <pounding/model/model.hpp>
 
 #include <algorithm>
@@ -78,6 +79,26 @@ std::string describe_hinges(const Structure& s) {
   return text + '\n';
 }
 
+// " between faces (300 mm from the axis of column 1.3 and 250 mm as typed)"; empty for ends without a face.
+std::string faces_of(const Link& link) {
+  if (!link.left.face && !link.right.face) return {};
+  const auto face = [](const LinkEnd& end) {
+    const std::string distance = format_quantity(end.face.value_or(0), dimension::length, 6);
+    return end.face_column.empty() ? fmt::format("{} as typed", distance) : fmt::format("{} from the axis of {}", distance, end.face_column);
+  };
+  const std::string left = link.left.face ? face(link.left) : "", right = link.right.face ? face(link.right) : "";
+  return fmt::format(" between faces ({}{}{})", left, left.empty() || right.empty() ? "" : " and ", right);
+}
+
+// ", floors 10 mm apart in height"; empty for floors that are level but for rounding, and for other ends.
+std::string heights_of(const Model& model, const Link& link) {
+  if (link.left.floor < 0 || link.right.floor < 0) return {};
+  const auto elevation = [&](const LinkEnd& end) { return model.structures[end.structure].floors[end.floor].elevation; };
+  const auto left = elevation(link.left), right = elevation(link.right);
+  if (!left || !right || std::abs(*left - *right) <= drawn_rounding) return {};
+  return fmt::format(", floors {} apart in height", format_quantity(std::abs(*left - *right), dimension::length));
+}
+
 }  // namespace
 
 std::string describe(const Model& model) {
@@ -101,6 +122,8 @@ std::string describe(const Model& model) {
   for (const Link& link : model.links) {
     text += fmt::format("link {}: {}{}{}, gap {:.6g} mm", link.name, link.law, link.formula.empty() ? "" : ", ",
                         link.formula, 1e3 * link.gap);
+    text += faces_of(link);
+    text += heights_of(model, link);
     if (link.preload) text += ", preloaded";
     if (link.reduced_mass > 0)
       text += fmt::format(", reduced mass {:.6g} t {}", link.reduced_mass / 1e3,

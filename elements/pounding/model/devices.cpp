@@ -102,6 +102,8 @@ void Model::connect(const std::string& name, const ContactLocation& left, const 
   check_name(name, devices);
   if (left.structure == right.structure)
     refuse(ModelOption::between, "both ends are on one structure; name two structures, the left one first");
+  for (const auto& [location, option] : {std::pair(&left, ModelOption::left), std::pair(&right, ModelOption::right)})
+    if (location->face) refuse(option, "face belongs to links; a device is drawn between axes, so leave face out");
   const LinkPair pair = pairs_of(*this, left, right, {}).front();
   const Structure &a = structures[left.structure], &b = structures[right.structure];
   Device device;

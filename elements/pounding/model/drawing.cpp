@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,8 +12,10 @@
 namespace pounding {
 namespace {
 
-// Ends farther apart than this across the direction of their contact do not meet [m].
-constexpr double reach = 0.5;
+// Distances between axes of columns whose faces may pound: no recommendation of such a gap without a word about the axes [m].
+constexpr double widest_between_axes = 1.5;
+// A difference of about half the depths of the columns is within this fraction of them.
+constexpr double about = 0.2;
 // A gap may differ from the distance drawn by this part of itself.
 constexpr double relative_rounding = 1e-3;
 // Distances are rounded to nanometres, so that 18.02 m less 18 m is 20 mm to the last bit [1/m].
@@ -36,6 +39,12 @@ struct Ends {
     return fmt::format("{} ({} = {}) and {} ({} = {})", placed_text(left, a), axes[axis], metres(left.point.position[axis]),
                        placed_text(right, b), axes[axis], metres(right.point.position[axis]));
   }
+  bool has_face() const { return left.face.value_or(0) > 0 || right.face.value_or(0) > 0; }
+  // " between faces 300 mm and 250 mm before the axes", empty for ends that are drawn by their faces.
+  std::string faces() const {
+    if (!has_face()) return {};
+    return fmt::format(" between faces {} and {} before the axes", metres(left.face.value_or(0)), metres(right.face.value_or(0)));
+  }
   // How to bring the second structure to another distance from the first one.
   std::string move(Side side, double farther) const {
     const double along = outward(side).sum() * farther;
@@ -44,7 +53,7 @@ struct Ends {
   }
 };
 
-void require_facing(const Ends& ends, int axis) {
+void require_facing(const Ends& ends, int axis, double reach) {
   if (std::abs(ends.left.point.position[axis] - ends.right.point.position[axis]) <= reach) return;
   const bool in_height = axis == 2;
   const double up = ends.left.point.position.z();
@@ -55,26 +64,67 @@ void require_facing(const Ends& ends, int axis) {
                                          : "link ends that do, or move one of the two by its origin"));
 }
 
+// The advice to a drawing by axes where a difference from the requested gap, or the distance itself, has the size of columns; else empty.
+std::string cause_by_axes(const Model& model, const Ends& ends, Side side, double asked, double drawn) {
+  const AxisAdvice advice = advice_on_axes(model, ends.left, ends.right, side);
+  const double difference = drawn - asked;
+  bool is_of_columns = advice.sum() > 0 && drawn >= std::max(narrowest_between_axes, (1 - about) * advice.sum()) && drawn <= widest_between_axes;
+  for (const double half : {advice.halves[0], advice.halves[1], advice.sum()})
+    is_of_columns = is_of_columns || (half > 0 && std::abs(difference - half) <= about * half);
+  if (!is_of_columns) return {};
+  const double between = drawn - advice.sum();
+  return fmt::format("if the frames are drawn by the axes of their columns, type {}: the columns reach {} and {} beyond the axes, and {}; if they are "
+                     "drawn by their faces, ",
+                     advice.text, metres(advice.halves[0]), metres(advice.halves[1]),
+                     between >= -drawn_rounding ? fmt::format("{} remain between faces", metres(between)) : fmt::format("the faces overlap by {}", metres(-between)));
+}
+
 }  // namespace
 
 bool are_drawn(const Structure& first, const Structure& second) { return first.surface->plan() && second.surface->plan(); }
 
-double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, Side side, std::optional<double> asked) {
+double drawn_distance(const LinkEnd& left, const LinkEnd& right, Side side) {
+  return outward(side).dot(right.point.position - left.point.position) - left.face.value_or(0) - right.face.value_or(0);
+}
+
+AxisAdvice advice_on_axes(const Model& model, const LinkEnd& left, const LinkEnd& right, Side side) {
+  AxisAdvice advice;
+  bool are_sized = true;
+  std::vector<std::string> names;
+  std::string typed;
+  const LinkEnd* ends[] = {&left, &right};
+  for (int i = 0; i < 2; ++i) {
+    if (ends[i]->face) continue;
+    const Structure& s = model.structures[ends[i]->structure];
+    const auto found = s.surface->column_face(ends[i]->point.position, i == 0 ? side : opposite(side));
+    if (!found) continue;
+    advice.halves[i] = found->distance;
+    are_sized = are_sized && !found->is_estimated;
+    names.push_back(s.name);
+    typed += fmt::format("{}face: {} in {}", typed.empty() ? "" : " and ", metres(found->distance), s.name);
+  }
+  advice.text = are_sized ? fmt::format("face: auto in {}", fmt::join(names, " and ")) : typed;
+  return advice;
+}
+
+double drawn_gap(const Model& model, const LinkEnd& left, const LinkEnd& right, Side side, std::optional<double> asked, double level) {
   const Ends ends{model.structures[left.structure], model.structures[right.structure], left, right};
   const bool along_x = side == Side::plus_x || side == Side::minus_x;
-  const double drawn = outward(side).dot(right.point.position - left.point.position);
+  const double drawn = drawn_distance(left, right, side);
   if (drawn < -drawn_rounding)
     throw ModelError(ModelOption::between,
-                     fmt::format("{} overlap by {}; {}{}", ends.at(along_x ? 0 : 1), metres(-drawn), ends.move(side, asked.value_or(0) - drawn),
-                                 asked ? "" : ", or farther"));
-  require_facing(ends, 2);
+                     fmt::format("{} overlap by {}{}; {}{}{}", ends.at(along_x ? 0 : 1), metres(-drawn), ends.faces(),
+                                 ends.has_face() ? "leave face out where a frame is drawn by its faces, or " : "",
+                                 ends.move(side, asked.value_or(0) - drawn), asked ? "" : ", or farther"));
+  require_facing(ends, 2, level + drawn_rounding);
   // A plane frame has no place across its plane.
-  if (ends.a.dimension == 3 && ends.b.dimension == 3) require_facing(ends, along_x ? 1 : 0);
+  if (ends.a.dimension == 3 && ends.b.dimension == 3) require_facing(ends, along_x ? 1 : 0, usual_offset);
   if (!asked) return std::max(0.0, std::round(drawn * nanometres) / nanometres);
   if (std::abs(*asked - drawn) > std::max(drawn_rounding, relative_rounding * *asked))
     throw ModelError(ModelOption::gap,
-                     fmt::format("is {}, but {} are drawn {} apart; leave the gap out to take this distance, or {}", metres(*asked),
-                                 ends.at(along_x ? 0 : 1), metres(drawn), ends.move(side, *asked - drawn)));
+                     fmt::format("is {}, but {} are drawn {} apart{}; {}leave the gap out to take this distance, or {}", metres(*asked),
+                                 ends.at(along_x ? 0 : 1), metres(drawn), ends.faces(), cause_by_axes(model, ends, side, *asked, drawn),
+                                 ends.move(side, *asked - drawn)));
   return *asked;
 }
 

@@ -14,17 +14,42 @@
 namespace pounding {
 namespace {
 
-// Floors that differ by less than this part of their elevation are level.
-constexpr double level = 1e-6;
+// Elevations that differ by less than this fraction of themselves are equal but for rounding.
+constexpr double elevation_rounding = 1e-6;
 
-bool is_level(double a, double b) { return std::abs(a - b) <= level * std::max({std::abs(a), std::abs(b), 1e-3}); }
+bool are_level(const Floor& a, const Floor& b, std::optional<double> level_within) {
+  const double allowance = elevation_rounding * std::max({std::abs(*a.elevation), std::abs(*b.elevation), 1e-3});
+  return std::abs(*a.elevation - *b.elevation) <= level_of(a, b, level_within) + allowance;
+}
+
+// For each floor of the left structure the one of the right that is level with it, -1 for none. The nearest floors are paired first, each once.
+std::vector<int> level_floors(const Structure& left, const Structure& right, std::optional<double> level_within) {
+  struct Candidate {
+    double apart;
+    int left, right;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < left.floors.size(); ++i)
+    for (std::size_t j = 0; j < right.floors.size(); ++j)
+      if (const Floor &a = left.floors[i], &b = right.floors[j]; are_level(a, b, level_within))
+        candidates.push_back({std::abs(*a.elevation - *b.elevation), static_cast<int>(i), static_cast<int>(j)});
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.apart < b.apart; });
+  std::vector<int> partner(left.floors.size(), -1);
+  std::vector<bool> taken(right.floors.size(), false);
+  for (const Candidate& each : candidates)
+    if (partner[each.left] < 0 && !taken[each.right]) {
+      partner[each.left] = each.right;
+      taken[each.right] = true;
+    }
+  return partner;
+}
 
 bool has_elevations(const Structure& s) {
   return !s.floors.empty() && std::all_of(s.floors.begin(), s.floors.end(), [](const Floor& f) { return f.elevation.has_value(); });
 }
 
 // Structures without columns to hit, or without heights: floors are paired by their numbers.
-std::vector<LinkPair> floors_by_number(int a, int b, const Structure& left, const Structure& right) {
+std::vector<LinkPair> floors_by_number(int a, int b, const Structure& left, const Structure& right, std::optional<double> level_within) {
   if (left.is_rigid() && right.is_rigid()) refuse(ModelOption::between, "both ends are walls; one of them must be able to move");
   for (const Structure* s : {&left, &right})
     if (!s->is_rigid() && s->floors.empty())
@@ -34,7 +59,7 @@ std::vector<LinkPair> floors_by_number(int a, int b, const Structure& left, cons
   const bool placed = has_elevations(left) && has_elevations(right);
   std::vector<LinkPair> pairs;
   for (int i = 0; i < count; ++i) {
-    if (placed && !is_level(*left.floors[i].elevation, *right.floors[i].elevation))
+    if (placed && !are_level(left.floors[i], right.floors[i], level_within))
       refuse(ModelOption::between, fmt::format("floor {0} of {1} is {2:.6g} m up and floor {0} of {3} {4:.6g} m: they do not face each other; "
                                "without \"floors: all\" a link names its two floors, as in [{1}.{0}, {3}.{0}]",
                                i + 1, left.name, *left.floors[i].elevation, right.name, *right.floors[i].elevation));
@@ -46,15 +71,16 @@ std::vector<LinkPair> floors_by_number(int a, int b, const Structure& left, cons
   return pairs;
 }
 
-std::vector<LinkPair> facing_floors(FacingFloors choice, int a, int b, const Structure& left,
-                                const Structure& right) {
+std::vector<LinkPair> facing_floors(FacingFloors choice, int a, int b, const Structure& left, const Structure& right,
+                                    std::optional<double> level_within) {
   const bool sticks = left.dimension == 1 && right.dimension == 1 && choice == FacingFloors::all;
-  if (sticks || !has_elevations(left) || !has_elevations(right)) return floors_by_number(a, b, left, right);
+  if (sticks || !has_elevations(left) || !has_elevations(right)) return floors_by_number(a, b, left, right, level_within);
   const double lower_roof = std::min(*left.floors.back().elevation, *right.floors.back().elevation);
-  const auto facing = [](const Structure& other, double elevation) -> std::optional<int> {
-    for (std::size_t j = 0; j < other.floors.size(); ++j)
-      if (is_level(*other.floors[j].elevation, elevation)) return static_cast<int>(j);
-    return {};
+  const std::vector<int> partner_of_left = level_floors(left, right, level_within);
+  const auto facing = [&](int floor, bool from_left) -> std::optional<int> {
+    if (from_left) return partner_of_left[floor] < 0 ? std::nullopt : std::optional(partner_of_left[floor]);
+    const auto found = std::ranges::find(partner_of_left, floor);
+    return found == partner_of_left.end() ? std::nullopt : std::optional(static_cast<int>(found - partner_of_left.begin()));
   };
   struct Placed {
     double elevation;
@@ -64,9 +90,9 @@ std::vector<LinkPair> facing_floors(FacingFloors choice, int a, int b, const Str
   const auto visit = [&](const Structure& s, const Structure& other, bool from_left) {
     for (std::size_t i = 0; i < s.floors.size(); ++i) {
       const double z = *s.floors[i].elevation;
-      const std::optional<int> partner = facing(other, z);
+      const std::optional<int> partner = facing(static_cast<int>(i), from_left);
       if (partner && !from_left) continue;  // found from the left
-      if (!partner && z > lower_roof * (1 + level)) continue;
+      if (!partner && z > lower_roof * (1 + elevation_rounding)) continue;
       if (!partner && choice == FacingFloors::level) continue;
       if (!partner && choice == FacingFloors::all)
         refuse(ModelOption::between, fmt::format("floor {} of {} is {:.6g} m up and faces no floor of {}; type floors: any to let it hit the column "
@@ -130,6 +156,10 @@ PairEnd end_of(const ContactLocation& location, const Structure& s, ModelOption 
 
 }  // namespace
 
+double level_of(const Floor& a, const Floor& b, std::optional<double> level_within) {
+  return level_within.value_or(std::max({usual_level, a.beam_depth, b.beam_depth}));
+}
+
 Side facing_side(const Structure& a, const Structure& b) {
   if (!are_drawn(a, b)) return Side::plus_x;
   const auto [ax0, ax1, ay0, ay1] = *a.surface->plan();
@@ -181,9 +211,11 @@ void require_floor(const Structure& s, int number, const std::string& text) {
 }
 
 std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, const ContactLocation& right,
-                               std::optional<FacingFloors> floors) {
+                               std::optional<FacingFloors> floors, std::optional<double> level_within) {
   require_structure(model, left.structure, ModelOption::left);
   require_structure(model, right.structure, ModelOption::right);
+  if (level_within && !(*level_within >= 0 && std::isfinite(*level_within)))
+    refuse(ModelOption::level_within, "must be finite and not negative, as in level_within: 50 mm");
   const Structure &a = model.structures[left.structure], &b = model.structures[right.structure];
   PairEnd first = end_of(left, a, ModelOption::left), second = end_of(right, b, ModelOption::right);
   if (left.structure == right.structure)
@@ -192,7 +224,7 @@ std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, 
     const auto is_named = [](const PairEnd& end) { return end.floor || end.elevation || !end.node.empty(); };
     if (is_named(first) || is_named(second))
       throw ModelError(ModelOption::floors, "names all floors, but \"between\" names one; keep one of the two").as_idle();
-    return facing_floors(*floors, left.structure, right.structure, a, b);
+    return facing_floors(*floors, left.structure, right.structure, a, b, level_within);
   }
   complete(first, a, ModelOption::left);
   complete(second, b, ModelOption::right);

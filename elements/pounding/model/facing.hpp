@@ -26,7 +26,10 @@ struct LinkPair {
 /// The pairs that a link stands for: one, or with `floors` those of all floors that face each other, from the ground up. Throws
 /// ModelError for structures, floors and choices that cannot be.
 std::vector<LinkPair> pairs_of(const Model& model, const ContactLocation& left, const ContactLocation& right,
-                               std::optional<FacingFloors> floors);
+                               std::optional<FacingFloors> floors, std::optional<double> level_within = {});
+
+/// Largest difference in elevation of two floors that are level [m], see LinkOptions::level_within.
+double level_of(const Floor& first, const Floor& second, std::optional<double> level_within);
 
 /// The side of the first structure that faces the second one, by where they stand in plan; plus_x for those without a place.
 /// Throws ModelError for structures in space that stand on each other, or apart along x and along y, and where the second one

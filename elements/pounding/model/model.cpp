@@ -11,10 +11,12 @@
 #include <pounding/core/limits.hpp>
 #include <pounding/core/text.hpp>
 #include <pounding/core/units.hpp>
+#include <pounding/model/arrivals.hpp>
 #include <pounding/model/cost.hpp>
 #include <pounding/model/first_yield.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/initial_shape.hpp>
+#include <pounding/model/place_ends.hpp>
 #include <pounding/model/plausible.hpp>
 #include <pounding/model/preload.hpp>
 #include <pounding/model/reducible.hpp>
@@ -109,6 +111,15 @@ void set_initial_motion(Structure& s, const StructureOptions& options) {
   refuse_initial_yield(s);
 }
 
+void take_face(Structure& s, const std::optional<Face>& face) {
+  if (!face) return;
+  if (!s.surface->plan())
+    throw ModelError(ModelOption::face, fmt::format("face is for frames, which are drawn; gaps to this {} are typed, from face to face: leave face out", s.kind))
+        .as_idle();
+  require_face(*face, ModelOption::face);
+  s.face = face;
+}
+
 bool is_still(const GroundComponents& ground) {
   return std::all_of(ground.begin(), ground.end(), [](const GroundMotion& motion) { return motion.is_still(); });
 }
@@ -185,6 +196,7 @@ StructureHandle Model::add(const std::string& name, Structure s, const Structure
   apply_forces(s, options.forces);
   if (!(options.delay >= 0) || std::isinf(options.delay))
     throw ModelError(ModelOption::delay, "delay must be finite and not negative");
+  take_face(s, options.face);
   structures.push_back(std::move(s));
   own_ground_.push_back({options.delay, options.ground_motion});
   return StructureHandle(static_cast<int>(structures.size()) - 1);
@@ -227,6 +239,11 @@ std::vector<Support> Model::supports_on_ground(int structure) const {
 
 void Model::put_on_ground() {
   if (is_on_ground_) return;
+  if (ground.wave) {
+    std::vector<bool> on_wave;
+    for (const OwnGround& own : own_ground_) on_wave.push_back(!own.motion);
+    place_by_links(structures, links, devices, on_wave, ground.wave->direction);
+  }
   std::vector<std::vector<Support>> supports;
   for (std::size_t i = 0; i < structures.size(); ++i) supports.push_back(supports_on_ground(static_cast<int>(i)));
   for (std::size_t i = 0; i < structures.size(); ++i) structures[i].supports = std::move(supports[i]);

@@ -38,6 +38,8 @@ struct LinkEnd {
   int floor = -1;      ///< from 0; -1 for a wall, a node, and a point between floors
   std::string label;   ///< "floor 3", "node b", "10.5 m up"; empty for a wall
   ContactPoint point;
+  std::optional<double> face{};  ///< from the point outwards to the face that is hit [m]; nullopt: none was given, the two coincide
+  std::string face_column{};     ///< column whose surface it is; empty if the distance was given
 };
 
 /// One contact between two points that face each other.
@@ -103,6 +105,7 @@ struct ContactLocation {
   std::optional<int> floor{};         ///< from 1 at the lowest
   std::optional<double> elevation{};  ///< of a point of a column [m]
   std::string node{};
+  std::optional<Face> face{};         ///< instead of that of the structure
 };
 
 /// A structure of a model. Alone it stands for a wall, or for the one floor of a structure.
@@ -143,6 +146,7 @@ struct StructureOptions {
   std::vector<ForceOptions> forces{};  ///< that act over time
   double delay = 0;                  ///< the ground moves later here [s]
   std::optional<GroundComponents> ground_motion{};  ///< of its own instead of the model's
+  std::optional<Face> face{};  ///< of a frame that is drawn by axes: distance to the faces at which it is hit
 };
 
 /// Which floors of two structures a link joins, instead of one pair.
@@ -152,15 +156,20 @@ enum class FacingFloors {
   any     ///< all up to the lower roof; those that face none hit the column there
 };
 
+/// Floors whose elevations differ by less are level, whatever their beams measure [m].
+inline constexpr double usual_level = 0.05;
+
 /// Options of a link beside its law.
 struct LinkOptions {
   /// >= 0, or < 0 with a preload [m]; with `floors` one for all or one each from the ground up. Between frames it may be left out: it is
-  /// the distance drawn, and one that differs from it is refused unless it is a preload.
+  /// the distance drawn between their faces, and one that differs from it is refused unless it is a preload.
   OneOrEach gap{};
   /// The two ends press from the start, where the gap is negative: undeformed they would overlap, and the run begins in static
   /// equilibrium with the structures pushed apart.
   bool preload = false;
   std::optional<FacingFloors> floors{};  ///< links all of these; without it the two ends name one pair
+  /// Largest difference in elevation of two floors that are level [m]: by default the depth of the deeper beam, at least usual_level.
+  std::optional<double> level_within{};
   /// "left.1-right.1" unless given; of several pairs the first is "name.1".
   std::optional<std::string> name{};
   /// Points along the common edge of floors in space, 1 to 100: two where the edges overlap, else one.

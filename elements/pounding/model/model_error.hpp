@@ -24,6 +24,7 @@ enum class ModelOption {
   initial_velocity,
   forces,
   delay,
+  face,
   // of a link
   link,
   between,
@@ -31,6 +32,7 @@ enum class ModelOption {
   left,
   right,
   floors,
+  level_within,
   gap,
   preload,
   link_name,

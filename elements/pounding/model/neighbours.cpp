@@ -33,6 +33,7 @@ struct Placed {
   int structure;
   bool is_plane;
   std::array<Interval, 2> along;  // x and y
+  const Structure* drawn;
 };
 
 std::vector<Placed> placed(const Model& model) {
@@ -42,7 +43,7 @@ std::vector<Placed> placed(const Model& model) {
     const auto plan = s.surface->plan();
     if (!plan) continue;
     const auto [x0, x1, y0, y1] = *plan;
-    all.push_back({static_cast<int>(i), s.dimension < 3, {Interval{x0, x1}, Interval{y0, y1}}});
+    all.push_back({static_cast<int>(i), s.dimension < 3, {Interval{x0, x1}, Interval{y0, y1}}, &s});
   }
   return all;
 }
@@ -60,15 +61,33 @@ struct Facing {
   double distance;
 };
 
+// From the outermost axis on a side to the face there [m]; links refuse what has none.
+double face_of(const Placed& s, int axis, bool is_low) {
+  if (!s.drawn->face) return 0;
+  if (!s.drawn->face->by_columns) return s.drawn->face->distance;
+  Eigen::Vector3d outermost = Eigen::Vector3d::Zero();
+  outermost[axis] = is_low ? s.along[axis].low : s.along[axis].high;
+  const Side side = axis == 0 ? (is_low ? Side::minus_x : Side::plus_x) : (is_low ? Side::minus_y : Side::plus_y);
+  const auto found = s.drawn->surface->column_face(outermost, side);
+  return found ? found->distance : 0;
+}
+
+// Distance between the faces of two whose axes are this far apart along x or y.
+double between_faces(const Placed& a, const Placed& b, int axis, double distance) {
+  if (!a.drawn->face && !b.drawn->face) return distance;
+  const bool in_order = a.along[axis].middle() <= b.along[axis].middle();
+  return std::max(0.0, distance - face_of(a, axis, !in_order) - face_of(b, axis, in_order));
+}
+
 // How two face each other, at whatever distance; nothing for two that meet at a corner or stand on each other.
 std::optional<Facing> facing(const Placed& a, const Placed& b) {
   const double x = apart(a.along[0], b.along[0]), y = apart(a.along[1], b.along[1]);
   // Plane frames may reach over each other at other heights.
-  if (a.is_plane || b.is_plane) return Facing{0, std::max(0.0, x)};
+  if (a.is_plane || b.is_plane) return Facing{0, between_faces(a, b, 0, std::max(0.0, x))};
   const bool along_x = x >= -drawn_rounding && share(a.along[1], b.along[1]);
   const bool along_y = y >= -drawn_rounding && share(a.along[0], b.along[0]);
   if (along_x == along_y) return {};
-  return along_x ? Facing{0, std::max(0.0, x)} : Facing{1, std::max(0.0, y)};
+  return along_x ? Facing{0, between_faces(a, b, 0, std::max(0.0, x))} : Facing{1, between_faces(a, b, 1, std::max(0.0, y))};
 }
 
 // Whether the first one crosses the other one's inside.
@@ -119,9 +138,10 @@ bool meet(const Model& model, const LinkPair& pair, Side side, double within) {
     if (!share({own[0], own[1]}, {other[0], other[1]})) return false;
   }
   const double along = along_the_edge(1, pair, a, b, side).front();
-  const Eigen::Vector3d left = place_end(pair.left, a, side, along, ModelOption::left).point.position;
-  const Eigen::Vector3d right = place_end(pair.right, b, opposite(side), along, ModelOption::right).point.position;
-  return outward(side).dot(right - left) <= within + drawn_rounding;
+  LinkEnd left = place_end(pair.left, a, side, along, ModelOption::left), right = place_end(pair.right, b, opposite(side), along, ModelOption::right);
+  set_face(left, a, {}, side, ModelOption::between);
+  set_face(right, b, {}, opposite(side), ModelOption::between);
+  return drawn_distance(left, right, side) <= within + drawn_rounding;
 }
 
 ContactLocation location(const PairEnd& end) {
@@ -163,7 +183,8 @@ void link_neighbours(Model& model, const LinkOptions& options, const ContactLaw&
     if (linked.contains(std::minmax(pair.left, pair.right))) continue;
     is_any_left = true;
     const Side side = facing_side(model.structures[pair.left], model.structures[pair.right]);
-    for (const LinkPair& ends : pairs_of(model, {.structure = pair.left}, {.structure = pair.right}, options.floors.value_or(FacingFloors::all)))
+    for (const LinkPair& ends :
+         pairs_of(model, {.structure = pair.left}, {.structure = pair.right}, options.floors.value_or(FacingFloors::all), options.level_within))
       if (meet(model, ends, side, within)) model.link(location(ends.left), location(ends.right), of_one, law);
   }
   if (!is_any_left) refuse_idle(ModelOption::between, "all neighbours are linked already; leave these links out");

@@ -2,14 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
+#include <pounding/core/units.hpp>
 #include <pounding/model/refuse_option.hpp>
 
 namespace pounding {
+
+void require_face(const Face& face, ModelOption option) {
+  if (!(face.distance >= 0) || std::isinf(face.distance)) refuse(option, "face must be finite and not negative; type face: auto, or face: 0.3 m");
+}
+
 LinkEnd place_end(const PairEnd& end, const Structure& s, Side side, double along, ModelOption option) {
   LinkEnd found;
   found.structure = end.structure;
@@ -29,6 +36,25 @@ LinkEnd place_end(const PairEnd& end, const Structure& s, Side side, double alon
     refuse(option, fmt::format("{}: {}", s.name, error.what()));
   }
   return found;
+}
+
+void set_face(LinkEnd& end, const Structure& s, const std::optional<Face>& given, Side side, ModelOption option) {
+  const std::optional<Face>& face = given ? given : s.face;
+  if (!face) return;
+  require_face(*face, option);
+  end.face = face->distance;
+  if (!face->by_columns) return;
+  const std::string place = fmt::format("{} of {}", end.label, s.name);
+  const std::optional<ColumnFace> found = s.surface->column_face(end.point.position, side);
+  if (!found)
+    refuse(option, fmt::format("no column is in line with {}, so face: auto has no depth to use; type face: 0 m if it is drawn by its face, else "
+                               "the distance from there to the face, such as face: 0.3 m", place));
+  if (found->is_estimated)
+    refuse(option, fmt::format("face: auto needs sections with a size, and that of {} at {} is given by numbers; type the distance from the "
+                               "axis to the face, some face: {} by its area and inertia", found->column, place,
+                               format_quantity(found->distance, dimension::length)));
+  end.face = found->distance;
+  end.face_column = found->column;
 }
 
 std::vector<double> along_the_edge(std::optional<int> points, const LinkPair& pair, const Structure& a, const Structure& b, Side side) {

@@ -10,6 +10,7 @@
 
 #include <pounding/core/units.hpp>
 #include <pounding/ground/record.hpp>
+#include <pounding/model/drawing.hpp>
 #include <pounding/model/ground_plan.hpp>
 #include <pounding/model/storey_heights.hpp>
 #include <pounding/structures/isolators.hpp>
@@ -216,6 +217,42 @@ void doubt_records(const Model& model, std::vector<Doubt>& doubts) {
   });
 }
 
+// Ends without a typed face whose gap would hold the columns on both sides: drawn by axes, it seems.
+void doubt_faces(const Model& model, std::vector<Doubt>& doubts) {
+  for (const Link& link : model.links) {
+    const Structure &a = model.structures[link.left.structure], &b = model.structures[link.right.structure];
+    if (link.left.face || link.right.face || link.gap < narrowest_between_axes || link.gap > widest_gap || !are_drawn(a, b)) continue;
+    const AxisAdvice advice = advice_on_axes(model, link.left, link.right, side_of(link.direction));
+    if (advice.sum() == 0 || link.gap < advice.sum()) continue;
+    doubts.push_back({"face", fmt::format("link {}: the gap is {}, and the columns reach {} and {} beyond their axes; if the frames are drawn by axes, type "
+                                          "{}, which leaves {} between faces",
+                                          link.name, format_quantity(link.gap, dimension::length), format_quantity(advice.halves[0], dimension::length),
+                                          format_quantity(advice.halves[1], dimension::length), advice.text,
+                                          format_quantity(link.gap - advice.sum(), dimension::length))});
+    return;
+  }
+}
+
+// A column is stiff that near a joint, and its short end takes nearly the whole blow.
+void doubt_joints(const Model& model, std::vector<Doubt>& doubts) {
+  const Link* nearest = nullptr;
+  const LinkEnd* hit = nullptr;
+  int others = -1;
+  for (const Link& link : model.links)
+    for (const LinkEnd* end : {&link.left, &link.right}) {
+      if (!(end->point.to_joint > 0 && end->point.to_joint < end->point.column_depth)) continue;
+      ++others;
+      if (!hit || end->point.to_joint < hit->point.to_joint - drawn_rounding) nearest = &link, hit = end;
+    }
+  if (!hit) return;
+  const auto metres = [](double length) { return format_quantity(length, dimension::length); };
+  doubts.push_back({"joint", fmt::format("link {}: the column of {} is hit {} from a joint, and it is {} deep{}; if the floors are level, type level_within: "
+                                         "{}, or link the floors by their numbers",
+                                         nearest->name, model.structures[hit->structure].name, metres(hit->point.to_joint),
+                                         metres(hit->point.column_depth), others > 0 ? fmt::format(" (and {} more)", others) : "",
+                                         metres(std::ceil(hit->point.to_joint * 100) / 100))});
+}
+
 // The texts of those that the model does not accept.
 std::vector<std::string> texts(const Model& model, const std::vector<Doubt>& doubts) {
   std::vector<std::string> all;
@@ -242,6 +279,8 @@ std::vector<std::string> implausible(const Model& model) {
   doubt_gaps(model, doubts);
   doubt_duration(model, doubts);
   doubt_records(model, doubts);
+  doubt_faces(model, doubts);
+  doubt_joints(model, doubts);
   if (model.analysis.tolerance > coarsest_tolerance)
     doubts.push_back({"tolerance", fmt::format("analysis: a tolerance of {:g} allows errors of {:g} % in displacements and forces; 1e-4 is usual",
                                                model.analysis.tolerance, 100 * model.analysis.tolerance)});

@@ -14,6 +14,8 @@ namespace pounding {
 /// The doubts by name, as Model::accept takes them:
 /// period       the first period of a structure on the ground lies outside 0.02 s to 20 s
 /// gap          a gap above 2 m, or open by less than 0.05 mm
+/// face         a gap between frames that has room for half their columns: they may be drawn by axes
+/// joint        a column that is hit closer to a joint than it is deep
 /// mass         a floor of a structure on the ground under 1 t, or a floor_mass that is
 /// section      a member deeper than the highest storey of its frame, or thinner than 2 mm
 /// E            Young's modulus under 100 MPa
@@ -38,8 +40,8 @@ namespace pounding {
 /// duration     analysis.duration cuts more than 5 % of the Arias intensity of a record
 /// hardening    the hardening of a hinge with a law, which version 0.2.0 took as the ratio of the bare spring
 inline constexpr auto doubt_names = std::to_array<std::string_view>(
-    {"period", "gap", "mass", "section", "E", "yield", "rotation", "pga", "record", "motion", "penetration", "tolerance", "duration", "hardening",
-     "scale", "density", "stiffness", "damping", "isolator", "height", "friction", "amplitude", "initial", "drift"});
+    {"period", "gap", "face", "joint", "mass", "section", "E", "yield", "rotation", "pga", "record", "motion", "penetration", "tolerance",
+     "duration", "hardening", "scale", "density", "stiffness", "damping", "isolator", "height", "friction", "amplitude", "initial", "drift"});
 
 /// Warnings about a model, one line each; none of those that it accepts.
 std::vector<std::string> implausible(const Model& model);

@@ -1,6 +1,7 @@
 #include <pounding/structures/structure.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -38,6 +39,11 @@ Side opposite(Side side) {
     case Side::plus_y: return Side::minus_y;
     default: return Side::plus_y;
   }
+}
+
+Side side_of(const Eigen::Vector3d& direction) {
+  if (std::abs(direction.x()) >= std::abs(direction.y())) return direction.x() >= 0 ? Side::plus_x : Side::minus_x;
+  return direction.y() >= 0 ? Side::plus_y : Side::minus_y;
 }
 
 ContactPoint Surface::column(double, Side, double) const {

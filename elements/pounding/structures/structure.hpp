@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -83,6 +84,7 @@ struct Floor {
   std::string label;     ///< "1" at the lowest
   double mass = 0;       ///< that moves along x with it [kg]
   std::optional<double> elevation;  ///< above the common datum [m]; nothing where heights were not given
+  double beam_depth = 0;            ///< of its deepest beam [m]; 0 for a floor without beams
   /// Displacements that are reported: x; and y and the turn about z in a structure in space.
   std::vector<Row> motion;
   /// Extent of a rigid floor in space, relative to the point whose motion is reported: smallest x, largest x, smallest y, largest
@@ -106,12 +108,29 @@ struct ContactPoint {
   Eigen::Matrix<double, 12, 3> fixed_ends = Eigen::Matrix<double, 12, 3>::Zero();
   /// Reactions to such a force, which goes straight into a support that holds an end: in the order of InternalForces. Empty for none.
   Eigen::MatrixX3d reactions;
+  /// Distance of a point on a column to the nearer joint, and size of the column along the contact [m].
+  double to_joint = std::numeric_limits<double>::infinity(), column_depth = 0;
 };
 
 /// Horizontal direction, along or against x or y, in which a side faces.
 enum class Side { plus_x, minus_x, plus_y, minus_y };
 Eigen::Vector3d outward(Side side);
 Side opposite(Side side);
+/// The side that faces along a horizontal direction of contact.
+Side side_of(const Eigen::Vector3d& direction);
+
+/// Outer surface of the columns in line with a point.
+struct ColumnFace {
+  double distance = 0;        ///< from the point outwards [m]
+  std::string column;         ///< name of the member whose surface is outermost
+  bool is_estimated = false;  ///< whether its section is given by numbers: the size is that of a rectangle with them
+};
+
+/// Distance from the axes by which a structure is drawn outwards to the face at which it is hit.
+struct Face {
+  double distance = 0;      ///< [m]
+  bool by_columns = false;  ///< that of the columns, see Surface::column_face, instead of the distance
+};
 
 /// Points at which a structure can be touched. Made by the kind of structure; floors count from 0 at the lowest. What is asked for
 /// and does not exist throws std::invalid_argument with what there is.
@@ -127,6 +146,9 @@ class Surface {
   /// The point of the column on this side at this elevation [m]; in space of the column nearest to `along`.
   virtual ContactPoint column(double elevation, Side side, double along) const;
   virtual ContactPoint node(const std::string& name) const;
+  /// Outermost surface on this side of all columns in line with a point: a facade is flat, whatever the columns of single storeys
+  /// measure. Nullopt if no column is in line.
+  virtual std::optional<ColumnFace> column_face(const Eigen::Vector3d& /*point*/, Side /*side*/) const { return {}; }
   /// The displacement of a node by its name, "ux" ... "rz".
   virtual Row displacement(const std::string& node, const std::string& dof) const;
 };
@@ -193,6 +215,7 @@ struct Structure {
   /// without mass that give way to them, [m/N] or [rad/(N m)]. A hinge in series with a member gives way like this. Empty for none.
   SparseMatrix yielding_flexibility;
   bool is_free = false;                  ///< nothing holds it to the ground: a body
+  std::optional<Face> face;              ///< at which links meet it; nullopt: the axes by which it is drawn
   int rigid_motions = 0;                 ///< of a frame that nothing holds, which has this many modes of frequency 0: 3 or 6
   std::vector<AppliedForce> applied_forces;  ///< over time
   Eigen::VectorXd at_rest;               ///< displacements under gravity [m]; empty for none

@@ -51,7 +51,8 @@ LinkHistory heading(const Link& link, const Model& model) {
   // A frame has a place of its own; the other structures stand where their links are.
   const bool only_right_has_place = model.structures[link.left.structure].geometry.positions.empty() &&
                                     !model.structures[link.right.structure].geometry.positions.empty();
-  const Eigen::Vector3d& position = (only_right_has_place ? link.right : link.left).point.position;
+  const LinkEnd& end = only_right_has_place ? link.right : link.left;
+  const Eigen::Vector3d position = end.point.position + (only_right_has_place ? -1 : 1) * end.face.value_or(0) * link.direction;
   for (int i = 0; i < 3; ++i) {
     history.position[i] = position[i];
     history.direction[i] = link.direction[i];

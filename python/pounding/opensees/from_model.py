@@ -19,7 +19,7 @@ from pounding.opensees.springs import between_words
        title=optional(text))
 def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: Mapping[str, Any] | None = None,
                   rayleigh: Sequence[float] | None = None, damping: Any = None, names: Sequence[str] | None = None,
-                  without: Iterable[int] = (), without_loads: bool = False, title: str | None = None) -> Model:
+                  without: Iterable[int] = (), without_loads: bool = False, title: str | None = None, face: Any = None) -> Model:
     """The OpenSeesPy model of this process as a Model: every connected part is a structure of the kind `frame`, and links
     made by `pounding.opensees.link` are its links.
 
@@ -40,6 +40,9 @@ def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: M
     digits that OpenSees prints, all else exactly. In OpenSees the stiffness part of Rayleigh damping acts on members
     without their springs, here on members with them.
 
+    Frames are drawn by their nodes, and gaps are measured between faces: `face`, the distance from the axes of the outer columns to the
+    faces such as "0.3 m", is one for all frames or a mapping by their names.
+
     Raises InputError that names what cannot be carried over; ImportError without openseespy."""
     ops = openseespy()
     printed = Printed(ops)
@@ -59,6 +62,11 @@ def from_opensees(*, ground_motion: Mapping[str, Any] | None = None, analysis: M
     if len(names) != len(parts):
         raise InputError(f"names has {len(names)} names, and the model has {len(parts)} parts")
     structures = {name: frames.structure(part, damping) for name, part in zip(names, parts)}
+    for name, distance in (face if isinstance(face, Mapping) else dict.fromkeys(structures, face)).items():
+        if name not in structures:
+            raise InputError(f"face: there is no frame {name!r} among {', '.join(structures)}")
+        if distance is not None:
+            structures[name]["face"] = distance
     home = {node: name for name, part in zip(names, parts) for node in part}
     between = [_link_words(each, home) for each in links() if each.tag not in frames.without]
     walls, gaps, devices = _joints(frames, home)

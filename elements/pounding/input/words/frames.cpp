@@ -19,6 +19,7 @@ constexpr Word frame_words[] = {
      .meaning = "Place of the frame: [x] or [x, z] in the plane, [x, y] or [x, y, z] in space. It is added to all coordinates and "
                 "elevations.",
      .example = "[12 m, 0 m]"},
+    face_word,
     {.key = "material", .takes = Takes::text, .inside = &material,
      .otherwise = "none: then every member names its own",
      .meaning = "Material of the members that name none: a name from materials, or a map.",

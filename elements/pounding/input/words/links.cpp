@@ -1,6 +1,7 @@
 #include <array>
 
 #include <pounding/input/words/sections.hpp>
+#include <pounding/input/words/shared.hpp>
 #include <pounding/laws/compiled.hpp>
 
 namespace pounding::words {
@@ -30,10 +31,14 @@ constexpr Word link_words[] = {
      .meaning = "Links several floors: all of them, which must face each other up to the lower roof; those that are level; or any, "
                 "where a floor that faces none hits the column there.",
      .example = "all"},
+    {.key = "level_within", .takes = Takes::quantity, .dimension = dimension::length, .bounds = bounds::non_negative,
+     .otherwise = "the depth of the deeper beam, at least 50 mm", .since = "0.2.0",
+     .meaning = "Largest difference in elevation of two floors that are level: they are one pair, and neither hits a column there.",
+     .example = "50 mm"},
     {.key = "gap", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::length,
      .otherwise = "the distance drawn between frames; needed where nothing is drawn",
      .meaning = "Distance between the two at rest: one for all pairs of floors, or a list from the ground up. At least 0, unless "
-                "preload is true. Between frames it may differ from the distance drawn by 0.1 mm or a thousandth.",
+                "preload is true. Between frames it may differ from the distance drawn between faces by 0.1 mm or a thousandth.",
      .example = "20 mm"},
     {.key = "preload", .takes = Takes::boolean, .otherwise = "false", .since = "0.2.0",
      .meaning = "A negative gap is the overlap of the two ends where their structures are undeformed: the run begins in static "
@@ -68,13 +73,21 @@ constexpr Word link_words[] = {
      .otherwise = "from the masses of the two ends",
      .meaning = "m1 m2/(m1 + m2) with which the damping is calibrated; a wall is infinitely heavy.", .example = "60 t"}};
 
+constexpr Word end_face_word = [] {
+  Word word = face_word;
+  word.otherwise = "that of the structure";
+  word.meaning = "As face of the structure, for this end alone.";
+  return word;
+}();
+
 constexpr Word link_end_words[] = {
     {.key = "structure", .takes = Takes::text, .need = Need::required, .meaning = "Name of the structure.", .example = "left"},
     {.key = "floor", .takes = Takes::text, .otherwise = "its only floor",
      .meaning = "Number of the floor, from 1 at the lowest. Give one of floor, node and elevation.", .example = "3"},
     {.key = "node", .takes = Takes::text, .meaning = "Name of a node of a frame.", .example = "2.1"},
     {.key = "elevation", .takes = Takes::quantity, .dimension = dimension::length,
-     .meaning = "Elevation above the common datum: the column of a frame there.", .example = "10.5 m"}};
+     .meaning = "Elevation above the common datum: the column of a frame there.", .example = "10.5 m"},
+    end_face_word};
 
 constexpr Word stiffness_words[] = {
     {.key = "E", .takes = Takes::quantity, .dimension = dimension::stress, .bounds = bounds::positive, .otherwise = "30 GPa",

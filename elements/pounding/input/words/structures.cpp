@@ -36,6 +36,7 @@ constexpr Word structure_words[] = {
     damping_word,
     velocity_word,
     displacement_word,
+    face_word,
     {.key = "delay", .takes = Takes::quantity, .dimension = dimension::time, .bounds = bounds::non_negative, .otherwise = "0 s",
      .meaning = "Time by which the ground moves later under this structure.", .example = "0.05 s"},
     {.key = "ground_motion", .inside = &ground_motion, .otherwise = "that of the model",
