@@ -10,8 +10,9 @@ from pounding.errors import InputError, SolverError
 
 
 def exit_code(main: Callable[[], int]) -> int:
-    """Runs a command. Returns its code: 0 done, 2 bad input or output that cannot be written, 3 anything else; 130 after Ctrl-C. Every exception is one line
-    on standard error. A reader of standard output that has seen enough, such as `head`, is no error."""
+    """Runs a command. Returns its code: 0 done, 2 bad input or output that cannot be written, 3 anything else; 130 after Ctrl-C.
+
+    Every exception is one line on standard error. A closed pipe, as by `head`, is no error."""
     # Names of files need not be UTF-8.
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):

@@ -32,8 +32,10 @@ class Kind:
 
 
 def _is_picture(_: Path, start: bytes) -> bool:
-    signatures = (b"\x89PNG", b"%PDF-", b"GIF8", b"%!PS", b"\xff\xd8\xff", b"RIFF", b"II*\0", b"MM\0*", b"%% Creator: Matplotlib")
-    return start.startswith(signatures) or start[4:8] == b"ftyp" or (start.startswith((b"<?xml", b"<svg")) and b"<svg" in start)
+    signatures = (b"\x89PNG", b"%PDF-", b"GIF8", b"%!PS", b"\xff\xd8\xff", b"RIFF", b"II*\0", b"MM\0*",
+                  b"%% Creator: Matplotlib")
+    is_svg = start.startswith((b"<?xml", b"<svg")) and b"<svg" in start
+    return start.startswith(signatures) or start[4:8] == b"ftyp" or is_svg
 
 
 PICTURE = Kind("picture", _is_picture)
@@ -47,8 +49,8 @@ def refuse(path: File, reason: str, advice: str = "Name another file") -> NoRetu
 def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
     """The file that writing `path` creates or replaces: symbolic links are followed.
 
-    Raises InputError if the path is empty, a directory or another thing that is no file, write-protected, in a missing directory, one of
-    `inputs` under any name, written by a run, or holds data of another kind."""
+    Raises InputError if the path is empty, a directory or another thing that is no file, write-protected, in a missing
+    directory, one of `inputs` under any name, written by a run, or holds data of another kind."""
     name = os.fsdecode(path)
     if not name:
         refuse(path, "the name of the file is empty", "Name a file")
@@ -81,7 +83,8 @@ def destination(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Path:
     if busy:
         refuse(path, "a run writes it now", "Wait for its end, or name another file")
     if start and not kind.recognises(place, start):
-        refuse(path, f"a file of this name exists and holds no {kind.name}", f"Name another file, or first type: rm {name}")
+        refuse(path, f"a file of this name exists and holds no {kind.name}",
+               f"Name another file, or first type: rm {name}")
     return place
 
 
@@ -94,8 +97,10 @@ def _is_file(path: File, found: os.stat_result) -> bool:
 
 @contextmanager
 def replaced(path: File, kind: Kind, inputs: Iterable[File] = ()) -> Iterator[Path]:
-    """Yields a temporary file to write, with the suffix of `path`, which replaces `path` as a whole at the end: a kill or an error leaves the
-    earlier file. The mode of the earlier file is kept, and its owner if possible. Raises InputError as `destination`, and OSError."""
+    """Yields a temporary file to write, with the suffix of `path`, which replaces `path` as a whole at the end.
+
+    A kill or an error leaves the earlier file. Its mode is kept, and its owner if possible. Raises InputError as
+    `destination`, and OSError."""
     inputs = tuple(inputs)
     place = destination(path, kind, inputs)
     suffix = ".tmp" + Path(os.fsdecode(path)).suffix
@@ -141,7 +146,7 @@ def bring_to_disk(path: Path) -> None:
 
 
 def _remove_leftovers(place: Path, suffix: str) -> str:
-    """Removes temporary files that killed processes of this host left beside the file. Returns the beginning of their names."""
+    """Removes temporary files of killed processes of this host next to the file. Returns the beginning of their names."""
     prefix = f".{place.name}.{socket.gethostname()}."
     pattern = re.compile(re.escape(prefix) + r"(\d+)" + re.escape(suffix))
     with contextlib.suppress(OSError):
@@ -161,7 +166,7 @@ def _is_running(process: int) -> bool:
     return True
 
 
-# One byte that no file reaches, as `pounding run` locks the file that it writes: HDF5 and other readers lock whole files.
+# One byte that no file reaches, as `pounding run` locks the file that it writes. HDF5 and other readers lock whole files.
 _FLOCK = struct.Struct("@hhqqi4x")
 
 
@@ -179,7 +184,8 @@ def _is_held(descriptor: int) -> bool:
 
 
 class Lock:
-    """A lock file, held by this object until `release` or the end of the process. Two objects of one process exclude each other."""
+    """A lock file, held by this object until `release` or the end of the process. Two objects of one process exclude
+    each other."""
 
     _descriptor = -1
 

@@ -1,4 +1,5 @@
-"""Finished chunks of a study while it runs: small files in the folder TABLE.parts, whose checksums are in their names, and a lock.
+"""Finished chunks of a study while it runs: small files in the folder TABLE.parts, with their checksums in their names,
+and a lock.
 
 A chunk is written under another name and moved into place: it is there as a whole or not at all."""
 
@@ -30,8 +31,9 @@ class Parts:
     """The folder of chunks next to a table, locked from here until `close`."""
 
     def __init__(self, table: Path, given: Path) -> None:
-        """Makes the folder where there is none; `given` is the table as the user named it. Raises InputError if the folder cannot be made, is not one of
-        chunks, or is locked by another study."""
+        """Makes the folder if there is none; `given` is the table as the user named it.
+
+        Raises InputError if the folder cannot be made, is not one of chunks, or is locked by another study."""
         self.folder = table.with_name(table.name + ".parts")
         for _ in range(100):
             try:
@@ -55,8 +57,9 @@ class Parts:
         names = os.listdir(self.folder)
         foreign = sorted(name for name in names if not _OWN.fullmatch(name))
         if foreign and PLAN not in names:
-            raise InputError(f"{self.folder} exists and is no folder of a study: it holds {foreign[0]}{' and others' if len(foreign) > 1 else ''}. Name another table, "
-                             "or move the folder away")
+            others = " and others" if len(foreign) > 1 else ""
+            raise InputError(f"{self.folder} exists and is no folder of a study: it holds {foreign[0]}{others}. "
+                             "Name another table, or move the folder away")
 
     def plan(self) -> dict[str, Any] | None:
         """Digest and description of the plan whose chunks the folder holds; None for a new folder. Raises NotResults."""
@@ -82,7 +85,8 @@ class Parts:
         """Writes a chunk. Raises OSError."""
         told = json.dumps({"reasons": {str(row): why for row, why in done.reasons.items()}})
         written = io.BytesIO()
-        np.savez(written, rows=done.rows, values=done.values, status=done.status, engine=done.engine, seconds=done.seconds, told=np.array(told))
+        np.savez(written, rows=done.rows, values=done.values, status=done.status, engine=done.engine, seconds=done.seconds,
+                 told=np.array(told))
         content = written.getvalue()
         self._write(f"{int(done.rows[0]):012d}-{len(done.rows)}-{zlib.crc32(content):08x}.npz", content)
 
