@@ -5,7 +5,7 @@ Names of packages and variants are those of spack-packages of July 2026.
     mkdir -p ~/recipes/spack_repo/pounding_recipes/packages/pounding
     cp cmake/cluster/package.py ~/recipes/spack_repo/pounding_recipes/packages/pounding/
     spack repo add ~/recipes/spack_repo/pounding_recipes
-    spack dev-build pounding@0.2.0
+    spack dev-build pounding@0.3.0
 """
 
 from spack_repo.builtin.build_systems.cmake import CMakePackage, generator
@@ -17,7 +17,7 @@ class Pounding(CMakePackage):
     """Adjacent structures that hit each other in earthquakes."""
 
     license("BSD-3-Clause")
-    version("0.2.0")
+    version("0.3.0")
     variant("mpi", default=True, description="Several processes for one model")
 
     depends_on("c", type="build")

@@ -41,7 +41,7 @@ extern "C" {
 
 /* PND_INTERFACE of the library at run time. */
 PND_API int pnd_interface(void);
-/* Version of the library at run time, "0.2.0". Lives as long as the library. */
+/* Version of the library at run time, "0.3.0". Lives as long as the library. */
 PND_API const char *pnd_version(void);
 
 /* ---- Errors ---- */

@@ -263,7 +263,7 @@ contains
     text = text_of(error_text_in_c())
   end function
 
-  !> Version of the library at run time, '0.2.0'.
+  !> Version of the library at run time, '0.3.0'.
   function pnd_version() result(text)
     character(:), allocatable :: text
     text = text_of(version_in_c())

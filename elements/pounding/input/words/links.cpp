@@ -32,7 +32,7 @@ constexpr Word link_words[] = {
                 "where a floor that faces none hits the column there.",
      .example = "all"},
     {.key = "level_within", .takes = Takes::quantity, .dimension = dimension::length, .bounds = bounds::non_negative,
-     .otherwise = "the depth of the deeper beam, at least 50 mm", .since = "0.2.0",
+     .otherwise = "the depth of the deeper beam, at least 50 mm", .since = "0.3.0",
      .meaning = "Largest difference in elevation of two floors that are level: they are one pair, and neither hits a column there.",
      .example = "50 mm"},
     {.key = "gap", .takes = Takes::quantity, .form = Form::one_or_each, .dimension = dimension::length,

@@ -35,7 +35,7 @@ inline constexpr Word displacement_word{
 inline constexpr std::string_view auto_face[] = {"auto"};
 inline constexpr Word face_word{
     .key = "face", .takes = Takes::quantity, .dimension = dimension::length, .bounds = bounds::non_negative, .instead = auto_face,
-    .otherwise = "0 m: frames are drawn by their faces", .since = "0.2.0",
+    .otherwise = "0 m: frames are drawn by their faces", .since = "0.3.0",
     .meaning = "Distance from the axes by which a frame is drawn to its face, where it is hit; gaps are measured between faces. auto: half the "
                "depth of the outer columns, the deepest of those in line with the floor or column that is hit, in all storeys.",
     .example = "auto"};
