@@ -305,7 +305,8 @@ std::vector<std::string> implausible_drifts(const Model& model, std::span<const 
   std::vector<Doubt> doubts;
   for (std::size_t k = 0; k < drifts.size(); ++k) {
     const Structure& s = model.structures[k];
-    const std::vector<double> heights = storey_heights(s);
+    // Members that may turn by large angles are meant to.
+    const std::vector<double> heights = s.forces.turned ? std::vector<double>{} : storey_heights(s);
     // Isolators move far by design, and where they stand under a frame its lowest floor moves with them.
     std::size_t worst = is_isolated(s) ? 1 : 0;
     for (std::size_t i = worst + 1; i < std::min(heights.size(), drifts[k].size()); ++i)

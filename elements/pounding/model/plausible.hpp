@@ -49,7 +49,8 @@ std::vector<std::string> implausible(const Model& model);
 /// Warnings about a run of it: whether anything moved, and the peak penetrations of its links [m].
 std::vector<std::string> implausible(const Model& model, bool moved, std::span<const double> penetrations);
 
-/// Warnings about the largest drifts of the storeys [structure][storey] in a run [m]. Storeys without heights are left out.
+/// Warnings about the largest drifts of the storeys [structure][storey] in a run [m]. Storeys without heights, and of
+/// members that may turn by large angles, are left out.
 std::vector<std::string> implausible_drifts(const Model& model, std::span<const std::vector<double>> drifts);
 
 }  // namespace pounding
