@@ -129,9 +129,9 @@ TEST(HingeInput, APartHasTheLengthOfItsMember) {
 
 TEST(HingeInput, RefusesTwoMeaningsOfHardening) {
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, hardening: 0.1, spring_hardening: 0.1}}}",
-          "74: hinges.beams.bouc_wen.spring_hardening: give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
+          "72: hinges.beams.bouc_wen.spring_hardening: give hardening, the ratio of the member end, or spring_hardening, that of the bare spring, not both");
   refused("{beams: {at: both, bouc_wen: {yield_moment: 1, spring_hardening: 1}}}",
-          R"(66: hinges.beams.bouc_wen.spring_hardening: takes a number in [0, 1) such as "0.05"; "1" is outside)");
+          R"(74: hinges.beams.bouc_wen.spring_hardening: takes a number in [0, 1) such as "5 %"; "1" is outside)");
 }
 
 TEST(HingeInput, RefusesWhatIsWrong) {

@@ -50,7 +50,7 @@ analysis: {duration: 1}
                                        ("peak_oriented: {yield_moment: 200 kN m, hardening: 3 %, stiffness_factor: 2}", of_member * 2 / 3, 0.03),
                                        ("bouc_wen: {yield_moment: 200 kN m, spring_hardening: 3 %}", of_member * 10 / 11, 0.03 * 11 / 1.3)):
             with self.subTest(hinges=hinges):
-                self.write(self.PORTAL.replace("HINGES", f"{{columns: {{at: both, {hinges}}}}}"))
+                self.write(self.PORTAL.replace("HINGES", f"columns: {{at: both, {hinges}}}"))
                 done = self.pounding("check", "model.yaml", "--json")
                 one = json.loads(done.stdout)["yielding"]["portal"]["parts"][0]
                 self.assertAlmostEqual(one["end_stiffness"] / elastic, 1, delta=1e-9)
