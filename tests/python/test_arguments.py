@@ -1,6 +1,7 @@
 """Wrong values for every argument of the public functions: each ends in InputError, or another ValueError, with a message of a line or some."""
 
 import math
+import os
 import tempfile
 import unittest
 import warnings
@@ -52,6 +53,9 @@ class WrongArguments(unittest.TestCase):
         made = tempfile.TemporaryDirectory()
         cls.addClassCleanup(made.cleanup)
         cls.folder = Path(made.name)
+        # Some wrong values are names of files.
+        cls.addClassCleanup(os.chdir, os.getcwd())
+        os.chdir(cls.folder)
         (cls.folder / "model.yaml").write_text(MODEL)
         (cls.folder / "record.csv").write_text("# time (s), acceleration (m/s^2)\n" + "".join(f"{0.01 * i}, {math.sin(0.3 * i)}\n" for i in range(200)))
         cls.run_ = pounding.run(str(cls.folder / "model.yaml"), output=str(cls.folder / "out.h5"))

@@ -158,8 +158,8 @@ void require_digits_of_storeys(const std::vector<double>& stiffnesses) {
   if (stiffnesses.empty()) return;
   const auto [softest, stiffest] = std::ranges::minmax(stiffnesses);
   if (stiffest > largest_ratio * softest)
-    throw std::invalid_argument(fmt::format("stiffness: storeys of {:.3g} and {:.3g} N/m differ by more than {:g} times, and the motion of the soft one is round-off; look "
-                                            "at the unit, or type at most {:.3g} N/m for the stiff one",
+    throw std::invalid_argument(fmt::format("stiffness: storeys of {:.3g} and {:.3g} N/m differ by more than {:g} times, and the motion of the soft one "
+                                            "is round-off; look at the unit, or type at most {:.3g} N/m for the stiff one",
                                             softest, stiffest, largest_ratio, largest_ratio * softest));
 }
 
