@@ -130,6 +130,13 @@ class Cuts(unittest.TestCase):
         found = self.plan({"factors": factors, "records": {"files": ["a.csv", "b.csv", "c.csv"]}}).warnings
         self.assertRegex(found[0], CUT.format(1, 2, 3, 75))
 
+    def test_factors_of_the_motion_count(self):
+        motion = "{synthetic: {seed: 1, duration: 2 s, pga: 0.1 g, soil: firm}}"
+        of = lambda path, *values: {"factors": {"f": {"of": path, "list": list(values)}}}
+        self.assertEqual(self.plan(of("ground_motion.synthetic.duration", "1 s", "2 s"), motion=motion).warnings, ())
+        self.assertRegex(self.plan(of("ground_motion.synthetic.duration", "1 s", "8 s"), motion=motion).warnings[0], CUT.format(2, 1, 1, ".*"))
+        self.assertRegex(self.plan(of("ground_motion.record", "a.csv", "c.csv"), motion="{record: a.csv}").warnings[0], CUT.format(2, 1, 1, 50))
+
     def test_artificial_records_and_late_supports_are_cut(self):
         synthetic = {"records": {"synthetic": {"count": 3, "duration": "6 s", "pga": "0.1 g"}}, "intensity": {"measure": "pga", "levels": ["0.1 g", "0.2 g"]}}
         self.assertRegex(self.plan(synthetic).warnings[0], CUT.format(2, 3, 3, ".*"))
