@@ -1,6 +1,7 @@
 """Records that analysis.duration cuts: run, study and separation warn with their number."""
 
 import json
+import math
 import subprocess
 import sys
 import tempfile
@@ -66,7 +67,8 @@ class Cuts(unittest.TestCase):
                                      ("{synthetic: {seed: 1, duration: 6 s, pga: 0.1 g}}", CUT.format(2, 1, 1, ".*")),
                                      ("{displacement: {record: d.csv}}", CUT.format(2, 1, 1, ".*"))):
                 if "d.csv" in motion:
-                    write_record(self.folder / "d.csv", 4, "disp (mm)", 3)
+                    lines = (f"{0.01 * i:.2f},{15 * (1 - math.cos(0.06 * i)):.6f}\n" for i in range(401))
+                    (self.folder / "d.csv").write_text("time,disp (mm)\n" + "".join(lines))
                 found = self.doubts(motion)
                 self.assertEqual(len(found), 1 if expected else 0, (motion, found))
                 if expected:
