@@ -49,6 +49,12 @@ TEST(LevelFloors, AreOnePairWithinTheDepthOfTheDeeperBeam) {
   EXPECT_EQ(names(pair(0.55, "floors: any")), (Names{"a.1-b@3.2m", "a@3.75m-b.1", "a.2-b@6.4m", "a@6.95m-b.2", "a.3-b@9.6m"}));
 }
 
+TEST(LevelFloors, AreNotPairedByBeamsThatIdealiseRigidFloors) {
+  EXPECT_EQ(names(pair(0.04, "floors: any", "[a, b]", 10)), level);
+  EXPECT_EQ(names(pair(1, "floors: any", "[a, b]", 10)).size(), 5u) << "1 m apart, and a beam of 10 m";
+  EXPECT_EQ(names(pair(1, "floors: any", "[a, b]", 1.1)), level);
+}
+
 TEST(LevelFloors, AreThoseOfAGivenDifference) {
   EXPECT_EQ(names(pair(0.55, "floors: any, level_within: 0.6 m")), level);
   EXPECT_EQ(names(pair(0.55, "floors: any, level_within: 0.6 m", "neighbours")), level);
