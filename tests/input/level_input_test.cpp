@@ -64,6 +64,9 @@ TEST(LevelFloors, AreThoseOfAGivenDifference) {
   refused(pair(0.01, "floors: level, level_within: 5 mm"),
           "4:19: links[0].between: no floor of a is level with one of b; type floors: any to let floors hit the columns");
   refused(pair(0, "floors: any, level_within: -1 mm"), "4:54: links[0].level_within: takes a length >= 0 such as \"20 mm\"; \"-1 mm\" is outside");
+  const std::vector<std::string> doubts = implausible(model_of(pair(0, "floors: any, level_within: 50")));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0], "links[0].level_within: 50 is above 2 m; a bare length is in m, type its unit, as in 50 mm (where it is meant: accept: [height])");
 }
 
 // A floor belongs to one pair: the nearest two are paired, the other one hits the column.
