@@ -49,6 +49,12 @@ TEST(LevelFloors, AreOnePairWithinTheDepthOfTheDeeperBeam) {
   EXPECT_EQ(names(pair(0.55, "floors: any")), (Names{"a.1-b@3.2m", "a@3.75m-b.1", "a.2-b@6.4m", "a@6.95m-b.2", "a.3-b@9.6m"}));
 }
 
+TEST(LevelFloors, AreNotPairedByBeamsThatIdealiseRigidFloors) {
+  EXPECT_EQ(names(pair(0.04, "floors: any", "[a, b]", 10)), level);
+  EXPECT_EQ(names(pair(1, "floors: any", "[a, b]", 10)).size(), 5u) << "1 m apart, and a beam of 10 m";
+  EXPECT_EQ(names(pair(1, "floors: any", "[a, b]", 1.1)), level);
+}
+
 TEST(LevelFloors, AreThoseOfAGivenDifference) {
   EXPECT_EQ(names(pair(0.55, "floors: any, level_within: 0.6 m")), level);
   EXPECT_EQ(names(pair(0.55, "floors: any, level_within: 0.6 m", "neighbours")), level);
@@ -58,6 +64,9 @@ TEST(LevelFloors, AreThoseOfAGivenDifference) {
   refused(pair(0.01, "floors: level, level_within: 5 mm"),
           "4:19: links[0].between: no floor of a is level with one of b; type floors: any to let floors hit the columns");
   refused(pair(0, "floors: any, level_within: -1 mm"), "4:54: links[0].level_within: takes a length >= 0 such as \"20 mm\"; \"-1 mm\" is outside");
+  const std::vector<std::string> doubts = implausible(model_of(pair(0, "floors: any, level_within: 50")));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0], "links[0].level_within: 50 is above 2 m; a bare length is in m, type its unit, as in 50 mm (where it is meant: accept: [height])");
 }
 
 // A floor belongs to one pair: the nearest two are paired, the other one hits the column.

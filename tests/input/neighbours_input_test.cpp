@@ -199,6 +199,9 @@ TEST(LinksOfNeighbours, SayWhatIsWrong) {
   refused(linked(near, "between: [a.1, b.1], within: 1 m"), "5:27: links[0].within: belongs to between: neighbours; leave it out");
   refused(linked(near, "between: neighbours, within: 10 mm"),
           "5:15: links[0].between: no two frames are near enough; a and b are 20 mm apart: type within: 20 mm, or move one by its origin");
+  refused(linked(house("a", "0, 0") + house("b", "6.42, 0"), "between: neighbours, within: 10 mm"),
+          "5:15: links[0].between: no two frames are near enough; a and b are 420 mm apart: if they are drawn by the axes of their columns, type face: auto "
+          "in a and b, which leaves 20 mm between faces; if by their faces, type within: 420 mm, or move one by its origin");
   refused(linked(house("a", "0, 0") + house("b", "9, 9")), "5:15: links[0].between: no two frames face each other in plan; move one by its origin");
   refused(linked(house("a", "0, 0") + "  w: {wall: {}}\n"),
           "5:15: links[0].between: neighbours are found among frames, which have a place in plan, and there is one alone; name the two structures, as in "

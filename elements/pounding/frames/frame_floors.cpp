@@ -118,6 +118,9 @@ std::vector<bool> nodes_above(const Frame& frame, const FrameFloor& floor, doubl
   return above;
 }
 
+// Deeper beams idealise rigid floors: their depth says nothing about the height in which floors meet [m].
+constexpr double deepest_beam = 1.2;
+
 // Depth of the deepest beam that meets the nodes of each floor [m]; 0 for a floor without beams.
 std::vector<double> beam_depths(const FrameModel& model) {
   std::vector<int> floor_of_node(model.frame.nodes(), -1);
@@ -127,9 +130,10 @@ std::vector<double> beam_depths(const FrameModel& model) {
   for (int member = 0; member < model.frame.members(); ++member) {
     const Beam& beam = model.frame.beam(member);
     if (beam.is_truss() || is_upright(beam)) continue;
+    const double depth = extent(beam.section(), beam.axes(), Vector3d::UnitZ());
+    if (depth > deepest_beam) continue;
     for (const int node : model.frame.ends(member))
-      if (const int floor = floor_of_node[node]; floor >= 0)
-        depths[floor] = std::max(depths[floor], extent(beam.section(), beam.axes(), Vector3d::UnitZ()));
+      if (const int floor = floor_of_node[node]; floor >= 0) depths[floor] = std::max(depths[floor], depth);
   }
   return depths;
 }

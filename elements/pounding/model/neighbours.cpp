@@ -61,15 +61,19 @@ struct Facing {
   double distance;
 };
 
-// From the outermost axis on a side to the face there [m]; links refuse what has none.
-double face_of(const Placed& s, int axis, bool is_low) {
-  if (!s.drawn->face) return 0;
-  if (!s.drawn->face->by_columns) return s.drawn->face->distance;
+// From the outermost axis on a side to the surface of the columns there [m]; links refuse what has none.
+double reach_of_columns(const Placed& s, int axis, bool is_low) {
   Eigen::Vector3d outermost = Eigen::Vector3d::Zero();
   outermost[axis] = is_low ? s.along[axis].low : s.along[axis].high;
   const Side side = axis == 0 ? (is_low ? Side::minus_x : Side::plus_x) : (is_low ? Side::minus_y : Side::plus_y);
   const auto found = s.drawn->surface->column_face(outermost, side);
   return found ? found->distance : 0;
+}
+
+// From the outermost axis on a side to the face there [m].
+double face_of(const Placed& s, int axis, bool is_low) {
+  if (!s.drawn->face) return 0;
+  return s.drawn->face->by_columns ? reach_of_columns(s, axis, is_low) : s.drawn->face->distance;
 }
 
 // Distance between the faces of two whose axes are this far apart along x or y.
@@ -110,23 +114,39 @@ bool is_hidden(const Placed& a, const Placed& b, int axis, const std::vector<Pla
   return std::ranges::any_of(all, [&](const Placed& c) { return &c != &a && &c != &b && is_between(c, a, b, axis); });
 }
 
+// The advice to a drawing by axes, for two that have this distance; else empty.
+std::string cause_by_axes(const Placed& a, const Placed& b, const Facing& found) {
+  if (found.distance < narrowest_between_axes) return {};
+  const bool in_order = a.along[found.axis].middle() <= b.along[found.axis].middle();
+  double reach = 0;
+  std::vector<std::string> names;
+  for (const auto& [s, is_low] : {std::pair(&a, !in_order), std::pair(&b, in_order)}) {
+    const double half = s->drawn->face ? 0 : reach_of_columns(*s, found.axis, is_low);
+    if (half > 0) names.push_back(s->drawn->name);
+    reach += half;
+  }
+  if (names.empty() || reach > found.distance) return {};
+  return fmt::format("if they are drawn by the axes of their columns, type face: auto in {}, which leaves {} between faces; if by their faces, ",
+                     fmt::join(names, " and "), format_quantity(found.distance - reach, dimension::length, 6));
+}
+
 std::string refuse_none(const Model& model, const std::vector<Placed>& all) {
   if (all.size() < 2)
     return fmt::format("neighbours are found among frames, which have a place in plan, and there {}; name the two structures, as in "
                        "between: [left, right]",
                        all.empty() ? "is none" : "is one alone");
   const Placed *first = nullptr, *second = nullptr;
-  double nearest = std::numeric_limits<double>::infinity();
+  Facing nearest{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j)
-      if (const auto found = facing(all[i], all[j]); found && found->distance < nearest) {
-        nearest = found->distance;
+      if (const auto found = facing(all[i], all[j]); found && found->distance < nearest.distance) {
+        nearest = *found;
         first = &all[i], second = &all[j];
       }
   if (!first) return "no two frames face each other in plan; move one by its origin";
-  const std::string distance = format_quantity(nearest, dimension::length, 6);
-  return fmt::format("no two frames are near enough; {} and {} are {} apart: type within: {}, or move one by its origin",
-                     model.structures[first->structure].name, model.structures[second->structure].name, distance, distance);
+  const std::string distance = format_quantity(nearest.distance, dimension::length, 6);
+  return fmt::format("no two frames are near enough; {} and {} are {} apart: {}type within: {}, or move one by its origin",
+                     model.structures[first->structure].name, model.structures[second->structure].name, distance, cause_by_axes(*first, *second, nearest), distance);
 }
 
 // Two floors whose edges pass each other, or that are set back, have nothing to hit.

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -107,6 +110,23 @@ std::vector<std::vector<YieldingFacts>> alike(const std::vector<YieldingFacts>& 
   return groups;
 }
 
+// Tangents of the ends of members, one line for all hinges with the same one: their moments at rest do not matter here.
+std::string tangents_of(const std::vector<YieldingFacts>& facts) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> lines;
+  for (const YieldingFacts& one : facts) {
+    if (!one.is_hinge) continue;
+    const std::string keeps = fmt::format("after yielding at both ends in double curvature the end of the member keeps {:.4g} MN m/rad, {:.3g} % of {:.4g} MN m/rad",
+                                          one.end_tangent / 1e6, 100 * one.end_tangent / one.end_stiffness, one.end_stiffness / 1e6);
+    auto known = std::ranges::find(lines, keeps, &std::pair<std::string, std::vector<std::string>>::first);
+    if (known == lines.end()) known = lines.insert(lines.end(), {keeps, {}});
+    known->second.push_back(one.name);
+  }
+  std::string text;
+  for (const auto& [keeps, names] : lines)
+    text += fmt::format("{}{}: {}\n", names.front(), names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : "", keeps);
+  return text;
+}
+
 std::string table_of(const Structure& s) {
   const std::vector<YieldingFacts> facts = yielding_facts(s);
   if (facts.empty()) return {};
@@ -123,10 +143,7 @@ std::string table_of(const Structure& s) {
     text += fmt::format("{:<14}  {:>12.5g}  {:>12.4g}  {:>12.5g}  {:>7.4g}  {:>8}  {}\n", one.law, one.force / 1e3, 1e3 * one.deformation,
                         one.stiffness / 1e6, one.hardening, std::isnan(last) ? "-" : fmt::format("{:.3g}", last), names);
   }
-  for (const std::vector<YieldingFacts>& group : alike(facts))
-    if (const YieldingFacts& one = group.front(); one.is_hinge)
-      text += fmt::format("{}: after yielding at both ends in double curvature the end of the member keeps {:.4g} MN m/rad, {:.3g} % of {:.4g} MN m/rad\n",
-                          one.name, one.end_tangent / 1e6, 100 * one.end_tangent / one.end_stiffness, one.end_stiffness / 1e6);
+  text += tangents_of(facts);
   const std::vector<StoreyMechanism> mechanisms = storey_mechanisms(s);
   const auto sways = [](const StoreyMechanism& one) { return one.elastic.empty(); };
   for (const StoreyMechanism& one : mechanisms)
