@@ -406,6 +406,11 @@ void bind_models(py::module_& module) {
   module.def("find_record", [](const std::string& name, const std::string& folder) { return find_record(name, folder).string(); }, "name"_a, "folder"_a);
   module.def("read_record", [](const std::string& path) { return py::bytes(read_text_of_record(path)); }, "path"_a);
   module.def("run_alone", &run_alone);
+  module.def("given_options", [] {
+    const PetscForThisThread mine;
+    start_petsc();
+    return petsc::Environment::given_options();
+  }, py::call_guard<py::gil_scoped_release>());
   module.def("refuse", &refuse, "text"_a);
   module.def("end_petsc", &end_petsc, "failed"_a);
 }

@@ -30,7 +30,7 @@ def pushover(model: Model | str | PathLike[str], structure: str = "", *, to: str
 
     Raises InputError for what cannot be pushed so; SolverError, with the results until then, for a structure that collapses."""
     model = as_model(model)
-    steps = cyclic if isinstance(cyclic, str) else ", ".join(map(_length, arguments.listed(quantity)("cyclic", cyclic)))
+    steps = arguments.text("cyclic", cyclic) if isinstance(cyclic, str) else ", ".join(map(_length, arguments.listed(quantity)("cyclic", cyclic)))
     words = (direction, "" if to is None else _length(to), steps, fspath(output))
     if isinstance(load, (str, PathLike)):
         pushed = core.pushover(model._source(), structure, fspath(arguments.file("load", load)), *words)

@@ -63,13 +63,26 @@ def text(name: str, value: Any) -> str:
     """A text."""
     if not isinstance(value, str):
         raise refuse(name, "a text", value)
+    if not is_encodable(value):
+        raise refuse(name, "a text in UTF-8", value)
     return value
+
+
+def is_encodable(value: str) -> bool:
+    """False for a text with half of a surrogate pair, as Python reads a file name that is not UTF-8."""
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def file(name: str, value: Any) -> Any:
     """The name of a file: a text or a path."""
     if not isinstance(value, (str, PathLike)) or not isinstance(path := fspath(value), str) or "\0" in path or len(path) > LONGEST_PATH:
         raise refuse(name, f"the name of a file of at most {LONGEST_PATH} characters", value)
+    if not is_encodable(path):
+        raise refuse(name, "the name of a file in UTF-8", value)
     return value
 
 
@@ -108,7 +121,7 @@ def whole(least: int, most: int | None = None) -> Kind:
 def quantity(name: str, value: Any) -> float | str:
     """A finite number in SI, or a text with its unit. Readers of quantities check the text."""
     if isinstance(value, str):
-        return value
+        return text(name, value)
     found = _real(value)
     if found is None or not math.isfinite(found):
         raise refuse(name, 'a finite number in SI or a text with its unit such as "20 mm"', value)
@@ -158,6 +171,14 @@ def listed(kind: Kind, expected: str = "a list") -> Kind:
     return check
 
 
+def files(name: str, value: Any) -> list[Any]:
+    """Names of files, from any iterable."""
+    expected = "a list of names of files"
+    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable) or (isinstance(value, np.ndarray) and value.ndim == 0):
+        raise refuse(name, expected, value)
+    return listed(file, expected)(name, list(value))
+
+
 def one_of(words: Iterable[str]) -> Kind:
     """One of these texts."""
     known = tuple(words)
@@ -168,6 +189,14 @@ def one_of(words: Iterable[str]) -> Kind:
         return value
 
     return check
+
+
+def options_of(function: Callable[..., Any], given: Mapping[str, Any], skipped: int = 0) -> None:
+    """Raises InputError if a function does not take these keywords, or needs others, after `skipped` arguments by position."""
+    try:
+        inspect.signature(function).bind(*[None] * skipped, **given)
+    except TypeError as error:
+        raise InputError(f"{function.__name__.strip('_')}: {error}") from None
 
 
 def size(name: str, value: Any) -> tuple[float, float]:

@@ -224,7 +224,7 @@ class Laws(Mapping[str, LawKind]):
     def __getitem__(self, name: str) -> LawKind:
         if not isinstance(name, str):
             raise arguments.refuse("laws[...]", "the name of a law", name)
-        if name not in self._kinds:
+        if arguments.text("laws[...]", name) not in self._kinds:
             raise InputError(f"unknown law {excerpt(name)}." + core.law_hint(name))
         return self._kinds[name]
 

@@ -2,35 +2,64 @@
 
 from __future__ import annotations
 
+import io
 import os
 import sys
 from collections.abc import Callable
+from typing import Any, TextIO, cast
 
 from pounding.errors import InputError, SolverError
 
 
 def exit_code(main: Callable[[], int]) -> int:
-    """Runs a command. Returns its code: 0 done, 2 bad input or output that cannot be written, 3 anything else; 130 after Ctrl-C.
+    """Runs a command. Returns its code: 0 done, 2 bad input or output that cannot be written, 3 anything else, Ctrl-C included.
 
     Every exception is one line on standard error. A closed pipe, as by `head`, is no error."""
-    # Names of files need not be UTF-8.
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="backslashreplace")
-    code, text = _ended(main)
+    before = sys.stdout, sys.stderr
+    output, errors = _Stream(sys.stdout), _Stream(sys.stderr)
+    sys.stdout, sys.stderr = cast(Any, output), cast(Any, errors)
     try:
+        code, text = _ended(main)
         if text:
             print(f"pounding: {text}", file=sys.stderr)
-        if sys.stdout is not None:  # None where the caller has closed it
-            sys.stdout.flush()
-    except BrokenPipeError:
-        # Python flushes again at its end.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        print(f"pounding: what was printed could not be written: {error.strerror}", file=sys.stderr)
-        return code or 2
-    return code
+        output.flush()
+        if output.error is not None and not isinstance(output.error, BrokenPipeError):
+            print(f"pounding: what was printed could not be written: {output.error.strerror}", file=sys.stderr)
+            code = code or 2
+        errors.flush()
+        return code
+    finally:
+        sys.stdout, sys.stderr = before
+
+
+class _Stream:
+    """A standard stream. What it cannot print ends no command: the first error is kept. None where the caller has closed it."""
+
+    def __init__(self, stream: TextIO | None) -> None:
+        self._stream = stream
+        self.error: OSError | None = None
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # names of files need not be UTF-8
+
+    def write(self, text: str) -> int:
+        self._try(lambda stream: stream.write(text))
+        return len(text)
+
+    def flush(self) -> None:
+        self._try(lambda stream: stream.flush())
+
+    def _try(self, act: Callable[[TextIO], object]) -> None:
+        if self._stream is None or self.error is not None:
+            return
+        try:
+            act(self._stream)
+        except OSError as error:
+            self.error = error
+            # Python flushes again at its end.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), self._stream.fileno())
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
 
 
 def _ended(main: Callable[[], int]) -> tuple[int, str]:
@@ -48,7 +77,7 @@ def _ended(main: Callable[[], int]) -> tuple[int, str]:
     except MemoryError:
         return 3, "out of memory"
     except KeyboardInterrupt:
-        return 130, "stopped"
+        return 3, "stopped"
     except OSError as error:
         return 2, str(error)
     except Exception as error:

@@ -106,7 +106,8 @@ def _frame(name: str, words: Any) -> dict[str, Any]:
 
 def _face(name: str, words: Mapping[str, Any]) -> float:
     """Distance from the axes of a frame to its faces [m]; its key lies next to the frame or inside."""
-    face = words.get("face", _frame(name, words).get("face", 0.0))
+    frame = _frame(name, words)
+    face = words.get("face", frame.get("face", 0.0))
     if face == "auto":
         raise InputError(f'structures.{name}.face: a row needs the distance from the axes to the faces; type "0.3 m" instead of auto')
     return _metres(face, f"structures.{name}.face")

@@ -96,7 +96,7 @@ def _words(options: Mapping[str, Any] | None) -> list[str]:
         if value is not True:
             if not isinstance(value, (str, PathLike, Real)) or str(value) in ("", "nan"):
                 raise arguments.refuse(f"options[{name!r}]", "a number, a text, or True for an option without a value", value)
-            words.append(str(value))
+            words.append(arguments.text(f"options[{name!r}]", str(value)))
     return words
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from pounding.arguments import is_encodable
 from pounding.errors import InputError, excerpt
 
 #: A line of the text is no longer than this unless one value is.
@@ -39,9 +40,11 @@ def plain(value: Any, place: str = "", depth: int = 0) -> Any:
     if isinstance(value, (int, float)):
         return repr(value)
     if isinstance(value, PathLike) and isinstance(path := fspath(value), str):
-        return path
-    if isinstance(value, str) or value is None:
+        value = path
+    if value is None or isinstance(value, str) and is_encodable(value):
         return value
+    if isinstance(value, str):
+        raise InputError(f"{place}: takes texts in UTF-8; {excerpt(value)} was given")
     raise InputError(f"{place}: takes numbers, texts, lists and dicts; {excerpt(value)} was given")
 
 

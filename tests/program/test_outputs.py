@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 import h5py
 from support import OSCILLATORS, PROGRAM, ProgramTest
@@ -123,6 +124,25 @@ class ExitCodes(ProgramTest):
         done = subprocess.run(["bash", "-c", f"{PROGRAM} run model.yaml -o out.h5 >&- 2>&- <&-"], cwd=self.folder, timeout=60)
         self.assertEqual(done.returncode, 2)
         self.assertEqual(self.pounding("export", "out.h5").returncode, 0, "the results are whole")
+
+    def test_of_commands_of_python_are_those_of_the_program(self):
+        """What cannot be printed, as a warning, is no part of the work; a full disk of the screen is not that of the table."""
+        self.write(OSCILLATORS)
+        self.assertEqual(self.pounding("run", "model.yaml", "-q", "-o", "out.h5").returncode, 0)
+        # The bare limit has a warning.
+        self.write(OSCILLATORS + "study: {factors: {gap: {of: links.*.gap, list: [20 mm]}}, keep: [drift], limits: {drift: 0.004}}\n", "study.yaml")
+        commands = ["export out.h5"]
+        # Studies need the compiled part of the package.
+        if list(Path(PROGRAM).resolve().parent.glob("python/pounding/_core*")):
+            commands += ["study study.yaml -j 0", "study check study.yaml", "separation model.yaml -j 0"]
+        for words in commands:
+            for streams, right in (("2>&1 | true", 0), ("2>&-", 0), ("2>/dev/full", 0), (">/dev/full", 2), (">&-", 2)):
+                with self.subTest(words=words, streams=streams):
+                    (self.folder / "study.h5").unlink(missing_ok=True)
+                    done = subprocess.run(["bash", "-c", f'{PROGRAM} {words} {streams}; exit "${{PIPESTATUS[0]}}"'], cwd=self.folder, capture_output=True, text=True,
+                                          timeout=60)
+                    self.assertEqual(done.returncode, right, done.stderr)
+                    self.assertEqual("what was printed could not be written" in done.stderr, right == 2, done.stderr)
 
     def test_what_cannot_be_printed_is_two(self):
         self.write(OSCILLATORS)

@@ -13,6 +13,7 @@ import pounding
 from pounding import plan
 from pounding.errors import LONGEST_MESSAGE
 from pounding.spectra import spectra_figure
+from pounding.studies.separation import separation
 
 MODEL = """\
 ground_motion: {harmonic: {amplitude: 3.0, period: 0.6, duration: 0.6}}
@@ -38,11 +39,11 @@ class Broken:
 
 LOOP = []
 LOOP.append(LOOP)
-WRONG = (None, math.nan, math.inf, -math.inf, -1, -1.5, 0, 10**400, 1e300, "", "nonsense", "\0", "x" * 1_000_000, b"bytes", b"x" * 1_000_000, True, 1j, {},
+WRONG = (None, math.nan, math.inf, -math.inf, -1, -1.5, 0, 10**400, 1e300, "", "nonsense", "\0", "\ud800", "x" * 1_000_000, b"bytes", b"x" * 1_000_000, True, 1j, {},
          {"a": 1}, {1: 2}, {"x" * 1_000_000: 1}, [], [None], [math.nan], [1, "a"], [[1], [1, 2]], list(range(100_000)), LOOP, Broken(), (), set(),
          np.array([[1.0]]), np.array(["a"]), np.array([1j]), np.datetime64("2020-01-01"), lambda *_: None, Ellipsis, range(3))
 #: For functions that take long where a value is right.
-FEW = (math.nan, -1.5, 10**400, "nonsense", b"bytes", 1j, {"a": 1}, [None], [[1], [1, 2]], Broken())
+FEW = (math.nan, -1.5, 10**400, "nonsense", "\ud800", b"bytes", 1j, {"a": 1}, [None], [[1], [1, 2]], Broken())
 FRAME = {"frame": {"grid": {"storeys": 2, "bays": 2, "storey_height": "3 m", "bay_width": "6 m"}}}
 
 
@@ -150,6 +151,34 @@ class WrongArguments(unittest.TestCase):
         self.refuses(curve.band, gap=0.001, confidence=0.9)
         self.refuses(curve.percentile, percent=84, confidence=0.9)
         self.refuses(curve.ratio, rule="abs")
+
+    def test_of_a_study_that_runs(self):
+        model = pounding.Model.from_yaml(MODEL)
+        factors = {"gap": {"of": "links.*.gap", "list": ["1 mm"]}}
+        self.refuses(pounding.study, values=(*FEW, LOOP, np.array(1j)), model=model, factors=factors, records=None, intensity=None, keep=["force"], sampling=None,
+                     without_links=False, limits=None, seed=1, stop_after="5 %", output=None, workers=0, executor=None, chunk=None, progress=False)
+        self.refuses(pounding.sweep, values=(*FEW, LOOP, np.array(1j)), model=model, factors={"links.*.gap": ["1 mm"]}, records=None, keep=["force"], workers=0)
+        for function in (lambda value: pounding.sweep(model, {"links.*.gap": value}), lambda value: pounding.sweep(model, {"links.*.gap": [value]}),
+                         lambda value: pounding.sweep(model, {"links.*.gap": ["1 mm"]}, records=[value])):
+            self.refuses(function, values=(*FEW, LOOP, np.array(1j)), value="1 mm")
+        self.refuses(separation, values=FEW, model=str(self.folder / "model.yaml"), records=None, workers=0)
+        self.refuses(self.study.to_csv, allowed=(OSError,), values=FEW, path=str(self.folder / "rows.csv"))
+        self.refuses(type(self.study).open, allowed=(OSError,), values=FEW, path=str(self.folder / "missing.h5"))
+        self.refuses(lambda across: self.study.plot("map", "force", across=across), across="gap")
+        self.refuses(lambda size: self.study.plot("gap", size=size), values=FEW, size=(5, 3))
+        self.refuses(lambda value: self.study.plot("tornado", "force", limit=value), value=1)
+
+    def test_that_are_right_run(self):
+        record = self.folder / "record.csv"
+        model = pounding.Model.from_file(self.folder / "model.yaml")
+        for gaps in (["1 mm", "2 mm"], (1e-3, 2e-3), np.array([1e-3, 2e-3]), [np.float32(1e-3), 1]):
+            self.assertEqual(len(pounding.sweep(model, {"links.*.gap": gaps}, keep=("force",), workers=np.int64(0))), 2)
+        for records in ([record], (str(record),), self.folder.glob("record.csv")):
+            study = pounding.sweep(model=self.folder / "model.yaml", factors={"links.*.gap": [1e-3]}, records=records)
+            self.assertEqual(study.records["name"], ["record.csv"])
+        study = pounding.study(model, {"gap": {"of": "links.*.gap", "list": [1, 2]}}, stop_after=1, seed=np.int64(2), output=self.folder / "table.h5", workers=0,
+                               progress=lambda *_: None)
+        self.assertEqual(study.finished.sum(), 2)
 
     def test_of_plans(self):
         self.refuses(plan.extent, structures={"a": FRAME})

@@ -3,6 +3,7 @@
 import contextlib
 import csv
 import io
+import json
 import os
 import resource
 import signal
@@ -79,6 +80,27 @@ class Files(unittest.TestCase):
 
 
 class Names(Files):
+    def test_options_of_petsc_are_in_the_table_and_its_plan(self):
+        (self.folder / "options").write_text("-pounding_ts_rtol 1e-2\n")
+        text = (self.folder / "study.yaml").read_text() + "  engine: solver\n"
+        (self.folder / "solver.yaml").write_text(text)
+        done = self.study("solver.yaml", "-j", "2", env=os.environ | {"PETSC_OPTIONS": "-options_file options"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("options of PETSc for rows of the solver: -pounding_ts_rtol 1e-2\n", done.stdout)
+        done = self.study("show", "solver.h5", "--json")
+        self.assertEqual(json.loads(done.stdout)["options"], ["-pounding_ts_rtol 1e-2"])
+        self.refused("another plan: options is not the same", "solver.yaml")
+        # Those that change no row are no part of the plan.
+        done = self.study("solver.yaml", "-j", "0", env=os.environ | {"PETSC_OPTIONS": "-pounding_ts_rtol 1e-2 -malloc_debug 0"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_shard_is_not_named_after_a_device(self):
+        self.refused("not a regular file", "study.yaml", "-o", "/dev/null", "--shard", "1/2")
+
+    def test_an_empty_name_of_a_picture_is_refused(self):
+        self.assertEqual(self.study("study.yaml", "-j", "0", "-q").returncode, 0)
+        self.refused("the name of a picture ends in", "plot", "study.h5", "--picture", "tornado", "--column", "force", "-o", "")
+
     def test_that_a_run_refuses_are_refused_before_the_first_row(self):
         os.mkfifo(self.folder / "fifo.h5")
         (self.folder / "taken").mkdir()

@@ -101,7 +101,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 3
     except KeyboardInterrupt:
         print("pounding: stopped; rows that were finished are kept. Type the same command again to go on", file=sys.stderr)
-        return 130
+        return 3
 
 
 def _is_text(word: str) -> bool:
@@ -134,7 +134,7 @@ def _run(words: list[str]) -> int:
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     options = parser.parse_args(words)
     output = _table_name(options.study, options.output)
-    if options.shard == (1, 1):
+    if options.shard == (1, 1) or not output.is_file():
         destination(output, STUDY)
     if options.executor:
         # The start of PETSc would wait for the workers, which do something else.
@@ -266,7 +266,7 @@ def _plot(words: list[str]) -> int:
         if key not in chosen:
             raise InputError(f"--picture {options.picture} needs --{key}")
     figure = Study.open(options.table).plot(options.picture, options.column, **chosen)
-    return write_picture(figure, options.output or f"{Path(options.table).stem}-{options.picture}.png")
+    return write_picture(figure, f"{Path(options.table).stem}-{options.picture}.png" if options.output is None else options.output)
 
 
 def _export(words: list[str]) -> int:
@@ -352,6 +352,8 @@ def _told(done: Study) -> str:
         lines[0] += "; " + ", ".join(f"{count} by the {name}" for i, name in enumerate(done.engines) if (count := int((done["engine"] == i).sum())))
     columns = done.description["kept"]["columns"]
     lines += cross_check.told(done.check, np.column_stack([done[column] for column in columns]) if columns else np.empty((len(done), 0)), columns)
+    if options := done.description.get("options"):
+        lines.append(f"options of PETSc for rows of the solver: {' '.join(options)}")
     lines += [f"warning: {doubt}" for doubt in done.warnings]
     return "\n".join(lines)
 

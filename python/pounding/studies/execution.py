@@ -17,7 +17,7 @@ from statistics import median
 
 import numpy as np
 
-from pounding.errors import InputError, SolverError
+from pounding.errors import InputError, SolverError, excerpt
 from pounding.studies.cross_check import rows_to_check
 from pounding.studies.engines import COLLAPSED, DIED, DONE, ENGINES, EXCEEDED, FAILED, KERNEL, NOT_RUN, REFUSED, Batch, Done, nothing_of, run_batch, run_kernel
 from pounding.studies.plan import Plan
@@ -70,7 +70,7 @@ def run_rows(plan: Plan, table: Table, rows: np.ndarray, workers: int | None = N
 def require_count(name: str, value: int | None, least: int) -> None:
     """Raises InputError for a number of workers, or of rows of a chunk, that is none or beyond what a machine can start."""
     if value is not None and (not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least):
-        raise InputError(f"{name}: takes a whole number of at least {least}, or None; {value!r} was read")
+        raise InputError(f"{name}: takes a whole number of at least {least}, or None; {excerpt(value)} was read")
     if name == "workers" and value is not None and value > MOST_WORKERS:
         raise InputError(f"workers: takes at most {MOST_WORKERS}; {value} was read")
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pounding._native import core
-from pounding.arguments import number, one_of, takes
+from pounding.arguments import number, one_of, takes, text
 from pounding.errors import ImplausibleWarning, InputError
 from pounding.studies.quantities import bare_limit_doubt
 from pounding.studies.scipy_stats import stats
@@ -68,9 +68,10 @@ class GapCurve:
 
 def _metres(gap: float | str) -> float:
     """A gap [m]. Raises InputError for another unit, NaN and infinity; warns of a bare number that is usual in mm."""
+    gap = text("gap", gap) if isinstance(gap, str) else number()("gap", gap)
     if doubt := bare_limit_doubt("gap", gap, "m"):
         warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
-    return core.quantity(gap, "m") if isinstance(gap, str) else number()("gap", gap)
+    return core.quantity(gap, "m") if isinstance(gap, str) else gap
 
 
 def clopper_pearson(exceeded: float, count: int, confidence: float = 0.9) -> tuple[float, float]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pounding import arguments
 from pounding.errors import InputError
 from pounding.studies.indices import swings
 
@@ -32,6 +33,8 @@ def study_figure(study: Rows, picture: str, column: str | None = None, *, size: 
     from pounding.pictures.style import STYLE, Picture
 
     ways: dict[str, Callable[..., None]] = {"fragility": _fragility, "ida": _ida, "gap": _gap, "map": _map, "tornado": _tornado}
+    arguments.options_of(ways[picture], options, 3)
+    size = arguments.size("size", size)
     with rc_context(STYLE):
         figure: Figure = Picture(figsize=size, layout="constrained")
         ways[picture](figure.subplots(), study, column or "", **options)

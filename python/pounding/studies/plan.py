@@ -6,6 +6,7 @@ import copy
 import hashlib
 import json
 import math
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from os import PathLike
@@ -51,6 +52,7 @@ class Plan:
     text: str  #: the study as given
     warnings: tuple[str, ...] = field(default=(), compare=False)
     files: Files = field(default_factory=Files, compare=False, repr=False)  #: contents of all files that it names
+    options: tuple[str, ...] = ()  #: of PETSC_OPTIONS that change runs of the solver
 
     @property
     def levels(self) -> tuple[float, ...]:
@@ -105,7 +107,8 @@ class Plan:
                  "intensity": asdict(self.intensity) if self.intensity else None,
                  "kept": asdict(self.template.kept), "seed": self.seed, "engine": self.template.engine,
                  "version": core.version, "kernel": core.kernel_version}
-        return {**found, "files": self.files.digests(found)}
+        # Tables of studies without options stay as they are.
+        return {**found, **({"options": self.options} if self.options else {}), "files": self.files.digests(found)}
 
     def digest(self) -> str:
         """A checksum of the description, with contents of files in place of their names."""
@@ -212,7 +215,8 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
         raise InputError(f"study.stop_after: takes a share from 0 to 100 %, such as 5 %; {one['stop_after']} was read")
     template = Template(parts, model._file or "model", tuple(factors), tuple(motions), kept, engine,
                         files.named_by([parts, *(factor.labels for factor in factors)]))
-    plan = Plan(template, points, intensity, seed, stop, text or yaml_text.emit({"study": one}), (), files)
+    plan = Plan(template, points, intensity, seed, stop, text or yaml_text.emit({"study": one}), (), files,
+                tuple(core.given_options()) if os.environ.get("PETSC_OPTIONS") else ())
     if plan.count > MOST_ROWS:
         raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
     # A wrong unit or bound in the first row is told here, not by a thousand rows.

@@ -127,8 +127,7 @@ class Rows:
         """A limit of a column in SI: a number in the unit of the column, or a text with its own, such as "5 MN". Raises InputError; warns of a bare
         number that is usual in another unit (ImplausibleWarning)."""
         self[column]
-        if not isinstance(limit, str):
-            limit = number()(f"limit of {column}", limit)
+        limit = (arguments.text if isinstance(limit, str) else number())(f"limit of {column}", limit)
         unit = self.units.get(column, "")
         if doubt := bare_limit_doubt(f"limit of {column}", limit, unit, column):
             warnings.warn(doubt, ImplausibleWarning, stacklevel=3)

@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from pounding import arguments
+from pounding.arguments import takes
 from pounding.errors import ImplausibleWarning, InputError, SolverError
 from pounding.models import check
 from pounding.studies import words
@@ -57,13 +59,14 @@ def read_separation(path: str | PathLike[str], records: Sequence[str | PathLike[
     return plan
 
 
+@takes(model=arguments.file, records=arguments.optional(arguments.files), workers=arguments.optional(arguments.whole(0)))
 def separation(model: str | PathLike[str], records: Sequence[str | PathLike[str]] | None = None, workers: int | None = None) -> dict[str, Any]:
     """The gap that is just enough for every record, by the rules, and by the codes from the mean of the records [m]. A gap is None, and has no mean, if
     structures collapse without links: no gap is enough. Raises InputError, and SolverError where a record fails; emits the warnings of the plan
     (ImplausibleWarning)."""
     plan = read_separation(model, records)
     for doubt in plan.warnings:
-        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
     return run_separation(plan, workers)
 
 

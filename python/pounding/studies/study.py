@@ -15,7 +15,7 @@ import numpy as np
 from pounding import arguments, yaml_text
 from pounding.arguments import takes
 from pounding.checked_file import STUDY
-from pounding.errors import ImplausibleWarning, InputError
+from pounding.errors import ImplausibleWarning, InputError, excerpt
 from pounding.models import Model
 from pounding.outputs import destination
 from pounding.studies.engines import COMPLETE, run_batch
@@ -89,12 +89,14 @@ class Study(Rows):
 
         return to_xarray(self)
 
+    @takes(path=arguments.file)
     def to_csv(self, path: File) -> None:
         """Writes all rows as text: a line per row, names with units above. Raises InputError for a file that is no such table, OSError."""
         from pounding.studies.export import to_csv
 
         to_csv(self, path)
 
+    @takes(path=arguments.file)
     def to_parquet(self, path: File) -> None:
         """Writes all rows as Parquet, with units. Needs pyarrow. Raises as `to_csv`."""
         from pounding.studies.export import to_parquet
@@ -131,6 +133,25 @@ class Study(Rows):
         return dict(zip(self.plan.template.kept.columns, done.values.T))
 
 
+def _model(name: str, value: Any) -> Any:
+    """A model, or the name of its file."""
+    return value if isinstance(value, Model) else arguments.file(name, value)
+
+
+def _executor(name: str, value: Any) -> Any:
+    """An executor of concurrent.futures."""
+    if not callable(getattr(value, "submit", None)):
+        raise arguments.refuse(name, "an executor of concurrent.futures", value)
+    return value
+
+
+def _progress(name: str, value: Any) -> Any:
+    """True, False or a function."""
+    return value if callable(value) else arguments.flag(name, value)
+
+
+@takes(model=_model, stop_after=arguments.quantity, output=arguments.optional(arguments.file), executor=arguments.optional(_executor),
+       progress=arguments.optional(_progress))
 def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, records: Any = None, intensity: Mapping[str, Any] | None = None,
           keep: Sequence[str] | None = None, sampling: Any = None, without_links: bool = False, limits: Mapping[str, Any] | None = None,
           seed: int = 1, stop_after: float | str = "5 %", output: File | None = None, workers: int | None = None, executor: Executor | None = None,
@@ -162,20 +183,21 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
         plan = make_plan(model if read is None else read.model, {**given, "without_links": without_links, "seed": seed, "stop_after": str(stop_after)}, Path(),
                          store=records_folder(path or Path("study")))
     for doubt in plan.warnings:
-        warnings.warn(doubt, ImplausibleWarning, stacklevel=2)
+        warnings.warn(doubt, ImplausibleWarning, stacklevel=3)
     return run_plan(plan, path, workers=workers, executor=executor, chunk=chunk, progress=progress)
 
 
+@takes(model=_model, records=arguments.optional(arguments.files))
 def sweep(model: Model | File, factors: Mapping[str, Sequence[Any]], *, records: Sequence[File] | None = None, keep: Sequence[str] | None = None,
           workers: int = 0) -> Study:
     """All combinations of some values: `sweep(model, {"links.*.gap": ["10 mm", "20 mm"]})`, for every record. Runs in this process unless
     `workers` is given. Columns are called by the last word of their path, with its number where two are alike."""
     if not isinstance(factors, Mapping):
-        raise InputError(f'sweep: factors takes a map of paths and their values, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {factors!r} was read')
+        raise InputError(f'sweep: factors takes a map of paths and their values, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(factors)} was read')
     named: dict[str, dict[str, Any]] = {}
     for path, values in factors.items():
-        if not isinstance(path, str) or isinstance(values, (str, Mapping)) or not isinstance(values, Iterable):
-            raise InputError(f'sweep: takes a list of values for each path, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {path!r}: {values!r} was read')
+        if not isinstance(path, str) or isinstance(values, (str, Mapping)) or not isinstance(values, Iterable) or getattr(values, "ndim", 1) == 0:
+            raise InputError(f'sweep: takes a list of values for each path, such as {{"links.*.gap": ["10 mm", "20 mm"]}}; {excerpt(path)}: {excerpt(values)} was read')
         last = path.rpartition(".")[2]
         name = next(each for each in (last, *(f"{last}_{i}" for i in range(2, len(named) + 3))) if each not in named)
         named[name] = {"of": path, "list": list(values)}

@@ -24,6 +24,8 @@ def summary(study: Rows, column: str | None = None, limit: float | str | None = 
     kept: Sequence[str] = study.description["kept"]["columns"]
     found: dict[str, Any] = {"rows": len(study), "status": {word: int((status == i).sum()) for i, word in enumerate(STATUSES)},
                              "columns": {name: _of_column(study[name][study.finished]) for name in kept}}
+    if options := study.description.get("options"):
+        found["options"] = list(options)
     if study.warnings:
         found["warnings"] = list(study.warnings)
     if column is not None:

@@ -167,7 +167,7 @@ def _require_same(kept: Mapping[str, Any], plan: Plan, path: Path) -> None:
         return
     now = json.loads(json.dumps(by_content(plan.description())))
     before = by_content({"files": {}, **kept["plan"]})
-    different = [name for name in now if now[name] != before.get(name)]
+    different = [name for name in {**now, **before} if now.get(name) != before.get(name)]
     raise InputError(f"{path} holds rows of another plan: {', '.join(different) or 'something'} is not the same. Name another output with -o, or remove "
                      f"{path} and {path.name}.parts to begin again")
 
