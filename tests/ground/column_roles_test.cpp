@@ -113,6 +113,11 @@ TEST(Counters, StandInRecordsOfDisplacementAndForce) {
   EXPECT_EQ(read("time,Force(kN)\n0,0\n10,5\n30,5\n", force).warnings, Texts{}) << "slow forces are usual";
 }
 
+TEST(LinesOfCounts, AboveTimesNeedNoStep) {
+  for (const char* const text : {"200 0.005\n", "200\n0.005\n", "0.005 200\n"})
+    expect_motion(read(text + rows("{t:.3f} {a:.7e}\n"), {.units = "g"}));
+}
+
 TEST(LinesOfCounts, AreNoSamples) {
   const RecordOptions at_step{.units = "g", .step = 0.005};
   for (const char* const lines :

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pounding
 from pounding.errors import InputError
-from pounding.studies.separation import separation
+from pounding.studies.separation import separation, table_of
 from study_samples import bents, blocks, pair, write_records
 
 NAMES = [f"r{i}.csv" for i in range(6)]
@@ -43,6 +43,13 @@ class SameFile(unittest.TestCase):
     def write(self, name, text):
         (self.folder / name).write_text(text)
         return self.folder / name
+
+    def test_the_table_shows_the_number_of_every_sample(self):
+        one = {"required": 0.1, "abs": 0.1, "srss": 0.1, "ddc": 0.1}
+        names = [f"RSN1690_NORTH151_SYL090-hor1.AT2, sample {i}" for i in range(2)]
+        lines = table_of({"records": [{"record": name, **one} for name in names], "mean": one, "required": {}, "codes": [], "floors_align": True, "collapsed": []})
+        for name in names:
+            self.assertRegex(lines, f"{name} +100.0 +100.0")
 
     def test_same_gaps(self):
         gaps = {}

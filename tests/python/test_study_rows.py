@@ -326,6 +326,16 @@ class Rows(unittest.TestCase):
         np.testing.assert_array_equal(study.evaluate({"gap": 3e-3, "period": 0.8})["force"], study["force"][1:])
         with self.assertRaisesRegex(InputError, "a value for each of gap, period"):
             study.evaluate({"gap": 1e-3})
+        study = pounding.sweep(pair(), {"links.*.law": ["hertz_damped", "jankowski"]}, keep=["force"])
+        np.testing.assert_array_equal(study.evaluate({"law": 1.0})["force"], study["force"][1:])
+        for number in (2, 0.5, -1):
+            with self.assertRaisesRegex(InputError, "law: takes the number of a label, from 0 to 1"):
+                study.evaluate({"law": number})
+
+    def test_an_output_is_the_name_of_a_file(self):
+        for output in (3, ["s.h5"]):
+            with self.assertRaisesRegex(InputError, "output: takes the name of a file"):
+                pounding.study(pair(), workers=0, output=output)
 
     def test_tables_for_other_programs_hold_all_digits(self):
         study = run_plan(plan_of(), self.folder / "s.h5", workers=0)

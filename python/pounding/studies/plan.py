@@ -7,7 +7,7 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from os import PathLike
 from pathlib import Path
@@ -221,14 +221,13 @@ def make_plan(model: Model | str | PathLike[str], given: Any, folder: Path, text
         raise InputError(f"study: has {plan.count} rows, and {MOST_ROWS} are the most; take fewer values, samples, levels or records")
     # A wrong unit or bound in the first row is told here, not by a thousand rows.
     of_first = core.check(core.Source(plan.yaml(0), _place(template), {**template.files, **plan.files_of(np.array([0]))}))[2]
-    _require_labels(plan)
     warnings = (*with_cuts(of_model, of_first, cut_records(template, points, layout.last_arrival, files)),
-                *implausible(motions, parts.get("accept") or ()), *repeated(motions), *doubts(motions, intensity), *doubtful(one, points, parts))
+                *implausible(motions, parts.get("accept") or ()), *repeated(motions), *doubts(motions, intensity), *doubtful(one, points, parts), *_refused_labels(plan))
     return replace(plan, warnings=warnings)
 
 
-def _require_labels(plan: Plan) -> None:
-    """Raises InputError for a label, such as the name of a law, that the model of its first row does not take."""
+def _refused_labels(plan: Plan) -> Iterator[str]:
+    """Warnings of labels, such as names of laws, that the model of the first row does not take."""
     template, first = plan.template, plan.columns(np.array([0]))
     values = [float(first[factor.name][0]) for factor in template.factors]
     files = {**template.files, **plan.files_of(np.array([0]))}
@@ -238,7 +237,7 @@ def _require_labels(plan: Plan) -> None:
             try:
                 core.check(core.Source(yaml_text.emit(case), _place(template), files))
             except InputError as error:
-                raise InputError(f"study.factors.{factor.name}: {factor.labels[label]}: {error}") from None
+                yield f"study.factors.{factor.name}: rows with {factor.labels[label]} will be refused: {error}"
 
 
 def _require_one_ground(parts: Mapping[str, Any]) -> None:

@@ -103,11 +103,13 @@ def table_of(found: Mapping[str, Any]) -> str:
     def mm(value: float | None) -> str:
         return f"{'-':>9}" if value is None else f"{1e3 * value:9.1f}"
 
-    lines = [f"{'record':<28} needed (mm)       ABS      SRSS       DDC"]
-    lines += [f"{one['record'][:28]:<28}   {mm(one['required'])} {mm(one['abs'])} {mm(one['srss'])} {mm(one['ddc'])}" for one in found["records"]]
-    lines.append(f"{'mean of the rules':<28}   {'':>9} {mm(found['mean']['abs'])} {mm(found['mean']['srss'])} {mm(found['mean']['ddc'])}")
+    # The number of a sample ends its name.
+    width = min(60, max(28, *(len(one["record"]) for one in found["records"])))
+    lines = [f"{'record':<{width}} needed (mm)       ABS      SRSS       DDC"]
+    lines += [f"{one['record'][:width]:<{width}}   {mm(one['required'])} {mm(one['abs'])} {mm(one['srss'])} {mm(one['ddc'])}" for one in found["records"]]
+    lines.append(f"{'mean of the rules':<{width}}   {'':>9} {mm(found['mean']['abs'])} {mm(found['mean']['srss'])} {mm(found['mean']['ddc'])}")
     for percent, one in found["required"].items():
-        lines.append(f"{f'enough for {percent} of records':<28}   {mm(one['gap'])}   (90 % band {mm(one['low']).strip()} to {mm(one['high']).strip()})")
+        lines.append(f"{f'enough for {percent} of records':<{width}}   {mm(one['gap'])}   (90 % band {mm(one['low']).strip()} to {mm(one['high']).strip()})")
     lines.append(f"\n{'rule of a code, from the mean':<36} {'clause':<9} gap (mm)" + ("; floors align" if found["floors_align"] else ""))
     lines += [f"{one['code']:<36} {one['clause']:<9} {mm(one['gap'])}" for one in found["codes"]]
     if found["collapsed"]:

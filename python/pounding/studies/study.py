@@ -123,6 +123,9 @@ class Study(Rows):
         if missing or set(factors) - set(self.factors):
             raise InputError(f"evaluate takes a value for each of {', '.join(self.factors)}")
         records, points, levels = self.plan.shape
+        for factor in self.plan.points.factors:
+            if factor.labels and factors[factor.name] not in range(len(factor.labels)):
+                raise arguments.refuse(factor.name, f"the number of a label, from 0 to {len(factor.labels) - 1}", factors[factor.name])
         rows = (np.arange(records)[:, None] * points * levels + np.arange(levels)).ravel()
         batch = batch_of(self.plan, rows)
         batch.values[:] = [factors[name] for name in self.factors]
@@ -170,7 +173,7 @@ def study(model: Model | File, factors: Mapping[str, Any] | None = None, *, reco
     require_count("workers", workers, 0)
     require_count("chunk", chunk, 1)
     if output is not None:
-        destination(output, STUDY)
+        destination(arguments.file("output", output), STUDY)
     path = None if output is None else Path(output)
     read = None if isinstance(model, Model) else read_given(model)
     if read is not None and read.words is not None:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -173,11 +174,16 @@ std::string drop_count_rows(const Lines& lines, NumberTable& table, const Record
       one ? fmt::format("line {}", table.line(0) + 1) : fmt::format("lines {} and {}", table.line(0) + 1, table.line(1) + 1);
   const std::string stated = fmt::format("{} state{} {} values{}", place, one ? "s" : "", found.count,
                                          found.step > 0 ? fmt::format(" and a step of {:g} s", found.step) : "");
-  if (found.step > 0 && options.step == 0) lines.fail(table.line(0), fmt::format("{}; type step: {:g} s", stated, found.step));
-  if (found.step > 0 && std::abs(found.step - options.step) > 1e-6 * options.step)
+  NumberTable rest = table;
+  rest.drop(found.rows);
+  // Times below the lines, as in "400 0.01" above "0 0.1", need no step.
+  const bool has_times = rest.columns(0) > 1 && std::abs(even_spacing(rest, 0) - found.step) <= 1e-3 * found.step;
+  if (found.step > 0 && options.step == 0 && !has_times)
+    lines.fail(table.line(0), fmt::format("{}; type step: {:g} s", stated, found.step));
+  if (found.step > 0 && options.step > 0 && std::abs(found.step - options.step) > 1e-6 * options.step)
     lines.fail(table.line(0), fmt::format("{}, but \"step\" says {:g} s; type step: {:g} s, or delete what is no sample", stated,
                                           options.step, found.step));
-  table.drop(found.rows);
+  table = std::move(rest);
   return stated;
 }
 
